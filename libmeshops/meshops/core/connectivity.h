@@ -1,0 +1,16 @@
+// What: the names by which libmeshops speaks of OpenMesh's halfedge connectivity.
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+
+namespace meshops {
+
+/// The connectivity of any OpenMesh mesh, whatever its traits: every mesh type converts to it.
+using Connectivity = OpenMesh::PolyConnectivity;
+
+using Vertex = OpenMesh::VertexHandle;
+using Halfedge = OpenMesh::HalfedgeHandle;
+using Edge = OpenMesh::EdgeHandle;
+using Face = OpenMesh::FaceHandle;
+
+}  // namespace meshops

@@ -1,0 +1,170 @@
+#include "meshops/core/validate.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace meshops {
+namespace {
+
+class Validator {
+ public:
+  explicit Validator(const Connectivity& mesh) : mesh_(mesh) {}
+
+  std::vector<Defect> run() {
+    check_halfedge_ranges();
+    // Everything below follows handles, which is safe only when they exist.
+    if (defects_.empty()) {
+      check_halfedges();
+      check_faces();
+      check_vertices();
+    }
+    std::stable_sort(defects_.begin(), defects_.end(),
+                     [](const Defect& a, const Defect& b) { return a.element < b.element; });
+    return std::move(defects_);
+  }
+
+ private:
+  void add(DefectKind kind, ElementKind element, int index) { defects_.push_back({kind, element, index}); }
+
+  bool alive(Vertex v) const {
+    return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh_.n_vertices() &&
+           !(mesh_.has_vertex_status() && mesh_.status(v).deleted());
+  }
+  bool alive(Edge e) const { return !(mesh_.has_edge_status() && mesh_.status(e).deleted()); }
+  bool alive(Halfedge h) const {
+    return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh_.n_halfedges() && alive(mesh_.edge_handle(h));
+  }
+  bool alive(Face f) const {
+    return f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh_.n_faces() &&
+           !(mesh_.has_face_status() && mesh_.status(f).deleted());
+  }
+
+  template <typename Visit>
+  void for_each_halfedge(Visit visit) const {
+    for (int i = 0; i < static_cast<int>(mesh_.n_halfedges()); ++i)
+      if (const Halfedge h(i); alive(h)) visit(h);
+  }
+  template <typename Visit>
+  void for_each_face(Visit visit) const {
+    for (int i = 0; i < static_cast<int>(mesh_.n_faces()); ++i)
+      if (const Face f(i); alive(f)) visit(f);
+  }
+  template <typename Visit>
+  void for_each_vertex(Visit visit) const {
+    for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i)
+      if (const Vertex v(i); alive(v)) visit(v);
+  }
+
+  void check_halfedge_ranges() {
+    for_each_halfedge([&](Halfedge h) {
+      const Face f = mesh_.face_handle(h);
+      if (!alive(mesh_.to_vertex_handle(h)) || !alive(mesh_.next_halfedge_handle(h)) ||
+          !alive(mesh_.prev_halfedge_handle(h)) || (f.is_valid() && !alive(f)))
+        add(DefectKind::handle_out_of_range, ElementKind::halfedge, h.idx());
+    });
+    for_each_face([&](Face f) {
+      if (!alive(mesh_.halfedge_handle(f))) add(DefectKind::handle_out_of_range, ElementKind::face, f.idx());
+    });
+    for_each_vertex([&](Vertex v) {
+      if (!mesh_.is_isolated(v) && !alive(mesh_.halfedge_handle(v)))
+        add(DefectKind::handle_out_of_range, ElementKind::vertex, v.idx());
+    });
+  }
+
+  void check_halfedges() {
+    for_each_halfedge([&](Halfedge h) {
+      const Halfedge next = mesh_.next_halfedge_handle(h);
+      if (mesh_.prev_halfedge_handle(next) != h || mesh_.next_halfedge_handle(mesh_.prev_halfedge_handle(h)) != h)
+        add(DefectKind::next_and_prev_disagree, ElementKind::halfedge, h.idx());
+      if (mesh_.from_vertex_handle(next) != mesh_.to_vertex_handle(h))
+        add(DefectKind::halfedges_do_not_meet, ElementKind::halfedge, h.idx());
+      if (mesh_.face_handle(next) != mesh_.face_handle(h))
+        add(DefectKind::face_changes_along_loop, ElementKind::halfedge, h.idx());
+      if (h.idx() % 2 == 0) {
+        if (mesh_.from_vertex_handle(h) == mesh_.to_vertex_handle(h))
+          add(DefectKind::loop_edge, ElementKind::halfedge, h.idx());
+        if (mesh_.is_boundary(h) && mesh_.is_boundary(mesh_.opposite_halfedge_handle(h)))
+          add(DefectKind::dangling_edge, ElementKind::halfedge, h.idx());
+      }
+    });
+  }
+
+  void check_faces() {
+    for_each_face([&](Face f) {
+      const Halfedge first = mesh_.halfedge_handle(f);
+      if (mesh_.face_handle(first) != f) {
+        add(DefectKind::face_halfedge_elsewhere, ElementKind::face, f.idx());
+        return;
+      }
+      std::size_t sides = 0;
+      Halfedge h = first;
+      do {
+        h = mesh_.next_halfedge_handle(h);
+      } while (++sides <= mesh_.n_halfedges() && h != first);
+      if (h != first)
+        add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
+      else if (sides < 3)
+        add(DefectKind::face_too_short, ElementKind::face, f.idx());
+    });
+  }
+
+  void check_vertices() {
+    std::vector<int> outgoing(mesh_.n_vertices(), 0);
+    std::vector<char> on_boundary(mesh_.n_vertices(), 0);
+    for_each_halfedge([&](Halfedge h) {
+      const auto v = static_cast<std::size_t>(mesh_.from_vertex_handle(h).idx());
+      ++outgoing[v];
+      if (mesh_.is_boundary(h)) on_boundary[v] = 1;
+    });
+    for_each_vertex([&](Vertex v) {
+      const int degree = outgoing[static_cast<std::size_t>(v.idx())];
+      if (mesh_.is_isolated(v)) {
+        if (degree != 0) add(DefectKind::vertex_halfedge_elsewhere, ElementKind::vertex, v.idx());
+        return;
+      }
+      const Halfedge first = mesh_.halfedge_handle(v);
+      if (mesh_.from_vertex_handle(first) != v) {
+        add(DefectKind::vertex_halfedge_elsewhere, ElementKind::vertex, v.idx());
+        return;
+      }
+      if (on_boundary[static_cast<std::size_t>(v.idx())] && !mesh_.is_boundary(first))
+        add(DefectKind::vertex_halfedge_inner, ElementKind::vertex, v.idx());
+      int reached = 0;
+      Halfedge h = first;
+      do {
+        h = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(h));
+      } while (++reached <= degree && h != first);
+      if (reached != degree || h != first)
+        add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
+    });
+  }
+
+  const Connectivity& mesh_;
+  std::vector<Defect> defects_;
+};
+
+}  // namespace
+
+std::string_view name(DefectKind kind) {
+  static constexpr std::array<std::string_view, 12> names = {
+      "handle out of range",       "next and prev disagree", "halfedges do not meet",
+      "face changes along loop",   "face halfedge elsewhere", "face too short",
+      "loop does not close",       "loop edge",               "dangling edge",
+      "vertex halfedge elsewhere", "vertex halfedge inner",   "vertex has several fans"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string_view name(ElementKind kind) {
+  static constexpr std::array<std::string_view, 3> names = {"vertex", "halfedge", "face"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string describe(const Defect& defect) {
+  return std::string(name(defect.element)) + ' ' + std::to_string(defect.index) + ": " +
+         std::string(name(defect.kind));
+}
+
+std::vector<Defect> validate(const Connectivity& mesh) { return Validator(mesh).run(); }
+
+}  // namespace meshops

@@ -1,0 +1,48 @@
+// What: is a mesh an oriented 2-manifold with boundary whose records agree with each other? All the ways in which not.
+// Law:  every operator of libmeshops keeps a mesh without defects free of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+enum class DefectKind {
+  handle_out_of_range,        ///< a record names an element that does not exist or is deleted
+  next_and_prev_disagree,     ///< next(h) = g but prev(g) ≠ h, or the reverse
+  halfedges_do_not_meet,      ///< next(h) does not start where h ends
+  face_changes_along_loop,    ///< h and next(h) belong to different faces
+  face_halfedge_elsewhere,    ///< the halfedge of a face belongs to another
+  face_too_short,             ///< a face has fewer than three sides
+  loop_does_not_close,        ///< following next never returns
+  loop_edge,                  ///< an edge has one vertex at both ends
+  dangling_edge,              ///< an edge has no face on either side
+  vertex_halfedge_elsewhere,  ///< the halfedge of a vertex starts at another vertex
+  vertex_halfedge_inner,      ///< a vertex lies on the boundary but its halfedge does not (OpenMesh's convention)
+  vertex_has_several_fans     ///< the faces at a vertex do not form one fan: not a manifold there
+};
+
+enum class ElementKind { vertex, halfedge, face };
+
+struct Defect {
+  DefectKind kind;
+  ElementKind element;
+  int index;  ///< of the vertex, halfedge or face at which the defect shows
+  friend bool operator==(const Defect&, const Defect&) = default;
+};
+
+std::string_view name(DefectKind kind);
+std::string_view name(ElementKind kind);
+
+/// For people: "vertex 17: vertex has several fans".
+std::string describe(const Defect& defect);
+
+/// Every defect of the mesh, vertices first, then halfedges, then faces; empty when it is sound.
+/// Isolated vertices are no defects; elements marked deleted are passed over.
+/// Cost: linear in the size of the mesh.
+std::vector<Defect> validate(const Connectivity& mesh);
+
+}  // namespace meshops

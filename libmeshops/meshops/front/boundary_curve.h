@@ -1,0 +1,67 @@
+// What: the boundary curves of a mesh as ranges of halfedges.
+// Law:  every boundary halfedge is on exactly one curve; a curve has the mesh on its right and closes.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+/// The closed curve of boundary halfedges through a given one, in the order of `next`. A view: it owns nothing, and
+/// holds as long as the boundary is not changed.
+class BoundaryCurve {
+ public:
+  class Iterator {
+   public:
+    using iterator_concept = std::forward_iterator_tag;
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = Halfedge;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Halfedge*;
+    using reference = Halfedge;
+
+    Iterator() = default;
+    Iterator(const Connectivity& mesh, Halfedge at, bool at_end) : mesh_(&mesh), first_(at), at_(at), end_(at_end) {}
+    Halfedge operator*() const { return at_; }
+    Iterator& operator++() {
+      at_ = mesh_->next_halfedge_handle(at_);
+      end_ = at_ == first_;
+      return *this;
+    }
+    Iterator operator++(int) {
+      Iterator old = *this;
+      ++*this;
+      return old;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_ && a.end_ == b.end_; }
+
+   private:
+    const Connectivity* mesh_ = nullptr;
+    Halfedge first_;
+    Halfedge at_;
+    bool end_ = true;
+  };
+
+  /// Requires: `through` is a boundary halfedge of a sound mesh. Throws ContractViolation.
+  BoundaryCurve(const Connectivity& mesh, Halfedge through);
+
+  Iterator begin() const { return {*mesh_, through_, false}; }
+  Iterator end() const { return {*mesh_, through_, true}; }
+  Halfedge front() const { return through_; }
+
+  /// The number of edges. Cost: linear in it.
+  std::size_t length() const;
+
+ private:
+  const Connectivity* mesh_;
+  Halfedge through_;
+};
+
+/// Every boundary curve once, each given from its least halfedge, in ascending order of that.
+/// Cost: linear in the number of halfedges.
+std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh);
+
+}  // namespace meshops

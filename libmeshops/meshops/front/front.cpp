@@ -1,0 +1,120 @@
+#include "meshops/front/front.h"
+
+#include "meshops/core/contract.h"
+
+namespace meshops {
+
+Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply) : mesh_(mesh), sites_(sites), supply_(supply) {
+  require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
+  require(supply > 0, "Front: supply is 0");
+  mesh.resize(sites, 0, 0);
+}
+
+void Front::supply(std::size_t edges, std::size_t faces) {
+  mesh_.resize(mesh_.n_vertices(), mesh_.n_edges() + edges, mesh_.n_faces() + faces);
+}
+
+Vertex Front::vertex_for_fan(Site s) {
+  if (is_free(s)) return Vertex(s);
+  int index;
+  if (unused_.empty()) {
+    index = mesh_.new_vertex().idx() - static_cast<int>(sites_);
+    extra_.push_back({});
+  } else {
+    index = unused_.back().idx() - static_cast<int>(sites_);
+    unused_.pop_back();
+  }
+  const auto [slot, inserted] = first_extra_.try_emplace(s, -1);
+  extra_[static_cast<std::size_t>(index)] = {s, slot->second};
+  slot->second = index;
+  return Vertex(static_cast<int>(sites_) + index);
+}
+
+void Front::release(Vertex v) {
+  // Of two merged vertices the lower handle stays, so the one left over is always an extra one.
+  const int index = v.idx() - static_cast<int>(sites_);
+  const auto slot = first_extra_.find(site(v));
+  int* link = &slot->second;
+  while (*link != index) link = &extra_[static_cast<std::size_t>(*link)].next;
+  *link = extra_[static_cast<std::size_t>(index)].next;
+  if (slot->second < 0) first_extra_.erase(slot);
+  unused_.push_back(v);
+}
+
+InsertedTriangle Front::insert(TriangleSides sides, Site a, Site b, Site c) {
+  const std::array<Site, 3> on = {a, b, c};
+  for (unsigned i = 0; i < 3; ++i)
+    if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid()) sides.corner[i] = vertex_for_fan(on[i]);
+  const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
+  for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) release(result.left_over[i]);
+  for (unsigned i = 0; i < 3; ++i)
+    if (!sides.side[i].is_valid()) activate(mesh_.opposite_halfedge_handle(result.side[i]));
+  return result;
+}
+
+InsertedTriangle Front::create(Site a, Site b, Site c) {
+  TriangleSides sides;
+  sides.side = {boundary_into(a, b), boundary_into(b, c), boundary_into(c, a)};
+  return insert(sides, a, b, c);
+}
+
+InsertedTriangle Front::attach(Halfedge h, Site apex) {
+  const Site a = from_site(h), b = to_site(h);
+  TriangleSides sides;
+  sides.side[0] = h;
+  if (!is_free(apex)) {
+    // The neighbours on the curve are the common case and need no search.
+    const Halfedge next = mesh_.next_halfedge_handle(h), prev = mesh_.prev_halfedge_handle(h);
+    sides.side[1] = to_site(next) == apex ? next : boundary_into(b, apex);
+    sides.side[2] = from_site(prev) == apex ? prev : boundary_out_of(apex, a);
+  }
+  return insert(sides, a, b, apex);
+}
+
+void Front::activate(Halfedge h) {
+  // The part before head_ is spent: reuse it when it is most of the queue, so that the queue stays as long as the
+  // front and not as the run.
+  if (active_.size() == active_.capacity() && head_ > active_.size() / 2) {
+    active_.erase(active_.begin(), active_.begin() + static_cast<std::ptrdiff_t>(head_));
+    head_ = 0;
+  }
+  active_.push_back(h);
+}
+
+std::vector<Site> Front::finish() {
+  std::vector<Site> site_of;
+  site_of.reserve(mesh_.n_vertices());
+  std::vector<Vertex> renumbered;
+  for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
+    const Vertex v(i);
+    if (mesh_.is_isolated(v)) {
+      if (renumbered.empty()) {
+        // The first gap: up to here every vertex stays where it is.
+        renumbered.resize(mesh_.n_vertices());
+        for (int k = 0; k < i; ++k) renumbered[static_cast<std::size_t>(k)] = Vertex(k);
+      }
+      continue;
+    }
+    const Vertex target(static_cast<int>(site_of.size()));
+    site_of.push_back(site(v));
+    if (renumbered.empty()) continue;
+    renumbered[static_cast<std::size_t>(i)] = target;
+    mesh_.copy_all_properties(v, target, true);
+    mesh_.set_halfedge_handle(target, mesh_.halfedge_handle(v));
+  }
+  if (!renumbered.empty()) {
+    for (int i = 0; i < static_cast<int>(2 * edges_); ++i) {
+      const Halfedge h(i);
+      mesh_.set_vertex_handle(h, renumbered[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]);
+    }
+  }
+  mesh_.resize(site_of.size(), edges_, faces_);
+  extra_ = {};
+  first_extra_ = {};
+  unused_ = {};
+  active_ = {};
+  frozen_ = {};
+  return site_of;
+}
+
+}  // namespace meshops

@@ -1,0 +1,150 @@
+// What:   the front: boundary curves that are still to be advanced, on a mesh whose vertices stand on sites.
+// Law:    the mesh is sound at every step; every boundary halfedge is active or frozen; between any two sites there is
+//         at most one edge as long as the policy proposes triangles of a complex.
+// Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/handle/insert_triangle.h"
+
+namespace meshops {
+
+/// What a vertex stands on, as an index that the user chose, from 0. Where a complex touches itself in a point, several
+/// vertices stand on one site, one per fan: that keeps every front curve a simple closed curve.
+using Site = int;
+
+class Front {
+ public:
+  /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
+  /// Elements of the mesh are made `supply` at a time, which is faster than singly; until finish() the mesh then has up
+  /// to that many edges and faces at its end that are not in use. With 1 it never has any.
+  /// Requires: the mesh has no vertices. Throws ContractViolation.
+  explicit Front(Connectivity& mesh, std::size_t sites, std::size_t supply = 1);
+
+  const Connectivity& mesh() const { return mesh_; }
+  /// The number of edges and faces in use.
+  std::size_t edges() const { return edges_; }
+  std::size_t faces() const { return faces_; }
+  std::size_t sites() const { return sites_; }
+
+  Site site(Vertex v) const {
+    const auto i = static_cast<std::size_t>(v.idx());
+    return i < sites_ ? v.idx() : extra_[i - sites_].site;
+  }
+  Site from_site(Halfedge h) const { return site(mesh_.from_vertex_handle(h)); }
+  Site to_site(Halfedge h) const { return site(mesh_.to_vertex_handle(h)); }
+
+  /// No triangle has a corner on this site.
+  bool is_free(Site s) const { return mesh_.is_isolated(Vertex(s)); }
+
+  /// Calls visit(Vertex) for each fan on the site: none when it is free.
+  template <typename Visit>
+  void for_each_fan(Site s, Visit visit) const {
+    if (is_free(s)) return;
+    visit(Vertex(s));
+    if (extra_.empty()) return;
+    const auto found = first_extra_.find(s);
+    if (found == first_extra_.end()) return;
+    for (int i = found->second; i >= 0; i = extra_[static_cast<std::size_t>(i)].next)
+      visit(Vertex(static_cast<int>(sites_) + i));
+  }
+
+  /// The boundary halfedge that comes from a site into `to`, or leaves `from` for a site; an invalid handle when there
+  /// is none. Both find the same halfedge. Cost: the number of fans at `to`, at `from`.
+  Halfedge boundary_into(Site from, Site to) const {
+    Halfedge found;
+    for_each_fan(to, [&](Vertex v) {
+      const Halfedge out = mesh_.halfedge_handle(v);
+      if (!mesh_.is_boundary(out)) return;
+      if (const Halfedge in = mesh_.prev_halfedge_handle(out); from_site(in) == from) found = in;
+    });
+    return found;
+  }
+  Halfedge boundary_out_of(Site from, Site to) const {
+    Halfedge found;
+    for_each_fan(from, [&](Vertex v) {
+      const Halfedge out = mesh_.halfedge_handle(v);
+      if (mesh_.is_boundary(out) && to_site(out) == to) found = out;
+    });
+    return found;
+  }
+
+  /// Adds a triangle that touches the mesh at most in vertices and along boundary edges between the same sites, to
+  /// which it is glued. Its new boundary halfedges become active.
+  /// Requires: three distinct sites.
+  InsertedTriangle create(Site a, Site b, Site c);
+
+  /// Attaches a triangle to an active halfedge a→b, with its apex on a site, and glues its other sides to the boundary
+  /// halfedges b→apex and apex→a where they exist, on whatever curve. New boundary halfedges become active.
+  /// Requires: `h` is a boundary halfedge; the apex is neither of its ends.
+  InsertedTriangle attach(Halfedge h, Site apex);
+
+  /// The next active halfedge, which is then no longer active until it is frozen or attached to; none when the front
+  /// has run dry.
+  Halfedge pop() {
+    while (head_ < active_.size()) {
+      const Halfedge h = active_[head_++];
+      if (mesh_.is_boundary(h)) return h;
+    }
+    active_.clear();
+    head_ = 0;
+    return Halfedge();
+  }
+
+  /// Sets a halfedge aside: nothing can be attached to it at this level.
+  void freeze(Halfedge h) { frozen_.push_back(h); }
+
+  /// Frees memory that is of no more use and makes the mesh whole: removes vertices without triangles and renumbers
+  /// the others, keeping their order.
+  /// Returns: the site of each vertex that is left.
+  /// Invalidates: vertex handles and this front, on which only mesh() may be called afterwards.
+  std::vector<Site> finish();
+
+ private:
+  struct Extra {
+    Site site;
+    int next;  // the next extra vertex on the site, or -1
+  };
+
+  /// Elements for insert_triangle().
+  struct Supply {
+    Front& front;
+    Halfedge edge(Vertex from, Vertex to) {
+      if (front.edges_ == front.mesh_.n_edges()) front.supply(front.supply_, 0);
+      const Halfedge h(static_cast<int>(2 * front.edges_++));
+      front.mesh_.set_vertex_handle(h, to);
+      front.mesh_.set_vertex_handle(front.mesh_.opposite_halfedge_handle(h), from);
+      return h;
+    }
+    Face face() {
+      if (front.faces_ == front.mesh_.n_faces()) front.supply(0, front.supply_);
+      return Face(static_cast<int>(front.faces_++));
+    }
+  };
+  void supply(std::size_t edges, std::size_t faces);
+
+  Vertex vertex_for_fan(Site s);
+  void release(Vertex v);
+  InsertedTriangle insert(TriangleSides sides, Site a, Site b, Site c);
+  void activate(Halfedge h);
+
+  Connectivity& mesh_;
+  std::size_t sites_;
+  std::size_t supply_;
+  std::size_t edges_ = 0;
+  std::size_t faces_ = 0;
+  std::vector<Extra> extra_;                   // of vertex sites_ + i: a second and further fan on a site
+  std::unordered_map<Site, int> first_extra_;  // pinches are few
+  std::vector<Vertex> unused_;                 // extra vertices merged away, to be used again
+  std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
+  std::size_t head_ = 0;
+  std::vector<Halfedge> frozen_;
+};
+
+}  // namespace meshops

@@ -1,0 +1,15 @@
+// What:   the handle operator that begins a component.
+// Source: Lewiner et al., Topological mesh operators, section on handle operators.
+#pragma once
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+/// Adds a triangle with three new vertices and three new edges.
+/// Returns:  its first inner halfedge, from the first to the second new vertex; the boundary curve runs opposite.
+/// Δ:        V +3, E +3, F +1, χ +1, curves +1, components +1, genus 0.
+/// Cost:     constant.
+Halfedge create_triangle(Connectivity& mesh);
+
+}  // namespace meshops

@@ -1,0 +1,43 @@
+// What:   what a handle operator did to the topology of a mesh.
+// Law:    delta(case) is exact for every application of the operator, on every mesh.
+// Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
+#pragma once
+
+namespace meshops {
+
+/// The change of the counts of a mesh; isolated vertices are counted as vertices and as components.
+struct Delta {
+  int vertices = 0;
+  int edges = 0;
+  int faces = 0;
+  int curves = 0;
+  int components = 0;
+  int genus = 0;
+
+  constexpr int euler() const { return vertices - edges + faces; }
+  friend constexpr bool operator==(const Delta&, const Delta&) = default;
+};
+
+/// The five things that gluing two boundary edges can be.
+enum class GlueCase {
+  join,         ///< edges on two components: they become one
+  split_curve,  ///< same curve, edges not adjacent: the curve becomes two
+  handle,       ///< two curves of one component: a handle is made
+  zip,          ///< adjacent edges of one curve: the vertex between them turns inner
+  close         ///< the last two edges of a curve: the curve vanishes
+};
+
+constexpr Delta delta_of_create() { return {.vertices = 3, .edges = 3, .faces = 1, .curves = 1, .components = 1}; }
+
+constexpr Delta delta_of(GlueCase c) {
+  switch (c) {
+    case GlueCase::join: return {.vertices = -2, .edges = -1, .curves = -1, .components = -1};
+    case GlueCase::split_curve: return {.vertices = -2, .edges = -1, .curves = 1};
+    case GlueCase::handle: return {.vertices = -2, .edges = -1, .curves = -1, .genus = 1};
+    case GlueCase::zip: return {.vertices = -1, .edges = -1};
+    case GlueCase::close: return {.edges = -1, .curves = -1};
+  }
+  return {};
+}
+
+}  // namespace meshops

@@ -1,0 +1,37 @@
+// What:   the handle operator that makes two boundary edges one.
+// Law:    the counts change exactly as delta_of(case) says (effect.h); a sound mesh stays sound.
+// Source: Lewiner et al., Topological mesh operators, section on handle operators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/handle/effect.h"
+
+namespace meshops {
+
+struct GlueEffect {
+  GlueCase what;
+  Halfedge survivor;  ///< `first`, now inner: its edge is the glued one
+  Delta delta() const { return delta_of(what); }
+};
+
+/// Why `first` and `second` cannot be glued, or nothing when they can: not boundary halfedges, one edge, or an edge
+/// between vertices that would become one (it would turn into a loop).
+std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
+
+/// What glue() would be for these boundary halfedges.
+/// Requires: glue_blocker() is empty.
+/// Cost:     the length of a curve; the size of a component when the edges are on two curves.
+GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
+
+/// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
+/// Effect:      the edge of `second` and up to two vertices are marked deleted; of two vertices the lower handle stays.
+/// Requires:    glue_blocker() is empty; the mesh has vertex, halfedge and edge status (deletion needs it).
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: `second`, its edge, and the vertices that were merged into others.
+/// Cost:        that of glue_case(), plus the degrees of the merged vertices.
+GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
+
+}  // namespace meshops

@@ -1,0 +1,41 @@
+#include "meshops/topology/count.h"
+
+#include <boost/pending/disjoint_sets.hpp>
+#include <vector>
+
+#include "meshops/front/boundary_curve.h"
+
+namespace meshops {
+
+TopologyCounts count_topology(const Connectivity& mesh) {
+  TopologyCounts counts;
+  std::vector<std::size_t> parent(mesh.n_vertices());
+  std::vector<unsigned char> rank(mesh.n_vertices(), 0);
+  boost::disjoint_sets<unsigned char*, std::size_t*> sets(rank.data(), parent.data());
+  for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
+    sets.make_set(i);
+    const Vertex v(static_cast<int>(i));
+    if (mesh.has_vertex_status() && mesh.status(v).deleted()) continue;
+    ++counts.vertices;
+    ++counts.components;
+    if (mesh.is_isolated(v)) ++counts.isolated;
+  }
+  for (int i = 0; i < static_cast<int>(mesh.n_edges()); ++i) {
+    const Edge e(i);
+    if (mesh.has_edge_status() && mesh.status(e).deleted()) continue;
+    ++counts.edges;
+    const Halfedge h = mesh.halfedge_handle(e, 0);
+    const std::size_t a = sets.find_set(static_cast<std::size_t>(mesh.from_vertex_handle(h).idx()));
+    const std::size_t b = sets.find_set(static_cast<std::size_t>(mesh.to_vertex_handle(h).idx()));
+    if (a != b) {
+      sets.link(a, b);
+      --counts.components;
+    }
+  }
+  for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i)
+    if (!(mesh.has_face_status() && mesh.status(Face(i)).deleted())) ++counts.faces;
+  counts.boundary_curves = boundary_curves(mesh).size();
+  return counts;
+}
+
+}  // namespace meshops

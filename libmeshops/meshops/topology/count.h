@@ -1,0 +1,30 @@
+// What: how many of everything a mesh has.
+// Law:  euler = vertices − edges + faces.
+#pragma once
+
+#include <cstddef>
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+/// Elements marked deleted are not counted; an isolated vertex is a vertex and a component.
+struct TopologyCounts {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t components = 0;  ///< pieces connected through edges
+  std::size_t boundary_curves = 0;
+
+  long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
+  /// Of all components together: each closed-up component has χ = 2 − 2g.
+  long genus() const { return (2 * static_cast<long>(components) - euler() - static_cast<long>(boundary_curves) -
+                               static_cast<long>(isolated)) / 2; }
+  std::size_t isolated = 0;  ///< vertices without an edge
+  friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
+};
+
+/// Requires: validate(mesh) is empty. Cost: about linear.
+TopologyCounts count_topology(const Connectivity& mesh);
+
+}  // namespace meshops

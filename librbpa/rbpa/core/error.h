@@ -1,0 +1,20 @@
+// What: the ways in which a computation of librbpa ends without a result.
+#pragma once
+
+#include <stdexcept>
+
+namespace rbpa {
+
+/// The caller's data or parameters are not what the function takes; nothing was computed.
+class InvalidInput : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// The progress callback asked to stop.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+}  // namespace rbpa

@@ -1,0 +1,40 @@
+// What:   restricted ball pivoting as a policy of the advancing-front engine.
+// Law:    proposes exactly the triangles of the solid alpha complex.
+// Source: Restricted BPA, section 3.2.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "meshops/front/policy.h"
+#include "rbpa/seed/seeds.h"
+
+namespace rbpa {
+
+/// `FrontPivot` finds the apex of a front edge: Pivot, or PaperPivot for comparison.
+template <typename Real, typename FrontPivot>
+class RestrictedBallPivoting {
+ public:
+  using Site = std::uint32_t;
+
+  /// Keeps references.
+  RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot) : seeds_(seeds), pivot_(pivot) {}
+
+  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) { return seeds_.next(front); }
+
+  std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
+    const auto& mesh = front.mesh();
+    // About half of the triangles fill a corner of the front: the neighbours on it are good guesses.
+    const auto before = static_cast<Site>(front.from_site(mesh.prev_halfedge_handle(h)));
+    const auto after = static_cast<Site>(front.to_site(mesh.next_halfedge_handle(h)));
+    const auto apex = pivot_(static_cast<Site>(front.from_site(h)), static_cast<Site>(front.to_site(h)), {before, after});
+    if (!apex) return std::nullopt;
+    return static_cast<meshops::Site>(*apex);
+  }
+
+ private:
+  Seeds<Real>& seeds_;
+  const FrontPivot& pivot_;
+};
+
+}  // namespace rbpa

@@ -1,0 +1,145 @@
+// What:   the exact decisions: side of a line, in-circle, circumradius against alpha, distances.
+// Law:    each returns the sign of a real number that its comment names, for every finite input. Exchange of arguments
+//         changes the sign as it does for the real number.
+// How:    a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); what it
+//         leaves goes to expansions, or to integers of any length where exponents are extreme.
+// Cost:   a few nanoseconds; 0.1–1 µs when the filter fails.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "rbpa/core/point.h"
+#include "rbpa/predicate/exact_integer.h"
+#include "rbpa/predicate/expansion.h"
+
+namespace rbpa {
+
+/// The predicates on coordinates whose products stay within the exponents of `Real`:
+///   double       coordinates for which fits_double() holds;
+///   long double  every coordinate (its exponent has 15 bits or more, which degree six in doubles does not leave).
+template <typename Real>
+class Predicates {
+  static_assert(std::numeric_limits<Real>::is_iec559);
+  static_assert(std::is_same_v<Real, double> || std::numeric_limits<Real>::max_exponent >= 16384,
+                "long double has the exponents of double here: extreme coordinates could not be filtered");
+
+ public:
+  static constexpr Real unit = std::numeric_limits<Real>::epsilon() / 2;  ///< of one rounding
+
+  struct Vector {
+    Real x, y;
+  };
+  static Vector from(const Point& a, const Point& b) { return {Real(b.x) - Real(a.x), Real(b.y) - Real(a.y)}; }
+  static Real dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
+  static Real cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
+  static Real dot_size(const Vector& u, const Vector& v) { return std::abs(u.x * v.x) + std::abs(u.y * v.y); }
+  static Real cross_size(const Vector& u, const Vector& v) { return std::abs(u.x * v.y) + std::abs(u.y * v.x); }
+
+  /// 1 when a, b, c turn left, −1 when right, 0 when they are on a line.
+  static int orientation(const Point& a, const Point& b, const Point& c) {
+    const Vector ab = from(a, b), ac = from(a, c);
+    const Real area = cross(ab, ac), bound = 5 * unit * cross_size(ab, ac);
+    if (area > bound) return 1;
+    if (area < -bound) return -1;
+    if constexpr (std::is_same_v<Real, double>) return exact(a, b) .cross(exact(a, c)).sign();
+    return exact_integer::orientation(a, b, c);
+  }
+
+  /// Requires (a, b, p) to turn left. 1 when q is inside their circle, −1 when outside, 0 when on it.
+  static int in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
+    const Vector ab = from(a, b), ap = from(a, p), bp = from(b, p), aq = from(a, q), bq = from(b, q);
+    const Real difference = dot(ap, bp) * cross(ab, aq) - dot(aq, bq) * cross(ab, ap);
+    const Real bound =
+        16 * unit * (dot_size(ap, bp) * cross_size(ab, aq) + dot_size(aq, bq) * cross_size(ab, ap));
+    if (difference > bound) return 1;
+    if (difference < -bound) return -1;
+    if constexpr (std::is_same_v<Real, double>) {
+      const auto exact_ab = exact(a, b), exact_ap = exact(a, p), exact_aq = exact(a, q);
+      return (exact_ap.dot(exact(b, p)) * exact_ab.cross(exact_aq) -
+              exact_aq.dot(exact(b, q)) * exact_ab.cross(exact_ap))
+          .sign();
+    }
+    return exact_integer::in_circle(a, b, p, q);
+  }
+
+  /// in_circle() where no four points are on a circle: q cocircular with (a, b, p) is moved off it by the symbolic
+  /// perturbation (docs/predicates.md). Requires (a, b, p) to turn left and q to be none of them.
+  static int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
+    const int side = in_circle(a, b, p, q);
+    return side != 0 ? side : perturbed_side(a, b, p, q);
+  }
+
+  /// The side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically largest of
+  /// the four is lifted most: if that is q, it leaves the circle; if it is a corner, the side depends on where the lift
+  /// of that corner tilts the circle; a corner in line with the other two and q does not matter, and the next decides.
+  static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
+    const Point* corner[3] = {&a, &b, &p};
+    bool asked[3] = {false, false, false};
+    for (int round = 0; round < 3; ++round) {
+      int largest = -1;
+      for (int i = 0; i < 3; ++i)
+        if (!asked[i] && (largest < 0 || *corner[largest] < *corner[i])) largest = i;
+      if (*corner[largest] < q) return -1;
+      asked[largest] = true;
+      const Point& r = largest == 0 ? q : a;
+      const Point& s = largest == 1 ? q : b;
+      const Point& t = largest == 2 ? q : p;
+      if (const int side = orientation(r, s, t); side != 0) return side;
+    }
+    return -1;
+  }
+
+  /// Sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for double no more
+  /// than radius_above_all and no less than radius_below_all.
+  static int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha) {
+    const Vector ab = from(a, b), bc = from(b, c), ca = from(c, a);
+    const Real sides = dot(ab, ab) * dot(bc, bc) * dot(ca, ca);
+    const Real area = std::abs(cross(ab, ca)), area_size = cross_size(ab, ca);
+    const Real factor = 4 * Real(alpha) * Real(alpha);
+    const Real difference = sides - factor * area * area;
+    const Real bound = unit * (32 * sides + factor * area_size * (16 * area + 64 * unit * area_size));
+    if (difference > bound) return 1;
+    if (difference < -bound) return -1;
+    return exact_integer::compare_circumradius(a, b, c, alpha);
+  }
+
+  /// Sign of |ab| − 2 alpha. Requires alpha as compare_circumradius() does.
+  static int compare_to_diameter(const Point& a, const Point& b, double alpha) {
+    const Vector ab = from(a, b);
+    const Real length = dot(ab, ab), diameter = 4 * Real(alpha) * Real(alpha);
+    const Real bound = 8 * unit * (length + diameter);
+    if (length - diameter > bound) return 1;
+    if (length - diameter < -bound) return -1;
+    return exact_integer::compare_to_diameter(a, b, alpha);
+  }
+
+  /// Sign of |vp| − |vq|.
+  static int compare_distances(const Point& v, const Point& p, const Point& q) {
+    const Vector vp = from(v, p), vq = from(v, q);
+    const Real first = dot(vp, vp), second = dot(vq, vq);
+    const Real bound = 8 * unit * (first + second);
+    if (first - second > bound) return 1;
+    if (first - second < -bound) return -1;
+    return exact_integer::compare_distances(v, p, q);
+  }
+
+  /// Sign of (p − v) · (q − v): of the cosine of the angle at v.
+  static int dot_sign(const Point& v, const Point& p, const Point& q) {
+    const Vector vp = from(v, p), vq = from(v, q);
+    const Real product = dot(vp, vq), bound = 5 * unit * dot_size(vp, vq);
+    if (product > bound) return 1;
+    if (product < -bound) return -1;
+    return exact_integer::dot(v, p, q);
+  }
+
+ private:
+  struct ExactVector {
+    Expansion<2> x, y;
+    Expansion<16> dot(const ExactVector& v) const { return x * v.x + y * v.y; }
+    Expansion<16> cross(const ExactVector& v) const { return x * v.y - y * v.x; }
+  };
+  static ExactVector exact(const Point& a, const Point& b) { return {difference(b.x, a.x), difference(b.y, a.y)}; }
+};
+
+}  // namespace rbpa

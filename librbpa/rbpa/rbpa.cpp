@@ -1,0 +1,137 @@
+#include "rbpa/rbpa.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "meshops/front/engine.h"
+#include "rbpa/core/error.h"
+#include "rbpa/policy.h"
+#include "rbpa/predicate/magnitude.h"
+#include "rbpa/search/paper_grid.h"
+
+namespace rbpa {
+namespace {
+
+void check(std::span<const Point> points, double alpha) {
+  if (!(alpha > 0)) throw InvalidInput("alpha is " + std::to_string(alpha) + ", expected a radius above 0, or infinity");
+  if (points.size() >= (std::size_t{1} << 30))
+    throw InvalidInput(std::to_string(points.size()) + " points, expected fewer than 2^30");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!is_finite(points[i]))
+      throw InvalidInput("point " + std::to_string(i) + " is (" + std::to_string(points[i].x) + ", " +
+                         std::to_string(points[i].y) + "), expected finite coordinates");
+}
+
+/// Asks the caller, now and then, whether to go on.
+class Report : public meshops::FrontVisitor {
+ public:
+  Report(const Options& options, std::size_t points) : progress_(options.progress), points_(points) {}
+
+  void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
+  void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
+
+ private:
+  void count(const meshops::Front& front) {
+    if (++events_ % interval == 0 && progress_ && !progress_({front.faces(), points_})) throw Cancelled();
+  }
+
+  static constexpr std::size_t interval = 4096;  // triangles: about a millisecond
+  const std::function<bool(const Progress&)>& progress_;
+  std::size_t points_;
+  std::size_t events_ = 0;
+};
+
+template <typename Real>
+bool on_a_line(std::span<const Point> points) {
+  if (points.size() < 3) return true;
+  return std::all_of(points.begin() + 2, points.end(), [&](const Point& p) {
+    return Predicates<Real>::orientation(points[0], points[1], p) == 0;
+  });
+}
+
+template <typename Real>
+class Run {
+ public:
+  Run(std::span<const Point> input, Radius radius, Real grid_unit, const Options& options)
+      : grid_(input), radius_(radius), grid_unit_(grid_unit), options_(options) {}
+
+  SolidAlphaComplex operator()() {
+    const auto points = grid_.points();
+    SolidAlphaComplex complex;
+    complex.distinct = points.size();
+    for (const auto& r : grid_.repetitions()) complex.duplicates.push_back({r.index, r.stands_for});
+
+    // A planar triangulation of n points has fewer than 3n edges and 2n faces. What is not used is never touched.
+    complex.mesh.reserve(points.size(), 3 * points.size(), 2 * points.size());
+    meshops::Front front(complex.mesh, points.size(), elements_at_a_time);
+    if (!on_a_line<Real>(points)) advance(front);
+
+    for (std::size_t s = 0; s < points.size(); ++s)
+      if (front.is_free(static_cast<meshops::Site>(s))) complex.isolated.push_back(grid_.input_index()[s]);
+    std::sort(complex.isolated.begin(), complex.isolated.end());
+
+    const std::vector<meshops::Site> site = front.finish();
+    complex.input_index.resize(site.size());
+    for (std::size_t v = 0; v < site.size(); ++v) {
+      const auto s = static_cast<std::size_t>(site[v]);
+      complex.input_index[v] = grid_.input_index()[s];
+      complex.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {points[s].x, points[s].y, 0.0});
+    }
+    return complex;
+  }
+
+ private:
+  static constexpr std::size_t elements_at_a_time = 4096;
+
+  void advance(meshops::Front& front) {
+    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
+    if (options_.search == Search::near_to_far)
+      advance(front, pivot, pivot);
+    else
+      advance(front, pivot, PaperPivot<Real>(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_));
+  }
+
+  template <typename FrontPivot>
+  void advance(meshops::Front& front, const Pivot<Real>& seed_pivot, const FrontPivot& pivot) {
+    Seeds<Real> seeds(grid_, radius_, seed_pivot);
+    RestrictedBallPivoting<Real, FrontPivot> policy(seeds, pivot);
+    Report report(options_, grid_.points().size());
+    meshops::advance(front, policy, report);
+  }
+
+  PointGrid<Real> grid_;
+  Radius radius_;
+  Real grid_unit_;
+  const Options& options_;
+};
+
+}  // namespace
+
+SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options) {
+  check(points, alpha);
+  const Magnitude span = magnitude(points);
+  if (fits_double(span)) {
+    const Radius radius = alpha > radius_above_all ? Radius() : Radius(std::max(alpha, radius_below_all));
+    return Run<double>(points, radius, std::ldexp(1.0, span.lowest), options)();
+  }
+  const Radius radius = std::isinf(alpha) ? Radius() : Radius(alpha);
+  return Run<long double>(points, radius, 0.0L, options)();
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangles(const SolidAlphaComplex& complex) {
+  std::vector<std::array<std::uint32_t, 3>> result(complex.mesh.n_faces());
+  for (std::size_t f = 0; f < result.size(); ++f) {
+    auto h = complex.mesh.halfedge_handle(meshops::Face(static_cast<int>(f)));
+    for (std::uint32_t& corner : result[f]) {
+      corner = complex.input_index[static_cast<std::size_t>(complex.mesh.to_vertex_handle(h).idx())];
+      h = complex.mesh.next_halfedge_handle(h);
+    }
+    std::rotate(result[f].begin(), std::min_element(result[f].begin(), result[f].end()), result[f].end());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,124 @@
+#include "meshops/front/front.h"
+
+#include <doctest/doctest.h>
+
+#include "meshops/core/contract.h"
+#include "meshops/topology/count.h"
+#include "support/meshes.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+Halfedge boundary(const Front& front, Site from, Site to) { return front.boundary_into(from, to); }
+}  // namespace
+
+TEST_SUITE("front") {
+  TEST_CASE("begins with one isolated vertex per site") {
+    TestMesh mesh;
+    Front front(mesh, 4);
+    CHECK(mesh.n_vertices() == 4);
+    for (Site s = 0; s < 4; ++s) {
+      CHECK(front.is_free(s));
+      CHECK(front.site(Vertex(s)) == s);
+    }
+    CHECK_FALSE(front.pop().is_valid());
+    CHECK_THROWS_AS(Front(mesh, 4), ContractViolation);
+  }
+
+  TEST_CASE("a triangle that touches the mesh in a point gets a vertex of its own there") {
+    TestMesh mesh;
+    Front front(mesh, 5);
+    front.create(0, 1, 2);
+    front.create(0, 3, 4);
+    CHECK(mesh.n_vertices() == 6);
+    CHECK(front.site(Vertex(5)) == 0);
+    int fans = 0;
+    front.for_each_fan(0, [&](Vertex v) {
+      ++fans;
+      CHECK(front.site(v) == 0);
+    });
+    CHECK(fans == 2);
+    check_sound(mesh);
+  }
+
+  TEST_CASE("fans grow together when an edge between them is glued, and their vertices become one") {
+    TestMesh mesh;
+    Front front(mesh, 5);
+    front.create(0, 1, 2);
+    front.create(0, 3, 4);
+    // The triangle 0 2 3 has its sides 0→2 and 3→0 on the boundary of different curves.
+    const Halfedge h = boundary(front, 0, 2);
+    REQUIRE(h.is_valid());
+    const InsertedTriangle t = front.attach(h, 3);
+    CHECK(t.merged == 1);
+    CHECK(t.left_over[0] == Vertex(5));
+    check_sound(mesh);
+    // The vertex left over serves the next pinch.
+    int fans = 0;
+    front.for_each_fan(0, [&](Vertex) { ++fans; });
+    CHECK(fans == 1);
+    const std::vector<Site> sites = front.finish();
+    CHECK(sites == std::vector<Site>{0, 1, 2, 3, 4});
+    CHECK(mesh.n_vertices() == 5);
+    check_sound(mesh);
+  }
+
+  TEST_CASE("a left-over vertex serves the next pinch") {
+    TestMesh mesh;
+    Front front(mesh, 7);
+    front.create(0, 1, 2);
+    front.create(0, 3, 4);
+    front.attach(boundary(front, 0, 2), 3);
+    front.create(4, 5, 6);
+    CHECK(mesh.n_vertices() == 8);
+    CHECK(front.site(Vertex(7)) == 4);
+    check_sound(mesh);
+  }
+
+  TEST_CASE("both ways to look for a boundary halfedge find the same") {
+    TestMesh mesh;
+    Front front(mesh, 6);
+    front.create(0, 1, 2);
+    front.create(0, 3, 4);
+    front.create(2, 5, 4);
+    for (Site a = 0; a < 6; ++a)
+      for (Site b = 0; b < 6; ++b) CHECK(front.boundary_into(a, b) == front.boundary_out_of(a, b));
+    CHECK(boundary(front, 1, 0).is_valid());
+    CHECK_FALSE(boundary(front, 0, 1).is_valid());
+  }
+
+  TEST_CASE("a seed whose sides are on the boundary is glued there") {
+    TestMesh mesh;
+    Front front(mesh, 4);
+    front.create(0, 1, 2);
+    front.create(1, 0, 3);
+    check_sound(mesh);
+    const TopologyCounts counts = count_topology(mesh);
+    CHECK(counts.components == 1);
+    CHECK(counts.edges == 5);
+  }
+
+  TEST_CASE("finish removes free sites and keeps the order of the others") {
+    TestMesh mesh;
+    Front front(mesh, 9);
+    front.create(1, 4, 6);
+    front.create(6, 7, 8);
+    CHECK(front.finish() == std::vector<Site>{1, 4, 6, 7, 8, 6});
+    CHECK(count_topology(mesh).isolated == 0);
+    CHECK(mesh.n_vertices() == 6);
+    check_sound(mesh);
+  }
+
+  TEST_CASE("the queue gives active halfedges that are still on the boundary, oldest first") {
+    TestMesh mesh;
+    Front front(mesh, 4);
+    front.create(0, 1, 2);
+    const Halfedge first = front.pop();
+    CHECK(front.to_site(first) == 0);
+    CHECK(front.from_site(first) == 1);
+    const Halfedge second = front.pop();
+    front.attach(second, 3);
+    CHECK(front.from_site(front.pop()) == 0);  // the third side of the seed
+  }
+}

@@ -1,0 +1,29 @@
+#include "meshops/handle/create.h"
+
+#include <doctest/doctest.h>
+
+#include "meshops/handle/effect.h"
+#include "meshops/topology/count.h"
+#include "support/meshes.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+TEST_CASE("create adds one triangle as the table says") {
+  TestMesh mesh;
+  strip(mesh, 2);
+  const TopologyCounts before = count_topology(mesh);
+  const Halfedge h = create_triangle(mesh);
+  const TopologyCounts after = count_topology(mesh);
+  const Delta delta = delta_of_create();
+  CHECK(static_cast<int>(after.vertices - before.vertices) == delta.vertices);
+  CHECK(static_cast<int>(after.edges - before.edges) == delta.edges);
+  CHECK(static_cast<int>(after.faces - before.faces) == delta.faces);
+  CHECK(static_cast<int>(after.boundary_curves - before.boundary_curves) == delta.curves);
+  CHECK(static_cast<int>(after.components - before.components) == delta.components);
+  CHECK(after.euler() - before.euler() == delta.euler());
+  CHECK(after.genus() == before.genus());
+  CHECK_FALSE(mesh.is_boundary(h));
+  CHECK(mesh.is_boundary(mesh.opposite_halfedge_handle(h)));
+  check_sound(mesh);
+}

@@ -1,0 +1,156 @@
+#include "meshops/handle/insert_triangle.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <random>
+
+#include "meshops/front/boundary_curve.h"
+#include "meshops/handle/create.h"
+#include "meshops/handle/glue.h"
+#include "support/meshes.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+const std::array<Halfedge, 3> no_sides;
+
+/// A mesh built in two ways at once: by insert_triangle(), and literally by create and glue. Vertices carry labels, so
+/// that the meshes can be compared; halfedges of the one are known in the other.
+struct Twins {
+  TestMesh fast, literal;
+  std::map<int, int> twin;  // boundary halfedge of `fast` → the same one of `literal`
+  std::vector<int> fast_label, literal_label;
+  int next_label = 0;
+
+  /// Adds a triangle on given sides of `fast` (invalid: a new edge).
+  void insert(const std::array<Halfedge, 3>& side) {
+    TriangleSides sides;
+    sides.side = side;
+    std::array<int, 3> label;
+    for (unsigned i = 0; i < 3; ++i) {
+      const unsigned p = (i + 2) % 3;
+      if (side[i].is_valid())
+        label[i] = fast_label[static_cast<std::size_t>(fast.from_vertex_handle(side[i]).idx())];
+      else if (side[p].is_valid())
+        label[i] = fast_label[static_cast<std::size_t>(fast.to_vertex_handle(side[p]).idx())];
+      else {
+        sides.corner[i] = fast.new_vertex();
+        fast_label.push_back(label[i] = next_label++);
+      }
+    }
+    const InsertedTriangle done = insert_triangle(fast, sides);
+    for (int i = 0; i < done.merged; ++i) fast.status(done.left_over[static_cast<unsigned>(i)]).set_deleted(true);
+
+    Halfedge h = create_triangle(literal);
+    literal_label.insert(literal_label.end(), label.begin(), label.end());
+    for (unsigned i = 0; i < 3; ++i) {
+      const Halfedge outer = literal.opposite_halfedge_handle(h);
+      h = literal.next_halfedge_handle(h);
+      if (side[i].is_valid())
+        glue(literal, Halfedge(twin.at(side[i].idx())), outer);
+      else
+        twin[fast.opposite_halfedge_handle(done.side[i]).idx()] = outer.idx();
+    }
+  }
+
+  /// Whether create and glue would go through, tried on a copy.
+  bool literal_accepts(const std::array<Halfedge, 3>& side) const {
+    TestMesh copy = literal;
+    Halfedge h = create_triangle(copy);
+    for (unsigned i = 0; i < 3; ++i) {
+      const Halfedge outer = copy.opposite_halfedge_handle(h);
+      h = copy.next_halfedge_handle(h);
+      if (!side[i].is_valid()) continue;
+      const Halfedge target(twin.at(side[i].idx()));
+      if (glue_blocker(copy, target, outer)) return false;
+      glue(copy, target, outer);
+    }
+    return true;
+  }
+
+  void check_equal() {
+    check_sound(fast);
+    check_sound(literal);
+    CHECK(canonical_faces(fast, fast_label) == canonical_faces(literal, literal_label));
+  }
+};
+
+}  // namespace
+
+TEST_SUITE("insert_triangle") {
+  TEST_CASE("with no given side it is create") {
+    Twins t;
+    t.insert(no_sides);
+    t.check_equal();
+  }
+
+  TEST_CASE("one given side: a new vertex") {
+    Twins t;
+    t.insert(no_sides);
+    for (unsigned i = 0; i < 3; ++i) {
+      std::array<Halfedge, 3> side;
+      side[i] = boundary_curves(t.fast)[0].front();
+      t.insert(side);
+      t.check_equal();
+    }
+  }
+
+  TEST_CASE("adjacent sides: a corner of the front is filled, and three of them close a curve") {
+    Twins t;
+    t.insert(no_sides);
+    // A fan around vertex `centre`, until the corner at it is the only thing open.
+    const Halfedge start = boundary_curves(t.fast)[0].front();
+    const Vertex centre = t.fast.to_vertex_handle(start);
+    for (int i = 0; i < 3; ++i) {
+      std::array<Halfedge, 3> side;
+      side[0] = t.fast.halfedge_handle(centre);
+      t.insert(side);
+    }
+    const Halfedge out = t.fast.halfedge_handle(centre);
+    t.insert({t.fast.prev_halfedge_handle(out), out, Halfedge()});
+    t.check_equal();
+    CHECK_FALSE(t.fast.is_boundary(centre));
+  }
+
+  TEST_CASE("the last three edges of a curve") {
+    Twins t;
+    t.insert(no_sides);
+    const Halfedge h = boundary_curves(t.fast)[0].front();
+    const Halfedge next = t.fast.next_halfedge_handle(h);
+    t.insert({h, next, t.fast.next_halfedge_handle(next)});
+    t.check_equal();
+    CHECK(boundary_curves(t.fast).empty());
+  }
+
+  TEST_CASE("any sides on any curves: the same mesh as create and glue") {
+    std::mt19937 random(11);
+    int merges = 0;
+    for (int round = 0; round < 200; ++round) {
+      Twins t;
+      const int seeds = 1 + static_cast<int>(random() % 3);
+      for (int i = 0; i < seeds; ++i) t.insert(no_sides);
+      for (int step = 0; step < 14; ++step) {
+        std::vector<Halfedge> open;
+        for (const auto& curve : boundary_curves(t.fast)) open.insert(open.end(), curve.begin(), curve.end());
+        if (open.empty()) break;
+        std::array<Halfedge, 3> side;
+        side[0] = open[random() % open.size()];
+        const auto pick = random() % 4;
+        if (pick == 1) side[1] = t.fast.next_halfedge_handle(side[0]);
+        if (pick == 2) side[1] = open[random() % open.size()];
+        if (pick == 3) side[2] = open[random() % open.size()];
+        if (side[0] == side[1] || side[0] == side[2]) continue;
+        // The corners must be different vertices, and vertices to be merged no neighbours: that is what glue() refuses.
+        if (!t.literal_accepts(side)) continue;
+        const auto vertices_before = t.fast.n_vertices();
+        t.insert(side);
+        if (t.fast.n_vertices() == vertices_before && pick > 1) ++merges;
+        t.check_equal();
+      }
+    }
+    CHECK(merges > 50);
+  }
+}

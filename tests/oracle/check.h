@@ -1,0 +1,25 @@
+// What: everything that must be true of a solid alpha complex, given the triangles that an oracle expects.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rbpa/rbpa.h"
+#include "support/triangle.h"
+
+namespace rbpa_test {
+
+/// The first thing that is wrong, "" when nothing is:
+///   the mesh has defects, is not the expected triangles, leaves edges of theirs unglued, glues fans that only touch;
+///   an input index, an isolated point or a duplicate is not what the points say.
+std::string wrong_with(const rbpa::SolidAlphaComplex& complex, std::span<const rbpa::Point> points,
+                       const std::vector<Triangle>& expected);
+
+/// The first thing that is wrong with rbpa(points, alpha, options) according to CGAL; an exception counts.
+std::string wrong_with_rbpa(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options = {});
+
+/// What to print of a failure: the complaint, and the smallest set of points found in a minute that still fails.
+std::string report(const std::string& complaint, const Points& points, double alpha, const rbpa::Options& options = {});
+
+}  // namespace rbpa_test

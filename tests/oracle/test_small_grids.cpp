@@ -1,0 +1,194 @@
+// rbpa() on tiny sets of integer points, where nearly everything is a tie: against brute force and CGAL.
+//   --count=N    how many random sets (2,000)
+//   --first=N    the number of the first of them (0): a failure names its number
+//   --rows=N     all subsets of a grid of 4 columns and N rows (3)
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iterator>
+
+#include "oracle/arguments.h"
+#include "oracle/brute_force.h"
+#include "oracle/check.h"
+#include "oracle/delaunay.h"
+#include "support/generate.h"
+#include "support/random.h"
+#include "support/shrink.h"
+
+namespace rbpa_test {
+namespace {
+
+constexpr std::size_t most_for_brute_force = 12;
+
+/// The circumradius of three of the points, or the double before or after it.
+double circumradius_of_some(const Points& points, Random& random) {
+  const auto some = [&] { return points[random.below(points.size())]; };
+  const rbpa::Point a = some(), b = some(), c = some();
+  const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  const auto square = [](const rbpa::Point& p, const rbpa::Point& q) {
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+  };
+  if (area == 0) return 1;
+  const double radius = std::sqrt(square(a, b) * square(b, c) * square(c, a)) / (2 * std::abs(area));
+  const double beside[] = {radius, radius, std::nextafter(radius, 0.0), std::nextafter(radius, INFINITY)};
+  return beside[random.below(4)];
+}
+
+double some_alpha(const Points& points, Random& random) {
+  switch (random.below(5)) {
+    case 0:
+      return INFINITY;
+    case 1:
+      return 0.5 * random.integer(1, 12);
+    case 2:
+      return random.between(0.5, 4);
+    default:
+      return circumradius_of_some(points, random);
+  }
+}
+
+Points some_points(Random& random) {
+  const int columns = random.integer(2, 8);
+  const auto count = static_cast<std::size_t>(random.integer(3, static_cast<int>(most_for_brute_force)));
+  return random_grid(columns, count, random.chance(0.2), random.bits());
+}
+
+/// A map of the plane that keeps integers exact, and what it does to radii.
+struct Map {
+  double xx = 1, xy = 0, yx = 0, yy = 1;  ///< a quarter turn, or its mirror image
+  double dx = 0, dy = 0;
+  int exponent = 0;  ///< of a power of two, after the rest
+
+  rbpa::Point operator()(const rbpa::Point& p) const {
+    return {std::ldexp(xx * p.x + xy * p.y + dx, exponent), std::ldexp(yx * p.x + yy * p.y + dy, exponent)};
+  }
+};
+
+Points image(const Points& points, const Map& map) {
+  Points images;
+  for (const rbpa::Point& p : points) images.push_back(map(p));
+  return images;
+}
+
+void check_against_brute_force(const Points& points, double alpha) {
+  const std::vector<Triangle> expected = brute_force(points, alpha);
+  REQUIRE_MESSAGE(DelaunayOracle(points).triangles(alpha) == expected, "the oracles disagree");
+  std::string wrong;
+  try {
+    wrong = wrong_with(rbpa::rbpa(points, alpha), points, expected);
+  } catch (const std::exception& error) {
+    wrong = error.what();
+  }
+  REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha));
+}
+
+void check_against_cgal(const Points& points, double alpha, const rbpa::Options& options = {}) {
+  const std::string wrong = wrong_with_rbpa(points, alpha, options);
+  REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha, options));
+}
+
+template <typename Check>
+void for_random_sets(std::uint64_t seed, const Check& check) {
+  const std::uint64_t first = argument("first", 0), count = argument("count", 2000);
+  for (std::uint64_t number = first; number < first + count; ++number) {
+    Random random(seed + 1000003 * number);
+    const Points points = some_points(random);
+    const double alpha = some_alpha(points, random);
+    INFO("set number ", number, ": ", literal(points), ", alpha ", literal(alpha));
+    check(points, alpha, random);
+  }
+}
+
+TEST_CASE("sets that were once wrong stay right") {
+  struct {
+    Points points;
+    double alpha;
+  } const cases[] = {
+      // The ball comes to rest on three points at once: a square whose circumradius is alpha.
+      {{{2, 2}, {3, 1}, {2, 0}, {0, 1}, {1, 1}}, 1},
+      {{{3, 4}, {5, 4}, {4, 5}, {1, 0}, {4, 3}}, 1},
+      {{{-5, 3}, {-5, 5}, {-6, 4}, {-4, 4}, {-3, 3}, {-5, 2}}, 1},
+      {{{0, 2}, {1, 0}, {1, 1}, {1, 3}, {2, 2}, {3, 1}}, 1},
+      {{{0, 0}, {0, 3}, {1, 1}, {1, 3}, {3, 0}, {3, 2}}, 1.25},
+      // Points in line with the edge that is pivoted.
+      {{{0, -5}, {3, 0}, {0, -3}, {0, -4}, {3, -4}}, 3.8645399530840949},
+      {{{2, 3}, {0, 1}, {2, 4}, {2, 0}}, 2.5},
+  };
+  for (const auto& [points, alpha] : cases) {
+    check_against_brute_force(points, alpha);
+    check_against_cgal(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+  }
+}
+
+TEST_CASE("random sets on small grids: the complex is what its definition says") {
+  for_random_sets(1, [](const Points& points, double alpha, Random&) { check_against_brute_force(points, alpha); });
+}
+
+TEST_CASE("random sets on small grids: the paper's grid finds the same complex") {
+  for_random_sets(2, [](const Points& points, double alpha, Random&) {
+    if (!std::isinf(alpha)) check_against_cgal(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+  });
+}
+
+TEST_CASE("random sets on small grids: the order of the input does not matter") {
+  for_random_sets(3, [](const Points& points, double alpha, Random& random) {
+    Points shuffled = points;
+    random.shuffle(shuffled);
+    const auto original = triangles(rbpa::rbpa(points, alpha));
+    REQUIRE(translated(triangles(rbpa::rbpa(shuffled, alpha)), shuffled, points) == original);
+  });
+}
+
+TEST_CASE("random sets on small grids: integer translations and powers of two keep the triangles") {
+  for_random_sets(4, [](const Points& points, double alpha, Random& random) {
+    Map map;
+    map.dx = random.integer(-1000000, 1000000);
+    map.dy = random.integer(-1000000, 1000000);
+    // Beyond 2^±1000 too, as long as integers of 20 bits stay exact.
+    map.exponent = random.chance(0.5) ? random.integer(-1000, 1000) : random.integer(-30, 30);
+    const Points images = image(points, map);
+    const double radius = std::ldexp(alpha, map.exponent);
+    INFO("their images: ", literal(images), ", alpha ", literal(radius));
+    REQUIRE(triangles(rbpa::rbpa(images, radius)) == triangles(rbpa::rbpa(points, alpha)));
+  });
+}
+
+TEST_CASE("random sets on small grids: turned and mirrored sets are right as well") {
+  // The perturbation follows the coordinates, so cocircular points may be cut otherwise: the oracle says how.
+  for_random_sets(5, [](const Points& points, double alpha, Random& random) {
+    constexpr Map maps[] = {{0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}, {-1, 0, 0, 1}, {0, 1, 1, 0}};
+    check_against_cgal(image(points, maps[random.below(std::size(maps))]), alpha);
+  });
+}
+
+TEST_CASE("random sets on small grids: a smaller alpha gives a subset") {
+  for_random_sets(6, [](const Points& points, double alpha, Random& random) {
+    const double other = some_alpha(points, random);
+    const auto smaller = triangles(rbpa::rbpa(points, std::min(alpha, other)));
+    const auto larger = triangles(rbpa::rbpa(points, std::max(alpha, other)));
+    REQUIRE(std::includes(larger.begin(), larger.end(), smaller.begin(), smaller.end()));
+  });
+}
+
+TEST_CASE("every subset of a small grid: the complex is what its definition says") {
+  Points grid;
+  for (int y = 0; y < static_cast<int>(argument("rows", 3)); ++y)
+    for (int x = 0; x < 4; ++x) grid.push_back({double(x), double(y)});
+  for (std::uint32_t subset = 0; subset < std::uint32_t{1} << grid.size(); ++subset) {
+    Points points;
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      if (subset >> i & 1U) points.push_back(grid[i]);
+    for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
+      INFO(literal(points), ", alpha ", literal(alpha));
+      if (points.size() <= 8)
+        check_against_brute_force(points, alpha);
+      else
+        check_against_cgal(points, alpha);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rbpa_test

@@ -1,0 +1,41 @@
+cmake_minimum_required(VERSION 3.22)
+# Fails when a file includes one of a folder that its own folder must not know.
+# An allowed arrow is written "from>to"; a folder always knows itself.
+set(arrows
+  meshops/handle>meshops/core
+  meshops/front>meshops/core meshops/front>meshops/handle
+  meshops/topology>meshops/core meshops/topology>meshops/front
+  rbpa/predicate>rbpa/core
+  rbpa/search>rbpa/core rbpa/search>rbpa/predicate
+  rbpa/pivot>rbpa/core rbpa/pivot>rbpa/predicate rbpa/pivot>rbpa/search
+  rbpa/seed>rbpa/core rbpa/seed>rbpa/predicate rbpa/seed>rbpa/search rbpa/seed>rbpa/pivot
+  rbpa/seed>meshops/front
+  rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed
+  rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
+
+set(checked 0)
+set(bad "")
+foreach(library meshops rbpa)
+  file(GLOB_RECURSE files RELATIVE ${ROOT}/lib${library} ${ROOT}/lib${library}/${library}/*.h
+       ${ROOT}/lib${library}/${library}/*.cpp)
+  foreach(file ${files})
+    get_filename_component(from ${file} DIRECTORY)
+    file(STRINGS ${ROOT}/lib${library}/${file} includes REGEX "^#include \"")
+    foreach(line ${includes})
+      string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included ${line})
+      get_filename_component(to ${included} DIRECTORY)
+      math(EXPR checked "${checked} + 1")
+      if(NOT from STREQUAL to AND NOT "${from}>${to}" IN_LIST arrows)
+        string(APPEND bad "\n  ${file} includes ${included}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(checked LESS 30)
+  message(FATAL_ERROR "only ${checked} includes found under ${ROOT}: the check looks in the wrong place")
+endif()
+if(bad)
+  message(FATAL_ERROR "includes against the layering:${bad}")
+endif()
+message(STATUS "${checked} includes go one way")

@@ -1,0 +1,35 @@
+// What: a triangle as three input indices, and the canonical order of a set of them.
+// Law:  two lists of the same oriented triangles are equal in canonical order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rbpa/core/point.h"
+
+namespace rbpa_test {
+
+using Triangle = std::array<std::uint32_t, 3>;
+using Points = std::vector<rbpa::Point>;
+
+/// Smallest index first in each triangle (its orientation stays), the triangles sorted.
+std::vector<Triangle> canonical(std::vector<Triangle> triangles);
+
+/// Every index replaced by `to[index]`, canonical again.
+std::vector<Triangle> renumbered(std::vector<Triangle> triangles, std::span<const std::uint32_t> to);
+
+/// For every point the lowest index of a point equal to it.
+std::vector<std::uint32_t> lowest_equal(std::span<const rbpa::Point> points);
+
+/// Every corner looked up among the points by its coordinates: of equal points, the lowest index. Triangles of a
+/// permutation of the points become triangles of the points.
+std::vector<Triangle> translated(const std::vector<Triangle>& triangles, std::span<const rbpa::Point> from,
+                                 std::span<const rbpa::Point> to);
+
+/// For people: how two canonical lists differ, "" when they do not.
+std::string difference(const std::vector<Triangle>& expected, const std::vector<Triangle>& actual);
+
+}  // namespace rbpa_test
