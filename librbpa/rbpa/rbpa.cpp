@@ -5,11 +5,13 @@
 #include <limits>
 #include <string>
 
+#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
 #include "meshops/front/engine.h"
 #include "rbpa/core/error.h"
 #include "rbpa/policy.h"
 #include "rbpa/predicate/magnitude.h"
-#include "rbpa/search/paper_grid.h"
+#include "rbpa/pivot/paper_pivot.h"
 
 namespace rbpa {
 namespace {
@@ -24,7 +26,14 @@ void check(std::span<const Point> points, double alpha) {
                          std::to_string(points[i].y) + "), expected finite coordinates");
 }
 
-/// Asks the caller, now and then, whether to go on.
+#ifdef NDEBUG
+constexpr bool debug = false;
+#else
+constexpr bool debug = true;
+#endif
+
+/// Asks the caller, now and then, whether to go on. In the debug build, validates the mesh after every triangle while it
+/// is small, and each time it has grown by a sixteenth when it is large.
 class Report : public meshops::FrontVisitor {
  public:
   Report(const Options& options, std::size_t points) : progress_(options.progress), points_(points) {}
@@ -34,6 +43,11 @@ class Report : public meshops::FrontVisitor {
 
  private:
   void count(const meshops::Front& front) {
+    if (debug && front.faces() >= next_validation_) {
+      const auto defects = meshops::validate(front.mesh());
+      if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
+      next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
+    }
     if (++events_ % interval == 0 && progress_ && !progress_({front.faces(), points_})) throw Cancelled();
   }
 
@@ -41,6 +55,7 @@ class Report : public meshops::FrontVisitor {
   const std::function<bool(const Progress&)>& progress_;
   std::size_t points_;
   std::size_t events_ = 0;
+  std::size_t next_validation_ = 0;
 };
 
 template <typename Real>
@@ -63,8 +78,10 @@ class Run {
     complex.distinct = points.size();
     for (const auto& r : grid_.repetitions()) complex.duplicates.push_back({r.index, r.stands_for});
 
-    // A planar triangulation of n points has fewer than 3n edges and 2n faces. What is not used is never touched.
-    complex.mesh.reserve(points.size(), 3 * points.size(), 2 * points.size());
+    // A planar triangulation of n points has fewer than 3n edges and 2n faces; vertices there are a few more while fans
+    // on one point wait to grow together. What is not used is never touched.
+    complex.mesh.reserve(points.size() + points.size() / 16 + 64, 3 * points.size() + elements_at_a_time,
+                         2 * points.size() + elements_at_a_time);
     meshops::Front front(complex.mesh, points.size(), elements_at_a_time);
     if (!on_a_line<Real>(points)) advance(front);
 
@@ -83,7 +100,7 @@ class Run {
   }
 
  private:
-  static constexpr std::size_t elements_at_a_time = 4096;
+  static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;  // 1: what is validated has no spare elements
 
   void advance(meshops::Front& front) {
     const Pivot<Real> pivot(grid_, radius_, grid_unit_);
