@@ -11,16 +11,20 @@
 
 namespace rbpa {
 
-/// `FrontPivot` finds the apex of a front edge: Pivot, or PaperPivot for comparison.
-template <typename Real, typename FrontPivot>
+/// `FrontPivot` finds the apex of a front edge: Pivot, or PaperPivot for comparison. `Observer` has a member
+/// searched(front), which is called while seeds are searched, and may throw to end the run.
+template <typename Real, typename FrontPivot, typename Observer>
 class RestrictedBallPivoting {
  public:
   using Site = std::uint32_t;
 
   /// Keeps references.
-  RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot) : seeds_(seeds), pivot_(pivot) {}
+  RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot, Observer& observer)
+      : seeds_(seeds), pivot_(pivot), observer_(observer) {}
 
-  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) { return seeds_.next(front); }
+  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) {
+    return seeds_.next(front, [&] { observer_.searched(front); });
+  }
 
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
     const auto& mesh = front.mesh();
@@ -35,6 +39,7 @@ class RestrictedBallPivoting {
  private:
   Seeds<Real>& seeds_;
   const FrontPivot& pivot_;
+  Observer& observer_;
 };
 
 }  // namespace rbpa

@@ -1,6 +1,9 @@
 #include "rbpa/rbpa.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -16,14 +19,20 @@
 namespace rbpa {
 namespace {
 
+/// The shortest text that reads back to the number.
+std::string text(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
 void check(std::span<const Point> points, double alpha) {
-  if (!(alpha > 0)) throw InvalidInput("alpha is " + std::to_string(alpha) + ", expected a radius above 0, or infinity");
+  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   if (points.size() >= (std::size_t{1} << 30))
     throw InvalidInput(std::to_string(points.size()) + " points, expected fewer than 2^30");
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(points[i]))
-      throw InvalidInput("point " + std::to_string(i) + " is (" + std::to_string(points[i].x) + ", " +
-                         std::to_string(points[i].y) + "), expected finite coordinates");
+      throw InvalidInput("point " + std::to_string(i) + " is (" + text(points[i].x) + ", " + text(points[i].y) +
+                         "), expected finite coordinates");
 }
 
 #ifdef NDEBUG
@@ -41,6 +50,15 @@ class Report : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
+  /// For the stretches in which no triangle is found.
+  void searched(const meshops::Front& front) {
+    if (!progress_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(20)) return;
+    last_ = now;
+    ask(front);
+  }
+
  private:
   void count(const meshops::Front& front) {
     if (debug && front.faces() >= next_validation_) {
@@ -48,7 +66,10 @@ class Report : public meshops::FrontVisitor {
       if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
       next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
     }
-    if (++events_ % interval == 0 && progress_ && !progress_({front.faces(), points_})) throw Cancelled();
+    if (++events_ % interval == 0 && progress_) ask(front);
+  }
+  void ask(const meshops::Front& front) {
+    if (!progress_({front.faces(), points_})) throw Cancelled();
   }
 
   static constexpr std::size_t interval = 4096;  // triangles: about a millisecond
@@ -56,6 +77,7 @@ class Report : public meshops::FrontVisitor {
   std::size_t points_;
   std::size_t events_ = 0;
   std::size_t next_validation_ = 0;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 template <typename Real>
@@ -113,8 +135,8 @@ class Run {
   template <typename FrontPivot>
   void advance(meshops::Front& front, const Pivot<Real>& seed_pivot, const FrontPivot& pivot) {
     Seeds<Real> seeds(grid_, radius_, seed_pivot);
-    RestrictedBallPivoting<Real, FrontPivot> policy(seeds, pivot);
     Report report(options_, grid_.points().size());
+    RestrictedBallPivoting<Real, FrontPivot, Report> policy(seeds, pivot, report);
     meshops::advance(front, policy, report);
   }
 
@@ -130,7 +152,10 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   check(points, alpha);
   const Magnitude span = magnitude(points);
   if (fits_double(span)) {
-    const Radius radius = alpha > radius_above_all ? Radius() : Radius(std::max(alpha, radius_below_all));
+    const RadiusBounds bounds = radius_bounds(span);
+    const Radius radius = alpha > std::ldexp(1.0, bounds.above_all)
+                              ? Radius()
+                              : Radius(std::max(alpha, std::ldexp(1.0, bounds.below_all)));
     return Run<double>(points, radius, std::ldexp(1.0, span.lowest), options)();
   }
   const Radius radius = std::isinf(alpha) ? Radius() : Radius(alpha);

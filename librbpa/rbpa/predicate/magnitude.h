@@ -17,13 +17,19 @@ struct Magnitude {
 
 Magnitude magnitude(std::span<const Point> points);
 
-/// Differences of such coordinates are 0 or between 2^−150 and 2^151; every product in the predicates, of degree six in
-/// them at most, then lies between 2^−900 and 2^920, well inside the range of double.
+/// Differences of such coordinates are 0 or between 2^−150 and 2^151; every product of them in the predicates, of degree
+/// six at most, then lies between 2^−900 and 2^920, well inside the range of double. Products with alpha may leave it;
+/// what becomes of them (infinity, or no number) decides no comparison, and the exact stage does.
 constexpr bool fits_double(const Magnitude& m) { return m.lowest >= -150 && m.highest <= 150; }
 
-/// Where the coordinates fit double, no triangle with three distinct corners has a circumradius above the first value
-/// (|ab||bc||ca| / 2|cross| ≤ (2^151.5)³ / (2 · 2^−300)) or below the second (half the shortest edge).
-inline constexpr double radius_above_all = 0x1p+760;
-inline constexpr double radius_below_all = 0x1p-152;
+/// No triangle of such coordinates has a circumradius above the first, |ab||bc||ca| / 2|cross| with sides below
+/// 2^(highest + 1.5) and a cross product of at least 2^(2 lowest), or below the second, half the shortest edge.
+struct RadiusBounds {
+  int above_all;  ///< as powers of two
+  int below_all;
+};
+constexpr RadiusBounds radius_bounds(const Magnitude& m) {
+  return {3 * m.highest + 5 - 1 - 2 * m.lowest, m.lowest - 2};
+}
 
 }  // namespace rbpa

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "rbpa/core/point.h"
 #include "rbpa/predicate/exact_integer.h"
@@ -42,7 +43,7 @@ class Predicates {
     const Real area = cross(ab, ac), bound = 5 * unit * cross_size(ab, ac);
     if (area > bound) return 1;
     if (area < -bound) return -1;
-    if constexpr (std::is_same_v<Real, double>) return exact(a, b) .cross(exact(a, c)).sign();
+    if constexpr (std::is_same_v<Real, double>) return exact(a, b).cross(exact(a, c)).sign();
     return exact_integer::orientation(a, b, c);
   }
 
@@ -90,8 +91,8 @@ class Predicates {
     return -1;
   }
 
-  /// Sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for double no more
-  /// than radius_above_all and no less than radius_below_all.
+  /// Sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for double no
+  /// less than the least radius of radius_bounds().
   static int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha) {
     const Vector ab = from(a, b), bc = from(b, c), ca = from(c, a);
     const Real sides = dot(ab, ab) * dot(bc, bc) * dot(ca, ca);

@@ -1,7 +1,7 @@
 // What:   rolls the ball around a point, from one contact to the next.
 // Law:    starting where the ball rests on v and `from`, on the left of v→from, with no point inside it, contacts() are
 //         the points q at which the ball, turning counter-clockwise around v, comes to rest after having rested on v
-//         alone, up to and including `until`. Every Delaunay triangle at v with circumradius ≤ alpha in that turn is in
+//         alone, up to `until`; all round, some that it meets when it is back at `from` may follow. Every Delaunay triangle at v with circumradius ≤ alpha in that turn is in
 //         a fan that begins with one of the edges v–q. docs/seeding.md has the proof.
 // Cost:   one search of the part of the plane that the ball sweeps, and m log m for m points in it.
 // Source: Restricted BPA, section 4, asks for ideal seeds and leaves the way open.
@@ -38,11 +38,11 @@ class Roll {
       // Where the ball still touches the one it leaves, the contact goes on: their triangle has circumradius alpha.
       if (cover == from_ || !touches_arriving_ball(q, cover)) {
         result.push_back(q);
-        if (q == until_) break;
         cover = q;
       } else if (!in_leaving_ball(q, cover)) {
         cover = q;
       }
+      if (q == until_) break;
     }
     return result;
   }
@@ -126,7 +126,8 @@ class Roll {
     return found;
   }
 
-  /// The disc around v between two directions at most half a turn apart, counter-clockwise.
+  /// The disc around v between two directions at most half a turn apart, counter-clockwise. Near half a turn the tilted
+  /// cuts may cross beyond v and take a sliver away there, which the balls at the two ends cover.
   template <typename Look>
   void scan_sector(Real radius, const Vector& low, const Vector& high, Look& look) const {
     auto region = Region<Real>::disc({Real(at(v_).x), Real(at(v_).y)}, radius);

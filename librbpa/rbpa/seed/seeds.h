@@ -26,8 +26,9 @@ class Seeds {
   Seeds(const PointGrid<Real>& grid, const Radius& radius, const Pivot<Real>& pivot)
       : grid_(grid), radius_(radius), pivot_(pivot) {}
 
-  /// A triangle of the complex that is not in the mesh, counter-clockwise.
-  std::optional<std::array<meshops::Site, 3>> next(const meshops::Front& front) {
+  /// A triangle of the complex that is not in the mesh, counter-clockwise. Calls searched() after each search.
+  template <typename Searched>
+  std::optional<std::array<meshops::Site, 3>> next(const meshops::Front& front, Searched searched) {
     for (;;) {
       while (!pending_.empty()) {
         const auto seed = pending_.back();
@@ -37,9 +38,14 @@ class Seeds {
       }
       if (site_ == front.sites()) return std::nullopt;
       const auto s = static_cast<Site>(site_);
-      // A site that gets its first triangle is looked at again, then as a boundary site.
-      if (!front.is_free(meshops::Site(s)) || !look_around_isolated(s)) ++site_;
-      if (!front.is_free(meshops::Site(s)) && !radius_.is_infinite()) look_around_boundary(front, s);
+      if (front.is_free(meshops::Site(s))) {
+        // A site that gets its first triangle is looked at again, then as a boundary site.
+        if (!look_around_isolated(s)) ++site_;
+        searched();
+      } else {
+        ++site_;
+        if (!radius_.is_infinite() && look_around_boundary(front, s)) searched();
+      }
       // Without a radius the complex is connected through edges: one seed, or none, is all there is.
       if (radius_.is_infinite()) site_ = front.sites();
     }
@@ -57,7 +63,8 @@ class Seeds {
   }
 
   /// Each fan at a boundary point ends with a frozen edge, from which the ball rolls to the next fan.
-  void look_around_boundary(const meshops::Front& front, Site v) {
+  /// Returns whether there is a fan with boundary, and so something was searched.
+  bool look_around_boundary(const meshops::Front& front, Site v) {
     ends_.clear();
     front.for_each_fan(meshops::Site(v), [&](meshops::Vertex fan) {
       const auto out = front.mesh().halfedge_handle(fan);
@@ -72,6 +79,7 @@ class Seeds {
         if (order.met_before(other.first, until)) until = other.first;
       roll(v, fan.last, until);
     }
+    return !ends_.empty();
   }
 
   void roll(Site v, Site from, Site until) {

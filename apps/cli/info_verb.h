@@ -1,0 +1,20 @@
+// What: `rbpa info`: what a file of points holds.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace rbpa::app {
+
+struct InfoArguments {
+  std::string points;
+  std::optional<std::string> format;
+  std::optional<std::string> columns;
+  std::optional<std::string> stats;
+  bool json = false;
+};
+
+/// Prints to standard output. Throws as run_mesh() does.
+void run_info(const InfoArguments& arguments);
+
+}  // namespace rbpa::app

@@ -1,0 +1,120 @@
+// The program `rbpa`: what its command line takes, and what its exit codes mean.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <functional>
+#include <new>
+#include <string>
+
+#include "cli/info_verb.h"
+#include "cli/mesh_verb.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "rbpa/core/error.h"
+
+namespace rbpa::app {
+namespace {
+
+enum ExitCode { done = 0, failed = 1, wrong_usage = 2, bad_input_given = 3, cancelled = 130 };
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 130 cancelled.";
+
+template <typename Arguments>
+void add_point_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("POINTS", arguments.points, "File of points, or - for standard input")->required();
+  verb.add_option("--format", arguments.format,
+                  "Format of POINTS, where its ending does not say: " + std::string(point_formats))
+      ->type_name("NAME");
+  verb.add_option("--columns", arguments.columns, "Columns of text that are x and y: numbers from 1, or header names")
+      ->type_name("X,Y");
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+}
+
+void add_mesh(CLI::App& app, MeshArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
+  add_point_options(verb, arguments);
+  verb.add_option("--alpha", arguments.alpha, "Largest circumradius (a radius, in units of the points), or inf")
+      ->type_name("R")
+      ->required();
+  verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(output_formats) +
+                                               "; - is standard output; may be given several times")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
+      ->type_name("NAME");
+  verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  verb.add_option("--search", arguments.search, "near, or paper (the grid of the paper); the result is the same")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
+  verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
+      "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
+      "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
+      "Vertices of a mesh file are the input points in input order, so that an index means the same in both.\n" +
+      std::string(exit_codes));
+}
+
+void add_info(CLI::App& app, InfoArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
+  add_point_options(verb, arguments);
+  verb.add_flag("--json", arguments.json, "As JSON");
+  verb.footer("The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
+              "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
+}
+
+int report(const std::string& message, ExitCode code) {
+  std::fprintf(stderr, "rbpa: %s\n", message.c_str());
+  return code;
+}
+
+/// Runs `verb`, and turns what it throws into one line and an exit code.
+int run(const std::function<void()>& verb) {
+  try {
+    verb();
+    return done;
+  } catch (const WrongUsage& e) {
+    return report(e.what(), wrong_usage);
+  } catch (const BadInput& e) {
+    return report(e.what(), bad_input_given);
+  } catch (const InvalidInput& e) {
+    return report(e.what(), bad_input_given);
+  } catch (const Cancelled&) {
+    return report("cancelled", cancelled);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory", failed);
+  } catch (const std::exception& e) {
+    return report(e.what(), failed);
+  }
+}
+
+int main(int argc, char** argv) {
+  catch_interrupts();
+  CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
+  app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
+  app.require_subcommand(1);
+  app.footer("Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"
+             "`rbpa VERB --help` says more.");
+  MeshArguments mesh;
+  InfoArguments info;
+  add_mesh(app, mesh);
+  add_info(app, info);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {  // help or version
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    return report(std::string(e.what()) + " (see rbpa --help)", wrong_usage);
+  }
+  if (app.got_subcommand("mesh")) return run([&] { run_mesh(mesh); });
+  return run([&] { run_info(info); });
+}
+
+}  // namespace
+}  // namespace rbpa::app
+
+int main(int argc, char** argv) { return rbpa::app::main(argc, argv); }

@@ -1,0 +1,148 @@
+#include "cli/mesh_verb.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/progress.h"
+#include "cli/stats.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/number.h"
+#include "io/output_file.h"
+#include "io/write_triangles.h"
+#include "picture/png.h"
+#include "picture/svg.h"
+#include "rbpa/predicate/predicates.h"
+
+namespace rbpa::app {
+namespace {
+
+Search parse_search(const std::string& text) {
+  if (text == "near") return Search::near_to_far;
+  if (text == "paper") return Search::paper_grid;
+  throw WrongUsage("--search: found " + in_quotes(text) + ", expected near or paper");
+}
+
+SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Search search, bool quiet) {
+  ProgressLine line(!quiet);
+  Options options{.search = search};
+  options.progress = [&](const Progress& progress) {
+    line.show(progress);
+    return !interrupted();
+  };
+  return rbpa(points, alpha, options);
+}
+
+bool all_on_a_line(const std::vector<Point>& points) {
+  const auto other = std::find_if(points.begin(), points.end(), [&](const Point& p) { return !(p == points[0]); });
+  return std::all_of(points.begin(), points.end(), [&](const Point& p) {
+    return Predicates<long double>::orientation(points[0], *other, p) == 0;
+  });
+}
+
+/// Why the complex of these points has no triangle.
+std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {
+  if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
+  if (all_on_a_line(points)) return "all points are collinear";
+  return "no triangle has circumradius <= " + alpha;
+}
+
+/// The files of one run: all are complete before the first takes its name.
+class OutputSet {
+ public:
+  OutputFile& add(const std::string& path) {
+    files_.push_back(std::make_unique<OutputFile>(path));
+    return *files_.back();
+  }
+  void publish() {
+    for (const auto& file : files_) file->publish();
+  }
+
+ private:
+  std::vector<std::unique_ptr<OutputFile>> files_;
+};
+
+bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
+
+void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const std::vector<Point>& points,
+                   const SolidAlphaComplex& complex, const MeshArguments& arguments) {
+  std::vector<Triangle> all;
+  std::optional<CompactMesh> compact;
+  std::optional<Drawing> drawing;
+  for (const Target& target : targets) {
+    stop_if_interrupted();
+    OutputFile& file = outputs.add(target.path);
+    if (is_picture(target.format)) {
+      if (!drawing) drawing = drawing_of(points, complex);
+      const Scene scene = place(*drawing, arguments.width);
+      target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+    } else {
+      if (all.empty()) all = triangles(complex);
+      // An .npy file has no vertices: its indices mean input points whatever other files hold.
+      if (arguments.compact && target.format != OutputFormat::npy) {
+        if (!compact) compact.emplace(points, all);
+        write_triangles(file, target.format, {compact->vertices, compact->triangles});
+      } else {
+        write_triangles(file, target.format, {points, all});
+      }
+    }
+    file.finish();
+  }
+}
+
+std::string summary(std::size_t points, const SolidAlphaComplex& complex, const std::vector<Target>& targets) {
+  std::string text = counted(points, "point");
+  if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
+  text += ", " + counted(complex.mesh.n_faces(), "triangle") + ", " + std::to_string(complex.isolated.size()) +
+          " isolated";
+  const char* before = " -> ";
+  for (const Target& target : targets) {
+    text += before + (target.path == "-" ? std::string("standard output") : target.path);
+    before = ", ";
+  }
+  return text;
+}
+
+}  // namespace
+
+void run_mesh(const MeshArguments& arguments) {
+  const double alpha = parse_alpha(arguments.alpha);
+  const Search search = parse_search(arguments.search);
+  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
+  const std::vector<Target> targets =
+      parse_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
+  if (arguments.width < least_width || arguments.width > greatest_width)
+    throw WrongUsage("--width: found " + std::to_string(arguments.width) + ", expected " +
+                     std::to_string(least_width) + " to " + std::to_string(greatest_width) + " pixels");
+
+  Stats stats{.alpha = alpha};
+  Stopwatch watch;
+  const std::vector<Point> points = read_points(source);
+  stats.read_seconds = watch.lap();
+  const SolidAlphaComplex complex = build(points, alpha, search, arguments.quiet);
+  stats.build_seconds = watch.lap();
+
+  OutputSet outputs;
+  write_targets(outputs, targets, points, complex, arguments);
+  stats.write_seconds = watch.lap();
+  if (arguments.stats) {
+    stats.points = points.size();
+    stats.distinct = complex.distinct;
+    stats.isolated = complex.isolated.size();
+    stats.counts = count(complex);
+    OutputFile& file = outputs.add(*arguments.stats);
+    write_stats(file, stats);
+    file.finish();
+  }
+  outputs.publish();
+
+  if (complex.mesh.n_faces() == 0) {
+    const std::string reason = reason_for_empty(points, complex.distinct, arguments.alpha);
+    std::fprintf(stderr, "rbpa: the complex is empty: %s\n", reason.c_str());
+  }
+  if (!arguments.quiet) std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, targets).c_str());
+}
+
+}  // namespace rbpa::app

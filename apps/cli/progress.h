@@ -1,0 +1,34 @@
+// What: how far a run has come, said on a terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "rbpa/rbpa.h"
+
+namespace rbpa::app {
+
+/// One line on standard error, rewritten a few times a second, and gone with this object.
+class ProgressLine {
+ public:
+  /// Silent unless `wanted` and standard error is a terminal.
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const Progress& progress);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool shown_;
+  bool written_ = false;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_;
+};
+
+/// "1.2 M triangles, 3.4 M/s, at most 2 s left" after `seconds`. There are at most two triangles a point.
+std::string progress_text(const Progress& progress, double seconds);
+
+}  // namespace rbpa::app

@@ -1,0 +1,53 @@
+#include "cli/stats.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+std::size_t peak_bytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kibibytes
+}
+
+}  // namespace
+
+void write_stats(OutputFile& file, const Stats& stats) {
+  const auto counted = [&](std::size_t ComplexCounts::*member) {
+    return stats.counts ? Json((*stats.counts).*member) : Json(nullptr);
+  };
+  Json alpha = or_null(stats.alpha);
+  if (stats.alpha && std::isinf(*stats.alpha)) alpha = "inf";
+  const Json report = {{"points", stats.points},
+                       {"distinct", stats.distinct},
+                       {"isolated", or_null(stats.isolated)},
+                       {"triangles", counted(&ComplexCounts::triangles)},
+                       {"vertices", counted(&ComplexCounts::points_covered)},
+                       {"edges", counted(&ComplexCounts::edges)},
+                       {"boundary_curves", counted(&ComplexCounts::boundary_curves)},
+                       {"solid_components", counted(&ComplexCounts::solid_components)},
+                       {"components", counted(&ComplexCounts::components)},
+                       {"holes", counted(&ComplexCounts::holes)},
+                       {"alpha", alpha},
+                       {"method", stats.counts ? Json("rbpa") : Json(nullptr)},
+                       {"threads", 1},
+                       {"seconds",
+                        {{"read", stats.read_seconds},
+                         {"build", or_null(stats.build_seconds)},
+                         {"write", or_null(stats.write_seconds)}}},
+                       {"peak_bytes", peak_bytes()}};
+  file.write(report.dump(2) + "\n");
+}
+
+}  // namespace rbpa::app

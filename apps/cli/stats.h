@@ -1,0 +1,43 @@
+// What: the report that --stats writes.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+
+#include "io/output_file.h"
+#include "rbpa/topology.h"
+
+namespace rbpa::app {
+
+struct Stats {
+  std::size_t points = 0;
+  std::size_t distinct = 0;
+  /// What a verb does not compute is null in the report.
+  std::optional<double> alpha = std::nullopt;
+  std::optional<std::size_t> isolated = std::nullopt;
+  std::optional<ComplexCounts> counts = std::nullopt;
+  double read_seconds = 0;
+  std::optional<double> build_seconds = std::nullopt;
+  std::optional<double> write_seconds = std::nullopt;
+};
+
+/// One JSON object.
+void write_stats(OutputFile& file, const Stats& stats);
+
+/// Seconds since it was made, or since the last lap.
+class Stopwatch {
+ public:
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace rbpa::app

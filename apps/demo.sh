@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the programs in release mode and triangulates a bundled real point set.
+# Leaves a mesh and a picture in rbpa-demo/ and says so.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev libcli11-dev libpng-dev \
+  nlohmann-json3-dev
+cmake --preset programs
+cmake --build --preset programs --parallel "$(nproc)"
+mkdir -p rbpa-demo
+build/release/bin/rbpa mesh tests/data/geo_us_zipcodes.xy --alpha 0.3 \
+  -o rbpa-demo/zipcodes.ply -o rbpa-demo/zipcodes.png
+echo "mesh:    $PWD/rbpa-demo/zipcodes.ply"
+echo "picture: $PWD/rbpa-demo/zipcodes.png"

@@ -1,0 +1,40 @@
+// What: how a program of ours ends without a result. What each says is one line, without the program's name.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace rbpa::app {
+
+/// The input is not what it should be (exit code 3).
+class BadInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The command line asks for something that does not exist (exit code 2).
+class WrongUsage : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Something outside went wrong while running, such as a full disk (exit code 1).
+class Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws BadInput "WHERE: found FOUND, expected EXPECTED".
+[[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
+
+/// "FILE:LINE", the way compilers name a place in a text.
+std::string at_line(std::string_view file, std::size_t line);
+
+/// The text in single quotes, fit for one line of a terminal: control characters replaced, clipped when long.
+std::string in_quotes(std::string_view text);
+
+/// "1 column", "2 columns".
+std::string counted(std::size_t count, std::string_view noun);
+
+}  // namespace rbpa::app

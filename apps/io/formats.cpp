@@ -1,0 +1,43 @@
+#include "io/formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <utility>
+
+namespace rbpa::app {
+namespace {
+
+template <typename Format, std::size_t count>
+std::optional<Format> find(const std::pair<std::string_view, Format> (&known)[count], std::string_view name) {
+  const auto same_letter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  for (const auto& [text, format] : known)
+    if (std::equal(name.begin(), name.end(), text.begin(), text.end(), same_letter)) return format;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PointFormat> point_format(std::string_view name) {
+  constexpr std::pair<std::string_view, PointFormat> known[] = {
+      {"xy", PointFormat::text},  {"txt", PointFormat::text}, {"csv", PointFormat::text},
+      {"tsv", PointFormat::text}, {"xyz", PointFormat::text}, {"text", PointFormat::text},
+      {"npy", PointFormat::npy},  {"off", PointFormat::off},  {"ply", PointFormat::ply},
+      {"f64xy", PointFormat::raw}};
+  return find(known, name);
+}
+
+std::optional<OutputFormat> output_format(std::string_view name) {
+  constexpr std::pair<std::string_view, OutputFormat> known[] = {
+      {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj},
+      {"npy", OutputFormat::npy}, {"svg", OutputFormat::svg}, {"png", OutputFormat::png}};
+  return find(known, name);
+}
+
+std::string_view ending(std::string_view path) {
+  path.remove_prefix(path.rfind('/') + 1);
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,67 @@
+// What: a text as its lines, and a line as its words.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+
+namespace rbpa::app {
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+inline std::string_view trimmed(std::string_view text) {
+  const char* first = text.data();
+  const char* last = first + text.size();
+  while (first != last && is_blank(*first)) ++first;
+  while (first != last && is_blank(last[-1])) --last;
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
+/// The lines of a text one after the other, without their ends (LF or CRLF) and without blanks around them.
+class Lines {
+ public:
+  /// `before` lines were there before `text`.
+  explicit Lines(std::string_view text, std::size_t before = 0)
+      : at_(text.data()), end_(text.data() + text.size()), number_(before) {}
+
+  /// Goes to the next line; false when there is none.
+  bool next() {
+    if (at_ == end_) return false;
+    const auto left = static_cast<std::size_t>(end_ - at_);
+    const char* stop = static_cast<const char*>(std::memchr(at_, '\n', left));
+    if (stop == nullptr) stop = end_;
+    line_ = trimmed({at_, static_cast<std::size_t>(stop - at_)});
+    at_ = stop == end_ ? end_ : stop + 1;
+    ++number_;
+    return true;
+  }
+  /// next(), passing over blank lines and lines that begin with '#'.
+  bool next_with_content() {
+    while (next())
+      if (!line_.empty() && line_.front() != '#') return true;
+    return false;
+  }
+
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }  ///< of the line, from 1
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< behind the line
+
+ private:
+  const char* at_;
+  const char* end_;
+  std::string_view line_;
+  std::size_t number_;
+};
+
+/// Takes the first word from the front of `text`; empty when there is none left.
+inline std::string_view take_word(std::string_view& text) {
+  std::size_t first = 0;
+  while (first < text.size() && is_blank(text[first])) ++first;
+  std::size_t last = first;
+  while (last < text.size() && !is_blank(text[last])) ++last;
+  const std::string_view word = text.substr(first, last - first);
+  text.remove_prefix(last);
+  return word;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,144 @@
+#include "io/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 20U;
+constexpr std::size_t number_size = 32;
+
+/// The file behind symbolic links, so that renaming does not replace a link.
+std::string behind_links(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::canonical(path, error);
+  return error ? path : real.string();
+}
+
+std::string temporary_beside(const std::string& path, int attempt) {
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+  return folder + ".rbpa-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
+}
+
+template <typename Bits>
+void store_little_endian(char* at, Bits bits) {
+  for (std::size_t i = 0; i < sizeof bits; ++i) at[i] = static_cast<char>((bits >> (8 * i)) & 0xFFU);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const std::string& path)
+    : name_(path == "-" ? "standard output" : path), path_(path), buffer_(new char[buffer_size]) {
+  if (path == "-") {
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  struct stat status {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("cannot open");
+    return;
+  }
+  if (exists && access(path.c_str(), W_OK) != 0) fail("cannot write");
+  path_ = behind_links(path);
+  for (int attempt = 0; descriptor_ < 0; ++attempt) {
+    temporary_ = temporary_beside(path_, attempt);
+    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0 || errno == EEXIST) continue;
+    temporary_.clear();
+    fail("cannot create");
+  }
+  if (exists) (void)fchmod(descriptor_, status.st_mode & 07777U);  // best effort: the permissions it had
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0 && path_ != "-") close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    if (used_ == buffer_size) flush();
+    const std::size_t count = std::min(bytes.size(), buffer_size - used_);
+    std::memcpy(buffer_.get() + used_, bytes.data(), count);
+    used_ += count;
+    bytes.remove_prefix(count);
+  }
+}
+
+char* OutputFile::room(std::size_t size) {
+  if (buffer_size - used_ < size) flush();
+  return buffer_.get() + used_;
+}
+
+void OutputFile::write_number(double value) {
+  char* at = room(number_size);
+  used_ += static_cast<std::size_t>(std::to_chars(at, at + number_size, value).ptr - at);
+}
+
+void OutputFile::write_number(std::uint64_t value) {
+  char* at = room(number_size);
+  used_ += static_cast<std::size_t>(std::to_chars(at, at + number_size, value).ptr - at);
+}
+
+void OutputFile::write_binary(std::uint32_t value) {
+  store_little_endian(room(sizeof value), value);
+  used_ += sizeof value;
+}
+
+void OutputFile::write_binary(double value) {
+  store_little_endian(room(sizeof value), std::bit_cast<std::uint64_t>(value));
+  used_ += sizeof value;
+}
+
+void OutputFile::flush() {
+  const char* at = buffer_.get();
+  while (used_ > 0) {
+    stop_if_interrupted();
+    const ssize_t count = ::write(descriptor_, at, used_);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("cannot write");
+    at += count;
+    used_ -= static_cast<std::size_t>(count);
+  }
+}
+
+void OutputFile::finish() {
+  flush();
+  if (path_ == "-") return;
+  // A network or a full disk may refuse only now.
+  if (!temporary_.empty() && fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("cannot write");
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  if (close(descriptor) != 0 && errno != EINTR) fail("cannot write");
+  stop_if_interrupted();
+}
+
+void OutputFile::publish() {
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot rename the finished file");
+  temporary_.clear();
+}
+
+void OutputFile::fail(const std::string& doing) const {
+  const int reason = errno;
+  if (reason == EINTR) stop_if_interrupted();
+  throw Failure(name_ + ": " + doing + ": " + std::strerror(reason));
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,30 @@
+#include "io/read_points.h"
+
+#include <algorithm>
+
+#include "io/binary_points.h"
+#include "io/failure.h"
+#include "io/input_bytes.h"
+#include "io/npy_points.h"
+#include "io/off_points.h"
+#include "io/ply_points.h"
+#include "io/text_points.h"
+
+namespace rbpa::app {
+
+std::vector<Point> read_points(const PointSource& source) {
+  const InputBytes input(source.path);
+  const std::string_view bytes = input.bytes();
+  // No points may be meant; no bytes at all come from a command that failed before.
+  if (bytes.empty()) bad_input(input.name(), "an empty file", "points");
+  switch (source.format) {
+    case PointFormat::npy: return read_npy_points(bytes, input.name());
+    case PointFormat::off: return read_off_points(bytes, input.name());
+    case PointFormat::ply: return read_ply_points(bytes, input.name());
+    case PointFormat::raw: return read_raw_points(bytes, input.name());
+    case PointFormat::text: break;
+  }
+  return read_text_points(bytes, input.name(), source.columns);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,23 @@
+// What: points from a file of any format we read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/columns.h"
+#include "io/formats.h"
+#include "rbpa/core/point.h"
+
+namespace rbpa::app {
+
+struct PointSource {
+  std::string path;  ///< "-" is standard input
+  PointFormat format = PointFormat::text;
+  Columns columns = {};  ///< of text
+};
+
+/// The points in the order of the file, all finite. Throws BadInput naming the file, the line or the point, what was
+/// found and what was expected; Failure; Cancelled.
+std::vector<Point> read_points(const PointSource& source);
+
+}  // namespace rbpa::app

@@ -1,0 +1,206 @@
+#include "io/text_points.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/lines.h"
+#include "io/number.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr char blanks = ' ';  // as a separator: any run of spaces and tabs
+
+char separator_of(std::string_view line) {
+  for (const char c : {',', ';', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return blanks;
+}
+
+std::string_view without_quotes(std::string_view field) {
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') return field.substr(1, field.size() - 2);
+  return field;
+}
+
+/// The fields of one line from left to right.
+class Fields {
+ public:
+  Fields(std::string_view line, char separator)
+      : at_(line.data()), end_(line.data() + line.size()), separator_(separator) {
+    if (separator_ == blanks) skip_comment();
+  }
+
+  bool at_end() const { return done_; }
+  const char* begin_of_field() const { return at_; }
+  const char* end_of_line() const { return end_; }
+
+  std::string_view take() {
+    const char* first = at_;
+    const char* last = first;
+    if (separator_ == blanks) {
+      while (last != end_ && !is_blank(*last)) ++last;
+    } else {
+      if (last != end_ && *last == '"') last = std::find(last + 1, end_, '"');
+      last = std::find(last, end_, separator_);
+    }
+    leave_field(last);
+    return trimmed({first, static_cast<std::size_t>(last - first)});
+  }
+
+  /// Passes over a field whose text has been read up to `behind`; false when there is more text in it.
+  bool take_up_to(const char* behind) {
+    if (separator_ == blanks) {
+      if (behind != end_ && !is_blank(*behind)) return false;
+    } else {
+      while (behind != end_ && is_blank(*behind) && *behind != separator_) ++behind;
+      if (behind != end_ && *behind != separator_) return false;
+    }
+    leave_field(behind);
+    return true;
+  }
+
+ private:
+  void leave_field(const char* last) {
+    at_ = last;
+    if (separator_ != blanks) {
+      if (at_ == end_) {
+        done_ = true;
+        return;
+      }
+      ++at_;  // an empty field may follow, even at the end of the line
+    }
+    while (at_ != end_ && is_blank(*at_) && (*at_ != separator_ || separator_ == blanks)) ++at_;
+    if (separator_ == blanks) skip_comment();
+  }
+  void skip_comment() { done_ = at_ == end_ || *at_ == '#'; }
+
+  const char* at_;
+  const char* end_;
+  char separator_;
+  bool done_ = false;
+};
+
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  std::vector<std::string_view> result;
+  for (Fields fields(line, separator); !fields.at_end();) result.push_back(without_quotes(fields.take()));
+  return result;
+}
+
+bool is_number(std::string_view field) { return parse_whole_number(field).fault != NumberFault::not_a_number; }
+
+class TextReader {
+ public:
+  TextReader(std::string_view text, const std::string& name, const Columns& columns)
+      : text_(text), lines_(text), name_(name), columns_(columns) {}
+
+  std::vector<Point> read() {
+    if (!lines_.next_with_content()) {
+      if (columns_.x.number == 0 || columns_.y.number == 0) bad_input(name_, "no header line", "one with the column names");
+      return {};
+    }
+    const bool header = take_header();
+    if (header && !lines_.next_with_content()) return {};
+    separator_ = separator_of(lines_.line());
+    if (!header) first_line_ = lines_.number();
+
+    std::vector<Point> points;
+    // A point takes four characters or more; room that is not used costs nothing.
+    points.reserve(std::min(static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) + 1,
+                            text_.size() / 4 + 1));
+    do {
+      if (points.size() % 16384 == 0) stop_if_interrupted();
+      points.push_back(read_line());
+    } while (lines_.next_with_content());
+    return points;
+  }
+
+ private:
+  std::string here() const { return at_line(name_, lines_.number()); }
+
+  /// Finds the columns; whether the current line is the header.
+  bool take_header() {
+    const std::vector<std::string_view> fields = split(lines_.line(), separator_of(lines_.line()));
+    const auto position = [&](const Column& column) {
+      return column.number > 0 ? column.number - 1 : find_name(fields, column.name);
+    };
+    x_ = position(columns_.x);
+    y_ = position(columns_.y);
+    const bool by_name = columns_.x.number == 0 || columns_.y.number == 0;
+    const std::size_t needed = std::max(x_, y_) + 1;
+    if (fields.size() < needed) {
+      const bool text_only = std::none_of(fields.begin(), fields.end(), is_number);
+      bad_input(here(), text_only ? in_quotes(lines_.line()) : counted(fields.size(), "column"),
+                needed == 2 ? (text_only ? "two numbers" : "two columns")
+                            : "at least " + counted(needed, "column") + ", as --columns asks");
+    }
+    if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) return false;
+    first_line_ = lines_.number();
+    width_ = fields.size();
+    return true;
+  }
+
+  std::size_t find_name(const std::vector<std::string_view>& fields, const std::string& wanted) const {
+    const auto same_letter = [](char a, char b) {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    auto found = std::find(fields.begin(), fields.end(), wanted);
+    if (found == fields.end())
+      found = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
+        return std::equal(field.begin(), field.end(), wanted.begin(), wanted.end(), same_letter);
+      });
+    if (found == fields.end()) bad_input(here(), in_quotes(lines_.line()), "a header with a column " + in_quotes(wanted));
+    return static_cast<std::size_t>(found - fields.begin());
+  }
+
+  Point read_line() {
+    Fields fields(lines_.line(), separator_);
+    std::optional<double> x, y;
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      if (count == x_ || count == y_) {
+        const double value = read_number(fields);
+        if (count == x_) x = value;
+        if (count == y_) y = value;
+      } else {
+        fields.take();
+      }
+    }
+    if (!width_) width_ = count;
+    if (count != *width_)
+      bad_input(here(), counted(count, "column") + " (" + in_quotes(lines_.line()) + ")",
+                std::to_string(*width_) + " as in line " + std::to_string(first_line_));
+    return {*x, *y};
+  }
+
+  double read_number(Fields& fields) const {
+    const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
+    if (number.fault == NumberFault::none && fields.take_up_to(number.end)) return number.value;
+    const std::string_view field = without_quotes(fields.take());
+    const ParsedNumber whole = parse_whole_number(field);
+    if (whole.fault != NumberFault::none) bad_input(here(), in_quotes(field), expected_instead(whole.fault));
+    return whole.value;
+  }
+
+  std::string_view text_;
+  Lines lines_;
+  const std::string& name_;
+  const Columns& columns_;
+  char separator_ = blanks;
+  std::size_t x_ = 0;
+  std::size_t y_ = 0;
+  std::size_t first_line_ = 0;         // the line that says how many columns there are
+  std::optional<std::size_t> width_;  // how many
+};
+
+}  // namespace
+
+std::vector<Point> read_text_points(std::string_view text, const std::string& name, const Columns& columns) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
+  return TextReader(text, name, columns).read();
+}
+
+}  // namespace rbpa::app

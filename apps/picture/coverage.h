@@ -1,0 +1,46 @@
+// What: how much of each pixel a shape covers, from 0 to 1.
+// How:  areas are exact per pixel (signed trapezoids left of each edge, summed along rows), so that shapes that share an
+//       edge leave no seam; lines take the largest of their coverages, so that crossings do not darken.
+// Cost: the pixels that the outlines touch, and one pass over the canvas.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "picture/scene.h"
+
+namespace rbpa::app {
+
+/// The inside of closed outlines that do not overlap. All shapes lie within the canvas.
+class AreaCoverage {
+ public:
+  AreaCoverage(int width, int height);
+  /// One straight piece of an outline, in its direction.
+  void add_piece(const Pixel& from, const Pixel& to);
+  /// Coverage by rows. Empties this.
+  std::vector<float> take();
+
+ private:
+  void add_row(float* row, double rise, double x_from, double x_to);
+
+  std::size_t width_;
+  std::size_t height_;
+  std::size_t stride_;
+  std::vector<float> change_;
+};
+
+/// Round-ended lines and dots. Lines thinner than a pixel are a pixel wide and that much fainter.
+class LineCoverage {
+ public:
+  LineCoverage(int width, int height);
+  void add_line(const Pixel& from, const Pixel& to, double line_width);
+  void add_dot(const Pixel& centre, double radius) { add_line(centre, centre, 2 * radius); }
+  const std::vector<float>& values() const { return covered_; }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<float> covered_;
+};
+
+}  // namespace rbpa::app

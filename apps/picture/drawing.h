@@ -1,0 +1,28 @@
+// What: what a picture of a complex shows, in the coordinates of the input.
+// Law:  a function of the complex alone: edges and curves are in an order that no method of computing can change.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/point.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa::app {
+
+using Edge = std::array<std::uint32_t, 2>;
+
+/// All as indices into `points`.
+struct Drawing {
+  std::span<const Point> points;
+  std::vector<Edge> inner_edges;                   ///< between two triangles; lower index first, sorted
+  std::vector<std::vector<std::uint32_t>> curves;  ///< boundary curves, each from its least edge, sorted
+  std::span<const std::uint32_t> isolated;
+};
+
+/// Requires: `points` are those of the complex. What it returns looks into both.
+Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& complex);
+
+}  // namespace rbpa::app

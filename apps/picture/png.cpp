@@ -1,0 +1,102 @@
+#include "picture/png.h"
+
+#include <png.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "picture/coverage.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Red, green, blue by rows.
+class Canvas {
+ public:
+  explicit Canvas(const Scene& scene)
+      : bytes_(3 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)) {
+    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
+      bytes_[i] = background_colour.red;
+      bytes_[i + 1] = background_colour.green;
+      bytes_[i + 2] = background_colour.blue;
+    }
+  }
+  void paint(const std::vector<float>& coverage, const Colour& colour) {
+    stop_if_interrupted();
+    for (std::size_t i = 0; i < coverage.size(); ++i) {
+      if (coverage[i] <= 0) continue;
+      mix(bytes_[3 * i], colour.red, coverage[i]);
+      mix(bytes_[3 * i + 1], colour.green, coverage[i]);
+      mix(bytes_[3 * i + 2], colour.blue, coverage[i]);
+    }
+  }
+  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+
+ private:
+  static void mix(std::uint8_t& value, std::uint8_t colour, float share) {
+    const float mixed = static_cast<float>(value) * (1 - share) + static_cast<float>(colour) * share;
+    value = static_cast<std::uint8_t>(std::lround(mixed));
+  }
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// Calls visit(from, to) for every piece of every boundary curve.
+template <typename Visit>
+void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
+  std::size_t done = 0;
+  for (const std::vector<std::uint32_t>& curve : scene.drawing->curves)
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      if (++done % 4096 == 0) stop_if_interrupted();
+      visit(scene.at[curve[i]], scene.at[curve[i + 1 == curve.size() ? 0 : i + 1]]);
+    }
+}
+
+Canvas draw(const Scene& scene) {
+  Canvas canvas(scene);
+  AreaCoverage solid(scene.width, scene.height);
+  for_each_boundary_piece(scene, [&](const Pixel& a, const Pixel& b) { solid.add_piece(a, b); });
+  canvas.paint(solid.take(), fill_colour);
+
+  LineCoverage edges(scene.width, scene.height);
+  std::size_t done = 0;
+  for (const Edge& edge : scene.drawing->inner_edges) {
+    if (++done % 4096 == 0) stop_if_interrupted();
+    edges.add_line(scene.at[edge[0]], scene.at[edge[1]], scene.strokes.edge_width);
+  }
+  canvas.paint(edges.values(), edge_colour);
+
+  LineCoverage boundary(scene.width, scene.height);
+  for_each_boundary_piece(
+      scene, [&](const Pixel& a, const Pixel& b) { boundary.add_line(a, b, scene.strokes.boundary_width); });
+  canvas.paint(boundary.values(), boundary_colour);
+
+  LineCoverage isolated(scene.width, scene.height);
+  for (const std::uint32_t point : scene.drawing->isolated)
+    isolated.add_dot(scene.at[point], scene.strokes.dot_radius);
+  canvas.paint(isolated.values(), isolated_colour);
+  return canvas;
+}
+
+}  // namespace
+
+void write_png(OutputFile& file, const Scene& scene) {
+  const Canvas canvas = draw(scene);
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(scene.width);
+  image.height = static_cast<png_uint_32>(scene.height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<char> encoded(size);
+  // In memory: an error of our file must not travel through libpng.
+  if (png_image_write_to_memory(&image, encoded.data(), &size, 0, canvas.bytes().data(), 0, nullptr) == 0)
+    throw Failure(file.name() + ": cannot encode the picture: " + image.message);
+  file.write({encoded.data(), size});
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,32 @@
+// What: a drawing moved to the pixels of a canvas, y down.
+// Law:  any finite coordinates fit, however large, small or flat; the same drawing gives the same numbers everywhere.
+#pragma once
+
+#include <vector>
+
+#include "picture/drawing.h"
+#include "picture/style.h"
+
+namespace rbpa::app {
+
+struct Pixel {
+  double x, y;
+};
+
+/// A drawing whose points have places.
+struct Scene {
+  int width;
+  int height;
+  std::vector<Pixel> at;  ///< of each point of the drawing
+  Strokes strokes;
+  const Drawing* drawing;
+};
+
+constexpr int least_width = 64;
+constexpr int greatest_width = 8192;
+
+/// Requires: least_width ≤ width ≤ greatest_width. The height follows the points, up to twice the width; one scale for
+/// both axes. The scene looks into the drawing. Cost: linear.
+Scene place(const Drawing& drawing, int width);
+
+}  // namespace rbpa::app

@@ -1,0 +1,141 @@
+#include "picture/svg.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace rbpa::app {
+namespace {
+
+/// Hundredths of a pixel.
+struct Step {
+  long x, y;
+  friend bool operator==(const Step&, const Step&) = default;
+};
+
+Step step_of(const Pixel& p) { return {std::lround(p.x * 100), std::lround(p.y * 100)}; }
+
+/// Hundredths as the shortest decimal: 1250 is 12.5, −7 is -.07.
+std::string decimal(long hundredths) {
+  std::string text = hundredths < 0 ? "-" : "";
+  const long size = std::abs(hundredths), whole = size / 100, part = size % 100;
+  if (whole != 0 || part == 0) text += std::to_string(whole);
+  if (part == 0) return text;
+  text += '.';
+  text += static_cast<char>('0' + part / 10);
+  if (part % 10 != 0) text += static_cast<char>('0' + part % 10);
+  return text;
+}
+
+/// The text of a path. A pen moves by whole hundredths, so that nothing drifts.
+class Path {
+ public:
+  explicit Path(OutputFile& file) : file_(file) {}
+
+  void move_to(const Step& to) {
+    file_.write("M");
+    write_pair(to);
+    at_ = to;
+  }
+  void line_to(const Step& to) {
+    file_.write("l");
+    write_pair({to.x - at_.x, to.y - at_.y});
+    at_ = to;
+  }
+  const Step& at() const { return at_; }
+
+ private:
+  void write_pair(const Step& pair) {
+    const std::string y = decimal(pair.y);
+    file_.write(decimal(pair.x));
+    if (y.front() != '-') file_.write(" ");
+    file_.write(y);
+  }
+
+  OutputFile& file_;
+  Step at_{0, 0};
+};
+
+std::string hex(const Colour& colour) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text = "#";
+  for (const unsigned value : {colour.red, colour.green, colour.blue}) {
+    text += digits[value >> 4U];
+    text += digits[value & 15U];
+  }
+  return text;
+}
+
+void begin_path(OutputFile& file, const std::string& id, const std::string& attributes) {
+  file.write("<path id=\"" + id + "\" " + attributes + " d=\"");
+}
+void end_path(OutputFile& file) { file.write("\"/>\n"); }
+
+std::string stroke(const Colour& colour, double width) {
+  return "fill=\"none\" stroke=\"" + hex(colour) + "\" stroke-width=\"" + decimal(std::lround(width * 100)) +
+         "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+}
+
+/// `dots`: a curve smaller than a hundredth of a pixel is still a dot when stroked.
+void write_curves(OutputFile& file, const Scene& scene, bool dots) {
+  Path path(file);
+  for (const std::vector<std::uint32_t>& curve : scene.drawing->curves) {
+    const Step first = step_of(scene.at[curve[0]]);
+    bool begun = false;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const Step to = step_of(scene.at[curve[i]]);
+      if (to == (begun ? path.at() : first)) continue;
+      if (!begun) path.move_to(first);
+      begun = true;
+      path.line_to(to);
+    }
+    if (!begun && dots) {
+      path.move_to(first);
+      file.write("h0");
+    }
+    if (begun) file.write("z");
+  }
+}
+
+void write_edges(OutputFile& file, const Scene& scene) {
+  Path path(file);
+  bool begun = false;
+  for (const Edge& edge : scene.drawing->inner_edges) {
+    const Step from = step_of(scene.at[edge[0]]), to = step_of(scene.at[edge[1]]);
+    if (from == to) continue;
+    if (!begun || !(from == path.at())) path.move_to(from);
+    begun = true;
+    path.line_to(to);
+  }
+}
+
+}  // namespace
+
+void write_svg(OutputFile& file, const Scene& scene) {
+  const std::string width = std::to_string(scene.width), height = std::to_string(scene.height);
+  file.write("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+             "\" viewBox=\"0 0 " + width + " " + height + "\">\n");
+  file.write("<rect width=\"100%\" height=\"100%\" fill=\"" + hex(background_colour) + "\"/>\n");
+
+  begin_path(file, "solid", "fill=\"" + hex(fill_colour) + "\"");
+  write_curves(file, scene, false);
+  end_path(file);
+  begin_path(file, "edges", stroke(edge_colour, scene.strokes.edge_width));
+  write_edges(file, scene);
+  end_path(file);
+  begin_path(file, "boundary", stroke(boundary_colour, scene.strokes.boundary_width));
+  write_curves(file, scene, true);
+  end_path(file);
+  begin_path(file, "isolated", stroke(isolated_colour, 2 * scene.strokes.dot_radius));
+  Path path(file);
+  for (const std::uint32_t point : scene.drawing->isolated) {
+    path.move_to(step_of(scene.at[point]));
+    file.write("h0");
+  }
+  end_path(file);
+  file.write("</svg>\n");
+}
+
+}  // namespace rbpa::app

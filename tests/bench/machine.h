@@ -1,0 +1,14 @@
+// What: the machine and the build a figure was measured on, without which it means nothing.
+#pragma once
+
+#include <string>
+
+namespace rbpa_bench {
+
+std::string processor();  ///< model, and the number of them
+std::string memory();     ///< in GiB
+std::string system();     ///< kernel and its release
+std::string compiler();
+std::string compiler_flags();
+
+}  // namespace rbpa_bench

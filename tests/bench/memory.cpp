@@ -1,0 +1,64 @@
+#include "bench/memory.h"
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <string>
+
+namespace rbpa_bench {
+namespace {
+
+/// A line "name:  1234 kB" of /proc/self/status, in bytes.
+std::optional<double> status_bytes(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(name + ":")) return 1024 * std::stod(line.substr(name.size() + 1));
+  return std::nullopt;
+}
+
+/// Lets the peak start again from the present. Linux 4.0 and later.
+bool reset_peak() {
+  std::ofstream control("/proc/self/clear_refs");
+  control << "5" << std::flush;
+  return control.good();
+}
+
+std::optional<double> measure(const std::function<void()>& prepare, const std::function<void()>& work) {
+  prepare();
+  malloc_trim(0);  // or the work would be given pages that are resident already
+  if (!reset_peak()) return std::nullopt;
+  const std::optional<double> before = status_bytes("VmRSS");
+  work();
+  const std::optional<double> peak = status_bytes("VmHWM");
+  if (!before || !peak) return std::nullopt;
+  return *peak - *before;
+}
+
+}  // namespace
+
+std::optional<double> peak_bytes(const std::function<void()>& prepare, const std::function<void()>& work) {
+  int ends[2];
+  if (pipe(ends) != 0) return std::nullopt;
+  const pid_t child = fork();
+  if (child < 0) return std::nullopt;
+  if (child == 0) {
+    close(ends[0]);
+    bool told = false;
+    try {
+      if (const std::optional<double> bytes = measure(prepare, work))
+        told = write(ends[1], &*bytes, sizeof(double)) == sizeof(double);
+    } catch (...) {  // nothing is told
+    }
+    _exit(told ? 0 : 1);
+  }
+  close(ends[1]);
+  double bytes = 0;
+  const bool told = read(ends[0], &bytes, sizeof bytes) == sizeof bytes;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return told ? std::optional(bytes) : std::nullopt;
+}
+
+}  // namespace rbpa_bench

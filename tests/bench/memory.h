@@ -1,0 +1,13 @@
+// What: the peak of resident memory of one piece of work, in a process of its own so that nothing else blurs it.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+namespace rbpa_bench {
+
+/// Forks; the child calls prepare(), then work(), and tells by how many bytes its resident memory rose at most above
+/// what it was in between. Absent where the child fails or the system does not tell.
+std::optional<double> peak_bytes(const std::function<void()>& prepare, const std::function<void()>& work);
+
+}  // namespace rbpa_bench
