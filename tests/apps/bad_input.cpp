@@ -1,0 +1,192 @@
+// Every way in which input can be bad: the exit code, the whole message, and no output left.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <cstring>
+
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+/// Expects one line on standard error, this exit code, and nothing but the input in the folder.
+void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
+  const auto before = folder.names().size();
+  const Outcome outcome = folder.rbpa(arguments);
+  CHECK(outcome.code == code);
+  CHECK(outcome.err == "rbpa: " + message + "\n");
+  CHECK(outcome.out.empty());
+  CHECK(folder.names().size() == before);
+}
+
+void refuses_text(const std::string& content, const std::string& message) {
+  CAPTURE(content);
+  const Folder folder;
+  folder.file("p.xy", content);
+  refuses(folder, "mesh p.xy --alpha 1 -o m.off", 3, message);
+}
+
+std::string npy(const std::string& description, const std::string& data) {
+  std::string header = description;
+  while ((10 + header.size() + 1) % 64 != 0) header += ' ';
+  header += '\n';
+  std::string file = "\x93NUMPY";
+  file += '\x01';
+  file += '\0';
+  file += static_cast<char>(header.size() & 0xff);
+  file += static_cast<char>(header.size() >> 8);
+  return file + header + data;
+}
+
+std::string doubles(std::initializer_list<double> values) {
+  std::string bytes(values.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), std::data(values), bytes.size());
+  return bytes;
+}
+
+const std::string ply_header =
+    "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\nend_header\n";
+
+}  // namespace
+
+TEST_SUITE("bad input") {
+  TEST_CASE("no such file") {
+    refuses(Folder(), "mesh none.xy --alpha 1 -o m.off", 3, "none.xy: found no such file, expected a file of points");
+  }
+
+  TEST_CASE("an empty file") { refuses_text("", "p.xy: found an empty file, expected points"); }
+
+  TEST_CASE("a line that is not numbers: file, line, text") {
+    refuses_text("0 0\n1 0\n# a comment\n2 abc\n", "p.xy:4: found 'abc', expected a number");
+    refuses_text("0 0\n1 0x\n", "p.xy:2: found '0x', expected a number");
+  }
+
+  TEST_CASE("not a number and infinity") {
+    refuses_text("0 0\nnan 1\n", "p.xy:2: found 'nan', expected a finite number");
+    refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number");
+  }
+
+  TEST_CASE("a number beyond every double") {
+    const Folder folder;
+    folder.file("p.xy", "0 0\n1e999 1\n");
+    const Outcome outcome = folder.rbpa("mesh p.xy --alpha 1 -o m.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("p.xy:2: found '1e999', expected ") != std::string::npos);
+  }
+
+  TEST_CASE("a wrong column count") {
+    refuses_text("0 0\n1 2 3\n", "p.xy:2: found 3 columns ('1 2 3'), expected 2 as in line 1");
+    refuses_text("0 0\n1\n", "p.xy:2: found 1 column ('1'), expected 2 as in line 1");
+  }
+
+  TEST_CASE("a column that is not there") {
+    const Folder folder;
+    folder.file("p.csv", "lon,lat\n1,2\n");
+    const Outcome outcome = folder.rbpa("mesh p.csv --columns lon,height --alpha 1 -o m.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("'height'") != std::string::npos);
+  }
+
+  TEST_CASE("a truncated binary file") {
+    const Folder folder;
+    folder.file("p.npy", npy("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
+    Outcome outcome = folder.rbpa("mesh p.npy --alpha 1 -o m.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("p.npy: found 40 bytes of data, expected 3 rows of 16 bytes as the header says") != std::string::npos);
+    folder.file("p.ply", ply_header + doubles({0, 0, 1, 0, 0}));
+    outcome = folder.rbpa("mesh p.ply --alpha 1 -o m.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("p.ply: found 40 bytes of data, expected 3 vertex elements as line 3 says") !=
+          std::string::npos);
+    folder.file("p.f64xy", doubles({0, 0, 1}));
+    CHECK(folder.rbpa("mesh p.f64xy --alpha 1 -o m.off").code == 3);
+    CHECK_FALSE(folder.has("m.off"));
+  }
+
+  TEST_CASE("a header that claims more points than the file holds is found before memory is asked for") {
+    const Folder folder;
+    folder.file("p.npy", npy("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999, 2), }", doubles({0, 0})));
+    folder.file("p.ply",
+                "ply\nformat binary_little_endian 1.0\nelement vertex 99999999999999\nproperty double x\n"
+                "property double y\nend_header\n" + doubles({0, 0}));
+    folder.file("p.off", "OFF\n99999999999999 0 0\n0 0 0\n");
+    for (const char* name : {"p.npy", "p.ply", "p.off"}) {
+      CAPTURE(name);
+      const Outcome outcome = folder.rbpa(std::string("mesh ") + name + " --alpha 1 -o m.off");
+      CHECK(outcome.code == 3);
+      CHECK(outcome.err.find("99999999999999") != std::string::npos);
+      CHECK_FALSE(folder.has("m.off"));
+    }
+  }
+
+  TEST_CASE("not a number in a binary file names the point") {
+    const Folder folder;
+    folder.file("p.f64xy", doubles({0, 0, 1, __builtin_nan("")}));
+    const Outcome outcome = folder.rbpa("mesh p.f64xy --alpha 1 -o m.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("nan") != std::string::npos);
+    CHECK(outcome.err.find("point 1") != std::string::npos);
+  }
+}
+
+TEST_SUITE("wrong usage") {
+  TEST_CASE("an alpha that is no radius") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})
+      refuses(folder, "mesh p.xy -o m.off --alpha=" + alpha, 2,
+              "--alpha: found '" + alpha + "', expected a radius: a number > 0, or inf");
+  }
+
+  TEST_CASE("no alpha, no verb, an unknown option") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    CHECK(folder.rbpa("mesh p.xy -o m.off").code == 2);
+    CHECK(folder.rbpa("").code == 2);
+    CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off --alhpa 2").code == 2);
+    CHECK_FALSE(folder.has("m.off"));
+  }
+
+  TEST_CASE("an unknown ending lists those that are known") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("p.foo", corner);
+    refuses(folder, "mesh p.xy --alpha 1 -o m.foo", 2,
+            "m.foo: found the ending 'foo', expected one of off, ply, obj, npy, svg, png, or --output-format");
+    const Outcome outcome = folder.rbpa("mesh p.foo --alpha 1 -o m.off");
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("npy") != std::string::npos);
+  }
+
+  TEST_CASE("help and version are answers") {
+    const Folder folder;
+    CHECK(folder.rbpa("--help").code == 0);
+    CHECK(folder.rbpa("mesh --help").out.find("Examples:") != std::string::npos);
+    CHECK(folder.rbpa("--version").out.find("0.") != std::string::npos);
+  }
+}
+
+TEST_SUITE("failure while running") {
+  TEST_CASE("a full output") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    refuses(folder, "mesh p.xy --alpha 1 -o /dev/full --output-format off", 1,
+            "/dev/full: cannot write: No space left on device");
+  }
+
+  TEST_CASE("an unwritable output") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    refuses(folder, "mesh p.xy --alpha 1 -o none/m.off", 1, "none/m.off: cannot create: No such file or directory");
+  }
+
+  TEST_CASE("one output that fails keeps the others away and leaves what was there") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("m.off", "old");
+    CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off -o none/m.ply").code == 1);
+    CHECK(folder.content("m.off") == "old");
+    CHECK(folder.names().size() == 2);
+  }
+}

@@ -1,0 +1,43 @@
+// The program as a user runs it, in a folder of its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace apps_test {
+
+struct Outcome {
+  int code;  ///< exit code
+  std::string out;
+  std::string err;
+};
+
+/// A fresh folder, removed at the end.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string path(const std::string& name) const { return (path_ / name).string(); }
+  /// Writes a file and returns its path.
+  std::string file(const std::string& name, const std::string& content) const;
+  std::string content(const std::string& name) const;
+  bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
+  std::vector<std::string> names() const;
+
+  /// Runs `rbpa ARGUMENTS` in this folder through the shell.
+  Outcome rbpa(const std::string& arguments) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_file(const std::string& path);
+
+/// Three points and the triangle of theirs, for runs in which it does not matter.
+inline constexpr const char* corner = "0 0\n1 0\n0 1\n";
+
+}  // namespace apps_test
