@@ -8,7 +8,6 @@ bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)"
 mkdir -p rbpa-demo
-build/release/bin/rbpa mesh tests/data/geo_us_zipcodes.xy --alpha 0.3 \
-  -o rbpa-demo/zipcodes.ply -o rbpa-demo/zipcodes.png
-echo "mesh:    $PWD/rbpa-demo/zipcodes.ply"
-echo "picture: $PWD/rbpa-demo/zipcodes.png"
+build/release/bin/rbpa mesh tests/data/mol_2xhe_xy.xy --alpha 1 -o rbpa-demo/molecule.ply -o rbpa-demo/molecule.png
+echo "mesh:    $PWD/rbpa-demo/molecule.ply"
+echo "picture: $PWD/rbpa-demo/molecule.png"

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "meshops/core/connectivity.h"
 
@@ -46,6 +47,78 @@ inline void move_fan(Connectivity& mesh, Vertex from, Vertex to) {
   } while (out != first);
 }
 
+/// insert_triangle() for a known set of given sides, bit i for side i: every question is answered when compiling.
+template <unsigned given, typename Elements>
+InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sides, Elements& elements) {
+  constexpr auto is_given = [](unsigned i) { return (given >> i & 1u) != 0; };
+  constexpr auto previous = [](unsigned i) { return (i + 2) % 3; };
+  InsertedTriangle result;
+  std::array<Halfedge, 3> before;  // of each given side, its neighbours on the boundary before the change
+  std::array<Halfedge, 3> after;
+  std::array<Vertex, 3> corner;
+  const auto for_each = [](auto visit) {
+    visit(std::integral_constant<unsigned, 0>());
+    visit(std::integral_constant<unsigned, 1>());
+    visit(std::integral_constant<unsigned, 2>());
+  };
+
+  for_each([&](auto i) {
+    if constexpr (is_given(i)) {
+      before[i] = mesh.prev_halfedge_handle(sides.side[i]);
+      after[i] = mesh.next_halfedge_handle(sides.side[i]);
+    }
+  });
+  for_each([&](auto i) {
+    constexpr unsigned p = previous(i);
+    if constexpr (!is_given(i) && !is_given(p)) {
+      corner[i] = sides.corner[i];
+    } else if constexpr (is_given(i) != is_given(p)) {
+      corner[i] = is_given(i) ? mesh.from_vertex_handle(sides.side[i]) : mesh.to_vertex_handle(sides.side[p]);
+    } else {
+      const Vertex out = mesh.from_vertex_handle(sides.side[i]), in = mesh.to_vertex_handle(sides.side[p]);
+      corner[i] = in.idx() < out.idx() ? in : out;
+      if (in != out) {
+        const Vertex loser = in.idx() < out.idx() ? out : in;
+        move_fan(mesh, loser, corner[i]);
+        mesh.set_isolated(loser);
+        result.left_over[static_cast<unsigned>(result.merged++)] = loser;
+      }
+    }
+  });
+
+  result.face = elements.face();
+  for_each([&](auto i) {
+    if constexpr (is_given(i))
+      result.side[i] = sides.side[i];
+    else
+      result.side[i] = elements.edge(corner[i], corner[(i + 1) % 3]);
+  });
+  for_each([&](auto i) { mesh.set_face_handle(result.side[i], result.face); });
+  mesh.set_halfedge_handle(result.face, result.side[0]);
+
+  // The boundary passes by each corner, unless its two sides were neighbours on it: then the corner closes.
+  for_each([&](auto i) {
+    constexpr unsigned p = previous(i);  // side p comes into corner i, side i leaves it
+    Halfedge in, out;
+    if constexpr (is_given(i))
+      in = before[i];
+    else
+      in = mesh.opposite_halfedge_handle(result.side[i]);
+    if constexpr (is_given(p))
+      out = after[p];
+    else
+      out = mesh.opposite_halfedge_handle(result.side[p]);
+    if (is_given(i) && is_given(p) && out == sides.side[i]) {
+      mesh.set_halfedge_handle(corner[i], result.side[i]);
+    } else {
+      mesh.set_next_halfedge_handle(in, out);
+      mesh.set_halfedge_handle(corner[i], out);
+    }
+  });
+  for_each([&](auto i) { mesh.set_next_halfedge_handle(result.side[i], result.side[(i + 1) % 3]); });
+  return result;
+}
+
 }  // namespace detail
 
 /// Requires: given sides are distinct boundary halfedges; corners between two new sides are isolated vertices; no two
@@ -53,59 +126,19 @@ inline void move_fan(Connectivity& mesh, Vertex from, Vertex to) {
 /// Cost:     constant, plus the degree of each vertex that is merged into another.
 template <typename Elements>
 InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides, Elements&& elements) {
-  InsertedTriangle result;
-  std::array<bool, 3> given;
-  std::array<Halfedge, 3> before;  // of each given side, its neighbours on the boundary before the change
-  std::array<Halfedge, 3> after;
-  for (unsigned i = 0; i < 3; ++i) {
-    given[i] = sides.side[i].is_valid();
-    if (given[i]) {
-      before[i] = mesh.prev_halfedge_handle(sides.side[i]);
-      after[i] = mesh.next_halfedge_handle(sides.side[i]);
-    }
+  const unsigned given = static_cast<unsigned>(sides.side[0].is_valid()) |
+                         static_cast<unsigned>(sides.side[1].is_valid()) << 1 |
+                         static_cast<unsigned>(sides.side[2].is_valid()) << 2;
+  switch (given) {
+    case 0: return detail::insert_triangle_on<0>(mesh, sides, elements);
+    case 1: return detail::insert_triangle_on<1>(mesh, sides, elements);
+    case 2: return detail::insert_triangle_on<2>(mesh, sides, elements);
+    case 3: return detail::insert_triangle_on<3>(mesh, sides, elements);
+    case 4: return detail::insert_triangle_on<4>(mesh, sides, elements);
+    case 5: return detail::insert_triangle_on<5>(mesh, sides, elements);
+    case 6: return detail::insert_triangle_on<6>(mesh, sides, elements);
+    default: return detail::insert_triangle_on<7>(mesh, sides, elements);
   }
-
-  std::array<Vertex, 3> corner;
-  for (unsigned i = 0; i < 3; ++i) {
-    const unsigned p = (i + 2) % 3;
-    if (!given[i] && !given[p]) {
-      corner[i] = sides.corner[i];
-      continue;
-    }
-    const Vertex out = given[i] ? mesh.from_vertex_handle(sides.side[i]) : mesh.to_vertex_handle(sides.side[p]);
-    const Vertex in = given[p] ? mesh.to_vertex_handle(sides.side[p]) : out;
-    if (in == out) {
-      corner[i] = in;
-      continue;
-    }
-    corner[i] = in.idx() < out.idx() ? in : out;
-    const Vertex loser = in.idx() < out.idx() ? out : in;
-    detail::move_fan(mesh, loser, corner[i]);
-    mesh.set_isolated(loser);
-    result.left_over[static_cast<unsigned>(result.merged++)] = loser;
-  }
-
-  result.face = elements.face();
-  for (unsigned i = 0; i < 3; ++i) {
-    result.side[i] = given[i] ? sides.side[i] : elements.edge(corner[i], corner[(i + 1) % 3]);
-    mesh.set_face_handle(result.side[i], result.face);
-  }
-  mesh.set_halfedge_handle(result.face, result.side[0]);
-
-  for (unsigned i = 0; i < 3; ++i) {
-    const unsigned p = (i + 2) % 3;  // side p comes into corner i, side i leaves it
-    if (given[p] && after[p] == sides.side[i]) {
-      // The two sides were neighbours on the boundary: the corner closes.
-      mesh.set_halfedge_handle(corner[i], result.side[i]);
-    } else {
-      const Halfedge in = given[i] ? before[i] : mesh.opposite_halfedge_handle(result.side[i]);
-      const Halfedge out = given[p] ? after[p] : mesh.opposite_halfedge_handle(result.side[p]);
-      mesh.set_next_halfedge_handle(in, out);
-      mesh.set_halfedge_handle(corner[i], out);
-    }
-  }
-  for (unsigned i = 0; i < 3; ++i) mesh.set_next_halfedge_handle(result.side[i], result.side[(i + 1) % 3]);
-  return result;
 }
 
 inline InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides) {

@@ -41,7 +41,7 @@ class Candidates {
   /// Tells of a site that will be considered: what has a circle beyond its own is out of the contest at once.
   void expect(Site i) {
     Real low, high;
-    bounds(Real(points_[i].x), Real(points_[i].y), low, high);
+    bounds(a_, b_, d_, Real(points_[i].x), Real(points_[i].y), low, high);
     least_high_ = std::min(least_high_, high);
   }
 
@@ -104,15 +104,16 @@ class Candidates {
   /// k of points between two bounds each. A point right of the chord is out of it (low = ∞); one too near the chord's
   /// line to say is undecided (−∞, ∞).
   template <typename Value>
-  void bounds(const Value& x, const Value& y, Value& low, Value& high) const {
+  static void bounds(const Point& a, const Point& b, const typename P::Vector& d, const Value& x, const Value& y,
+                     Value& low, Value& high) {
     const auto size = [](const Value& v) {
       if constexpr (std::is_same_v<Value, Real>)
         return std::abs(v);
       else
         return L::size(v);
     };
-    const Value ex = x - Real(a_.x), ey = y - Real(a_.y), fx = x - Real(b_.x), fy = y - Real(b_.y);
-    const Value c1 = d_.x * ey, c2 = d_.y * ex, d1 = ex * fx, d2 = ey * fy;
+    const Value ex = x - Real(a.x), ey = y - Real(a.y), fx = x - Real(b.x), fy = y - Real(b.y);
+    const Value c1 = d.x * ey, c2 = d.y * ex, d1 = ex * fx, d2 = ey * fy;
     const Value cross = c1 - c2, cross_size = size(c1) + size(c2);
     const Value dot = d1 + d2, dot_size = size(d1) + size(d2);
     const Value inverse = 1 / cross;
@@ -130,10 +131,14 @@ class Candidates {
       x_[i] = Real(a_.x);  // up to a whole step, a point that cannot win
       y_[i] = Real(a_.y);
     }
+    // Copies: what is stored below might, for all the compiler knows, change the members.
+    const Point a = a_, b = b_;
+    const typename P::Vector d = d_;
+    const std::size_t size = size_;
     auto least = L::all(least_high_);
-    for (std::size_t i = 0; i < size_; i += step) {
+    for (std::size_t i = 0; i < size; i += step) {
       typename L::Value low, high;
-      bounds(L::load(&x_[i]), L::load(&y_[i]), low, high);
+      bounds(a, b, d, L::load(&x_[i]), L::load(&y_[i]), low, high);
       L::store(&low_[i], low);
       least = L::select(L::less_equal(high, least), high, least);
     }
@@ -158,7 +163,7 @@ class Candidates {
     for (std::size_t i = 0; i < size_; ++i) {
       if (low_[i] > least_high_ || low_[i] == infinity) continue;
       const Point& p = points_[site_[i]];
-      if (low_[i] == -infinity && P::orientation(a_, b_, p) <= 0) continue;
+      if (low_[i] == -infinity && !is_left(p)) continue;
       // A wider search meets the points of a narrower one again.
       if (winner == size_ || (site_[i] != site_[winner] && beats(p, points_[site_[winner]]))) winner = i;
     }
@@ -168,11 +173,19 @@ class Candidates {
       keep(winner);
   }
 
+  bool is_left(const Point& p) const {
+    // Points in line with the chord are many on grids; small multiples of a common unit have an exact cross product.
+    const auto e = P::from(a_, p);
+    if (std::max(reach(e), reach(d_)) <= grid_unit_ * exact_cross_reach) return P::cross(d_, e) > 0;
+    return P::orientation(a_, b_, p) > 0;
+  }
+
+  static Real reach(const typename P::Vector& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+
   /// Is q, left of the chord like p, inside the perturbed circle of p?
   bool beats(const Point& q, const Point& p) const {
     // Small multiples of a common unit, as on grids, make every operation here exact.
     const auto e = P::from(a_, p), f = P::from(b_, p), g = P::from(a_, q), h = P::from(b_, q);
-    const auto reach = [](const typename P::Vector& v) { return std::max(std::abs(v.x), std::abs(v.y)); };
     if (std::max({reach(e), reach(f), reach(g), reach(h), reach(d_)}) <= grid_unit_ * exact_reach) {
       const Real worse = P::dot(g, h) * P::cross(d_, e) - P::dot(e, f) * P::cross(d_, g);
       return worse == 0 ? P::perturbed_side(a_, b_, p, q) > 0 : worse < 0;
@@ -182,6 +195,7 @@ class Candidates {
 
   /// In such units, dot and cross products are at most 2 · 2^24, and differences of their products below 2^52.
   static constexpr Real exact_reach = 4096;
+  static constexpr Real exact_cross_reach = 0x1p+25;
 
   const Point* points_;
   Point a_, b_;

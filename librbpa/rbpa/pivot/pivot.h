@@ -41,25 +41,26 @@ class Pivot {
 
   void search(Candidates<Real>& candidates) const {
     const Real chord = std::sqrt(Predicates<Real>::dot(candidates.chord(), candidates.chord()));
-    const Real farthest = centre_for(chord, radius_.is_infinite() ? infinity : Real(radius_.value()) * inflated);
     Real reach = std::max(first_reach_in_chords * chord, first_reach_in_cells * grid_.cell_size());
-    Real searched = centre_for(chord, reach);
-    searched = std::min(searched, candidates.centre_bound());
+    Real searched = std::min(centre_for(chord, reach), candidates.centre_bound());
+    const bool reaches_ball = !radius_.is_infinite() && reach >= Real(radius_.value());
+    if (reaches_ball) searched = std::min(searched, farthest(chord));
     for (;;) {
-      searched = std::min(searched, farthest);
-      grid_.scan(Region<Real>::segment(candidates.a(), candidates.b(), searched),
+      grid_.scan(Region<Real>::segment(candidates.a(), candidates.b(), chord, searched),
                  [&](Site first, Site last) { candidates.consider(first, last); });
-      if (searched >= farthest) return;
       candidates.settle();
-      if (const Real needed = candidates.centre_bound(); needed <= searched) {
-        return;
-      } else if (needed < infinity) {
-        searched = needed;
-      } else {
-        reach *= 2;
-        searched = centre_for(chord, reach);
-      }
+      Real next = candidates.centre_bound();
+      if (next <= searched) return;
+      const Real end = farthest(chord);
+      if (searched >= end) return;
+      if (next == infinity) next = centre_for(chord, reach *= 2);
+      searched = std::min(next, end);
     }
+  }
+
+  /// centre_for() the ball itself: nothing beyond is in its reach.
+  Real farthest(Real chord) const {
+    return radius_.is_infinite() ? infinity : centre_for(chord, Real(radius_.value()) * inflated);
   }
 
   /// How many half-chords left of the chord's midpoint the centre of a circle of this radius lies, rounded up;

@@ -99,7 +99,7 @@ class Predicates {
     const Real area = std::abs(cross(ab, ca)), area_size = cross_size(ab, ca);
     const Real factor = 4 * Real(alpha) * Real(alpha);
     const Real difference = sides - factor * area * area;
-    const Real bound = unit * (32 * sides + factor * area_size * (16 * area + 64 * unit * area_size));
+    const Real bound = unit * (32 * sides + factor * area_size * (24 * area + 64 * unit * area_size));
     if (difference > bound) return 1;
     if (difference < -bound) return -1;
     return exact_integer::compare_circumradius(a, b, c, alpha);

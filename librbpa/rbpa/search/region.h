@@ -35,12 +35,17 @@ class Region {
   /// The points left of a→b inside the circle through a and b whose centre lies `k` half-chords left of the chord's
   /// midpoint; all points left of a→b when k is infinite.
   static Region segment(const Point& a, const Point& b, Real k) {
+    const Vector d = Predicates<Real>::from(a, b);
+    return segment(a, b, std::sqrt(Predicates<Real>::dot(d, d)), k);
+  }
+
+  /// The same, the length of the chord being known.
+  static Region segment(const Point& a, const Point& b, Real length, Real k) {
     Region region;
     const Vector d = Predicates<Real>::from(a, b), left{-d.y, d.x};
     if (k < std::numeric_limits<Real>::infinity()) {
       const Real half = k / 2;
       const Vector centre{Real(a.x) + d.x / 2 + half * left.x, Real(a.y) + d.y / 2 + half * left.y};
-      const Real length = std::sqrt(Predicates<Real>::dot(d, d));
       region.set_disc(centre, length / 2 * std::sqrt(1 + k * k));
       // The disc's extreme points bound the segment where they lie left of the chord; else the chord's ends do.
       const Real r = region.radius_, reach = half * length * length;
