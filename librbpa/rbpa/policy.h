@@ -31,7 +31,8 @@ class RestrictedBallPivoting {
     // About half of the triangles fill a corner of the front: the neighbours on it are good guesses.
     const auto before = static_cast<Site>(front.from_site(mesh.prev_halfedge_handle(h)));
     const auto after = static_cast<Site>(front.to_site(mesh.next_halfedge_handle(h)));
-    const auto apex = pivot_(static_cast<Site>(front.from_site(h)), static_cast<Site>(front.to_site(h)), {before, after});
+    const auto apex =
+        pivot_(static_cast<Site>(front.from_site(h)), static_cast<Site>(front.to_site(h)), {before, after});
     if (!apex) return std::nullopt;
     return static_cast<meshops::Site>(*apex);
   }

@@ -12,9 +12,9 @@
 #include "meshops/core/validate.h"
 #include "meshops/front/engine.h"
 #include "rbpa/core/error.h"
+#include "rbpa/pivot/paper_pivot.h"
 #include "rbpa/policy.h"
 #include "rbpa/predicate/magnitude.h"
-#include "rbpa/pivot/paper_pivot.h"
 
 namespace rbpa {
 namespace {
@@ -41,8 +41,8 @@ constexpr bool debug = false;
 constexpr bool debug = true;
 #endif
 
-/// Asks the caller, now and then, whether to go on. In the debug build, validates the mesh after every triangle while it
-/// is small, and each time it has grown by a sixteenth when it is large.
+/// Asks the caller, now and then, whether to go on. In the debug build, validates the mesh after every triangle while
+/// it is small, and each time it has grown by a sixteenth when it is large.
 class Report : public meshops::FrontVisitor {
  public:
   Report(const Options& options, std::size_t points) : progress_(options.progress), points_(points) {}
@@ -83,9 +83,8 @@ class Report : public meshops::FrontVisitor {
 template <typename Real>
 bool on_a_line(std::span<const Point> points) {
   if (points.size() < 3) return true;
-  return std::all_of(points.begin() + 2, points.end(), [&](const Point& p) {
-    return Predicates<Real>::orientation(points[0], points[1], p) == 0;
-  });
+  return std::all_of(points.begin() + 2, points.end(),
+                     [&](const Point& p) { return Predicates<Real>::orientation(points[0], points[1], p) == 0; });
 }
 
 template <typename Real>

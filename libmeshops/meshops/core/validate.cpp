@@ -135,8 +135,7 @@ class Validator {
       do {
         h = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(h));
       } while (++reached <= degree && h != first);
-      if (reached != degree || h != first)
-        add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
+      if (reached != degree || h != first) add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
     });
   }
 
@@ -147,11 +146,12 @@ class Validator {
 }  // namespace
 
 std::string_view name(DefectKind kind) {
-  static constexpr std::array<std::string_view, 12> names = {
-      "handle out of range",       "next and prev disagree", "halfedges do not meet",
-      "face changes along loop",   "face halfedge elsewhere", "face too short",
-      "loop does not close",       "loop edge",               "dangling edge",
-      "vertex halfedge elsewhere", "vertex halfedge inner",   "vertex has several fans"};
+  static constexpr std::array<std::string_view, 12> names = {"handle out of range",     "next and prev disagree",
+                                                             "halfedges do not meet",   "face changes along loop",
+                                                             "face halfedge elsewhere", "face too short",
+                                                             "loop does not close",     "loop edge",
+                                                             "dangling edge",           "vertex halfedge elsewhere",
+                                                             "vertex halfedge inner",   "vertex has several fans"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -161,8 +161,7 @@ std::string_view name(ElementKind kind) {
 }
 
 std::string describe(const Defect& defect) {
-  return std::string(name(defect.element)) + ' ' + std::to_string(defect.index) + ": " +
-         std::string(name(defect.kind));
+  return std::string(name(defect.element)) + ' ' + std::to_string(defect.index) + ": " + std::string(name(defect.kind));
 }
 
 std::vector<Defect> validate(const Connectivity& mesh) { return Validator(mesh).run(); }

@@ -5,9 +5,9 @@
 namespace meshops {
 
 BoundaryCurve::BoundaryCurve(const Connectivity& mesh, Halfedge through) : mesh_(&mesh), through_(through) {
-  require(through.is_valid() && static_cast<std::size_t>(through.idx()) < mesh.n_halfedges() &&
-              mesh.is_boundary(through),
-          "BoundaryCurve: not a boundary halfedge");
+  require(
+      through.is_valid() && static_cast<std::size_t>(through.idx()) < mesh.n_halfedges() && mesh.is_boundary(through),
+      "BoundaryCurve: not a boundary halfedge");
 }
 
 std::size_t BoundaryCurve::length() const {

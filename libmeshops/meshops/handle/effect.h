@@ -31,11 +31,16 @@ constexpr Delta delta_of_create() { return {.vertices = 3, .edges = 3, .faces = 
 
 constexpr Delta delta_of(GlueCase c) {
   switch (c) {
-    case GlueCase::join: return {.vertices = -2, .edges = -1, .curves = -1, .components = -1};
-    case GlueCase::split_curve: return {.vertices = -2, .edges = -1, .curves = 1};
-    case GlueCase::handle: return {.vertices = -2, .edges = -1, .curves = -1, .genus = 1};
-    case GlueCase::zip: return {.vertices = -1, .edges = -1};
-    case GlueCase::close: return {.edges = -1, .curves = -1};
+    case GlueCase::join:
+      return {.vertices = -2, .edges = -1, .curves = -1, .components = -1};
+    case GlueCase::split_curve:
+      return {.vertices = -2, .edges = -1, .curves = 1};
+    case GlueCase::handle:
+      return {.vertices = -2, .edges = -1, .curves = -1, .genus = 1};
+    case GlueCase::zip:
+      return {.vertices = -1, .edges = -1};
+    case GlueCase::close:
+      return {.edges = -1, .curves = -1};
   }
   return {};
 }

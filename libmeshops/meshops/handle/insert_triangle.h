@@ -130,14 +130,22 @@ InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides,
                          static_cast<unsigned>(sides.side[1].is_valid()) << 1 |
                          static_cast<unsigned>(sides.side[2].is_valid()) << 2;
   switch (given) {
-    case 0: return detail::insert_triangle_on<0>(mesh, sides, elements);
-    case 1: return detail::insert_triangle_on<1>(mesh, sides, elements);
-    case 2: return detail::insert_triangle_on<2>(mesh, sides, elements);
-    case 3: return detail::insert_triangle_on<3>(mesh, sides, elements);
-    case 4: return detail::insert_triangle_on<4>(mesh, sides, elements);
-    case 5: return detail::insert_triangle_on<5>(mesh, sides, elements);
-    case 6: return detail::insert_triangle_on<6>(mesh, sides, elements);
-    default: return detail::insert_triangle_on<7>(mesh, sides, elements);
+    case 0:
+      return detail::insert_triangle_on<0>(mesh, sides, elements);
+    case 1:
+      return detail::insert_triangle_on<1>(mesh, sides, elements);
+    case 2:
+      return detail::insert_triangle_on<2>(mesh, sides, elements);
+    case 3:
+      return detail::insert_triangle_on<3>(mesh, sides, elements);
+    case 4:
+      return detail::insert_triangle_on<4>(mesh, sides, elements);
+    case 5:
+      return detail::insert_triangle_on<5>(mesh, sides, elements);
+    case 6:
+      return detail::insert_triangle_on<6>(mesh, sides, elements);
+    default:
+      return detail::insert_triangle_on<7>(mesh, sides, elements);
   }
 }
 

@@ -18,8 +18,11 @@ struct TopologyCounts {
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
   /// Of all components together: each closed-up component has χ = 2 − 2g.
-  long genus() const { return (2 * static_cast<long>(components) - euler() - static_cast<long>(boundary_curves) -
-                               static_cast<long>(isolated)) / 2; }
+  long genus() const {
+    return (2 * static_cast<long>(components) - euler() - static_cast<long>(boundary_curves) -
+            static_cast<long>(isolated)) /
+           2;
+  }
   std::size_t isolated = 0;  ///< vertices without an edge
   friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
 };

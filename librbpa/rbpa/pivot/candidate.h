@@ -28,7 +28,12 @@ class Candidates {
   /// `points` must be followed by `padding` more, of any value.
   /// `grid_unit`: a power of two of which all coordinates are multiples, or 0 when that is of no use.
   Candidates(const Point* points, Site a, Site b, Real grid_unit)
-      : points_(points), a_(points[a]), b_(points[b]), site_a_(a), site_b_(b), d_(P::from(a_, b_)),
+      : points_(points),
+        a_(points[a]),
+        b_(points[b]),
+        site_a_(a),
+        site_b_(b),
+        d_(P::from(a_, b_)),
         grid_unit_(grid_unit) {}
 
   static constexpr std::size_t copied = 8;  ///< points at a time
@@ -48,7 +53,8 @@ class Candidates {
   void consider(Site first, Site last) {
     while (first < last) {
       if (size_ + copied > capacity) settle();
-      // A fixed number is copied, so that the copy has no loop to be mispredicted; the next overwrites what is too much.
+      // A fixed number is copied, so that the copy has no loop to be mispredicted; the next overwrites what is too
+      // much.
       const Site count = std::min(last - first, static_cast<Site>(copied));
       const Point* const point = points_ + first;
       for (std::size_t i = 0; i < copied; ++i) {

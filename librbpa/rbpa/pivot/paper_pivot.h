@@ -24,19 +24,23 @@ class PaperPivot {
  public:
   using Site = std::uint32_t;
 
-  /// Refers to the points, which must be padded as Candidates asks for. `extent` bounds their distances; `grid_unit` as for Candidates.
+  /// Refers to the points, which must be padded as Candidates asks for. `extent` bounds their distances; `grid_unit` as
+  /// for Candidates.
   PaperPivot(std::span<const Point> points, Real extent, Radius radius, Real grid_unit)
       : points_(points), radius_(radius), grid_unit_(grid_unit) {
     // Cells far smaller than any coordinate could tell are of no use, and one larger than everything is enough.
     const Real reach = radius.is_infinite() ? extent : 2 * Real(radius.value()) * inflated;
     reach_ = std::clamp(reach, extent * Real(0x1p-30), extent);
+    for (const Point& p : points)
+      slack_ = std::max(slack_, 16 * Predicates<Real>::unit * std::max(std::abs(Real(p.x)), std::abs(Real(p.y))));
     for (Site s = 0; s < points.size(); ++s) cells_[cell(Real(points[s].x), Real(points[s].y))].push_back(s);
   }
 
   std::optional<Site> operator()(Site a, Site b, std::initializer_list<Site> = {}) const {
     Candidates<Real> candidates(points_.data(), a, b, grid_unit_);
     const Real x = (Real(points_[a].x) + Real(points_[b].x)) / 2, y = (Real(points_[a].y) + Real(points_[b].y)) / 2;
-    const Cell low = cell(x - reach_, y - reach_), high = cell(x + reach_, y + reach_);
+    const Cell low = cell(x - reach_ - slack_, y - reach_ - slack_),
+               high = cell(x + reach_ + slack_, y + reach_ + slack_);
     for (std::int64_t row = low.row; row <= high.row; ++row)
       for (std::int64_t column = low.column; column <= high.column; ++column)
         if (const auto found = cells_.find({column, row}); found != cells_.end())
@@ -71,6 +75,7 @@ class PaperPivot {
   Radius radius_;
   Real grid_unit_;
   Real reach_;
+  Real slack_ = 0;  // of the middle of an edge and of the differences that count the cells
   std::unordered_map<Cell, std::vector<Site>, Hash> cells_;
 };
 

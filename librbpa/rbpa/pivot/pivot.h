@@ -41,10 +41,12 @@ class Pivot {
 
   void search(Candidates<Real>& candidates) const {
     const Real chord = std::sqrt(Predicates<Real>::dot(candidates.chord(), candidates.chord()));
-    Real reach = std::max(first_reach_in_chords * chord, first_reach_in_cells * grid_.cell_size());
+    Real reach = std::min(std::max(first_reach_in_chords * chord, first_reach_in_cells * grid_.cell_size()),
+                          most_first_reach_in_chords * chord);
     Real searched = std::min(centre_for(chord, reach), candidates.centre_bound());
     const bool reaches_ball = !radius_.is_infinite() && reach >= Real(radius_.value());
     if (reaches_ball) searched = std::min(searched, farthest(chord));
+    int empty_looks = 0;
     for (;;) {
       grid_.scan(Region<Real>::segment(candidates.a(), candidates.b(), chord, searched),
                  [&](Site first, Site last) { candidates.consider(first, last); });
@@ -53,7 +55,12 @@ class Pivot {
       if (next <= searched) return;
       const Real end = farthest(chord);
       if (searched >= end) return;
-      if (next == infinity) next = centre_for(chord, reach *= 2);
+      if (next == infinity) {
+        reach *= 2;
+        // A cluster was left behind: on to the scale at which it is one of many points, whatever lies between.
+        if (++empty_looks == looks_in_chords) reach = std::max(reach, first_reach_in_cells * grid_.cell_size());
+        next = centre_for(chord, reach);
+      }
       searched = std::min(next, end);
     }
   }
@@ -75,6 +82,9 @@ class Pivot {
   // Measured: a first look this far finds the apex in most cases and wastes few candidates on uniform points.
   static constexpr Real first_reach_in_chords = Real(0.6);
   static constexpr Real first_reach_in_cells = Real(0.75);
+  // In a cluster the coarsest cells say nothing: there the chord is the scale.
+  static constexpr Real most_first_reach_in_chords = Real(4);
+  static constexpr int looks_in_chords = 6;
 
   const PointGrid<Real>& grid_;
   Radius radius_;

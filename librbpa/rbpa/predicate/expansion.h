@@ -72,9 +72,8 @@ Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
   Expansion<N + M> result;
   int i = 0, j = 0;
   const auto take = [&] {
-    const bool from_e =
-        j >= f.size || (i < e.size && std::abs(e.component[static_cast<unsigned>(i)]) <
-                                          std::abs(f.component[static_cast<unsigned>(j)]));
+    const bool from_e = j >= f.size || (i < e.size && std::abs(e.component[static_cast<unsigned>(i)]) <
+                                                          std::abs(f.component[static_cast<unsigned>(j)]));
     return from_e ? e.component[static_cast<unsigned>(i++)] : f.component[static_cast<unsigned>(j++)];
   };
   if (e.size + f.size == 0) return result;
@@ -119,7 +118,8 @@ Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
   for (int j = 0; j < f.size; ++j) {
     const auto sum = result + e * f.component[static_cast<unsigned>(j)];
     result.size = sum.size;
-    for (int i = 0; i < sum.size; ++i) result.component[static_cast<unsigned>(i)] = sum.component[static_cast<unsigned>(i)];
+    for (int i = 0; i < sum.size; ++i)
+      result.component[static_cast<unsigned>(i)] = sum.component[static_cast<unsigned>(i)];
   }
   return result;
 }

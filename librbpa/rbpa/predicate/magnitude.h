@@ -17,9 +17,9 @@ struct Magnitude {
 
 Magnitude magnitude(std::span<const Point> points);
 
-/// Differences of such coordinates are 0 or between 2^−150 and 2^151; every product of them in the predicates, of degree
-/// six at most, then lies between 2^−900 and 2^920, well inside the range of double. Products with alpha may leave it;
-/// what becomes of them (infinity, or no number) decides no comparison, and the exact stage does.
+/// Differences of such coordinates are 0 or between 2^−150 and 2^151; every product of them in the predicates, of
+/// degree six at most, then lies between 2^−900 and 2^920, well inside the range of double. Products with alpha may
+/// leave it; what becomes of them (infinity, or no number) decides no comparison, and the exact stage does.
 constexpr bool fits_double(const Magnitude& m) { return m.lowest >= -150 && m.highest <= 150; }
 
 /// No triangle of such coordinates has a circumradius above the first, |ab||bc||ca| / 2|cross| with sides below

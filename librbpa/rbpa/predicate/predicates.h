@@ -51,8 +51,7 @@ class Predicates {
   static int in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
     const Vector ab = from(a, b), ap = from(a, p), bp = from(b, p), aq = from(a, q), bq = from(b, q);
     const Real difference = dot(ap, bp) * cross(ab, aq) - dot(aq, bq) * cross(ab, ap);
-    const Real bound =
-        16 * unit * (dot_size(ap, bp) * cross_size(ab, aq) + dot_size(aq, bq) * cross_size(ab, ap));
+    const Real bound = 16 * unit * (dot_size(ap, bp) * cross_size(ab, aq) + dot_size(aq, bq) * cross_size(ab, ap));
     if (difference > bound) return 1;
     if (difference < -bound) return -1;
     if constexpr (std::is_same_v<Real, double>) {
@@ -73,22 +72,11 @@ class Predicates {
 
   /// The side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically largest of
   /// the four is lifted most: if that is q, it leaves the circle; if it is a corner, the side depends on where the lift
-  /// of that corner tilts the circle; a corner in line with the other two and q does not matter, and the next decides.
+  /// of that corner tilts the circle. Three points of a circle are not on a line, so that there is no next to ask.
   static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
-    const Point* corner[3] = {&a, &b, &p};
-    bool asked[3] = {false, false, false};
-    for (int round = 0; round < 3; ++round) {
-      int largest = -1;
-      for (int i = 0; i < 3; ++i)
-        if (!asked[i] && (largest < 0 || *corner[largest] < *corner[i])) largest = i;
-      if (*corner[largest] < q) return -1;
-      asked[largest] = true;
-      const Point& r = largest == 0 ? q : a;
-      const Point& s = largest == 1 ? q : b;
-      const Point& t = largest == 2 ? q : p;
-      if (const int side = orientation(r, s, t); side != 0) return side;
-    }
-    return -1;
+    if (a < q && b < q && p < q) return -1;
+    if (b < a && p < a) return orientation(q, b, p);
+    return p < b ? orientation(a, q, p) : orientation(a, b, q);
   }
 
   /// Sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for double no

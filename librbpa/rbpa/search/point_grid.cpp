@@ -39,16 +39,16 @@ auto PointGrid<Real>::make_level(std::span<const Point> points) -> Level {
   level.columns = static_cast<int>(level.width * level.per_unit) + 1;
   level.rows = static_cast<int>(level.height * level.per_unit) + 1;
   const auto largest = [](double a, double b) { return Real(std::max(std::abs(a), std::abs(b))); };
-  level.slack = 16 * Predicates<Real>::unit *
-                (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
+  level.slack =
+      16 * Predicates<Real>::unit * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
   return level;
 }
 
 /// Puts points into sites from `first` on, sorted by cell, keeping the order of those in one cell. `index` gives their
 /// input indices; empty, they are their positions.
 template <typename Real>
-void PointGrid<Real>::sort_into_cells(Level& level, std::span<const Point> points,
-                                      std::span<const std::uint32_t> index, std::uint32_t first) {
+void PointGrid<Real>::sort_into_cells(Level& level, std::span<const Point> points, std::span<const std::uint32_t> index,
+                                      std::uint32_t first) {
   const auto cells = static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
   std::vector<std::uint32_t> cell_of(points.size());
   level.start.assign(cells + 1, 0);

@@ -65,7 +65,7 @@ class PointGrid {
 
   static constexpr Real points_per_cell = 2;
   static constexpr std::uint32_t most_in_cell = 48;  ///< a cell with more is a grid of its own
-  static constexpr int small_box = 8;                    ///< rows and columns
+  static constexpr int small_box = 8;                ///< rows and columns
 
   static Level make_level(std::span<const Point> points);
   void sort_into_cells(Level& level, std::span<const Point> points, std::span<const std::uint32_t> index,

@@ -51,7 +51,8 @@ class Region {
       const Real r = region.radius_, reach = half * length * length;
       const Interval ends_x{Real(std::min(a.x, b.x)), Real(std::max(a.x, b.x))};
       const Interval ends_y{Real(std::min(a.y, b.y)), Real(std::max(a.y, b.y))};
-      const Real slack = region.slack_;
+      // Where rounding decides the question below, the disc reaches beyond the end by its own slack and a little more.
+      const Real slack = 2 * region.slack_;
       region.x_ = {r * left.x <= reach ? centre.x - r : ends_x.low - slack,
                    r * left.x >= -reach ? centre.x + r : ends_x.high + slack};
       region.y_ = {r * left.y <= reach ? centre.y - r : ends_y.low - slack,

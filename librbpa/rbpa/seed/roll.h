@@ -1,8 +1,9 @@
 // What:   rolls the ball around a point, from one contact to the next.
 // Law:    starting where the ball rests on v and `from`, on the left of v→from, with no point inside it, contacts() are
 //         the points q at which the ball, turning counter-clockwise around v, comes to rest after having rested on v
-//         alone, up to `until`; all round, some that it meets when it is back at `from` may follow. Every Delaunay triangle at v with circumradius ≤ alpha in that turn is in
-//         a fan that begins with one of the edges v–q. docs/seeding.md has the proof.
+//         alone, up to and including `until`. Every Delaunay
+//         triangle at v with circumradius ≤ alpha in that turn is in a fan that begins with one of the edges v–q.
+//         docs/seeding.md has the proof.
 // Cost:   one search of the part of the plane that the ball sweeps, and m log m for m points in it.
 // Source: Restricted BPA, section 4, asks for ideal seeds and leaves the way open.
 #pragma once
@@ -59,8 +60,8 @@ class Roll {
     return P::orientation(at(v_), at(q), at(p)) > 0;
   }
 
-  /// q is inside the ball that touches v and p and whose centre is right of v→p: where a counter-clockwise roll comes to
-  /// rest on p. An angle at q decides, and if that is not enough the circumradius: no square root is needed.
+  /// q is inside the ball that touches v and p and whose centre is right of v→p: where a counter-clockwise roll comes
+  /// to rest on p. An angle at q decides, and if that is not enough the circumradius: no square root is needed.
   bool in_arriving_ball(Site p, Site q) const { return in_ball(p, q, -1, false); }
   /// The same, or q is on that ball.
   bool touches_arriving_ball(Site p, Site q) const { return in_ball(p, q, -1, true); }
@@ -86,10 +87,12 @@ class Roll {
     return side > 0 ? 0 : side == 0 ? 1 : 2;
   }
 
-  /// The ball that rests on q lies within the turn it has behind it while it still rests on `from`.
+  /// While the ball touches q, `from` is inside it or on it: q was left before the roll began, or is met behind `from`
+  /// when the ball is back there.
   bool already_left(Site q) const {
     const int side = P::orientation(at(v_), at(from_), at(q));
-    if (side < 0 || P::dot_sign(at(v_), at(from_), at(q)) <= 0) return false;
+    if (side < 0) return in_arriving_ball(q, from_);
+    if (P::dot_sign(at(v_), at(from_), at(q)) <= 0) return false;
     return side == 0 || in_leaving_ball(q, from_);
   }
 
@@ -102,22 +105,27 @@ class Roll {
             !already_left(q))
           found.push_back(q);
     };
-    const Real diameter = 2 * Real(alpha_) * inflated;
+    const Real diameter = 2 * Real(alpha_) * (1 + 64 * P::unit);
     const Vector centre{Real(at(v_).x), Real(at(v_).y)};
-    const Vector start = ball_direction(from_, 1), end = ball_direction(until_, -1);
-    const Real turn = P::cross(start, end), size = std::sqrt(P::dot(start, start)) * std::sqrt(P::dot(end, end));
-    if (from_ == until_ || !(size > 0) || (std::abs(turn) <= size * Real(1e-6) && P::dot(start, end) > 0)) {
+    const Ball start = ball(from_, 1), end = ball(until_, -1);
+    const Real turn = P::cross(start.direction, end.direction);
+    const Real size =
+        std::sqrt(P::dot(start.direction, start.direction)) * std::sqrt(P::dot(end.direction, end.direction));
+    const Real error = 4 * (start.error + end.error) / Real(alpha_);
+    if (from_ == until_ || !(size > 0) ||
+        !(std::abs(turn) > size * error || P::dot(start.direction, end.direction) < 0)) {
       // All the way round, or so nearly nothing or everything that rounded numbers cannot tell.
       grid_.scan(Region<Real>::disc(centre, diameter), look);
     } else {
-      grid_.scan(Region<Real>::disc({centre.x + start.x, centre.y + start.y}, Real(alpha_) * inflated), look);
-      grid_.scan(Region<Real>::disc({centre.x + end.x, centre.y + end.y}, Real(alpha_) * inflated), look);
+      for (const Ball& b : {start, end})
+        grid_.scan(Region<Real>::disc({centre.x + b.direction.x, centre.y + b.direction.y}, Real(alpha_) + b.error),
+                   look);
       if (turn > 0) {
-        scan_sector(diameter, start, end, look);
+        scan_sector(diameter, start.direction, end.direction, error, look);
       } else {
-        const Vector back{-start.x, -start.y};
-        scan_sector(diameter, start, back, look);
-        scan_sector(diameter, back, end, look);
+        const Vector back{-start.direction.x, -start.direction.y};
+        scan_sector(diameter, start.direction, back, error, look);
+        scan_sector(diameter, back, end.direction, error, look);
       }
     }
     std::sort(found.begin(), found.end());
@@ -129,28 +137,32 @@ class Roll {
   /// The disc around v between two directions at most half a turn apart, counter-clockwise. Near half a turn the tilted
   /// cuts may cross beyond v and take a sliver away there, which the balls at the two ends cover.
   template <typename Look>
-  void scan_sector(Real radius, const Vector& low, const Vector& high, Look& look) const {
+  void scan_sector(Real radius, const Vector& low, const Vector& high, Real error, Look& look) const {
     auto region = Region<Real>::disc({Real(at(v_).x), Real(at(v_).y)}, radius);
-    region.keep_left(at(v_), tilted(low, -direction_error));
-    region.keep_left(at(v_), tilted({-high.x, -high.y}, direction_error));
+    region.keep_left(at(v_), tilted(low, -error));
+    region.keep_left(at(v_), tilted({-high.x, -high.y}, error));
     grid_.scan(region, look);
   }
 
-  /// From v to the centre of the ball that touches v and p, on the given side of v→p; approximate.
-  Vector ball_direction(Site p, int side) const {
+  struct Ball {
+    Vector direction;  ///< from v to its centre, approximate
+    Real error;        ///< the centre is off by less
+  };
+
+  /// The ball that touches v and p, its centre on the given side of v→p.
+  Ball ball(Site p, int side) const {
     const Vector d = P::from(at(v_), at(p));
-    const Real length = P::dot(d, d);
-    const Real ratio = Real(alpha_) / std::sqrt(length);
+    const Real length = std::sqrt(P::dot(d, d));
+    const Real ratio = Real(alpha_) / length;
     const Real half = std::sqrt(std::max(Real(0), ratio * ratio - Real(0.25))) * Real(side);
-    return {d.x / 2 - half * d.y, d.y / 2 + half * d.x};
+    // Where the ball is hardly larger than the chord, the root of a difference of nearly equal numbers loses half of
+    // the digits; else a few roundings are all.
+    return {{d.x / 2 - half * d.y, d.y / 2 + half * d.x}, half_the_digits * length + 256 * P::unit * Real(alpha_)};
   }
 
   static Vector tilted(const Vector& d, Real by) { return {d.x - by * d.y, d.y + by * d.x}; }
 
-  /// Rounding moves the centre of a ball that touches v and p by no more than this part of alpha: the square root of
-  /// what is left of a difference of nearly equal numbers loses half the digits.
-  static constexpr Real direction_error = std::is_same_v<Real, double> ? Real(1e-7) : Real(1e-8);
-  static constexpr Real inflated = 1 + 4 * direction_error;
+  static constexpr Real half_the_digits = std::is_same_v<Real, double> ? Real(1e-7) : Real(1e-8);
 
   const PointGrid<Real>& grid_;
   std::span<const Point> points_;

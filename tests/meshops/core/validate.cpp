@@ -111,7 +111,6 @@ TEST_SUITE("validate") {
     mesh.set_vertex_handle(h, a);
     mesh.set_isolated(b);
     const auto defects = validate(mesh);
-    CHECK(std::any_of(defects.begin(), defects.end(),
-                      [](const Defect& d) { return d.kind == DefectKind::loop_edge; }));
+    CHECK(std::any_of(defects.begin(), defects.end(), [](const Defect& d) { return d.kind == DefectKind::loop_edge; }));
   }
 }

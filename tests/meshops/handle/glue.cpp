@@ -59,8 +59,8 @@ TEST_SUITE("glue") {
     const auto curves = boundary_curves(mesh);
     REQUIRE(curves.size() == 2);
     const Halfedge first = curves[0].front();
-    const auto second = std::find_if(curves[1].begin(), curves[1].end(),
-                                     [&](Halfedge h) { return !glue_blocker(mesh, first, h); });
+    const auto second =
+        std::find_if(curves[1].begin(), curves[1].end(), [&](Halfedge h) { return !glue_blocker(mesh, first, h); });
     REQUIRE(second != curves[1].end());
     CHECK(checked_glue(mesh, first, *second) == GlueCase::handle);
     CHECK(count_topology(mesh).genus() == 1);
