@@ -4,10 +4,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "meshops/core/api.h"
+
 namespace meshops {
 
 /// A requirement of a function was not met. Thrown before anything is changed.
-class ContractViolation : public std::logic_error {
+class MESHOPS_API ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };

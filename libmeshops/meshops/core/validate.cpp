@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "meshops/core/live.h"
+
 namespace meshops {
 namespace {
 
@@ -27,53 +29,29 @@ class Validator {
  private:
   void add(DefectKind kind, ElementKind element, int index) { defects_.push_back({kind, element, index}); }
 
-  bool alive(Vertex v) const {
-    return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh_.n_vertices() &&
-           !(mesh_.has_vertex_status() && mesh_.status(v).deleted());
-  }
-  bool alive(Edge e) const { return !(mesh_.has_edge_status() && mesh_.status(e).deleted()); }
-  bool alive(Halfedge h) const {
-    return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh_.n_halfedges() && alive(mesh_.edge_handle(h));
-  }
-  bool alive(Face f) const {
-    return f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh_.n_faces() &&
-           !(mesh_.has_face_status() && mesh_.status(f).deleted());
-  }
-
-  template <typename Visit>
-  void for_each_halfedge(Visit visit) const {
-    for (int i = 0; i < static_cast<int>(mesh_.n_halfedges()); ++i)
-      if (const Halfedge h(i); alive(h)) visit(h);
-  }
-  template <typename Visit>
-  void for_each_face(Visit visit) const {
-    for (int i = 0; i < static_cast<int>(mesh_.n_faces()); ++i)
-      if (const Face f(i); alive(f)) visit(f);
-  }
-  template <typename Visit>
-  void for_each_vertex(Visit visit) const {
-    for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i)
-      if (const Vertex v(i); alive(v)) visit(v);
+  template <typename Element>
+  bool alive(Element element) const {
+    return is_live(mesh_, element);
   }
 
   void check_halfedge_ranges() {
-    for_each_halfedge([&](Halfedge h) {
+    for_each_halfedge(mesh_, [&](Halfedge h) {
       const Face f = mesh_.face_handle(h);
       if (!alive(mesh_.to_vertex_handle(h)) || !alive(mesh_.next_halfedge_handle(h)) ||
           !alive(mesh_.prev_halfedge_handle(h)) || (f.is_valid() && !alive(f)))
         add(DefectKind::handle_out_of_range, ElementKind::halfedge, h.idx());
     });
-    for_each_face([&](Face f) {
+    for_each_face(mesh_, [&](Face f) {
       if (!alive(mesh_.halfedge_handle(f))) add(DefectKind::handle_out_of_range, ElementKind::face, f.idx());
     });
-    for_each_vertex([&](Vertex v) {
+    for_each_vertex(mesh_, [&](Vertex v) {
       if (!mesh_.is_isolated(v) && !alive(mesh_.halfedge_handle(v)))
         add(DefectKind::handle_out_of_range, ElementKind::vertex, v.idx());
     });
   }
 
   void check_halfedges() {
-    for_each_halfedge([&](Halfedge h) {
+    for_each_halfedge(mesh_, [&](Halfedge h) {
       const Halfedge next = mesh_.next_halfedge_handle(h);
       if (mesh_.prev_halfedge_handle(next) != h || mesh_.next_halfedge_handle(mesh_.prev_halfedge_handle(h)) != h)
         add(DefectKind::next_and_prev_disagree, ElementKind::halfedge, h.idx());
@@ -91,7 +69,7 @@ class Validator {
   }
 
   void check_faces() {
-    for_each_face([&](Face f) {
+    for_each_face(mesh_, [&](Face f) {
       const Halfedge first = mesh_.halfedge_handle(f);
       if (mesh_.face_handle(first) != f) {
         add(DefectKind::face_halfedge_elsewhere, ElementKind::face, f.idx());
@@ -112,12 +90,12 @@ class Validator {
   void check_vertices() {
     std::vector<int> outgoing(mesh_.n_vertices(), 0);
     std::vector<char> on_boundary(mesh_.n_vertices(), 0);
-    for_each_halfedge([&](Halfedge h) {
+    for_each_halfedge(mesh_, [&](Halfedge h) {
       const auto v = static_cast<std::size_t>(mesh_.from_vertex_handle(h).idx());
       ++outgoing[v];
       if (mesh_.is_boundary(h)) on_boundary[v] = 1;
     });
-    for_each_vertex([&](Vertex v) {
+    for_each_vertex(mesh_, [&](Vertex v) {
       const int degree = outgoing[static_cast<std::size_t>(v.idx())];
       if (mesh_.is_isolated(v)) {
         if (degree != 0) add(DefectKind::vertex_halfedge_elsewhere, ElementKind::vertex, v.idx());

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 
 namespace meshops {
@@ -34,15 +35,15 @@ struct Defect {
   friend bool operator==(const Defect&, const Defect&) = default;
 };
 
-std::string_view name(DefectKind kind);
-std::string_view name(ElementKind kind);
+MESHOPS_API std::string_view name(DefectKind kind);
+MESHOPS_API std::string_view name(ElementKind kind);
 
 /// For people: "vertex 17: vertex has several fans".
-std::string describe(const Defect& defect);
+MESHOPS_API std::string describe(const Defect& defect);
 
 /// Every defect of the mesh, vertices first, then halfedges, then faces; empty when it is sound.
 /// Isolated vertices are no defects; elements marked deleted are passed over.
 /// Cost: linear in the size of the mesh.
-std::vector<Defect> validate(const Connectivity& mesh);
+MESHOPS_API std::vector<Defect> validate(const Connectivity& mesh);
 
 }  // namespace meshops

@@ -6,13 +6,14 @@
 #include <iterator>
 #include <vector>
 
+#include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 
 namespace meshops {
 
 /// The closed curve of boundary halfedges through a given one, in the order of `next`. A view: it owns nothing, and
 /// holds as long as the boundary is not changed.
-class BoundaryCurve {
+class MESHOPS_API BoundaryCurve {
  public:
   class Iterator {
    public:
@@ -62,6 +63,6 @@ class BoundaryCurve {
 
 /// Every boundary curve once, each given from its least halfedge, in ascending order of that.
 /// Cost: linear in the number of halfedges.
-std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh);
+MESHOPS_API std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh);
 
 }  // namespace meshops

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/insert_triangle.h"
 
@@ -19,7 +20,7 @@ namespace meshops {
 /// vertices stand on one site, one per fan: that keeps every front curve a simple closed curve.
 using Site = int;
 
-class Front {
+class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
   /// Elements of the mesh are made `supply` at a time, which is faster than singly; until finish() the mesh then has up

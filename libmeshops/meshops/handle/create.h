@@ -2,6 +2,7 @@
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
+#include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 
 namespace meshops {
@@ -10,6 +11,6 @@ namespace meshops {
 /// Returns:  its first inner halfedge, from the first to the second new vertex; the boundary curve runs opposite.
 /// Δ:        V +3, E +3, F +1, χ +1, curves +1, components +1, genus 0.
 /// Cost:     constant.
-Halfedge create_triangle(Connectivity& mesh);
+MESHOPS_API Halfedge create_triangle(Connectivity& mesh);
 
 }  // namespace meshops

@@ -3,20 +3,9 @@
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 
+#include "meshops/core/delta.h"
+
 namespace meshops {
-
-/// The change of the counts of a mesh; isolated vertices are counted as vertices and as components.
-struct Delta {
-  int vertices = 0;
-  int edges = 0;
-  int faces = 0;
-  int curves = 0;
-  int components = 0;
-  int genus = 0;
-
-  constexpr int euler() const { return vertices - edges + faces; }
-  friend constexpr bool operator==(const Delta&, const Delta&) = default;
-};
 
 /// The five things that gluing two boundary edges can be.
 enum class GlueCase {

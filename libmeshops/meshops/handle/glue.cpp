@@ -3,15 +3,11 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/live.h"
 #include "meshops/handle/insert_triangle.h"
 
 namespace meshops {
 namespace {
-
-bool is_live_halfedge(const Connectivity& mesh, Halfedge h) {
-  return h.is_valid() && static_cast<std::size_t>(h.idx()) < mesh.n_halfedges() &&
-         !(mesh.has_edge_status() && mesh.status(mesh.edge_handle(h)).deleted());
-}
 
 bool are_neighbours(const Connectivity& mesh, Vertex a, Vertex b) {
   const Halfedge first = mesh.halfedge_handle(a);
@@ -67,7 +63,7 @@ Vertex merge(Connectivity& mesh, Vertex a, Vertex b) {
 }  // namespace
 
 std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (!is_live_halfedge(mesh, first) || !is_live_halfedge(mesh, second)) return "no such halfedge";
+  if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
   if (mesh.edge_handle(first) == mesh.edge_handle(second)) return "both halfedges are of one edge";
   if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
   const Vertex a0 = mesh.from_vertex_handle(first), a1 = mesh.to_vertex_handle(second);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/effect.h"
 
@@ -19,12 +20,12 @@ struct GlueEffect {
 
 /// Why `first` and `second` cannot be glued, or nothing when they can: not boundary halfedges, one edge, or an edge
 /// between vertices that would become one (it would turn into a loop).
-std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
+MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// What glue() would be for these boundary halfedges.
 /// Requires: glue_blocker() is empty.
 /// Cost:     the length of a curve; the size of a component when the edges are on two curves.
-GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
+MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
 /// Effect:      the edge of `second` and up to two vertices are marked deleted; of two vertices the lower handle stays.
@@ -32,6 +33,6 @@ GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
 /// Cost:        that of glue_case(), plus the degrees of the merged vertices.
-GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
+MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
 }  // namespace meshops

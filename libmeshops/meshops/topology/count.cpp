@@ -3,6 +3,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <vector>
 
+#include "meshops/core/live.h"
 #include "meshops/front/boundary_curve.h"
 
 namespace meshops {
@@ -15,14 +16,12 @@ TopologyCounts count_topology(const Connectivity& mesh) {
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
     sets.make_set(i);
     const Vertex v(static_cast<int>(i));
-    if (mesh.has_vertex_status() && mesh.status(v).deleted()) continue;
+    if (!is_live(mesh, v)) continue;
     ++counts.vertices;
     ++counts.components;
     if (mesh.is_isolated(v)) ++counts.isolated;
   }
-  for (int i = 0; i < static_cast<int>(mesh.n_edges()); ++i) {
-    const Edge e(i);
-    if (mesh.has_edge_status() && mesh.status(e).deleted()) continue;
+  for_each_edge(mesh, [&](Edge e) {
     ++counts.edges;
     const Halfedge h = mesh.halfedge_handle(e, 0);
     const std::size_t a = sets.find_set(static_cast<std::size_t>(mesh.from_vertex_handle(h).idx()));
@@ -31,9 +30,8 @@ TopologyCounts count_topology(const Connectivity& mesh) {
       sets.link(a, b);
       --counts.components;
     }
-  }
-  for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i)
-    if (!(mesh.has_face_status() && mesh.status(Face(i)).deleted())) ++counts.faces;
+  });
+  for_each_face(mesh, [&](Face) { ++counts.faces; });
   counts.boundary_curves = boundary_curves(mesh).size();
   return counts;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 
 namespace meshops {
@@ -28,6 +29,6 @@ struct TopologyCounts {
 };
 
 /// Requires: validate(mesh) is empty. Cost: about linear.
-TopologyCounts count_topology(const Connectivity& mesh);
+MESHOPS_API TopologyCounts count_topology(const Connectivity& mesh);
 
 }  // namespace meshops

@@ -1,0 +1,27 @@
+// What:   how an operator changes the counts of a mesh.
+// Law:    an operator's delta is exact for every application of it, on every mesh.
+// Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
+#pragma once
+
+namespace meshops {
+
+/// The change of the counts of a mesh; isolated vertices are counted as vertices and as components.
+struct Delta {
+  int vertices = 0;
+  int edges = 0;
+  int faces = 0;
+  int curves = 0;
+  int components = 0;
+  int genus = 0;
+
+  constexpr int euler() const { return vertices - edges + faces; }
+  /// What the inverse operator does.
+  constexpr Delta operator-() const { return {-vertices, -edges, -faces, -curves, -components, -genus}; }
+  friend constexpr Delta operator+(const Delta& a, const Delta& b) {
+    return {a.vertices + b.vertices, a.edges + b.edges,           a.faces + b.faces,
+            a.curves + b.curves,     a.components + b.components, a.genus + b.genus};
+  }
+  friend constexpr bool operator==(const Delta&, const Delta&) = default;
+};
+
+}  // namespace meshops

@@ -1,0 +1,55 @@
+// What: which handles name elements of a mesh, and what an operator needs to take elements out of it.
+#pragma once
+
+#include <cstddef>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
+
+namespace meshops {
+
+/// The handle is in range and its element is not marked deleted.
+inline bool is_live(const Connectivity& mesh, Vertex v) {
+  return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.n_vertices() &&
+         !(mesh.has_vertex_status() && mesh.status(v).deleted());
+}
+inline bool is_live(const Connectivity& mesh, Edge e) {
+  return e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.n_edges() &&
+         !(mesh.has_edge_status() && mesh.status(e).deleted());
+}
+inline bool is_live(const Connectivity& mesh, Halfedge h) {
+  return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh.n_halfedges() && is_live(mesh, mesh.edge_handle(h));
+}
+inline bool is_live(const Connectivity& mesh, Face f) {
+  return f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh.n_faces() &&
+         !(mesh.has_face_status() && mesh.status(f).deleted());
+}
+
+/// The mesh can mark elements of every kind as deleted.
+inline bool has_status(const Connectivity& mesh) {
+  return mesh.has_vertex_status() && mesh.has_halfedge_status() && mesh.has_edge_status() && mesh.has_face_status();
+}
+
+/// Calls visit(element) for every live element, in ascending order. Elements that visit() adds are not visited.
+template <typename Visit>
+void for_each_vertex(const Connectivity& mesh, Visit visit) {
+  for (int i = 0, n = static_cast<int>(mesh.n_vertices()); i < n; ++i)
+    if (const Vertex v(i); is_live(mesh, v)) visit(v);
+}
+template <typename Visit>
+void for_each_edge(const Connectivity& mesh, Visit visit) {
+  for (int i = 0, n = static_cast<int>(mesh.n_edges()); i < n; ++i)
+    if (const Edge e(i); is_live(mesh, e)) visit(e);
+}
+template <typename Visit>
+void for_each_halfedge(const Connectivity& mesh, Visit visit) {
+  for (int i = 0, n = static_cast<int>(mesh.n_halfedges()); i < n; ++i)
+    if (const Halfedge h(i); is_live(mesh, h)) visit(h);
+}
+template <typename Visit>
+void for_each_face(const Connectivity& mesh, Visit visit) {
+  for (int i = 0, n = static_cast<int>(mesh.n_faces()); i < n; ++i)
+    if (const Face f(i); is_live(mesh, f)) visit(f);
+}
+
+}  // namespace meshops
