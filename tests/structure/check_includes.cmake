@@ -4,6 +4,7 @@ cmake_minimum_required(VERSION 3.22)
 set(arrows
   meshops/handle>meshops/core
   meshops/front>meshops/core meshops/front>meshops/handle
+  meshops/stellar>meshops/core
   meshops/topology>meshops/core meshops/topology>meshops/front
   rbpa/predicate>rbpa/core
   rbpa/search>rbpa/core rbpa/search>rbpa/predicate
