@@ -172,7 +172,7 @@ class TreeCotree {
 
   /// Takes out edges with an inner end at which there is no other edge, until there is none.
   void prune(std::vector<Edge>& cut) const {
-    std::vector<char> is_in(mesh_.n_edges(), 0);
+    std::vector<bool> is_in(mesh_.n_edges(), false);
     std::vector<int> degree(mesh_.n_vertices(), 0);
     std::vector<int> edges(mesh_.n_vertices(), 0);  // the exclusive or of their indices: the last one when it is alone
     const auto toggle = [&](Edge e) {
