@@ -93,7 +93,7 @@ TEST_SUITE("collapse") {
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       if (keep == Keep::simplicial) return;
       for_each_halfedge(mesh, [&](Halfedge h) {
-        if (h.idx() % stride(mesh)) return;
+        if (stride(mesh) > 1 && h.idx() % 31) return;
         const Vertex v = mesh.from_vertex_handle(h);
         if (collapse_blocker(mesh, h, keep) || mesh.valence(v) == 2) return;
         const bool along_boundary = mesh.is_boundary(mesh.edge_handle(h));
@@ -228,7 +228,7 @@ TEST_SUITE("collapse") {
   }
 
   TEST_CASE("a vertex of two edges collapses, and so does an edge to one") {
-    // Two triangles with three common edges, one of them opened to a digon that a face split has filled.
+    // Two triangles with three common edges; one of these opens to two, with a vertex between them.
     TestMesh mesh;
     two_triangle_sphere(mesh);
     const SplitEffect split = split_vertex(mesh, Halfedge(0), Halfedge(0), Keep::manifold);
