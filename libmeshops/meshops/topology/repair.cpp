@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "meshops/topology/soup_sides.h"
 
@@ -10,12 +9,10 @@ namespace meshops {
 namespace {
 
 using detail::FaceFault;
+using detail::fits;
 using detail::SoupSide;
 using detail::SoupSides;
 using Edge = std::span<const SoupSide>;
-
-/// Faces that fit together at an edge: one, or two that run along it in opposite directions.
-bool fits(Edge edge) { return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending != edge[1].ascending); }
 
 class Repairer {
  public:
@@ -24,7 +21,11 @@ class Repairer {
   Repair operator()() {
     take_faces();
     orient();
-    for (bool changed = true; changed;) changed = part_fans() || detach_faces();
+    // Points are still those that were given.
+    const SoupSides oriented = sides();
+    part_fans(oriented);
+    if (detach_faces()) part_fans(sides());
+    find_cuts(oriented);
     for (std::uint32_t p = 0; p < given_.points; ++p)
       if (is_split(p)) step(RepairKind::point_split, {p}, {});
     std::stable_sort(result_.steps.begin(), result_.steps.end(),
@@ -73,43 +74,24 @@ class Repairer {
     return {result_.soup, none};
   }
 
-  /// Reverses the fewer faces of each piece, and says which edges are cut.
+  /// Reverses the fewer faces of each piece.
   void orient() {
-    const SoupSides all = sides();
     PolygonSoup& soup = result_.soup;
-    auto pieces = detail::pieces_of(soup, all, [](Edge) {});
+    auto pieces = detail::pieces_of(soup, sides(), [](Edge) {});
     std::vector<std::array<std::size_t, 2>> count(soup.faces(), {0, 0});
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
       const std::uint32_t root = pieces.find(f);
       ++count[root][pieces.is_odd(f) ? 1 : 0];
     }
-    std::vector<bool> reversed(soup.faces(), false);
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
       const auto& [even, odd] = count[pieces.find(f)];
-      if (pieces.is_odd(f) != (odd > even)) {
-        reversed[f] = true;
-        step(RepairKind::face_reversed, given_corners(f), {result_.face_was[f]});
-      }
+      if (pieces.is_odd(f) == (odd > even)) continue;
+      const auto face = soup.face(f);
+      step(RepairKind::face_reversed, {face.begin(), face.end()}, {result_.face_was[f]});
+      // The first corner stays the first.
+      std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]) + 1,
+                   soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
     }
-    for (std::size_t e = 0; e < all.edges(); ++e) {
-      const Edge edge = all.edge(e);
-      if (edge.size() == 1) continue;
-      if (edge.size() == 2 &&
-          (edge[0].ascending != reversed[edge[0].face]) != (edge[1].ascending != reversed[edge[1].face]))
-        continue;
-      std::vector<std::size_t> faces;
-      for (const SoupSide& side : edge) faces.push_back(result_.face_was[side.face]);
-      step(RepairKind::edge_cut, {edge[0].low, edge[0].high}, std::move(faces));
-    }
-    for (std::size_t f = 0; f < soup.faces(); ++f)
-      if (reversed[f])
-        std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]),
-                     soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
-  }
-
-  std::vector<std::uint32_t> given_corners(std::size_t f) const {
-    const auto face = result_.soup.face(f);
-    return {face.begin(), face.end()};
   }
 
   std::uint32_t copy_of(std::uint32_t p) {
@@ -118,43 +100,51 @@ class Repairer {
   }
 
   /// Gives every fan but the first a point of its own. Faces are joined where exactly two fit together.
-  bool part_fans() {
+  void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
-    auto fans = detail::fans_of(soup, sides(), fits);
+    auto fans = detail::fans_of(soup, all, fits);
     std::vector<bool> taken(soup.points, false);
     std::vector<std::uint32_t> point_of(soup.corners.size());
-    bool changed = false;
     for (std::uint32_t c = 0; c < soup.corners.size(); ++c) {
       const std::uint32_t p = soup.corners[c], root = fans.find(c);
       if (root != c) {
         point_of[c] = point_of[root];
-      } else if (!taken[p]) {
-        taken[p] = true;
-        point_of[c] = p;
       } else {
-        point_of[c] = copy_of(p);
-        changed = true;
+        point_of[c] = taken[p] ? copy_of(p) : p;
+        taken[p] = true;
       }
     }
     soup.corners = std::move(point_of);
-    return changed;
   }
 
   /// Where faces that do not fit still name one edge, because they hang together around both of its ends some other
-  /// way, all but the first get points of their own for the ends.
+  /// way, all but the first get a point of their own for one end. Every side there is then alone at its edge, and so
+  /// is the neighbouring side of the face: all edges fit.
   bool detach_faces() {
     const SoupSides all = sides();
     std::vector<std::uint32_t> corners;
     for (std::size_t e = 0; e < all.edges(); ++e)
       if (const Edge edge = all.edge(e); !fits(edge))
-        for (const SoupSide& side : edge.subspan(1)) {
-          corners.push_back(all.corner_at_low(side));
-          corners.push_back(all.corner_at_high(side));
-        }
+        for (const SoupSide& side : edge.subspan(1)) corners.push_back(all.corner_at_low(side));
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (const std::uint32_t c : corners) result_.soup.corners[c] = copy_of(result_.soup.corners[c]);
     return !corners.empty();
+  }
+
+  /// The edges at which faces had the same two points, and have them no more.
+  void find_cuts(const SoupSides& oriented) {
+    const auto ends = [&](const SoupSide& side) {
+      return std::pair(result_.soup.corners[oriented.corner_at_low(side)],
+                       result_.soup.corners[oriented.corner_at_high(side)]);
+    };
+    for (std::size_t e = 0; e < oriented.edges(); ++e) {
+      const Edge edge = oriented.edge(e);
+      if (std::all_of(edge.begin(), edge.end(), [&](const SoupSide& s) { return ends(s) == ends(edge[0]); })) continue;
+      std::vector<std::size_t> faces;
+      for (const SoupSide& side : edge) faces.push_back(result_.face_was[side.face]);
+      step(RepairKind::edge_cut, {edge[0].low, edge[0].high}, std::move(faces));
+    }
   }
 
   bool is_split(std::uint32_t p) {
