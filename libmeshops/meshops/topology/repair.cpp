@@ -24,10 +24,8 @@ class Repairer {
     // Points are still those that were given.
     const SoupSides oriented = sides();
     part_fans(oriented);
-    if (detach_faces()) part_fans(sides());
     find_cuts(oriented);
-    for (std::uint32_t p = 0; p < given_.points; ++p)
-      if (is_split(p)) step(RepairKind::point_split, {p}, {});
+    find_splits();
     std::stable_sort(result_.steps.begin(), result_.steps.end(),
                      [](const RepairStep& a, const RepairStep& b) { return a.kind < b.kind; });
     return std::move(result_);
@@ -99,7 +97,9 @@ class Repairer {
     return static_cast<std::uint32_t>(result_.soup.points++);
   }
 
-  /// Gives every fan but the first a point of its own. Faces are joined where exactly two fit together.
+  /// Gives every fan but the first a point of its own. Faces are joined where exactly two fit together. All edges fit
+  /// then: sides that are not joined and still name the same two points are the ends of one fan at either, so that they
+  /// are two, and run in opposite directions as the faces of the fan agree.
   void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
     auto fans = detail::fans_of(soup, all, fits);
@@ -117,21 +117,6 @@ class Repairer {
     soup.corners = std::move(point_of);
   }
 
-  /// Where faces that do not fit still name one edge, because they hang together around both of its ends some other
-  /// way, all but the first get a point of their own for one end. Every side there is then alone at its edge, and so
-  /// is the neighbouring side of the face: all edges fit.
-  bool detach_faces() {
-    const SoupSides all = sides();
-    std::vector<std::uint32_t> corners;
-    for (std::size_t e = 0; e < all.edges(); ++e)
-      if (const Edge edge = all.edge(e); !fits(edge))
-        for (const SoupSide& side : edge.subspan(1)) corners.push_back(all.corner_at_low(side));
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    for (const std::uint32_t c : corners) result_.soup.corners[c] = copy_of(result_.soup.corners[c]);
-    return !corners.empty();
-  }
-
   /// The edges at which faces had the same two points, and have them no more.
   void find_cuts(const SoupSides& oriented) {
     const auto ends = [&](const SoupSide& side) {
@@ -147,17 +132,15 @@ class Repairer {
     }
   }
 
-  bool is_split(std::uint32_t p) {
-    if (copies_.empty()) {
-      copies_.resize(given_.points, 0);
-      for (const std::uint32_t q : result_.stands_on) ++copies_[q];
-    }
-    return copies_[p] > 1;
+  void find_splits() {
+    std::vector<bool> split(given_.points, false);
+    for (std::size_t p = given_.points; p < result_.soup.points; ++p) split[result_.stands_on[p]] = true;
+    for (std::uint32_t p = 0; p < given_.points; ++p)
+      if (split[p]) step(RepairKind::point_split, {p}, {});
   }
 
   const PolygonSoup& given_;
   Repair result_;
-  std::vector<std::uint32_t> copies_;
 };
 
 }  // namespace

@@ -44,8 +44,8 @@ MESHOPS_API std::string describe(const RepairStep& step);
 
 /// Faces that are degenerate, repeated or out of range go. Of the faces that hang together through edges of two as few
 /// as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet, or two
-/// that cannot agree on a direction; of these faces two stay joined only when they fit, and hang together around both
-/// ends some other way. Where faces that do not fit hang together so, one edge next to it is cut as well.
+/// that cannot agree on a direction; of these faces only two stay joined that hang together around both ends some
+/// other way.
 MESHOPS_API Repair repair(const PolygonSoup& soup);
 
 }  // namespace meshops
