@@ -27,6 +27,12 @@ std::optional<PointFormat> point_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<MeshFormat> mesh_format(std::string_view name) {
+  constexpr std::pair<std::string_view, MeshFormat> known[] = {
+      {"off", MeshFormat::off}, {"ply", MeshFormat::ply}, {"obj", MeshFormat::obj}, {"stl", MeshFormat::stl}};
+  return find(known, name);
+}
+
 std::optional<OutputFormat> output_format(std::string_view name) {
   constexpr std::pair<std::string_view, OutputFormat> known[] = {
       {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj},
