@@ -33,6 +33,12 @@ std::optional<MeshFormat> mesh_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<PolylineFormat> polyline_format(std::string_view name) {
+  constexpr std::pair<std::string_view, PolylineFormat> known[] = {{"obj", PolylineFormat::obj},
+                                                                   {"json", PolylineFormat::json}};
+  return find(known, name);
+}
+
 std::optional<OutputFormat> output_format(std::string_view name) {
   constexpr std::pair<std::string_view, OutputFormat> known[] = {
       {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj},

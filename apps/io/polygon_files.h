@@ -7,7 +7,6 @@
 #include <limits>
 #include <span>
 
-#include "io/failure.h"
 #include "io/output_file.h"
 
 namespace rbpa::app {
@@ -22,6 +21,11 @@ inline void write_position(OutputFile& file, const std::array<double, 3>& p) {
   file.write(" ");
   file.write_number(p[2]);
   file.write("\n");
+}
+
+inline void write_obj_vertex(OutputFile& file, const std::array<double, 3>& p) {
+  file.write("v ");
+  write_position(file, p);
 }
 
 /// " 4 5 6" and the end of the line.
@@ -49,10 +53,7 @@ void write_off(OutputFile& file, const Mesh& mesh) {
 
 template <typename Mesh>
 void write_obj(OutputFile& file, const Mesh& mesh) {
-  for (std::size_t i = 0; i < mesh.points(); ++i) {
-    file.write("v ");
-    write_position(file, mesh.point(i));
-  }
+  for (std::size_t i = 0; i < mesh.points(); ++i) write_obj_vertex(file, mesh.point(i));
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     file.write("f");
     write_corners(file, mesh.face(f), 1);

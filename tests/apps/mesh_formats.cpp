@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -156,5 +156,53 @@ TEST_SUITE("mesh formats") {
             CHECK(std::bit_cast<std::uint64_t>(mesh.positions[i][k]) == std::bit_cast<std::uint64_t>(positions[i][k]));
       }
     }
+  }
+
+  TEST_CASE("a file with a few bytes changed, dropped or doubled is a sound mesh or refused") {
+    const std::pair<MeshFormat, std::string> files[] = {{MeshFormat::off, pyramid_off},
+                                                        {MeshFormat::obj, pyramid_obj},
+                                                        {MeshFormat::ply, pyramid_ply},
+                                                        {MeshFormat::ply, ply_binary(std::endian::little)},
+                                                        {MeshFormat::stl, stl_text(pyramid_triangles)},
+                                                        {MeshFormat::stl, stl_binary(pyramid_triangles)}};
+    const Folder folder;
+    std::mt19937_64 random(11);
+    std::size_t read_well = 0, refused = 0;
+    for (const auto& [format, original] : files)
+      for (int run = 0; run < 400; ++run) {
+        std::string content = original;
+        for (auto changes = 1 + random() % 3; changes > 0 && !content.empty(); --changes) {
+          const std::size_t at = random() % content.size();
+          switch (random() % 4) {
+            case 0:
+              content[at] = static_cast<char>(random());
+              break;
+            case 1:
+              content[at] = "0123456789-. \n#\\/"[random() % 17];
+              break;
+            case 2:
+              content.erase(at, 1 + random() % 8);
+              break;
+            default:
+              content.insert(at, content.substr(random() % content.size(), 1 + random() % 8));
+          }
+        }
+        try {
+          const MeshFile mesh = read_mesh({folder.file("m", content), format});
+          ++read_well;
+          CHECK(mesh.soup.points == mesh.positions.size());
+          CHECK(mesh.soup.begin.back() == mesh.soup.corners.size());
+          for (const std::uint32_t corner : mesh.soup.corners) CHECK(corner < mesh.positions.size());
+          for (const auto& p : mesh.positions)
+            for (const double coordinate : p) CHECK(std::isfinite(coordinate));
+          CHECK((mesh.face_lines.empty() || mesh.face_lines.size() == mesh.soup.faces()));
+          CHECK((mesh.point_lines.empty() || mesh.point_lines.size() == mesh.positions.size()));
+        } catch (const BadInput& e) {
+          ++refused;
+          CHECK(std::string(e.what()).find('\n') == std::string::npos);
+        }
+      }
+    CHECK(read_well > 200);
+    CHECK(refused > 200);
   }
 }

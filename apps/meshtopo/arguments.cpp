@@ -1,0 +1,62 @@
+#include "meshtopo/arguments.h"
+
+#include <vector>
+
+#include "io/failure.h"
+#include "io/same_file.h"
+#include "io/write_mesh.h"
+
+namespace rbpa::app {
+namespace {
+
+MeshSource parse_source(const std::string& path, const std::optional<std::string>& format) {
+  const std::string_view name = format ? std::string_view(*format) : ending(path);
+  if (const std::optional<MeshFormat> known = mesh_format(name)) return {path, *known};
+  const std::string expected = "expected one of " + std::string(mesh_formats);
+  if (format) throw WrongUsage("--format: found " + in_quotes(*format) + ", " + expected);
+  if (path == "-") throw WrongUsage("-: found no --format, " + expected);
+  throw WrongUsage(path + ": found the ending " + in_quotes(name) + ", " + expected + ", or --format");
+}
+
+RepairTarget parse_repair_target(const std::string& path, const std::optional<std::string>& format) {
+  const std::string expected = "expected one of " + std::string(written_mesh_formats);
+  const std::string_view name = format ? std::string_view(*format) : ending(path);
+  const std::optional<MeshFormat> known = mesh_format(name);
+  if (known && can_write_mesh(*known)) return {path, *known};
+  if (format) throw WrongUsage("--output-format: found " + in_quotes(*format) + ", " + expected);
+  if (path == "-") throw WrongUsage("-o -: found no --output-format, " + expected);
+  throw WrongUsage(path + ": found the ending " + in_quotes(name) + ", " + expected + ", or --output-format");
+}
+
+GeneratorTarget parse_generator_target(const std::string& path) {
+  if (const std::optional<PolylineFormat> known = polyline_format(ending(path))) return {path, *known};
+  throw WrongUsage("--generators: found the ending " + in_quotes(ending(path)) + ", expected one of " +
+                   std::string(polyline_formats));
+}
+
+}  // namespace
+
+TopologyPlan plan(const TopologyArguments& arguments) {
+  TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format)};
+  const bool reports = arguments.json || !arguments.quiet;
+  if (reports) plan.report = "-";
+  if (arguments.repair) {
+    if (!arguments.output) throw WrongUsage("--repair: found no -o OUT, expected a file for the repaired mesh");
+    plan.repaired = parse_repair_target(*arguments.output, arguments.output_format);
+    if (reports && *arguments.output == "-")
+      throw WrongUsage("-o -: found standard output for the report and the mesh, expected another file or --quiet");
+  } else {
+    if (arguments.output_format) throw WrongUsage("--output-format: found no --repair, expected it");
+    if (arguments.output && !reports) throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
+    if (arguments.output) plan.report = arguments.output;
+  }
+  if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
+
+  std::vector<std::string> outputs;
+  if (arguments.output) outputs.push_back(*arguments.output);
+  if (arguments.generators) outputs.push_back(*arguments.generators);
+  require_different(outputs, arguments.mesh, "the mesh");
+  return plan;
+}
+
+}  // namespace rbpa::app
