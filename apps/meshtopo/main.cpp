@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
                  "File to write: the report, or with --repair the mesh, by its ending " +
                      std::string(written_mesh_formats) + "; - is standard output")
       ->type_name("OUT");
-  app.add_option("--output-format", arguments.output_format, "Format of the repaired mesh, where its ending does not say")
+  app.add_option("--output-format", arguments.output_format,
+                 "Format of the repaired mesh, where its ending does not say")
       ->type_name("NAME");
   app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done");
   app.add_option("--generators", arguments.generators,

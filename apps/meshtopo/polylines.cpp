@@ -7,7 +7,8 @@
 namespace rbpa::app {
 namespace {
 
-void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> positions, std::span<const Polyline> loops) {
+void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
+                     std::span<const Polyline> loops) {
   for (const std::array<double, 3>& p : positions) write_obj_vertex(file, p);
   for (Polyline loop : loops) {
     loop.push_back(loop.front());
@@ -16,7 +17,8 @@ void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> po
   }
 }
 
-void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> positions, std::span<const Polyline> loops) {
+void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
+                      std::span<const Polyline> loops) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
   for (const Polyline& loop : loops) {
@@ -30,10 +32,12 @@ void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> p
 }  // namespace
 
 void write_polylines(OutputFile& file, PolylineFormat format, std::span<const std::array<double, 3>> positions,
-                 std::span<const Polyline> loops) {
+                     std::span<const Polyline> loops) {
   switch (format) {
-    case PolylineFormat::obj: return write_obj_lines(file, positions, loops);
-    case PolylineFormat::json: return write_json_lines(file, positions, loops);
+    case PolylineFormat::obj:
+      return write_obj_lines(file, positions, loops);
+    case PolylineFormat::json:
+      return write_json_lines(file, positions, loops);
   }
 }
 

@@ -17,6 +17,6 @@ using Polyline = std::vector<std::uint32_t>;
 /// OBJ: all of `positions` as vertices, each loop as one element 'l', which names its first vertex again at the end.
 /// JSON: a list of {"vertices": [numbers from 0], "positions": [[x, y, z], …]}.
 void write_polylines(OutputFile& file, PolylineFormat format, std::span<const std::array<double, 3>> positions,
-                 std::span<const Polyline> loops);
+                     std::span<const Polyline> loops);
 
 }  // namespace rbpa::app
