@@ -1,13 +1,13 @@
 #include "meshops/front/boundary_curve.h"
 
 #include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/core/reach.h"
 
 namespace meshops {
 
 BoundaryCurve::BoundaryCurve(const Connectivity& mesh, Halfedge through) : mesh_(&mesh), through_(through) {
-  require(
-      through.is_valid() && static_cast<std::size_t>(through.idx()) < mesh.n_halfedges() && mesh.is_boundary(through),
-      "BoundaryCurve: not a boundary halfedge");
+  require(is_live(mesh, through) && mesh.is_boundary(through), "BoundaryCurve: not a boundary halfedge");
 }
 
 std::size_t BoundaryCurve::length() const {
@@ -16,16 +16,21 @@ std::size_t BoundaryCurve::length() const {
   return edges;
 }
 
+bool BoundaryCurve::contains(Halfedge h) const { return on_same_curve(*mesh_, through_, h); }
+
+std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v) {
+  if (mesh.is_isolated(v) || !mesh.is_boundary(v)) return std::nullopt;
+  return BoundaryCurve(mesh, mesh.halfedge_handle(v));
+}
+
 std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh) {
   std::vector<BoundaryCurve> curves;
   std::vector<bool> seen(mesh.n_halfedges(), false);
-  for (int i = 0; i < static_cast<int>(mesh.n_halfedges()); ++i) {
-    const Halfedge h(i);
-    if (seen[static_cast<std::size_t>(i)] || !mesh.is_boundary(h)) continue;
-    if (mesh.has_edge_status() && mesh.status(mesh.edge_handle(h)).deleted()) continue;
+  for_each_halfedge(mesh, [&](Halfedge h) {
+    if (seen[static_cast<std::size_t>(h.idx())] || !mesh.is_boundary(h)) return;
     curves.emplace_back(mesh, h);
     for (const Halfedge on_curve : curves.back()) seen[static_cast<std::size_t>(on_curve.idx())] = true;
-  }
+  });
   return curves;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "meshops/core/api.h"
@@ -17,8 +18,8 @@ class MESHOPS_API BoundaryCurve {
  public:
   class Iterator {
    public:
-    using iterator_concept = std::forward_iterator_tag;
-    using iterator_category = std::forward_iterator_tag;
+    using iterator_concept = std::bidirectional_iterator_tag;
+    using iterator_category = std::bidirectional_iterator_tag;
     using value_type = Halfedge;
     using difference_type = std::ptrdiff_t;
     using pointer = const Halfedge*;
@@ -37,6 +38,16 @@ class MESHOPS_API BoundaryCurve {
       ++*this;
       return old;
     }
+    Iterator& operator--() {
+      at_ = mesh_->prev_halfedge_handle(at_);
+      end_ = false;
+      return *this;
+    }
+    Iterator operator--(int) {
+      Iterator old = *this;
+      --*this;
+      return old;
+    }
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_ && a.end_ == b.end_; }
 
    private:
@@ -52,6 +63,8 @@ class MESHOPS_API BoundaryCurve {
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
+  /// Whether a boundary halfedge is on this curve. Cost: the shorter way to it, or the shorter of two curves.
+  bool contains(Halfedge h) const;
 
   /// The number of edges. Cost: linear in it.
   std::size_t length() const;
@@ -60,6 +73,10 @@ class MESHOPS_API BoundaryCurve {
   const Connectivity* mesh_;
   Halfedge through_;
 };
+
+/// The boundary curve that leaves a vertex, given from there; nothing when the vertex is inner or isolated.
+/// Cost: constant.
+MESHOPS_API std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v);
 
 /// Every boundary curve once, each given from its least halfedge, in ascending order of that.
 /// Cost: linear in the number of halfedges.

@@ -4,7 +4,8 @@
 
 namespace meshops {
 
-Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply) : mesh_(mesh), sites_(sites), supply_(supply) {
+Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
+    : mesh_(mesh), first_sites_(sites), supply_(supply) {
   require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
   require(supply > 0, "Front: supply is 0");
   mesh.resize(sites, 0, 0);
@@ -14,30 +15,37 @@ void Front::supply(std::size_t edges, std::size_t faces) {
   mesh_.resize(mesh_.n_vertices(), mesh_.n_edges() + edges, mesh_.n_faces() + faces);
 }
 
+Site Front::add_site() {
+  const auto s = static_cast<Site>(sites());
+  added_.push_back(-1);
+  return s;
+}
+
 Vertex Front::vertex_for_fan(Site s) {
-  if (is_free(s)) return Vertex(s);
+  if (is_first(s) && is_free(s)) return Vertex(s);
   int index;
   if (unused_.empty()) {
-    index = mesh_.new_vertex().idx() - static_cast<int>(sites_);
+    index = mesh_.new_vertex().idx() - static_cast<int>(first_sites_);
     extra_.push_back({});
   } else {
-    index = unused_.back().idx() - static_cast<int>(sites_);
+    index = unused_.back().idx() - static_cast<int>(first_sites_);
     unused_.pop_back();
   }
-  const auto [slot, inserted] = first_extra_.try_emplace(s, -1);
-  extra_[static_cast<std::size_t>(index)] = {s, slot->second};
-  slot->second = index;
-  return Vertex(static_cast<int>(sites_) + index);
+  int& first = is_first(s) ? first_extra_.try_emplace(s, -1).first->second : added_[index_of_added(s)];
+  extra_[static_cast<std::size_t>(index)] = {s, first};
+  first = index;
+  return Vertex(static_cast<int>(first_sites_) + index);
 }
 
 void Front::release(Vertex v) {
   // Of two merged vertices the lower handle stays, so the one left over is always an extra one.
-  const int index = v.idx() - static_cast<int>(sites_);
-  const auto slot = first_extra_.find(site(v));
-  int* link = &slot->second;
+  const int index = v.idx() - static_cast<int>(first_sites_);
+  const Site s = site(v);
+  int& first = is_first(s) ? first_extra_.find(s)->second : added_[index_of_added(s)];
+  int* link = &first;
   while (*link != index) link = &extra_[static_cast<std::size_t>(*link)].next;
   *link = extra_[static_cast<std::size_t>(index)].next;
-  if (slot->second < 0) first_extra_.erase(slot);
+  if (first < 0) first_extra_.erase(s);  // never an added site's: another of its fans has survived
   unused_.push_back(v);
 }
 
@@ -52,23 +60,29 @@ InsertedTriangle Front::insert(TriangleSides sides, Site a, Site b, Site c) {
   return result;
 }
 
-InsertedTriangle Front::create(Site a, Site b, Site c) {
+TriangleSides Front::sides_of(Site a, Site b, Site c) const {
   TriangleSides sides;
   sides.side = {boundary_into(a, b), boundary_into(b, c), boundary_into(c, a)};
-  return insert(sides, a, b, c);
+  return sides;
 }
 
-InsertedTriangle Front::attach(Halfedge h, Site apex) {
-  const Site a = from_site(h), b = to_site(h);
+InsertedTriangle Front::create(Site a, Site b, Site c) { return insert(sides_of(a, b, c), a, b, c); }
+
+TriangleSides Front::sides_of(Halfedge h, Site apex) const {
   TriangleSides sides;
   sides.side[0] = h;
   if (!is_free(apex)) {
     // The neighbours on the curve are the common case and need no search.
     const Halfedge next = mesh_.next_halfedge_handle(h), prev = mesh_.prev_halfedge_handle(h);
-    sides.side[1] = to_site(next) == apex ? next : boundary_into(b, apex);
-    sides.side[2] = from_site(prev) == apex ? prev : boundary_out_of(apex, a);
+    sides.side[1] = to_site(next) == apex ? next : boundary_into(to_site(h), apex);
+    sides.side[2] = from_site(prev) == apex ? prev : boundary_out_of(apex, from_site(h));
   }
-  return insert(sides, a, b, apex);
+  return sides;
+}
+
+InsertedTriangle Front::attach(Halfedge h, Site apex) {
+  const Site a = from_site(h), b = to_site(h);
+  return insert(sides_of(h, apex), a, b, apex);
 }
 
 void Front::activate(Halfedge h) {
@@ -79,6 +93,35 @@ void Front::activate(Halfedge h) {
     head_ = 0;
   }
   active_.push_back(h);
+}
+
+std::vector<BoundaryCurve> Front::curves() const {
+  std::vector<BoundaryCurve> found;
+  std::vector<bool> seen(2 * edges_, false);
+  for (std::size_t i = 0; i < 2 * edges_; ++i) {
+    const Halfedge h(static_cast<int>(i));
+    if (seen[i] || !mesh_.is_boundary(h)) continue;
+    found.emplace_back(mesh_, h);
+    for (const Halfedge on_curve : found.back()) seen[static_cast<std::size_t>(on_curve.idx())] = true;
+  }
+  return found;
+}
+
+LevelTransfer Front::next_level() {
+  LevelTransfer transfer;
+  for (auto s = static_cast<Site>(carried_before_); s < static_cast<Site>(sites()); ++s) carried_.push_back(s);
+  carried_before_ = sites();
+  for (const Site s : carried_)
+    if (is_free(s) || is_on_boundary(s)) transfer.carried.push_back(s);
+  transfer.left_behind = carried_.size() - transfer.carried.size();
+  carried_ = transfer.carried;
+  for (const Halfedge h : frozen_) {
+    if (!mesh_.is_boundary(h)) continue;
+    activate(h);
+    ++transfer.reactivated;
+  }
+  frozen_.clear();
+  return transfer;
 }
 
 std::vector<Site> Front::finish() {
@@ -114,6 +157,7 @@ std::vector<Site> Front::finish() {
   unused_ = {};
   active_ = {};
   frozen_ = {};
+  carried_ = {};
   return site_of;
 }
 

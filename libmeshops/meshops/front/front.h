@@ -12,6 +12,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/front/boundary_curve.h"
 #include "meshops/handle/insert_triangle.h"
 
 namespace meshops {
@@ -19,6 +20,13 @@ namespace meshops {
 /// What a vertex stands on, as an index that the user chose, from 0. Where a complex touches itself in a point, several
 /// vertices stand on one site, one per fan: that keeps every front curve a simple closed curve.
 using Site = int;
+
+/// What goes on from one level to the next.
+struct LevelTransfer {
+  std::vector<Site> carried;    ///< sites that are free or on the boundary, in ascending order
+  std::size_t left_behind = 0;  ///< sites that have turned inner since the transfer before
+  std::size_t reactivated = 0;  ///< frozen halfedges that are active again
+};
 
 class MESHOPS_API Front {
  public:
@@ -32,28 +40,39 @@ class MESHOPS_API Front {
   /// The number of edges and faces in use.
   std::size_t edges() const { return edges_; }
   std::size_t faces() const { return faces_; }
-  std::size_t sites() const { return sites_; }
+  /// Sites are 0 to sites() − 1.
+  std::size_t sites() const { return first_sites_ + added_.size(); }
+
+  /// One more site: for methods that place points while they run.
+  /// Returns: its number, which is what sites() was.
+  Site add_site();
 
   Site site(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
-    return i < sites_ ? v.idx() : extra_[i - sites_].site;
+    return i < first_sites_ ? v.idx() : extra_[i - first_sites_].site;
   }
   Site from_site(Halfedge h) const { return site(mesh_.from_vertex_handle(h)); }
   Site to_site(Halfedge h) const { return site(mesh_.to_vertex_handle(h)); }
 
   /// No triangle has a corner on this site.
-  bool is_free(Site s) const { return mesh_.is_isolated(Vertex(s)); }
+  bool is_free(Site s) const { return is_first(s) ? mesh_.is_isolated(Vertex(s)) : added_[index_of_added(s)] < 0; }
+  /// A fan on this site is on the boundary.
+  bool is_on_boundary(Site s) const {
+    bool found = false;
+    for_each_fan(s, [&](Vertex v) { found = found || mesh_.is_boundary(v); });
+    return found;
+  }
 
   /// Calls visit(Vertex) for each fan on the site: none when it is free.
   template <typename Visit>
   void for_each_fan(Site s, Visit visit) const {
     if (is_free(s)) return;
-    visit(Vertex(s));
-    if (extra_.empty()) return;
-    const auto found = first_extra_.find(s);
-    if (found == first_extra_.end()) return;
-    for (int i = found->second; i >= 0; i = extra_[static_cast<std::size_t>(i)].next)
-      visit(Vertex(static_cast<int>(sites_) + i));
+    if (is_first(s)) {
+      visit(Vertex(s));
+      if (extra_.empty()) return;
+    }
+    for (int i = chain(s); i >= 0; i = extra_[static_cast<std::size_t>(i)].next)
+      visit(Vertex(static_cast<int>(first_sites_) + i));
   }
 
   /// The boundary halfedge that comes from a site into `to`, or leaves `from` for a site; an invalid handle when there
@@ -81,6 +100,10 @@ class MESHOPS_API Front {
   /// Requires: three distinct sites.
   InsertedTriangle create(Site a, Site b, Site c);
 
+  /// Where create() and attach() would put a triangle: which of its sides are boundary halfedges already.
+  TriangleSides sides_of(Site a, Site b, Site c) const;
+  TriangleSides sides_of(Halfedge h, Site apex) const;
+
   /// Attaches a triangle to an active halfedge a→b, with its apex on a site, and glues its other sides to the boundary
   /// halfedges b→apex and apex→a where they exist, on whatever curve. New boundary halfedges become active.
   /// Requires: `h` is a boundary halfedge; the apex is neither of its ends.
@@ -100,6 +123,15 @@ class MESHOPS_API Front {
 
   /// Sets a halfedge aside: nothing can be attached to it at this level.
   void freeze(Halfedge h) { frozen_.push_back(h); }
+
+  /// The boundary curves, each from its least halfedge. Cost: linear in the edges in use.
+  std::vector<BoundaryCurve> curves() const;
+
+  /// Goes on to the next level: frozen halfedges that are still on the boundary become active again. The mesh and its
+  /// curves stay as they are, and nothing of what was left behind before is read.
+  /// Cost:   linear in the sites that the transfer before carried (all, the first time), and in the frozen halfedges.
+  /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
+  LevelTransfer next_level();
 
   /// Frees memory that is of no more use and makes the mesh whole: removes vertices without triangles and renumbers
   /// the others, keeping their order.
@@ -130,22 +162,33 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
+  bool is_first(Site s) const { return static_cast<std::size_t>(s) < first_sites_; }
+  std::size_t index_of_added(Site s) const { return static_cast<std::size_t>(s) - first_sites_; }
+  /// The first extra vertex on a site, as an index into extra_; −1 when there is none.
+  int chain(Site s) const {
+    if (!is_first(s)) return added_[index_of_added(s)];
+    const auto found = first_extra_.find(s);
+    return found == first_extra_.end() ? -1 : found->second;
+  }
   Vertex vertex_for_fan(Site s);
   void release(Vertex v);
   InsertedTriangle insert(TriangleSides sides, Site a, Site b, Site c);
   void activate(Halfedge h);
 
   Connectivity& mesh_;
-  std::size_t sites_;
+  std::size_t first_sites_;  // those the front began with: each has the vertex of its number
   std::size_t supply_;
   std::size_t edges_ = 0;
   std::size_t faces_ = 0;
-  std::vector<Extra> extra_;                   // of vertex sites_ + i: a second and further fan on a site
+  std::vector<Extra> extra_;                   // of vertex first_sites_ + i: a further fan, or one on an added site
   std::unordered_map<Site, int> first_extra_;  // pinches are few
+  std::vector<int> added_;                     // of added site i: its first fan as an index into extra_, or −1
   std::vector<Vertex> unused_;                 // extra vertices merged away, to be used again
   std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
+  std::vector<Site> carried_;       // by the last transfer
+  std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
 };
 
 }  // namespace meshops

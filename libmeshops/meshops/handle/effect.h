@@ -3,6 +3,8 @@
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 
+#include <string_view>
+
 #include "meshops/core/delta.h"
 
 namespace meshops {
@@ -16,7 +18,16 @@ enum class GlueCase {
   close         ///< the last two edges of a curve: the curve vanishes
 };
 
+constexpr std::string_view name(GlueCase c) {
+  constexpr std::string_view names[] = {"join", "split curve", "handle", "zip", "close"};
+  return names[static_cast<int>(c)];
+}
+
 constexpr Delta delta_of_create() { return {.vertices = 3, .edges = 3, .faces = 1, .curves = 1, .components = 1}; }
+
+constexpr Delta delta_of_destroy() { return -delta_of_create(); }
+constexpr Delta delta_of_close_curve() { return {.faces = 1, .curves = -1}; }
+constexpr Delta delta_of_open_curve() { return -delta_of_close_curve(); }
 
 constexpr Delta delta_of(GlueCase c) {
   switch (c) {

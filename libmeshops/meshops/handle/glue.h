@@ -1,5 +1,6 @@
 // What:   the handle operator that makes two boundary edges one.
-// Law:    the counts change exactly as delta_of(case) says (effect.h); a sound mesh stays sound.
+// Law:    the counts change exactly as delta_of(case) says (effect.h); a sound mesh stays sound; unglue() is the exact
+//         inverse.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
@@ -13,8 +14,14 @@
 namespace meshops {
 
 struct GlueEffect {
+  struct Ends {
+    Vertex from, to;
+  };
   GlueCase what;
   Halfedge survivor;  ///< `first`, now inner: its edge is the glued one
+  Halfedge removed;   ///< `second`: its edge is marked deleted
+  Ends first_ends;    ///< of `first` before; of two vertices that became one the lower handle stays
+  Ends second_ends;   ///< of `second` before
   Delta delta() const { return delta_of(what); }
 };
 
@@ -24,15 +31,21 @@ MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Ha
 
 /// What glue() would be for these boundary halfedges.
 /// Requires: glue_blocker() is empty.
-/// Cost:     the length of a curve; the size of a component when the edges are on two curves.
+/// Cost:     the shorter of two ways along a curve; the smaller of two components when the edges are on two curves.
 MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
 /// Effect:      the edge of `second` and up to two vertices are marked deleted; of two vertices the lower handle stays.
-/// Requires:    glue_blocker() is empty; the mesh has vertex, halfedge and edge status (deletion needs it).
+/// Requires:    glue_blocker() is empty; the mesh has status of every kind (deletion needs it).
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
+/// Inverse:     unglue().
 /// Cost:        that of glue_case(), plus the degrees of the merged vertices.
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
+
+/// The same when the case is known already, as a tracker does (topology/tracker.h).
+/// Requires: also that `what` is glue_case(), which is not checked.
+/// Cost:     the degrees of the four ends.
+MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
 
 }  // namespace meshops

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "meshops/core/connectivity.h"
+#include "meshops/handle/fan.h"
 
 namespace meshops {
 
@@ -35,17 +36,6 @@ struct NewElements {
 };
 
 namespace detail {
-
-/// Makes every edge of the fan at `from` end at `to` instead. The fan is reached through its boundary halfedge.
-inline void move_fan(Connectivity& mesh, Vertex from, Vertex to) {
-  const Halfedge first = mesh.halfedge_handle(from);
-  Halfedge out = first;
-  do {
-    const Halfedge in = mesh.opposite_halfedge_handle(out);
-    mesh.set_vertex_handle(in, to);
-    out = mesh.next_halfedge_handle(in);
-  } while (out != first);
-}
 
 /// insert_triangle() for a known set of given sides, bit i for side i: every question is answered when compiling.
 template <unsigned given, typename Elements>
@@ -79,7 +69,7 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
       corner[i] = in.idx() < out.idx() ? in : out;
       if (in != out) {
         const Vertex loser = in.idx() < out.idx() ? out : in;
-        move_fan(mesh, loser, corner[i]);
+        move_fan(mesh, mesh.halfedge_handle(loser), corner[i]);
         mesh.set_isolated(loser);
         result.left_over[static_cast<unsigned>(result.merged++)] = loser;
       }

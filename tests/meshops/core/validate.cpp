@@ -82,7 +82,7 @@ TEST_SUITE("validate") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     const Vertex keep = mesh.from_vertex_handle(b[0]), drop = mesh.from_vertex_handle(b[3]);
-    detail::move_fan(mesh, drop, keep);
+    detail::move_fan(mesh, mesh.halfedge_handle(drop), keep);
     mesh.set_isolated(drop);
     const auto defects = validate(mesh);
     REQUIRE(defects.size() == 1);

@@ -7,7 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/handle/glue.h"
-#include "support/meshes.h"
+#include "support/corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -39,8 +39,39 @@ TEST_SUITE("boundary_curve") {
     CHECK(on_curves == boundary);
   }
 
-  TEST_CASE("is a forward range for the standard algorithms") {
-    static_assert(std::forward_iterator<BoundaryCurve::Iterator>);
+  TEST_CASE("runs backwards as well, with the mesh on the left then") {
+    TestMesh mesh;
+    strip(mesh, 4);
+    const BoundaryCurve curve = boundary_curves(mesh)[0];
+    std::vector<int> forward, backward;
+    for (const Halfedge h : curve) forward.push_back(h.idx());
+    for (auto at = curve.end(); at != curve.begin();) backward.push_back((*--at).idx());
+    std::reverse(backward.begin(), backward.end());
+    CHECK(backward == forward);
+    CHECK(forward.size() == curve.length());
+  }
+
+  TEST_CASE("the curve at a vertex leaves it; inner and isolated vertices have none") {
+    TestMesh mesh;
+    std::vector<std::array<int, 3>> wheel;
+    for (int i = 0; i < 6; ++i) wheel.push_back({0, 1 + i, 1 + (i + 1) % 6});
+    add_triangles(mesh, 7, wheel);
+    mesh.new_vertex();
+    CHECK_FALSE(boundary_curve_at(mesh, Vertex(0)));
+    CHECK_FALSE(boundary_curve_at(mesh, Vertex(7)));
+    for (int v = 1; v < 7; ++v) {
+      const auto curve = boundary_curve_at(mesh, Vertex(v));
+      REQUIRE(curve);
+      CHECK(mesh.from_vertex_handle(curve->front()) == Vertex(v));
+      CHECK(curve->length() == 6);
+      CHECK(curve->contains(boundary_curves(mesh)[0].front()));
+    }
+    const auto other = separate_triangles(mesh, 1);
+    CHECK_FALSE(boundary_curves(mesh)[0].contains(other[1]));
+  }
+
+  TEST_CASE("is a bidirectional range for the standard algorithms") {
+    static_assert(std::bidirectional_iterator<BoundaryCurve::Iterator>);
     TestMesh mesh;
     strip(mesh, 2);
     const BoundaryCurve curve = boundary_curves(mesh)[0];

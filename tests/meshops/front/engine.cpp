@@ -4,9 +4,11 @@
 
 #include <deque>
 #include <map>
+#include <random>
 
+#include "meshops/core/reach.h"
 #include "meshops/topology/count.h"
-#include "support/meshes.h"
+#include "support/corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -53,6 +55,70 @@ struct Validating : FrontVisitor {
   void frozen(const Front& front, Halfedge h) {
     ++freezes;
     CHECK(front.mesh().is_boundary(h));
+  }
+};
+
+/// Gives the seeds that are not in the mesh yet: all at once, before any front advances.
+class EagerSeeds : public Replay {
+ public:
+  EagerSeeds(const std::vector<Triangle>& triangles, std::deque<Triangle> seeds)
+      : Replay(triangles, {}), seeds_(std::move(seeds)) {}
+  std::optional<Triangle> seed(const Front& front) {
+    while (!seeds_.empty()) {
+      const Triangle t = seeds_.front();
+      seeds_.pop_front();
+      if (!in_mesh(front, t)) return t;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static bool in_mesh(const Front& front, const Triangle& t) {
+    bool found = false;
+    front.for_each_fan(t[0], [&](Vertex v) {
+      for (const auto h : front.mesh().voh_range(v))
+        found = found || (!front.mesh().is_boundary(h) && front.to_site(h) == t[1] &&
+                          front.to_site(front.mesh().next_halfedge_handle(h)) == t[2]);
+    });
+    return found;
+  }
+  std::deque<Triangle> seeds_;
+};
+
+/// Keeps count of the curves by the events alone.
+struct CurveCounter : FrontVisitor {
+  static constexpr bool follows_curves = true;
+  int curves = 0, joins = 0, splits = 0, closings = 0;
+  void curve_begun(const Front& front, Halfedge h) {
+    ++curves;
+    CHECK(front.mesh().is_boundary(h));
+  }
+  void curves_joined(const Front&, Halfedge) {
+    --curves;
+    ++joins;
+  }
+  void curve_split(const Front& front, Halfedge a, Halfedge b) {
+    ++curves;
+    ++splits;
+    CHECK_FALSE(on_same_curve(front.mesh(), a, b));
+  }
+  void curve_closed(const Front&) {
+    --curves;
+    ++closings;
+  }
+  // Told before the events of the next triangle, and so after all of the one before.
+  void frozen(const Front& front, Halfedge) { CHECK(curves == static_cast<int>(front.curves().size())); }
+};
+
+/// Attaches a new point to everything until there are forty.
+struct Placing {
+  std::optional<std::array<Site, 3>> seed(const Front& front) const {
+    if (front.faces() > 0) return std::nullopt;
+    return std::array<Site, 3>{0, 1, 2};
+  }
+  std::optional<Site> propose(const Front& front, Halfedge) const {
+    if (front.sites() == 40) return std::nullopt;
+    return static_cast<Site>(front.sites());
   }
 };
 
@@ -114,5 +180,94 @@ TEST_SUITE("engine") {
     CHECK(counts.vertices == 100);
     CHECK(counts.boundary_curves == 25);
     check_sound(mesh);
+  }
+
+  TEST_CASE("the events of curves tell at each moment how many there are") {
+    std::mt19937 random(5);
+    int joins = 0, splits = 0, closings = 0;
+    for (int round = 0; round < 60; ++round) {
+      std::vector<int> holes;
+      for (int square = 0; square < 49; ++square)
+        if (random() % 4 == 0) holes.push_back(square);
+      const auto triangles = cut_squares(8, holes);
+      std::deque<Replay::Triangle> seeds;
+      // Several seeds of one component grow towards each other.
+      for (const auto& t : triangles)
+        if (random() % 5 == 0) seeds.push_back(t);
+      TestMesh mesh;
+      Front front(mesh, 64);
+      CurveCounter visitor;
+      EagerSeeds only_seeds({}, seeds);
+      advance(front, only_seeds, visitor);
+      front.next_level();
+      EagerSeeds policy(triangles, {});
+      advance(front, policy, visitor);
+      CHECK(visitor.curves == static_cast<int>(count_topology(mesh).boundary_curves));
+      joins += visitor.joins;
+      splits += visitor.splits;
+      closings += visitor.closings;
+    }
+    CHECK(joins > 20);
+    CHECK(splits > 20);
+    CHECK(closings > 5);
+  }
+
+  TEST_CASE("level after level gives the mesh of one run, and carries just what is not inner") {
+    std::mt19937 random(9);
+    for (int round = 0; round < 30; ++round) {
+      std::vector<int> holes;
+      for (int square = 0; square < 49; ++square)
+        if (random() % 6 == 0) holes.push_back(square);
+      const auto triangles = cut_squares(8, holes);
+      std::vector<int> level(triangles.size());
+      for (int& l : level) l = static_cast<int>(random() % 5);
+
+      TestMesh mesh;
+      Front front(mesh, 64);
+      std::size_t behind = 0;
+      for (int now = 0; now < 5; ++now) {
+        std::vector<Replay::Triangle> allowed;
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+          if (level[i] <= now) allowed.push_back(triangles[i]);
+        EagerSeeds policy(allowed, {allowed.begin(), allowed.end()});
+        FrontVisitor silent;
+        advance(front, policy, silent);
+        check_sound(mesh);
+        CHECK(front.faces() == allowed.size());
+        const LevelTransfer transfer = front.next_level();
+        std::vector<Site> expected;
+        for (Site s = 0; s < 64; ++s)
+          if (front.is_free(s) || front.is_on_boundary(s)) expected.push_back(s);
+        CHECK(transfer.carried == expected);
+        behind += transfer.left_behind;
+        CHECK(behind == 64 - expected.size());
+        std::size_t on_curves = 0;
+        for (const auto& curve : front.curves()) on_curves += curve.length();
+        CHECK(transfer.reactivated == on_curves);
+      }
+      TestMesh at_once;
+      Front other(at_once, 64);
+      EagerSeeds policy(triangles, {triangles.begin(), triangles.end()});
+      FrontVisitor silent;
+      advance(other, policy, silent);
+      front.finish();
+      other.finish();
+      CHECK(count_topology(mesh) == count_topology(at_once));
+      CHECK(isomorphism_class(mesh) == isomorphism_class(at_once));
+    }
+  }
+
+  TEST_CASE("a policy that proposes the site after the last places points") {
+    TestMesh mesh;
+    Front front(mesh, 3);
+    Placing policy;
+    Validating visitor;
+    advance(front, policy, visitor);
+    CHECK(front.sites() == 40);
+    CHECK(visitor.attachments == 37);
+    const TopologyCounts counts = count_topology(mesh);
+    CHECK(counts.vertices == 40);
+    CHECK(counts.faces == 38);
+    CHECK(counts.boundary_curves == 1);
   }
 }

@@ -121,4 +121,108 @@ TEST_SUITE("front") {
     front.attach(second, 3);
     CHECK(front.from_site(front.pop()) == 0);  // the third side of the seed
   }
+
+  TEST_CASE("sites can be added while it runs; they have a vertex when they are used") {
+    TestMesh mesh;
+    Front front(mesh, 3);
+    front.create(0, 1, 2);
+    CHECK(front.add_site() == 3);
+    CHECK(front.add_site() == 4);
+    CHECK(front.sites() == 5);
+    CHECK(mesh.n_vertices() == 3);
+    CHECK(front.is_free(4));
+    front.attach(boundary(front, 1, 0), 4);
+    CHECK_FALSE(front.is_free(4));
+    CHECK(front.is_free(3));
+    CHECK(mesh.n_vertices() == 4);
+    CHECK(front.site(Vertex(3)) == 4);
+    CHECK(front.boundary_into(4, 0).is_valid());
+    check_sound(mesh);
+    CHECK(front.finish() == std::vector<Site>{0, 1, 2, 4});
+  }
+
+  TEST_CASE("fans on an added site grow together, whichever of their vertices survives") {
+    TestMesh mesh;
+    Front front(mesh, 5);
+    front.create(0, 1, 2);
+    front.create(0, 3, 4);  // a second fan on 0: vertex 5
+    const Site added = front.add_site();
+    front.attach(boundary(front, 2, 1), added);  // vertex 6 on the added site
+    front.attach(boundary(front, 0, 2), 3);      // the fans on 0 become one: vertex 5 is left over
+    front.attach(boundary(front, 4, 3), added);  // a second fan on the added site gets vertex 5
+    int fans = 0;
+    front.for_each_fan(added, [&](Vertex v) {
+      ++fans;
+      CHECK(front.site(v) == added);
+    });
+    REQUIRE(fans == 2);
+    REQUIRE(front.site(Vertex(5)) == added);
+    check_sound(mesh);
+    const InsertedTriangle t = front.attach(boundary(front, 2, added), 3);  // between the fans: vertex 6 loses
+    CHECK(t.merged == 1);
+    CHECK(t.left_over[0] == Vertex(6));
+    fans = 0;
+    front.for_each_fan(added, [&](Vertex v) {
+      ++fans;
+      CHECK(v == Vertex(5));
+    });
+    CHECK(fans == 1);
+    check_sound(mesh);
+  }
+
+  TEST_CASE("its curves are the boundary curves, whatever elements it has in supply") {
+    for (const std::size_t supply : {std::size_t{1}, std::size_t{64}}) {
+      TestMesh mesh;
+      Front front(mesh, 7, supply);
+      CHECK(front.curves().empty());
+      front.create(0, 1, 2);
+      front.create(0, 3, 4);
+      front.attach(boundary(front, 1, 0), 5);
+      const auto curves = front.curves();
+      REQUIRE(curves.size() == 2);
+      CHECK(curves[0].length() == 4);
+      CHECK(curves[1].length() == 3);
+    }
+  }
+
+  TEST_CASE("the next level carries free sites and those on the boundary, and wakes what was frozen") {
+    TestMesh mesh;
+    Front front(mesh, 8);
+    front.create(0, 1, 2);
+    for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) front.freeze(h);
+    const LevelTransfer first = front.next_level();
+    CHECK(first.carried == std::vector<Site>{0, 1, 2, 3, 4, 5, 6, 7});
+    CHECK(first.left_behind == 0);
+    CHECK(first.reactivated == 3);
+    // A ring of triangles around site 0.
+    front.attach(boundary(front, 0, 2), 3);
+    front.attach(boundary(front, 0, 3), 4);
+    front.attach(boundary(front, 0, 4), 1);
+    int frozen = 0;
+    for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) {
+      front.freeze(h);
+      ++frozen;
+    }
+    CHECK(frozen == 4);
+    const LevelTransfer second = front.next_level();
+    CHECK(second.carried == std::vector<Site>{1, 2, 3, 4, 5, 6, 7});
+    CHECK(second.left_behind == 1);
+    CHECK(second.reactivated == 4);
+    check_sound(mesh);
+  }
+
+  TEST_CASE("a site with several fans goes on as long as one of them is on the boundary") {
+    TestMesh mesh;
+    Front front(mesh, 6);
+    // Around site 0 a closed ring of three, and site 5 apart.
+    front.create(0, 1, 2);
+    front.attach(boundary(front, 0, 2), 3);
+    front.attach(boundary(front, 0, 3), 1);
+    CHECK(front.next_level().carried == std::vector<Site>{1, 2, 3, 4, 5});
+    // A triangle that touches the ring in site 1 only.
+    front.create(1, 4, 5);
+    CHECK(front.is_on_boundary(1));
+    const Site added = front.add_site();
+    CHECK(front.next_level().carried == std::vector<Site>{1, 2, 3, 4, 5, added});
+  }
 }

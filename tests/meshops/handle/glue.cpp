@@ -7,8 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/front/boundary_curve.h"
-#include "meshops/topology/count.h"
-#include "support/meshes.h"
+#include "support/laws.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -23,16 +22,7 @@ GlueCase checked_glue(TestMesh& mesh, Halfedge first, Halfedge second) {
   const GlueEffect effect = glue(mesh, first, second);
   CHECK(effect.what == expected);
   CHECK(effect.survivor == first);
-  const TopologyCounts after = count_topology(mesh);
-  const Delta delta = effect.delta();
-  CHECK(static_cast<int>(after.vertices) - static_cast<int>(before.vertices) == delta.vertices);
-  CHECK(static_cast<int>(after.edges) - static_cast<int>(before.edges) == delta.edges);
-  CHECK(after.faces == before.faces);
-  CHECK(static_cast<int>(after.boundary_curves) - static_cast<int>(before.boundary_curves) == delta.curves);
-  CHECK(static_cast<int>(after.components) - static_cast<int>(before.components) == delta.components);
-  CHECK(after.genus() - before.genus() == delta.genus);
-  CHECK(after.euler() - before.euler() == delta.euler());
-  check_sound(mesh);
+  check_changed_by(effect.delta(), before, mesh);
   return effect.what;
 }
 

@@ -8,12 +8,13 @@ namespace {
 std::vector<int> records(const Connectivity& mesh, bool live_only) {
   std::vector<int> all;
   const auto element = [&](auto handle) {
-    all.push_back(is_live(mesh, handle));
-    return !live_only || is_live(mesh, handle);
+    if (live_only && !is_live(mesh, handle)) return false;
+    all.push_back(handle.idx());
+    return true;
   };
   for (int i = 0; i < static_cast<int>(mesh.n_vertices()); ++i)
     if (const Vertex v(i); element(v)) {
-      all.push_back(mesh.halfedge_handle(v).idx());
+      if (!live_only || mesh.is_isolated(v) || mesh.is_boundary(v)) all.push_back(mesh.halfedge_handle(v).idx());
       if (mesh.has_vertex_status()) all.push_back(static_cast<int>(mesh.status(v).bits()));
     }
   for (int i = 0; i < static_cast<int>(mesh.n_halfedges()); ++i)
@@ -28,9 +29,6 @@ std::vector<int> records(const Connectivity& mesh, bool live_only) {
       all.push_back(mesh.halfedge_handle(f).idx());
       if (mesh.has_face_status()) all.push_back(static_cast<int>(mesh.status(f).bits()));
     }
-  // A live tail that is followed by deleted elements equals the same tail without them.
-  if (live_only)
-    while (!all.empty() && all.back() == 0) all.pop_back();
   return all;
 }
 

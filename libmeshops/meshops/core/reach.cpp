@@ -1,0 +1,48 @@
+#include "meshops/core/reach.h"
+
+#include <array>
+#include <unordered_set>
+#include <vector>
+
+namespace meshops {
+
+bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b) {
+  if (a == b) return true;
+  for (Halfedge from_a = a, from_b = b;;) {
+    from_a = mesh.next_halfedge_handle(from_a);
+    if (from_a == b) return true;
+    if (from_a == a) return false;
+    from_b = mesh.next_halfedge_handle(from_b);
+    if (from_b == a) return true;
+    if (from_b == b) return false;
+  }
+}
+
+bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
+  if (a == b) return true;
+  struct Search {
+    std::unordered_set<int> seen;
+    std::vector<Face> open;  // a queue, so that the two searches grow towards each other
+    std::size_t next = 0;
+  };
+  std::array<Search, 2> searches;
+  searches[0] = {{a.idx()}, {a}};
+  searches[1] = {{b.idx()}, {b}};
+  for (std::size_t turn = 0;; turn = 1 - turn) {
+    Search& mine = searches[turn];
+    const Search& other = searches[1 - turn];
+    if (mine.next == mine.open.size()) return false;
+    const Halfedge first = mesh.halfedge_handle(mine.open[mine.next++]);
+    Halfedge side = first;
+    do {
+      const Face beyond = mesh.face_handle(mesh.opposite_halfedge_handle(side));
+      if (beyond.is_valid() && mesh.edge_handle(side) != without) {
+        if (other.seen.count(beyond.idx()) != 0) return true;
+        if (mine.seen.insert(beyond.idx()).second) mine.open.push_back(beyond);
+      }
+      side = mesh.next_halfedge_handle(side);
+    } while (side != first);
+  }
+}
+
+}  // namespace meshops

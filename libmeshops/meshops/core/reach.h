@@ -1,0 +1,20 @@
+// What: whether two halfedges lie on one boundary curve, or two faces in one component.
+// Cost: that of the smaller of the two, because both are searched in turns: a sequence of operators that only splits or
+//       only joins pays O(n log n) for it in all.
+#pragma once
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+/// Requires: boundary halfedges.
+/// Cost:     the shorter of the two ways from one to the other; the shorter curve when they are on two.
+MESHOPS_API bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b);
+
+/// Whether a way leads from face to face across edges, none of them `without`.
+/// Cost: linear in the smaller component when there are two; otherwise in what is searched before both searches meet.
+///       Memory likewise.
+MESHOPS_API bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without = Edge());
+
+}  // namespace meshops

@@ -1,0 +1,75 @@
+#include "meshops/handle/destroy.h"
+
+#include <array>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/handle/unglue.h"
+
+namespace meshops {
+namespace {
+
+const char* reason_against_removing(const Connectivity& mesh, Face f) {
+  if (!is_live(mesh, f)) return "no such face";
+  const Halfedge first = mesh.halfedge_handle(f);
+  const Halfedge third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(first));
+  return mesh.next_halfedge_handle(third) == first ? nullptr : "the face has other than three sides";
+}
+
+std::array<Halfedge, 3> sides_of(const Connectivity& mesh, Face f) {
+  const Halfedge first = mesh.halfedge_handle(f), second = mesh.next_halfedge_handle(first);
+  return {first, second, mesh.next_halfedge_handle(second)};
+}
+
+const char* reason_against(const Connectivity& mesh, Face f) {
+  if (const char* reason = reason_against_removing(mesh, f)) return reason;
+  for (const Halfedge side : sides_of(mesh, f))
+    if (!mesh.is_boundary(mesh.opposite_halfedge_handle(side))) return "a side is glued to another face";
+  return nullptr;
+}
+
+void require_none(const char* name, const char* reason) {
+  if (reason != nullptr) throw ContractViolation(std::string(name) + ": " + reason);
+}
+
+std::optional<std::string> as_text(const char* reason) {
+  return reason != nullptr ? std::optional<std::string>(reason) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f) {
+  return as_text(reason_against(mesh, f));
+}
+
+Delta destroy_triangle(Connectivity& mesh, Face f) {
+  require(has_status(mesh), "destroy_triangle: the mesh needs status of every kind to mark what is deleted");
+  require_none("destroy_triangle", reason_against(mesh, f));
+  for (const Halfedge side : sides_of(mesh, f)) {
+    mesh.status(mesh.from_vertex_handle(side)).set_deleted(true);
+    mesh.set_isolated(mesh.from_vertex_handle(side));
+    mesh.status(mesh.edge_handle(side)).set_deleted(true);
+    mesh.status(side).set_deleted(true);
+    mesh.status(mesh.opposite_halfedge_handle(side)).set_deleted(true);
+  }
+  mesh.status(f).set_deleted(true);
+  return delta_of_destroy();
+}
+
+std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f) {
+  return as_text(reason_against_removing(mesh, f));
+}
+
+Delta remove_triangle(Connectivity& mesh, Face f) {
+  require(has_status(mesh), "remove_triangle: the mesh needs status of every kind to mark what is deleted");
+  require_none("remove_triangle", reason_against_removing(mesh, f));
+  Delta delta;
+  // Given the halfedge on this side, unglue() lets what is beyond keep the edge and the vertices.
+  for (const Halfedge side : sides_of(mesh, f)) {
+    const Halfedge beyond = mesh.opposite_halfedge_handle(side);
+    if (!mesh.is_boundary(beyond)) delta = delta + unglue(mesh, side).delta();
+  }
+  return delta + destroy_triangle(mesh, f);
+}
+
+}  // namespace meshops

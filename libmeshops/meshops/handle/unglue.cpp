@@ -1,0 +1,158 @@
+#include "meshops/handle/unglue.h"
+
+#include <algorithm>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/core/reach.h"
+#include "meshops/handle/fan.h"
+
+namespace meshops {
+namespace {
+
+const char* reason_against(const Connectivity& mesh, Halfedge h) {
+  if (!is_live(mesh, h)) return "no such halfedge";
+  if (mesh.is_boundary(mesh.edge_handle(h))) return "the edge is on the boundary";
+  return nullptr;
+}
+
+/// One end of the edge that is parted: how the boundary passes by it, when it does.
+struct End {
+  Vertex vertex;
+  Halfedge before, after;  // the boundary into the vertex and out of it
+  bool on_boundary;
+
+  End(const Connectivity& mesh, Vertex v) : vertex(v), on_boundary(mesh.is_boundary(v)) {
+    if (!on_boundary) return;
+    after = mesh.halfedge_handle(v);
+    before = mesh.prev_halfedge_handle(after);
+  }
+};
+
+/// What takes the place of the elements that part: the second edge, and for each end the vertices of its two fans.
+struct Parts {
+  Halfedge second;
+  GlueEffect::Ends first_ends;
+  GlueEffect::Ends second_ends;
+};
+
+/// Changes records only: every element is there and live. The edge of `parts.second` is of no use to anybody.
+void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, const Parts& parts) {
+  const Halfedge second = parts.second, inner = mesh.opposite_halfedge_handle(second);
+  const Halfedge before = mesh.prev_halfedge_handle(first), after = mesh.next_halfedge_handle(first);
+  const Face face = mesh.face_handle(first);
+
+  // The new edge takes the place of `first` in its face.
+  mesh.set_face_handle(inner, face);
+  if (mesh.halfedge_handle(face) == first) mesh.set_halfedge_handle(face, inner);
+  mesh.set_next_halfedge_handle(before, inner);
+  mesh.set_next_halfedge_handle(inner, after);
+  mesh.set_vertex_handle(inner, end.vertex);
+  mesh.set_vertex_handle(second, start.vertex);
+  mesh.set_boundary(first);
+  mesh.set_boundary(second);
+
+  // The boundary no longer passes by at an end, but through the gap; at an inner end the gap begins.
+  if (start.on_boundary) {
+    mesh.set_next_halfedge_handle(start.before, first);
+    mesh.set_next_halfedge_handle(second, start.after);
+    mesh.set_halfedge_handle(parts.first_ends.from, first);
+    mesh.set_halfedge_handle(parts.second_ends.to, start.after);
+  } else {
+    mesh.set_next_halfedge_handle(second, first);
+    mesh.set_halfedge_handle(start.vertex, first);
+  }
+  if (end.on_boundary) {
+    mesh.set_next_halfedge_handle(end.before, second);
+    mesh.set_next_halfedge_handle(first, end.after);
+    mesh.set_halfedge_handle(parts.first_ends.to, end.after);
+    mesh.set_halfedge_handle(parts.second_ends.from, second);
+  } else {
+    mesh.set_next_halfedge_handle(first, second);
+    mesh.set_halfedge_handle(end.vertex, second);
+  }
+
+  // One fan of each end that was on the boundary goes to its other vertex.
+  for (const Vertex v : {parts.first_ends.from, parts.second_ends.to})
+    if (v != start.vertex) detail::move_fan(mesh, mesh.halfedge_handle(v), v);
+  for (const Vertex v : {parts.first_ends.to, parts.second_ends.from})
+    if (v != end.vertex) detail::move_fan(mesh, mesh.halfedge_handle(v), v);
+}
+
+Vertex copy_of(Connectivity& mesh, Vertex v) {
+  const Vertex copy = mesh.new_vertex();
+  mesh.copy_all_properties(v, copy, true);
+  return copy;
+}
+
+Halfedge copy_of_edge(Connectivity& mesh, Halfedge h) {
+  const Halfedge o = mesh.opposite_halfedge_handle(h);
+  const Halfedge copy = mesh.new_edge(mesh.from_vertex_handle(h), mesh.to_vertex_handle(h));
+  const Halfedge copy_of_o = mesh.opposite_halfedge_handle(copy);
+  mesh.copy_all_properties(mesh.edge_handle(h), mesh.edge_handle(copy), true);
+  mesh.copy_all_properties(h, copy, true);
+  mesh.copy_all_properties(o, copy_of_o, true);
+  return copy_of_o;
+}
+
+}  // namespace
+
+std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h) {
+  if (const char* reason = reason_against(mesh, h)) return reason;
+  return std::nullopt;
+}
+
+GlueCase unglue_case(const Connectivity& mesh, Halfedge h) {
+  const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
+  if (!start.on_boundary && !end.on_boundary) return GlueCase::close;
+  if (!start.on_boundary || !end.on_boundary) return GlueCase::zip;
+  if (!on_same_curve(mesh, start.after, end.after)) return GlueCase::split_curve;
+  const Face one = mesh.face_handle(h), other = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+  return in_same_component(mesh, one, other, mesh.edge_handle(h)) ? GlueCase::handle : GlueCase::join;
+}
+
+UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
+  if (const char* reason = reason_against(mesh, h)) throw ContractViolation(std::string("unglue: ") + reason);
+  const GlueCase what = unglue_case(mesh, h);
+  const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
+  const Halfedge second = copy_of_edge(mesh, h);
+  UnglueEffect effect{what, h, second, Vertex(), Vertex()};
+  if (start.on_boundary) effect.new_start = copy_of(mesh, start.vertex);
+  if (end.on_boundary) effect.new_end = copy_of(mesh, end.vertex);
+  const auto other = [](Vertex copy, const End& at) { return copy.is_valid() ? copy : at.vertex; };
+  part(mesh, h, start, end,
+       {second, {start.vertex, end.vertex}, {other(effect.new_end, end), other(effect.new_start, start)}});
+  return effect;
+}
+
+UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
+  const Halfedge h = effect.survivor;
+  if (const char* reason = reason_against(mesh, h)) throw ContractViolation(std::string("unglue: ") + reason);
+  const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
+  const auto is_dead = [&](auto element, std::size_t count) {
+    return element.is_valid() && static_cast<std::size_t>(element.idx()) < count && !is_live(mesh, element);
+  };
+  /// The vertex that glue() marked deleted at an end; an invalid handle when it merged none there.
+  const auto deleted_at = [](Vertex a, Vertex b) { return a == b ? Vertex() : std::max(a, b); };
+  const auto fits = [&](const End& at, Vertex a, Vertex b) {
+    const Vertex gone = deleted_at(a, b);
+    return at.vertex == std::min(a, b) && at.on_boundary == gone.is_valid() &&
+           (!gone.is_valid() || is_dead(gone, mesh.n_vertices()));
+  };
+  require(is_dead(effect.removed, mesh.n_halfedges()) && fits(start, effect.first_ends.from, effect.second_ends.to) &&
+              fits(end, effect.first_ends.to, effect.second_ends.from),
+          "unglue: the edge is no longer as glue() left it");
+
+  UnglueEffect result{unglue_case(mesh, h), h, effect.removed,
+                      deleted_at(effect.first_ends.from, effect.second_ends.to),
+                      deleted_at(effect.first_ends.to, effect.second_ends.from)};
+  for (const Vertex v : {result.new_start, result.new_end})
+    if (v.is_valid()) mesh.status(v).set_deleted(false);
+  mesh.status(mesh.edge_handle(effect.removed)).set_deleted(false);
+  mesh.status(effect.removed).set_deleted(false);
+  mesh.status(mesh.opposite_halfedge_handle(effect.removed)).set_deleted(false);
+  part(mesh, h, start, end, {effect.removed, effect.first_ends, effect.second_ends});
+  return result;
+}
+
+}  // namespace meshops

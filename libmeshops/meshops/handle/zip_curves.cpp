@@ -1,0 +1,59 @@
+#include "meshops/handle/zip_curves.h"
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/core/reach.h"
+#include "meshops/handle/fan.h"
+#include "meshops/handle/glue.h"
+
+namespace meshops {
+namespace {
+
+std::size_t length_of_curve(const Connectivity& mesh, Halfedge through) {
+  std::size_t edges = 0;
+  Halfedge h = through;
+  do {
+    ++edges;
+    h = mesh.next_halfedge_handle(h);
+  } while (h != through);
+  return edges;
+}
+
+}  // namespace
+
+std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
+  if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
+  if (on_same_curve(mesh, first, second)) return "both halfedges are on one curve";
+  if (const std::size_t a = length_of_curve(mesh, first), b = length_of_curve(mesh, second); a != b)
+    return "the curves have " + std::to_string(a) + " and " + std::to_string(b) + " edges";
+  // Each vertex of one curve merges with one of the other, so that looking at every pair beforehand looks at all.
+  Halfedge h = first, g = second;
+  do {
+    if (detail::are_neighbours(mesh, mesh.from_vertex_handle(h), mesh.to_vertex_handle(g)))
+      return "an edge joins two vertices that would become one";
+    h = mesh.next_halfedge_handle(h);
+    g = mesh.prev_halfedge_handle(g);
+  } while (h != first);
+  return std::nullopt;
+}
+
+ZipCurvesEffect zip_curves(Connectivity& mesh, Halfedge first, Halfedge second) {
+  require(has_status(mesh), "zip_curves: the mesh needs status of every kind to mark what is deleted");
+  if (const auto blocker = zip_curves_blocker(mesh, first, second)) throw ContractViolation("zip_curves: " + *blocker);
+  const std::size_t edges = length_of_curve(mesh, first);
+  ZipCurvesEffect effect{GlueCase::join, edges};
+  Halfedge h = first, g = second;
+  for (std::size_t i = 0; i < edges; ++i) {
+    const Halfedge next = mesh.next_halfedge_handle(h), previous = mesh.prev_halfedge_handle(g);
+    if (i == 0)
+      effect.begins_with = glue(mesh, h, g).what;
+    else
+      glue(mesh, h, g, i + 1 < edges ? GlueCase::zip : GlueCase::close);
+    h = next;
+    g = previous;
+  }
+  return effect;
+}
+
+}  // namespace meshops

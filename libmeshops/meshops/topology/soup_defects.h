@@ -1,0 +1,47 @@
+// What: everything that keeps a soup of faces from being an oriented 2-manifold with boundary, one by one.
+// Law:  build_mesh() takes a soup whose only defects are pinches; repair() gives one without any.
+// Cost: near-linear in the number of corners.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/topology/polygon_soup.h"
+
+namespace meshops {
+
+enum class SoupDefectKind {
+  corner_out_of_range,       ///< a corner is no point of the soup
+  degenerate_face,           ///< fewer than three corners, or one point twice
+  duplicate_face,            ///< the same cycle of corners as an earlier face, in either direction
+  non_manifold_edge,         ///< more than two faces meet in an edge
+  inconsistent_orientation,  ///< two faces run along their common edge in the same direction
+  not_orientable,            ///< no choice of directions makes the faces of a component agree
+  pinch                      ///< faces meet in a point, but not through edges at it: several fans
+};
+
+/// Faces with one of the first three defects are passed over when looking for the others.
+struct SoupDefect {
+  SoupDefectKind kind;
+  /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. Of a component that is not
+  /// orientable: an edge at which its faces disagree.
+  std::vector<std::uint32_t> points;
+  /// In ascending order: the face; the duplicate and the face it repeats; all faces at the edge; of a pinch the first
+  /// face of each fan; of a component the first face.
+  std::vector<std::size_t> faces;
+  friend bool operator==(const SoupDefect&, const SoupDefect&) = default;
+};
+
+MESHOPS_API std::string_view name(SoupDefectKind kind);
+
+/// For people: "non-manifold edge: points 3 4, faces 0 7 9".
+MESHOPS_API std::string describe(const SoupDefect& defect);
+
+/// Every defect, in the order of the kinds, and of the points or faces within a kind.
+MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup);
+
+}  // namespace meshops
