@@ -35,9 +35,9 @@ struct GeneratorTarget {
 /// What a run reads and writes.
 struct TopologyPlan {
   MeshSource source;
-  std::optional<std::string> report;  ///< where it goes, "-" for standard output; none: nowhere
-  std::optional<RepairTarget> repaired;
-  std::optional<GeneratorTarget> generators;
+  std::optional<std::string> report = std::nullopt;  ///< where it goes, "-" for standard output; none: nowhere
+  std::optional<RepairTarget> repaired = std::nullopt;
+  std::optional<GeneratorTarget> generators = std::nullopt;
 };
 
 /// Throws WrongUsage naming the value.
