@@ -11,8 +11,8 @@
 
 namespace meshops {
 
-/// Fills an empty mesh. Vertex i is point i, with its first fan, or isolated; further fans get the numbers after the last
-/// point. Face i is face i of the soup, and its halfedge is the first side. Edges are in the order of their ends.
+/// Fills an empty mesh. Vertex i is point i, with its first fan, or isolated; further fans get the numbers after the
+/// last point. Face i is face i of the soup, and its halfedge is the first side. Edges are in the order of their ends.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the soup has no defects but pinches (find_defects()).
 /// Throws:   ContractViolation that names the first other defect, mesh untouched.

@@ -1,6 +1,6 @@
 // What: makes an oriented manifold of any soup, and says what that took.
-// Law:  find_defects(repair(s).soup) is empty; a soup without defects comes back as it was; nothing is added to the surface.
-// Cost: near-linear.
+// Law:  find_defects(repair(s).soup) is empty; a soup without defects comes back as it was; nothing is added to the
+// surface. Cost: near-linear.
 #pragma once
 
 #include <cstddef>
@@ -30,10 +30,10 @@ struct RepairStep {
 };
 
 struct Repair {
-  PolygonSoup soup;                       ///< points of the given soup keep their numbers; new ones follow
-  std::vector<std::uint32_t> stands_on;   ///< of each point: which of the given points has its place
-  std::vector<std::size_t> face_was;      ///< of each face: its number in the given soup
-  std::vector<RepairStep> steps;          ///< in the order of the kinds
+  PolygonSoup soup;                      ///< points of the given soup keep their numbers; new ones follow
+  std::vector<std::uint32_t> stands_on;  ///< of each point: which of the given points has its place
+  std::vector<std::size_t> face_was;     ///< of each face: its number in the given soup
+  std::vector<RepairStep> steps;         ///< in the order of the kinds
 };
 
 MESHOPS_API std::string_view name(RepairKind kind);
@@ -41,8 +41,9 @@ MESHOPS_API std::string_view name(RepairKind kind);
 /// For people: "face dropped: points 3 3 4, face 7".
 MESHOPS_API std::string describe(const RepairStep& step);
 
-/// Faces that are degenerate or repeated go. Of the faces that hang together through edges as few as possible are reversed,
-/// the first one not when it is even. Where more than two faces meet in an edge none stays joined to another there.
+/// Faces that are degenerate or repeated go. Of the faces that hang together through edges as few as possible are
+/// reversed, the first one not when it is even. Where more than two faces meet in an edge none stays joined to another
+/// there.
 MESHOPS_API Repair repair(const PolygonSoup& soup);
 
 }  // namespace meshops

@@ -43,24 +43,24 @@ struct ComponentReport {
 /// The totals are of the complex as it is given: a point is one vertex however many fans stand on it, and an edge is a
 /// pair of points.
 struct TopologyReport {
-  std::size_t vertices = 0;          ///< points, isolated ones included
+  std::size_t vertices = 0;  ///< points, isolated ones included
   std::size_t edges = 0;
   std::size_t faces = 0;
   std::size_t components = 0;        ///< pieces that hang together in any way; an isolated point is one
   std::size_t solid_components = 0;  ///< pieces of surface that hang together through edges: `per_component` has them
   std::size_t boundary_curves = 0;   ///< of all pieces: a curve does not pass through a pinch
-  std::optional<long> genus;         ///< of all pieces; absent when one is not orientable, or cut at a non-manifold edge
-  BettiNumbers betti = {0, 0, 0};    ///< over Z/2, of the whole as a space
-  std::size_t pinches = 0;           ///< points on which several fans stand
-  std::size_t isolated = 0;          ///< points without a face
+  std::optional<long> genus;       ///< of all pieces; absent when one is not orientable, or cut at a non-manifold edge
+  BettiNumbers betti = {0, 0, 0};  ///< over Z/2, of the whole as a space
+  std::size_t pinches = 0;         ///< points on which several fans stand
+  std::size_t isolated = 0;        ///< points without a face
   std::vector<ComponentReport> per_component;  ///< in the order of their first faces
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
 };
 
 /// Of any soup. Faces that are degenerate, repeated or out of range are passed over (find_defects() names them). At a
-/// non-manifold edge the pieces end: its faces are apart there, in `per_component` and `boundary_curves`, but not in the
-/// totals.
+/// non-manifold edge the pieces end: its faces are apart there, in `per_component` and `boundary_curves`, but not in
+/// the totals.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup);
 
 /// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own.

@@ -1,0 +1,97 @@
+// What: the sides of the faces of a soup, brought together by edge; and the fans that they make of the corners.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meshops/topology/polygon_soup.h"
+
+namespace meshops::detail {
+
+enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate };
+
+struct FaceFaults {
+  std::vector<FaceFault> of;         ///< each face; the first that holds
+  std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats
+};
+
+/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners or points.
+FaceFaults find_face_faults(const PolygonSoup& soup);
+
+/// A side runs from the corner at index `corner` of the soup to the next one of its face.
+struct SoupSide {
+  std::uint32_t low, high;  ///< the points at its ends, in ascending order
+  std::uint32_t corner;
+  std::uint32_t face;
+  bool ascending;  ///< it runs from low to high
+};
+
+/// The sides of the faces that are given, sorted by edge and then by face.
+class SoupSides {
+ public:
+  SoupSides(const PolygonSoup& soup, const FaceFaults& faults);
+
+  std::size_t edges() const { return begin_.size() - 1; }
+  std::span<const SoupSide> edge(std::size_t e) const {
+    return std::span(sides_).subspan(begin_[e], begin_[e + 1] - begin_[e]);
+  }
+  /// The corner of a side at its lower or higher end.
+  std::uint32_t corner_at_low(const SoupSide& s) const { return s.ascending ? s.corner : next_corner(s); }
+  std::uint32_t corner_at_high(const SoupSide& s) const { return s.ascending ? next_corner(s) : s.corner; }
+
+ private:
+  std::uint32_t next_corner(const SoupSide& s) const;
+
+  const PolygonSoup& soup_;
+  std::vector<SoupSide> sides_;
+  std::vector<std::size_t> begin_;
+};
+
+/// Union–find over numbers below a bound, with the parity of each to the root of its set.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size);
+  std::uint32_t find(std::uint32_t i);
+  /// Whether `i` is on the other side than the root of its set. Call find(i) first.
+  bool is_odd(std::uint32_t i) const { return odd_[i] != 0; }
+  /// Makes one set of two, in which `a` and `b` are on different sides when `differ`. The lower root stays.
+  /// Returns: false when they were in one set already and that says otherwise.
+  bool unite(std::uint32_t a, std::uint32_t b, bool differ = false);
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> odd_;  // to the parent
+};
+
+/// How corners hang together to fans around points. The sides at an edge join corners when `joins(sides)`.
+template <typename Joins>
+DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins) {
+  DisjointSets fans(soup.corners.size());
+  for (std::size_t e = 0; e < sides.edges(); ++e) {
+    const auto edge = sides.edge(e);
+    if (!joins(edge)) continue;
+    for (const SoupSide& side : edge.subspan(1)) {
+      fans.unite(sides.corner_at_low(edge[0]), sides.corner_at_low(side));
+      fans.unite(sides.corner_at_high(edge[0]), sides.corner_at_high(side));
+    }
+  }
+  return fans;
+}
+
+/// How faces hang together through edges of exactly two faces; faces of odd parity must be reversed for all to agree.
+/// Calls disagree(sides) where no reversing helps.
+template <typename Disagree>
+DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree) {
+  DisjointSets pieces(soup.faces());
+  for (std::size_t e = 0; e < sides.edges(); ++e) {
+    const auto edge = sides.edge(e);
+    if (edge.size() == 2 && !pieces.unite(edge[0].face, edge[1].face, edge[0].ascending == edge[1].ascending))
+      disagree(edge);
+  }
+  return pieces;
+}
+
+}  // namespace meshops::detail
