@@ -18,7 +18,9 @@ bool same_file(const std::string& a, const std::string& b) {
   std::error_code error;
   if (is_regular_file(a) && is_regular_file(b)) return std::filesystem::equivalent(a, b, error) && !error;
   if (std::filesystem::exists(a, error) || std::filesystem::exists(b, error)) return false;
-  const auto full = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, error); };
+  const auto full = [&](const std::string& path) {  // Made absolute first: what does not exist yet would stay relative.
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
   return full(a) == full(b);
 }
 

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
       ->type_name("OUT");
   app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
       ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_flag("-q,--quiet", arguments.quiet, "No report for people");
   app.footer(

@@ -37,7 +37,8 @@ struct Known {
 void is_known(const std::filesystem::path& data, const Known& mesh) {
   CAPTURE(mesh.name);
   const Folder folder;
-  const json r = report_of(folder, "'" + (data / (std::string(mesh.name) + ".off")).string() + "' --generators l.json");
+  const std::string path = (data / mesh.name).string();
+  const json r = report_of(folder, "'" + path + ".off' --generators l.json");
   CHECK(r["vertices"] == mesh.vertices);
   CHECK(r["faces"] == mesh.faces);
   CHECK(r["edges"] == mesh.vertices + mesh.faces - mesh.euler);
@@ -182,7 +183,7 @@ TEST_SUITE("meshtopo") {
       std::size_t count = 0;
       for (auto at = text.find(": vertices 0 1 2"); at != std::string::npos; at = text.find(": vertices", at + 1))
         ++count;
-      CHECK((text.find("... and " + std::to_string(29 - count) + " more\n") != std::string::npos) == (count < 29));
+      CHECK((text.find(std::to_string(29 - count) + " more\n") != std::string::npos) == (count < 29));
       return count;
     };
     CHECK(named("") == 20);
@@ -240,7 +241,9 @@ TEST_SUITE("meshtopo --repair") {
   TEST_CASE("new points stand where the old ones were") {
     const Folder folder;
     folder.file("m.off", broken);
-    REQUIRE(folder.meshtopo("m.off --repair -o - --output-format off -q >r.off").code == 0);
+    const Outcome outcome = folder.meshtopo("m.off --repair -o - --output-format off -q");
+    REQUIRE(outcome.code == 0);
+    folder.file("r.off", outcome.out);
     const auto given = rbpa::app::read_mesh({folder.path("m.off"), rbpa::app::MeshFormat::off});
     const auto written = rbpa::app::read_mesh({folder.path("r.off"), rbpa::app::MeshFormat::off});
     REQUIRE(written.positions.size() > given.positions.size());
@@ -274,9 +277,9 @@ TEST_SUITE("meshtopo --generators") {
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         CHECK(sides.contains({vertices[i], vertices[(i + 1) % vertices.size()]}));
         CHECK(loop["positions"][i].get<std::array<double, 3>>() == mesh.positions[vertices[i]]);
-        lines += " " + std::to_string(vertices[i] + 1);
+        lines.append(" ").append(std::to_string(vertices[i] + 1));
       }
-      lines += " " + std::to_string(vertices[0] + 1) + "\n";
+      lines.append(" ").append(std::to_string(vertices[0] + 1)).append("\n");
     }
     const std::string obj = folder.content("l.obj");
     CHECK(obj.substr(obj.find("l ")) == lines);
