@@ -4,6 +4,7 @@
 
 #include "io/failure.h"
 #include "io/same_file.h"
+#include "io/vertex_lines.h"
 #include "io/write_mesh.h"
 
 namespace rbpa::app {
@@ -34,10 +35,17 @@ GeneratorTarget parse_generator_target(const std::string& path) {
                    std::string(polyline_formats));
 }
 
+std::size_t parse_max_defects(const std::string& text) {
+  const std::optional<std::size_t> number = parse_count(text);
+  if (!number) throw WrongUsage("--max-defects: found " + in_quotes(text) + ", expected a number from 0");
+  return *number;
+}
+
 }  // namespace
 
 TopologyPlan plan(const TopologyArguments& arguments) {
-  TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format)};
+  TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format),
+                    .max_defects = parse_max_defects(arguments.max_defects)};
   const bool reports = arguments.json || !arguments.quiet;
   if (reports) plan.report = "-";
   if (arguments.repair) {

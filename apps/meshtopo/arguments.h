@@ -18,7 +18,7 @@ struct TopologyArguments {
   std::optional<std::string> output_format;
   bool repair = false;
   std::optional<std::string> generators;
-  std::size_t max_defects = 20;
+  std::string max_defects = "20";
   bool quiet = false;
 };
 
@@ -35,6 +35,7 @@ struct GeneratorTarget {
 /// What a run reads and writes.
 struct TopologyPlan {
   MeshSource source;
+  std::size_t max_defects;
   std::optional<std::string> report = std::nullopt;  ///< where it goes, "-" for standard output; none: nowhere
   std::optional<RepairTarget> repaired = std::nullopt;
   std::optional<GeneratorTarget> generators = std::nullopt;

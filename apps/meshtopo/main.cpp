@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
       ->type_name("NAME");
   app.add_flag("--json", arguments.json, "The report as JSON");
   app.add_option("-o,--output", arguments.output,
-                 "File to write: the report, or with --repair the mesh, by its ending " +
+                 "File to write: the report, or with --repair the mesh, by its ending: " +
                      std::string(written_mesh_formats) + "; - is standard output")
       ->type_name("OUT");
   app.add_option("--output-format", arguments.output_format,
@@ -37,7 +37,6 @@ int main(int argc, char** argv) {
       ->type_name("OUT");
   app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_flag("-q,--quiet", arguments.quiet, "No report for people");
   app.footer(

@@ -35,6 +35,27 @@ Json piece(const meshops::ComponentReport& p) {
           {"orientable", p.orientable}, {"genus", or_null(p.genus())}, {"betti", p.betti()}};
 }
 
+/// A member a line, and of a list of objects an object a line.
+std::string in_lines(const Json& object) {
+  std::string text = "{";
+  const char* before = "\n  ";
+  for (const auto& [key, value] : object.items()) {
+    text.append(before).append(Json(key).dump()).append(": ");
+    before = ",\n  ";
+    if (!value.is_array() || value.empty() || !value[0].is_object()) {
+      text += value.dump();
+      continue;
+    }
+    const char* before_item = "[\n    ";
+    for (const Json& item : value) {
+      text.append(before_item).append(item.dump());
+      before_item = ",\n    ";
+    }
+    text += "\n  ]";
+  }
+  return text + "\n}\n";
+}
+
 }  // namespace
 
 std::string report_json(const Findings& findings) {
@@ -54,7 +75,7 @@ std::string report_json(const Findings& findings) {
                  {"defects", listed(findings.defects, findings.mesh)},
                  {"per_component", pieces}};
   if (findings.repair) report["repair"] = listed(*findings.repair, findings.mesh);
-  return report.dump(2) + "\n";
+  return in_lines(report);
 }
 
 }  // namespace rbpa::app

@@ -70,7 +70,7 @@ void run_topology(const TopologyArguments& arguments) {
   }
   if (todo.report) {
     OutputFile& file = outputs.add(*todo.report);
-    file.write(arguments.json ? report_json(findings) : report_text(findings, arguments.max_defects));
+    file.write(arguments.json ? report_json(findings) : report_text(findings, todo.max_defects));
     file.finish();
   }
   outputs.publish();
