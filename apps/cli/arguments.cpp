@@ -23,14 +23,11 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
   if (columns) source.columns = parse_columns(*columns);
   if (format) {
     const std::optional<PointFormat> known = point_format(*format);
-    if (!known)
-      throw WrongUsage("--format: found " + in_quotes(*format) + ", expected one of " + std::string(point_formats));
+    if (!known) refuse_name("--format", *format, point_formats);
     source.format = *known;
   } else if (path != "-") {
     const std::optional<PointFormat> known = point_format(ending(path));
-    if (!known)
-      throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                       std::string(point_formats) + ", or --format");
+    if (!known) refuse_ending(path, point_formats, "--format");
     source.format = *known;
   }
   if (columns && source.format != PointFormat::text)
@@ -43,9 +40,7 @@ std::vector<Target> parse_targets(const std::vector<std::string>& paths, const s
   std::optional<OutputFormat> otherwise;
   if (format) {
     otherwise = output_format(*format);
-    if (!otherwise)
-      throw WrongUsage("--output-format: found " + in_quotes(*format) + ", expected one of " +
-                       std::string(output_formats));
+    if (!otherwise) refuse_name("--output-format", *format, output_formats);
   }
   if (paths.empty() && !stats) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<Target> targets;
@@ -54,9 +49,7 @@ std::vector<Target> parse_targets(const std::vector<std::string>& paths, const s
     if (!known) known = otherwise;
     if (!known && path == "-")
       throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(output_formats));
-    if (!known)
-      throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                       std::string(output_formats) + ", or --output-format");
+    if (!known) refuse_ending(path, output_formats, "--output-format");
     targets.push_back({path, *known});
   }
 

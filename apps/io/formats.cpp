@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "io/failure.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -50,6 +52,15 @@ std::string_view ending(std::string_view path) {
   path.remove_prefix(path.rfind('/') + 1);
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+}
+
+void refuse_name(const std::string& option, std::string_view name, std::string_view known) {
+  throw WrongUsage(option + ": found " + in_quotes(name) + ", expected one of " + std::string(known));
+}
+
+void refuse_ending(const std::string& path, std::string_view known, const std::string& option) {
+  throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " + std::string(known) +
+                   ", or " + option);
 }
 
 }  // namespace rbpa::app

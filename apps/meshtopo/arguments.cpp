@@ -11,22 +11,26 @@ namespace rbpa::app {
 namespace {
 
 MeshSource parse_source(const std::string& path, const std::optional<std::string>& format) {
-  const std::string_view name = format ? std::string_view(*format) : ending(path);
-  if (const std::optional<MeshFormat> known = mesh_format(name)) return {path, *known};
-  const std::string expected = "expected one of " + std::string(mesh_formats);
-  if (format) throw WrongUsage("--format: found " + in_quotes(*format) + ", " + expected);
-  if (path == "-") throw WrongUsage("-: found no --format, " + expected);
-  throw WrongUsage(path + ": found the ending " + in_quotes(name) + ", " + expected + ", or --format");
+  if (path == "-" && !format) throw WrongUsage("-: found no --format, expected one of " + std::string(mesh_formats));
+  const std::optional<MeshFormat> known = mesh_format(format ? std::string_view(*format) : ending(path));
+  if (known) return {path, *known};
+  if (format) refuse_name("--format", *format, mesh_formats);
+  refuse_ending(path, mesh_formats, "--format");
 }
 
-RepairTarget parse_repair_target(const std::string& path, const std::optional<std::string>& format) {
-  const std::string expected = "expected one of " + std::string(written_mesh_formats);
-  const std::string_view name = format ? std::string_view(*format) : ending(path);
+std::optional<MeshFormat> writable(std::string_view name) {
   const std::optional<MeshFormat> known = mesh_format(name);
-  if (known && can_write_mesh(*known)) return {path, *known};
-  if (format) throw WrongUsage("--output-format: found " + in_quotes(*format) + ", " + expected);
-  if (path == "-") throw WrongUsage("-o -: found no --output-format, " + expected);
-  throw WrongUsage(path + ": found the ending " + in_quotes(name) + ", " + expected + ", or --output-format");
+  return known && can_write_mesh(*known) ? known : std::nullopt;
+}
+
+/// As in rbpa, the name counts where the ending does not say.
+RepairTarget parse_repair_target(const std::string& path, const std::optional<std::string>& format) {
+  if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
+  if (path == "-" && !format)
+    throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(written_mesh_formats));
+  if (const std::optional<MeshFormat> known = writable(ending(path))) return {path, *known};
+  if (!format) refuse_ending(path, written_mesh_formats, "--output-format");
+  return {path, *writable(*format)};
 }
 
 GeneratorTarget parse_generator_target(const std::string& path) {

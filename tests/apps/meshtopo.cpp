@@ -195,6 +195,17 @@ TEST_SUITE("meshtopo") {
     CHECK(report_of(folder, "m.off --max-defects 1")["defects"].size() == 29);
   }
 
+  TEST_CASE("of many numbers the report for people has the first few, JSON all") {
+    std::string content = "OFF\n22 20 0\n0 0 0\n1 0 0\n";
+    for (int i = 2; i < 22; ++i) content += "0 1 " + std::to_string(i) + "\n";
+    for (int i = 2; i < 22; ++i) content += "3 0 1 " + std::to_string(i) + "\n";
+    const Folder folder;
+    folder.file("m.off", content);
+    CHECK(folder.meshtopo("m.off").out.find("non-manifold edge: vertices 0 1, faces 0 1 2 3 4 5 6 7 ... (20), "
+                                            "lines 25 26 27 28 29 30 31 32 ... (20)\n") != std::string::npos);
+    CHECK(report_of(folder, "m.off")["defects"][0]["where"]["faces"].size() == 20);
+  }
+
   TEST_CASE("the report goes where it is sent, and nowhere when quiet") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
@@ -236,6 +247,15 @@ TEST_SUITE("meshtopo --repair") {
     CHECK(given.positions == written.positions);
     CHECK(given.soup.corners == written.soup.corners);
     CHECK(given.soup.begin == written.soup.begin);
+  }
+
+  TEST_CASE("the ending of OUT says the format, or else --output-format") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    REQUIRE(folder.meshtopo("m.off --repair -o a.obj --output-format off -q").code == 0);
+    REQUIRE(folder.meshtopo("m.off --repair -o b --output-format off -q").code == 0);
+    CHECK(folder.content("a.obj") == pyramid_obj);
+    CHECK(folder.content("b") == pyramid_off);
   }
 
   TEST_CASE("new points stand where the old ones were") {
