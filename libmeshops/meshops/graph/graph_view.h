@@ -21,22 +21,23 @@ namespace meshops {
 /// The view of a sound mesh as `Kind` says: which elements are nodes and edges, and how edges turn about a node.
 /// `Direction` is boost::undirected_tag, or boost::bidirectional_tag where both halfedges of an edge are edges.
 /// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
-/// Models: BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges; a
-/// ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed. Invalidated by
-/// whatever changes the elements of the mesh. Elements marked deleted are passed over.
+/// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
+///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
+/// Invalidated: by whatever changes the elements of the mesh. Elements marked deleted are passed over.
 template <typename Kind, typename Direction>
 class GraphView {
   static constexpr bool is_undirected = std::is_same_v<Direction, boost::undirected_tag>;
+  struct Traversal : boost::bidirectional_graph_tag,
+                     boost::adjacency_graph_tag,
+                     boost::vertex_list_graph_tag,
+                     boost::edge_list_graph_tag {};
 
  public:
   using vertex_descriptor = typename Kind::Node;
   using edge_descriptor = Halfedge;
   using directed_category = Direction;
   using edge_parallel_category = boost::allow_parallel_edge_tag;
-  struct traversal_category : boost::bidirectional_graph_tag,
-                              boost::adjacency_graph_tag,
-                              boost::vertex_list_graph_tag,
-                              boost::edge_list_graph_tag {};
+  using traversal_category = Traversal;
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
@@ -56,7 +57,7 @@ class GraphView {
   const Connectivity& mesh() const { return *mesh_; }
   static vertex_descriptor null_vertex() { return vertex_descriptor(); }
 
-  /// Whether vertices() or edges() passes by this element, whose handle is in range.
+  /// Whether vertices() or edges() lists this element. Requires: the handle is in range.
   static bool lists(const Connectivity& mesh, vertex_descriptor v) { return Kind::has(mesh, v); }
   static bool lists(const Connectivity& mesh, Halfedge h) {
     return Kind::has(mesh, h) && (!is_undirected || Kind::names_edge(mesh, h));

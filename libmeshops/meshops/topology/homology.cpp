@@ -35,8 +35,9 @@ struct Tree {
   }
 };
 
-/// Where the two decompositions differ: loops may run along the boundary, the cut is between its points.
-enum class Boundary { outside_is_a_face, is_one_vertex };
+/// Homology, or homology modulo the boundary: there all points of the boundary are as one, and a way between two of
+/// them is a loop. The generators come from the one, the cut from the other; on a closed mesh they are the same.
+enum class Modulo { nothing, boundary };
 
 class TreeCotree {
  public:
@@ -49,15 +50,14 @@ class TreeCotree {
 
   std::vector<Loop> generators() const {
     std::vector<Loop> loops;
-    const Tree tree = spanning_tree(roots(Boundary::outside_is_a_face));
-    const std::vector<Edge> left = outside_cotree(tree, Boundary::outside_is_a_face);
-    for (const Edge e : left) loops.push_back(loop(tree, mesh_.halfedge_handle(e, 0)));
+    const Tree tree = spanning_tree(roots(Modulo::nothing));
+    for (const Edge e : left_over(tree, Modulo::nothing)) loops.push_back(loop(tree, mesh_.halfedge_handle(e, 0)));
     return loops;
   }
 
   std::vector<Edge> cut_graph() const {
-    const Tree tree = spanning_tree(roots(Boundary::is_one_vertex));
-    std::vector<Edge> cut = outside_cotree(tree, Boundary::is_one_vertex);
+    const Tree tree = spanning_tree(roots(Modulo::boundary));
+    std::vector<Edge> cut = left_over(tree, Modulo::boundary);
     for_each_edge(mesh_, [&](Edge e) {
       if (tree.has(mesh_, e)) cut.push_back(e);
     });
@@ -68,14 +68,14 @@ class TreeCotree {
 
  private:
   /// The vertices from which the tree grows: the least of every component, or all its boundary vertices if it has any.
-  std::vector<Vertex> roots(Boundary boundary) const {
+  std::vector<Vertex> roots(Modulo modulo) const {
     std::vector<Vertex> found;
     std::vector<char> has_root(components_, 0);
     const auto add = [&](Vertex v) {
       found.push_back(v);
       has_root[component_[at(v)]] = 1;
     };
-    if (boundary == Boundary::is_one_vertex)
+    if (modulo == Modulo::boundary)
       for_each_vertex(mesh_, [&](Vertex v) {
         if (mesh_.is_boundary(v)) add(v);
       });
@@ -108,16 +108,17 @@ class TreeCotree {
     return tree;
   }
 
-  /// The edges that are neither in the tree nor in a spanning forest of the faces across the other edges, in which
-  /// edges that close long loops come first.
-  std::vector<Edge> outside_cotree(const Tree& tree, Boundary boundary) const {
+  /// The edges that are neither in the tree nor in the cotree: a spanning forest of the faces across other edges, which
+  /// takes those first that close long loops with the tree. Boundary edges join a face to what lies outside, or are on
+  /// no side of anything when all is modulo the boundary. Ascending.
+  std::vector<Edge> left_over(const Tree& tree, Modulo modulo) const {
     struct Candidate {
       double loop;
       Edge edge;
     };
     std::vector<Candidate> candidates;
     for_each_edge(mesh_, [&](Edge e) {
-      if (tree.has(mesh_, e) || (boundary == Boundary::is_one_vertex && mesh_.is_boundary(e))) return;
+      if (tree.has(mesh_, e) || (modulo == Modulo::boundary && mesh_.is_boundary(e))) return;
       const Halfedge h = mesh_.halfedge_handle(e, 0);
       const double length = lengths_.empty() ? 1 : lengths_[at(e)];
       candidates.push_back(
@@ -126,7 +127,7 @@ class TreeCotree {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.loop > b.loop; });
 
-    // One place more: what lies outside. No forest closes a cycle from one component to another through it.
+    // One place more, for what lies outside. All components may share it: no cycle runs from one to another through it.
     const std::size_t outside = mesh_.n_faces();
     std::vector<std::size_t> parent(outside + 1);
     std::vector<unsigned char> rank(outside + 1, 0);
@@ -171,7 +172,7 @@ class TreeCotree {
 
   /// Takes out edges with an inner end at which there is no other edge, until there is none.
   void prune(std::vector<Edge>& cut) const {
-    std::vector<char> is_in(mesh_.n_edges(), 0);
+    std::vector<bool> is_in(mesh_.n_edges(), false);
     std::vector<int> degree(mesh_.n_vertices(), 0);
     std::vector<int> edges(mesh_.n_vertices(), 0);  // the exclusive or of their indices: the last one when it is alone
     const auto toggle = [&](Edge e) {

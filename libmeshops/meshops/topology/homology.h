@@ -1,7 +1,7 @@
 // What:   loops that generate the first homology of a mesh, and edges along which it is cut into discs.
 // Law:    a component of genus g with k boundary curves has b₁ = 2g + max(k − 1, 0) generators, a basis of H₁ over the
 //         integers; cut along the cut graph, each component that is not a sphere is a disc.
-// Cost:   n log n in the size of the mesh, plus the length of the loops.
+// Cost:   n log n in the size of the mesh, plus for every loop the depth of the tree of shortest ways.
 // Source: Eppstein, Dynamic generators of topologically embedded graphs (SODA 2003), the tree and cotree; Erickson and
 //         Whittlesey, Greedy optimal homotopy and homology generators (SODA 2005), the choice of the cotree.
 #pragma once

@@ -2,10 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <boost/graph/boyer_myrvold_planar_test.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/filtered_graph.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 #include <boost/graph/push_relabel_max_flow.hpp>
 #include <boost/graph/undirected_dfs.hpp>
@@ -148,6 +150,11 @@ void check_flow(const Graph& undirected, unsigned seed, std::size_t mesh_edges) 
                                           get(boost::vertex_index, g), from, to) == cut);
 }
 
+struct IsInner {
+  bool operator()(Halfedge h) const { return !mesh->is_boundary(mesh->edge_handle(h)); }
+  const Connectivity* mesh = nullptr;
+};
+
 struct BackEdges : boost::default_dfs_visitor {
   explicit BackEdges(std::size_t& counter) : number(&counter) {}
   template <typename Graph>
@@ -235,5 +242,32 @@ TEST_SUITE("algorithms on graph views") {
       if (const auto n = nodes_of(DualGraph(mesh)).size(); n >= 2 && n <= 12)
         check_flow(DualGraph(mesh), 1, mesh.n_edges());
     });
+  }
+
+  TEST_CASE("a mesh of genus 0 is a planar graph, its dual is another, and more than 3V - 6 edges are not planar") {
+    int planar = 0, not_planar = 0;
+    for_each_specimen([&](const Specimen& specimen, const TestMesh& mesh, bool with_gaps) {
+      if (with_gaps) return;  // Boost numbers the vertices anew here, without gaps
+      CAPTURE(specimen.name);
+      const PrimalGraph g(mesh);
+      if (count_topology(mesh).genus() == 0) {
+        CHECK(boost::boyer_myrvold_planarity_test(g));
+        CHECK(boost::boyer_myrvold_planarity_test(DualGraph(mesh)));
+        ++planar;
+      } else if (specimen.simplicial && edges_of(g).size() + 6 > 3 * nodes_of(g).size()) {
+        CHECK_FALSE(boost::boyer_myrvold_planarity_test(g));
+        ++not_planar;
+      }
+    });
+    CHECK(planar > 0);
+    CHECK(not_planar > 0);
+  }
+
+  TEST_CASE("a filtered view is a graph as well: without boundary edges, boundary vertices of one face are alone") {
+    TestMesh mesh;
+    add_triangles(mesh, 4, {{0, 1, 2}, {0, 2, 3}});
+    const PrimalGraph g(mesh);
+    const auto inner = boost::make_filtered_graph(g, IsInner{&mesh});
+    CHECK(component_count(inner) == 3);
   }
 }
