@@ -2,7 +2,7 @@
 
 #include <array>
 #include <unordered_set>
-#include <vector>
+#include <utility>
 
 namespace meshops {
 
@@ -19,7 +19,11 @@ bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b) {
 }
 
 bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
-  if (a == b) return true;
+  return !smaller_part(mesh, a, b, without);
+}
+
+std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b, Edge without) {
+  if (a == b) return std::nullopt;
   struct Search {
     std::unordered_set<int> seen;
     std::vector<Face> open;  // a queue, so that the two searches grow towards each other
@@ -31,13 +35,13 @@ bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
   for (std::size_t turn = 0;; turn = 1 - turn) {
     Search& mine = searches[turn];
     const Search& other = searches[1 - turn];
-    if (mine.next == mine.open.size()) return false;
+    if (mine.next == mine.open.size()) return std::move(mine.open);
     const Halfedge first = mesh.halfedge_handle(mine.open[mine.next++]);
     Halfedge side = first;
     do {
       const Face beyond = mesh.face_handle(mesh.opposite_halfedge_handle(side));
       if (beyond.is_valid() && mesh.edge_handle(side) != without) {
-        if (other.seen.count(beyond.idx()) != 0) return true;
+        if (other.seen.count(beyond.idx()) != 0) return std::nullopt;
         if (mine.seen.insert(beyond.idx()).second) mine.open.push_back(beyond);
       }
       side = mesh.next_halfedge_handle(side);

@@ -3,6 +3,9 @@
 //       only joins pays O(n log n) for it in all.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 
@@ -16,5 +19,11 @@ MESHOPS_API bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b)
 /// Cost: linear in the smaller component when there are two; otherwise in what is searched before both searches meet.
 ///       Memory likewise.
 MESHOPS_API bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without = Edge());
+
+/// The faces of the smaller of two parts: those that can be reached from `a` or those that can be from `b`, whichever
+/// search ends first; nothing when a way leads from one to the other. In the order in which they are reached.
+/// Cost: as above.
+MESHOPS_API std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b,
+                                                          Edge without = Edge());
 
 }  // namespace meshops

@@ -11,7 +11,6 @@
 namespace meshops {
 namespace {
 
-using detail::DisjointSets;
 using detail::FaceFault;
 using detail::SoupSide;
 using Edge = std::span<const SoupSide>;

@@ -63,7 +63,8 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults) {
 
 FaceFaults find_face_faults(const PolygonSoup& soup) {
   constexpr std::size_t limit = std::size_t{1} << 30U;
-  require(soup.corners.size() < limit && soup.points < limit, "a soup has 2^30 corners or points, or more");
+  require(soup.corners.size() < limit && soup.points < limit && soup.faces() < limit,
+          "a soup has 2^30 corners, points or faces, or more");
   FaceFaults faults{std::vector<FaceFault>(soup.faces()), std::vector<std::size_t>(soup.faces())};
   std::vector<std::uint32_t> scratch;
   for (std::size_t f = 0; f < soup.faces(); ++f) faults.of[f] = fault_of(soup.face(f), soup.points, scratch);
@@ -103,39 +104,6 @@ SoupSides::SoupSides(const PolygonSoup& soup, const FaceFaults& faults) : soup_(
 std::uint32_t SoupSides::next_corner(const SoupSide& s) const {
   const std::size_t end = soup_.begin[s.face + 1];
   return s.corner + 1 < end ? s.corner + 1 : static_cast<std::uint32_t>(soup_.begin[s.face]);
-}
-
-DisjointSets::DisjointSets(std::size_t size) : parent_(size), odd_(size, 0) {
-  std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t i) {
-  // To the root, with the parity of the whole way; then every element on it becomes a child of the root.
-  std::uint32_t root = i;
-  std::uint8_t parity = 0;
-  while (parent_[root] != root) {
-    parity ^= odd_[root];
-    root = parent_[root];
-  }
-  while (parent_[i] != root && i != root) {
-    const std::uint32_t up = parent_[i];
-    const std::uint8_t step = odd_[i];
-    parent_[i] = root;
-    odd_[i] = parity;
-    parity ^= step;
-    i = up;
-  }
-  return root;
-}
-
-bool DisjointSets::unite(std::uint32_t a, std::uint32_t b, bool differ) {
-  const std::uint32_t root_a = find(a), root_b = find(b);
-  const bool differ_now = (odd_[a] ^ odd_[b]) != 0;
-  if (root_a == root_b) return differ_now == differ;
-  const std::uint32_t low = std::min(root_a, root_b), high = std::max(root_a, root_b);
-  parent_[high] = low;
-  odd_[high] = differ_now != differ ? 1 : 0;
-  return true;
 }
 
 }  // namespace meshops::detail

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/topology/disjoint_sets.h"
 #include "meshops/topology/polygon_soup.h"
 
 namespace meshops::detail {
@@ -18,7 +19,7 @@ struct FaceFaults {
   std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats
 };
 
-/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners or points.
+/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners, points or faces.
 FaceFaults find_face_faults(const PolygonSoup& soup);
 
 /// A side runs from the corner at index `corner` of the soup to the next one of its face.
@@ -28,6 +29,11 @@ struct SoupSide {
   std::uint32_t face;
   bool ascending;  ///< it runs from low to high
 };
+
+/// Faces that fit together at an edge: one, or two that run along it in opposite directions.
+inline bool fits(std::span<const SoupSide> edge) {
+  return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending != edge[1].ascending);
+}
 
 /// The sides of the faces that are given, sorted by edge and then by face.
 class SoupSides {
@@ -48,22 +54,6 @@ class SoupSides {
   const PolygonSoup& soup_;
   std::vector<SoupSide> sides_;
   std::vector<std::size_t> begin_;
-};
-
-/// Union–find over numbers below a bound, with the parity of each to the root of its set.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size);
-  std::uint32_t find(std::uint32_t i);
-  /// Whether `i` is on the other side than the root of its set. Call find(i) first.
-  bool is_odd(std::uint32_t i) const { return odd_[i] != 0; }
-  /// Makes one set of two, in which `a` and `b` are on different sides when `differ`. The lower root stays.
-  /// Returns: false when they were in one set already and that says otherwise.
-  bool unite(std::uint32_t a, std::uint32_t b, bool differ = false);
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> odd_;  // to the parent
 };
 
 /// How corners hang together to fans around points. The sides at an edge join corners when `joins(sides)`.

@@ -5,7 +5,7 @@
 namespace meshops::test {
 namespace {
 
-std::vector<int> records(const Connectivity& mesh, bool live_only) {
+std::vector<int> records(const Connectivity& mesh, bool live_only, bool named) {
   std::vector<int> all;
   const auto element = [&](auto handle) {
     if (live_only && !is_live(mesh, handle)) return false;
@@ -14,7 +14,7 @@ std::vector<int> records(const Connectivity& mesh, bool live_only) {
   };
   for (int i = 0; i < static_cast<int>(mesh.n_vertices()); ++i)
     if (const Vertex v(i); element(v)) {
-      if (!live_only || mesh.is_isolated(v) || mesh.is_boundary(v)) all.push_back(mesh.halfedge_handle(v).idx());
+      if (named || mesh.is_isolated(v) || mesh.is_boundary(v)) all.push_back(mesh.halfedge_handle(v).idx());
       if (mesh.has_vertex_status()) all.push_back(static_cast<int>(mesh.status(v).bits()));
     }
   for (int i = 0; i < static_cast<int>(mesh.n_halfedges()); ++i)
@@ -34,7 +34,9 @@ std::vector<int> records(const Connectivity& mesh, bool live_only) {
 
 }  // namespace
 
-std::vector<int> snapshot(const Connectivity& mesh) { return records(mesh, false); }
-std::vector<int> live_snapshot(const Connectivity& mesh) { return records(mesh, true); }
+std::vector<int> snapshot(const Connectivity& mesh) { return records(mesh, false, true); }
+std::vector<int> live_snapshot(const Connectivity& mesh, Named named) {
+  return records(mesh, true, named == Named::compared);
+}
 
 }  // namespace meshops::test

@@ -1,0 +1,24 @@
+#include "meshops/stellar/collapse.h"
+
+#include "meshops/stellar/relink.h"
+
+namespace meshops {
+namespace {
+
+const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+  return is_live(mesh, h) ? detail::close_refusal(mesh, h, keep) : "no such halfedge";
+}
+
+}  // namespace
+
+std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
+  return detail::as_blocker(refusal(mesh, h, keep));
+}
+
+WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep) {
+  detail::require_status(mesh);
+  detail::enforce("collapse", refusal(mesh, h, keep));
+  return detail::close_edge(mesh, h);
+}
+
+}  // namespace meshops

@@ -1,0 +1,81 @@
+#include "meshops/stellar/flip.h"
+
+#include "meshops/stellar/relink.h"
+
+namespace meshops {
+namespace {
+
+/// The six halfedges of two triangles with a common edge: h = a→b with apex c, o = b→a with apex d.
+struct Quadrangle {
+  Quadrangle(const Connectivity& mesh, Edge e)
+      : h(mesh.halfedge_handle(e, 0)),
+        bc(mesh.next_halfedge_handle(h)),
+        ca(mesh.prev_halfedge_handle(h)),
+        o(mesh.opposite_halfedge_handle(h)),
+        ad(mesh.next_halfedge_handle(o)),
+        db(mesh.prev_halfedge_handle(o)) {}
+  Halfedge h, bc, ca, o, ad, db;
+};
+
+const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
+  if (!is_live(mesh, e)) return "no such edge";
+  const Quadrangle q(mesh, e);
+  if (mesh.is_boundary(q.h) || mesh.is_boundary(q.o)) return "the edge is on the boundary";
+  if (!detail::is_triangle(mesh, q.h) || !detail::is_triangle(mesh, q.o)) return "a face is not a triangle";
+  const Vertex c = mesh.to_vertex_handle(q.bc), d = mesh.to_vertex_handle(q.ad);
+  if (c == d) return "both triangles have the same apex: the edge would become a loop";
+  if (keep == Keep::simplicial && detail::are_joined(mesh, c, d)) return "two edges would join the same vertices";
+  return nullptr;
+}
+
+/// Puts h and o, whose ends are set, into triangles with the sides that follow them.
+void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before) {
+  const Face face = mesh.face_handle(h);
+  mesh.set_next_halfedge_handle(h, after);
+  mesh.set_next_halfedge_handle(after, before);
+  mesh.set_next_halfedge_handle(before, h);
+  mesh.set_face_handle(after, face);
+  mesh.set_face_handle(before, face);
+}
+
+}  // namespace
+
+std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep) {
+  return detail::as_blocker(refusal(mesh, e, keep));
+}
+
+FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
+  detail::enforce("flip", refusal(mesh, e, keep));
+  const Quadrangle q(mesh, e);
+  const Face left = mesh.face_handle(q.h), right = mesh.face_handle(q.o);
+  const Vertex a = mesh.to_vertex_handle(q.o), b = mesh.to_vertex_handle(q.h);
+  const FlipEffect effect{e, {mesh.halfedge_handle(a), mesh.halfedge_handle(b)}};
+  if (effect.named[0] == q.h) mesh.set_halfedge_handle(a, q.ad);
+  if (effect.named[1] == q.o) mesh.set_halfedge_handle(b, q.bc);
+  if (mesh.halfedge_handle(left) == q.bc) mesh.set_halfedge_handle(left, q.ad);
+  if (mesh.halfedge_handle(right) == q.ad) mesh.set_halfedge_handle(right, q.bc);
+  mesh.set_vertex_handle(q.h, mesh.to_vertex_handle(q.bc));
+  mesh.set_vertex_handle(q.o, mesh.to_vertex_handle(q.ad));
+  link(mesh, q.h, q.ca, q.ad);
+  link(mesh, q.o, q.db, q.bc);
+  return effect;
+}
+
+void undo(Connectivity& mesh, const FlipEffect& effect) {
+  // Now h = d→c with ca, ad on the left and db, bc on the right.
+  const Halfedge h = mesh.halfedge_handle(effect.edge, 0), o = mesh.opposite_halfedge_handle(h);
+  const Halfedge ca = mesh.next_halfedge_handle(h), ad = mesh.prev_halfedge_handle(h);
+  const Halfedge db = mesh.next_halfedge_handle(o), bc = mesh.prev_halfedge_handle(o);
+  const Face left = mesh.face_handle(h), right = mesh.face_handle(o);
+  const Vertex a = mesh.to_vertex_handle(ca), b = mesh.to_vertex_handle(db);
+  if (mesh.halfedge_handle(left) == ad) mesh.set_halfedge_handle(left, bc);
+  if (mesh.halfedge_handle(right) == bc) mesh.set_halfedge_handle(right, ad);
+  mesh.set_vertex_handle(h, b);
+  mesh.set_vertex_handle(o, a);
+  link(mesh, h, bc, ca);
+  link(mesh, o, ad, db);
+  mesh.set_halfedge_handle(a, effect.named[0]);
+  mesh.set_halfedge_handle(b, effect.named[1]);
+}
+
+}  // namespace meshops

@@ -1,0 +1,43 @@
+// What:   the stellar operator that rotates an edge inside its two triangles.
+// Law:    flipping twice gives the same mesh with the edge reversed; undo(flip()) restores every record.
+// Source: Pachner, P.L. homeomorphic manifolds are equivalent by elementary shellings (1991).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/core/delta.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+struct FlipEffect {
+  Edge edge;
+  std::array<Halfedge, 2> named;  ///< for undo(): the halfedges of the ends before, of halfedge 0 first start, then end
+  constexpr Delta delta() const { return {}; }
+};
+
+/// Why the edge cannot be flipped, or nothing when it can: it is on the boundary, a face beside it is not a triangle,
+/// both triangles have the same apex (the edge would become a loop); Keep::simplicial: an edge joins the two apexes.
+MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
+
+/// Rotates the edge counter-clockwise in the quadrangle of its two triangles.
+/// Effect:      a halfedge a→b with the apex c on the left and d on the right becomes d→c. The face on the left is
+/// still
+///              on the left of it and keeps its side c→a; the other keeps d→b.
+/// Requires:    flip_blocker() is empty.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: nothing.
+/// Inverse:     flip(), which leaves the edge reversed; undo(), exactly.
+/// Δ:           all 0; the degrees of a and b fall by one, those of c and d rise.
+/// Cost:        constant; Keep::simplicial: the degree of c.
+MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
+
+/// Restores every record that a flip changed.
+/// Requires: the mesh is as flip() left it: what was done since has been undone.
+MESHOPS_API void undo(Connectivity& mesh, const FlipEffect& effect);
+
+}  // namespace meshops

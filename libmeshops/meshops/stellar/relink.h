@@ -1,0 +1,58 @@
+// What:  the two changes of links that all stellar operators but the flip are: a vertex opens to two, two close to one.
+// Law:   close_edge(open_vertex()) restores every live record. Nothing is checked here but by the two refusals.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/stellar/effect.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops::detail {
+
+inline Halfedge ccw(const Connectivity& mesh, Halfedge h) {
+  return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
+}
+inline Halfedge cw(const Connectivity& mesh, Halfedge h) {
+  return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h));
+}
+
+/// The face left of the halfedge is a triangle; there may be none.
+inline bool is_triangle(const Connectivity& mesh, Halfedge h) {
+  return !mesh.is_boundary(h) &&
+         mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == mesh.prev_halfedge_handle(h);
+}
+
+/// Throws ContractViolation "operation: reason", unless there is no reason.
+inline void enforce(const char* operation, const char* refusal) {
+  if (refusal) throw ContractViolation(std::string(operation) + ": " + refusal);
+}
+
+inline void require_status(const Connectivity& mesh) {
+  require(has_status(mesh), "the mesh needs status of every kind to mark what is deleted");
+}
+
+inline std::optional<std::string> as_blocker(const char* refusal) {
+  return refusal ? std::optional<std::string>(refusal) : std::nullopt;
+}
+
+/// An edge joins a and b. Cost: twice the lesser degree.
+bool are_joined(const Connectivity& mesh, Vertex a, Vertex b);
+
+/// The new vertex takes over the edges of w from `left` to `right`, counter-clockwise and without these two, and a
+/// triangle opens along each of the two. An invalid handle stands for the boundary; equal ones for a full turn.
+SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right);
+
+/// Why not, or nullptr: with Keep::simplicial the new vertex must not be joined to another twice.
+const char* open_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right, Keep keep);
+
+/// The vertex that h comes from goes into the one that it leads to; the faces of h close.
+WeldEffect close_edge(Connectivity& mesh, Halfedge h);
+
+/// Why not, or nullptr. Requires a live halfedge.
+const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep);
+
+}  // namespace meshops::detail

@@ -1,0 +1,31 @@
+// What:   the operator that removes a vertex and fills its star with triangles again.
+// Law:    it is the collapse of the first halfedge of the vertex that can be collapsed.
+// Source: Lewiner et al., section on stellar operators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/effect.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+/// Why the vertex cannot be removed, or nothing when it can: it is isolated, or no neighbour can take over its fan;
+/// then the reason is that of the first halfedge.
+MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
+                                                             Keep keep = Keep::simplicial);
+
+/// Collapses the first halfedge of v that has no blocker: from mesh.halfedge_handle(v) clockwise, the order of
+/// mesh.voh_range(v).
+/// Requires:    remove_vertex_blocker() is empty; the mesh has status.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: what is marked deleted, as collapse().
+/// Inverse:     split_vertex(left, right) with what is returned, up to handles; undo(), exactly.
+/// Δ:           that of collapse().
+/// Cost:        that of collapse() for each halfedge that is tried.
+MESHOPS_API WeldEffect remove_vertex(Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);
+
+}  // namespace meshops

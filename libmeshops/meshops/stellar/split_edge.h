@@ -1,0 +1,38 @@
+// What:   the stellar operator that puts a vertex on an edge.
+// Law:    weld_edge(split_edge(h).halfedge) restores every live record of the mesh.
+// Source: Alexander, The combinatorial theory of complexes (1930); Lewiner et al., section on stellar operators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/effect.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+/// Why the edge cannot be split, or nothing when it can: a face beside it is not a triangle; Keep::simplicial: the two
+/// triangles have the same apex, to which the new vertex would be joined twice.
+MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h,
+                                                          Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e,
+                                                          Keep keep = Keep::simplicial);
+
+/// Splits the edge of h = a→b at a new vertex, which is joined to the apex of each triangle beside it.
+/// Effect:      h and its edge stay, from a to the new vertex, and so do the faces, on the side of a; the other half,
+///              to b, is new, as are the faces on the side of b.
+/// Returns:     what was added, and the halfedge from the new vertex to b.
+/// Requires:    split_edge_blocker() is empty.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: nothing.
+/// Inverse:     weld_edge() along the returned halfedge, exactly.
+/// Δ:           V +1, E +3, F +2; on the boundary V +1, E +2, F +1; the topology stays.
+/// Cost:        constant.
+MESHOPS_API SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
+
+/// The same along the first halfedge of the edge.
+MESHOPS_API SplitEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
+
+}  // namespace meshops

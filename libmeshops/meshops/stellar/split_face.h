@@ -1,0 +1,30 @@
+// What:   the stellar operator that puts a vertex into a triangle.
+// Law:    weld_face(split_face(f).added.vertex) restores every live record of the mesh.
+// Source: Alexander, The combinatorial theory of complexes (1930); Lewiner et al., section on stellar operators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/effect.h"
+
+namespace meshops {
+
+/// Why the face cannot be split, or nothing when it can: it is not a triangle. A simplicial mesh always stays one.
+MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f);
+
+/// Puts a new vertex into a triangle and joins it to the three corners.
+/// Effect:      let mesh.halfedge_handle(f) leave the corner w. The face stays at the side that does not touch w; the
+///              two beside the new edge to w are new.
+/// Returns:     what was added, and the halfedge from the new vertex to w.
+/// Requires:    split_face_blocker() is empty.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: nothing.
+/// Inverse:     weld_face() of the new vertex, exactly.
+/// Δ:           V +1, E +3, F +2; the topology stays.
+/// Cost:        constant.
+MESHOPS_API SplitEffect split_face(Connectivity& mesh, Face f);
+
+}  // namespace meshops

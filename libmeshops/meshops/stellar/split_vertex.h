@@ -1,0 +1,40 @@
+// What:   the operator that makes two vertices of one, with an edge between them; the inverse of collapse().
+// Law:    collapse(split_vertex(left, right).halfedge) restores every live record of the mesh.
+// Source: Lewiner et al., section on stellar operators; Hoppe, Progressive meshes (1996).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/effect.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+/// Why the vertex cannot be split between these halfedges, or nothing when it can: they do not leave the same vertex,
+/// or one is left out where there is no boundary; Keep::simplicial: two edges would join the new vertex and the same
+/// other.
+MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
+                                                            std::optional<Halfedge> right,
+                                                            Keep keep = Keep::simplicial);
+
+/// Splits the vertex w that `left` and `right` leave: a new vertex takes over the edges between them, counter-clockwise
+/// from left to right. Both edges open to a triangle with the new edge: `left` lies on the left of the new halfedge.
+/// `right` left out: from `left` to the boundary, `left` left out: from the boundary to `right`; the new edge is on the
+/// boundary. Equal halfedges: the new vertex takes over all edges but this one.
+/// Effect:      `left` and `right` still leave w; a new edge to the same vertex takes the place that they had on the
+/// side
+///              of the run. No face loses a side.
+/// Returns:     what was added, and the halfedge from the new vertex to w.
+/// Requires:    split_vertex_blocker() is empty.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: nothing.
+/// Inverse:     collapse() along the returned halfedge, exactly.
+/// Δ:           V +1, E +3, F +2; with one left out V +1, E +2, F +1; the topology stays.
+/// Cost:        the number of edges taken over.
+MESHOPS_API SplitEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
+                                     Keep keep = Keep::simplicial);
+
+}  // namespace meshops

@@ -1,0 +1,35 @@
+// What:   the stellar operator that takes a vertex out of an edge; the inverse of split_edge().
+// Law:    split_edge(weld_edge(h).line) restores the mesh up to handles, undo() all live records.
+// Source: Alexander, The combinatorial theory of complexes (1930); Lewiner et al., section on stellar operators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/effect.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+struct WeldEdgeEffect : WeldEffect {
+  Halfedge line;  ///< of the edge that was two, towards the survivor
+};
+
+/// Why the vertex that h comes from cannot be welded into the edge, or nothing when it can: it has not four edges (on
+/// the boundary three, h along the boundary), or what collapse_blocker() says.
+MESHOPS_API std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge h,
+                                                         Keep keep = Keep::simplicial);
+
+/// Removes the vertex v of h = v→b with its other edges but the one opposite to h, a–v, which becomes a–b.
+/// Effect:      v, the edge of h, the edges across and the faces of h are marked deleted; the faces at a grow.
+/// Requires:    weld_edge_blocker() is empty; the mesh has status.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: what is marked deleted; a, b, the edge a–v and the faces at a survive.
+/// Inverse:     split_edge() of `line`, up to handles; undo(), exactly.
+/// Δ:           V −1, E −3, F −2; on the boundary V −1, E −2, F −1; the topology stays.
+/// Cost:        constant; Keep::simplicial: the degree of b.
+MESHOPS_API WeldEdgeEffect weld_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
+
+}  // namespace meshops

@@ -1,0 +1,36 @@
+// What:   the stellar operator that takes a vertex out of a triangle; the inverse of split_face().
+// Law:    split_face(weld_face(v).face) restores the mesh up to handles, undo() all live records.
+// Source: Alexander, The combinatorial theory of complexes (1930); Lewiner et al., section on stellar operators.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/effect.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+struct WeldFaceEffect : WeldEffect {
+  Face face;  ///< that was three
+};
+
+/// Why the vertex cannot be welded into one face, or nothing when it can: it is isolated or on the boundary, has not
+/// three edges, a face at it is not a triangle; Keep::simplicial: there is a triangle with these corners already.
+MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
+                                                         Keep keep = Keep::simplicial);
+
+/// Removes an inner vertex of degree three; its three triangles become one.
+/// Effect:      the vertex, its edges, and the two faces beside the edge of mesh.halfedge_handle(v) are marked deleted;
+///              the third face becomes the triangle.
+/// Requires:    weld_face_blocker() is empty; the mesh has status.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: what is marked deleted.
+/// Inverse:     split_face() of `face`, up to handles; undo(), exactly.
+/// Δ:           V −1, E −3, F −2; the topology stays.
+/// Cost:        constant; Keep::simplicial: the degree of a corner.
+MESHOPS_API WeldFaceEffect weld_face(Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);
+
+}  // namespace meshops

@@ -1,0 +1,148 @@
+#include "meshops/topology/tracker.h"
+
+#include <utility>
+
+#include "meshops/core/live.h"
+#include "meshops/core/reach.h"
+
+namespace meshops {
+namespace {
+
+void add(std::size_t& count, int change) {
+  count = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(count) + change);
+}
+
+}  // namespace
+
+TopologyTracker::TopologyTracker(Connectivity& mesh)
+    : mesh_(mesh), counts_(count_topology(mesh)), nodes_(mesh.n_vertices()) {
+  for (std::uint32_t v = 0; v < mesh.n_vertices(); ++v) node_of_.push_back(v);
+  for_each_edge(mesh, [&](Edge e) {
+    const Halfedge h = mesh.halfedge_handle(e, 0);
+    nodes_.unite(node(mesh.from_vertex_handle(h)), node(mesh.to_vertex_handle(h)));
+  });
+}
+
+bool TopologyTracker::in_same_component(Vertex a, Vertex b) { return nodes_.find(node(a)) == nodes_.find(node(b)); }
+
+GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
+  // What glue() would refuse is left to it.
+  const bool can_be_joined = is_live(mesh_, first) && is_live(mesh_, second) && mesh_.is_boundary(first) &&
+                             mesh_.is_boundary(second) &&
+                             !in_same_component(mesh_.from_vertex_handle(first), mesh_.from_vertex_handle(second));
+  if (can_be_joined) {
+    const GlueEffect effect = meshops::glue(mesh_, first, second, GlueCase::join);
+    note(effect);
+    return effect;
+  }
+  if (glue_blocker(mesh_, first, second)) return meshops::glue(mesh_, first, second);
+  const bool adjacent = mesh_.next_halfedge_handle(first) == second || mesh_.next_halfedge_handle(second) == first;
+  // In one component two edges of different curves make a handle: no search is needed to know.
+  const GlueCase what =
+      adjacent || on_same_curve(mesh_, first, second) ? glue_case(mesh_, first, second) : GlueCase::handle;
+  const GlueEffect effect = meshops::glue(mesh_, first, second, what);
+  note(effect);
+  return effect;
+}
+
+void TopologyTracker::note_created(Halfedge first_side) {
+  change(delta_of_create());
+  const std::uint32_t fresh = new_node();
+  Halfedge h = first_side;
+  do {
+    put(mesh_.from_vertex_handle(h), fresh);
+    h = mesh_.next_halfedge_handle(h);
+  } while (h != first_side);
+}
+
+void TopologyTracker::note_destroyed() { change(delta_of_destroy()); }
+
+void TopologyTracker::note(const GlueEffect& effect) {
+  change(effect.delta());
+  nodes_.unite(node(effect.first_ends.from), node(effect.second_ends.from));
+}
+
+void TopologyTracker::note(const UnglueEffect& effect) {
+  change(effect.delta());
+  const auto known = [&](Vertex v) { return v != effect.new_start && v != effect.new_end; };
+  // A vertex that was there already is at one end of one of the two halfedges at least.
+  const Vertex ends[] = {mesh_.from_vertex_handle(effect.first), mesh_.to_vertex_handle(effect.first),
+                         mesh_.from_vertex_handle(effect.second), mesh_.to_vertex_handle(effect.second)};
+  std::uint32_t old = 0;
+  for (const Vertex v : ends)
+    if (known(v)) old = node(v);
+  for (const Vertex v : {effect.new_start, effect.new_end})
+    if (v.is_valid()) put(v, old);
+  if (effect.what != GlueCase::join) return;
+  const auto face_at = [&](Halfedge h) { return mesh_.face_handle(mesh_.opposite_halfedge_handle(h)); };
+  const auto parted = smaller_part(mesh_, face_at(effect.first), face_at(effect.second));
+  const std::uint32_t fresh = new_node();
+  for (const Face f : *parted) {
+    const Halfedge first = mesh_.halfedge_handle(f);
+    Halfedge h = first;
+    do {
+      put(mesh_.from_vertex_handle(h), fresh);
+      h = mesh_.next_halfedge_handle(h);
+    } while (h != first);
+  }
+}
+
+void TopologyTracker::note(const CloseCurveEffect& effect) { change(effect.delta()); }
+
+void TopologyTracker::note(const OpenCurveEffect& effect) { change(effect.delta()); }
+
+ZipCurvesEffect TopologyTracker::zip_curves(Halfedge first, Halfedge second) {
+  const bool live = is_live(mesh_, first) && is_live(mesh_, second);
+  const std::uint32_t a = live ? node(mesh_.from_vertex_handle(first)) : 0;
+  const std::uint32_t b = live ? node(mesh_.from_vertex_handle(second)) : 0;
+  const ZipCurvesEffect effect = meshops::zip_curves(mesh_, first, second);
+  change(effect.delta());
+  nodes_.unite(a, b);
+  return effect;
+}
+
+void TopologyTracker::note(const SplitEffect& effect) {
+  change(effect.delta());
+  put(effect.added.vertex, node(mesh_.to_vertex_handle(effect.halfedge)));
+}
+
+void TopologyTracker::note(const WeldEffect& effect) { change(effect.delta()); }
+
+void TopologyTracker::note_undone(const WeldEffect& effect) {
+  change(-effect.delta());
+  put(effect.removed.vertex, node(effect.survivor));
+}
+
+void TopologyTracker::change(const Delta& delta) {
+  add(counts_.vertices, delta.vertices);
+  add(counts_.edges, delta.edges);
+  add(counts_.faces, delta.faces);
+  add(counts_.boundary_curves, delta.curves);
+  add(counts_.components, delta.components);
+}
+
+void TopologyTracker::put(Vertex v, std::uint32_t node) {
+  const auto index = static_cast<std::size_t>(v.idx());
+  if (index >= node_of_.size()) node_of_.resize(index + 1, node);
+  node_of_[index] = node;
+}
+
+std::uint32_t TopologyTracker::new_node() {
+  if (nodes_.size() > 2 * node_of_.size() + 1024) forget_old_nodes();
+  return nodes_.add();
+}
+
+/// One node for each set that is in use, so that a long run does not need more and more of them.
+void TopologyTracker::forget_old_nodes() {
+  constexpr auto none = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> renumbered(nodes_.size(), none);
+  DisjointSets fresh;
+  for (std::uint32_t& node : node_of_) {
+    std::uint32_t& number = renumbered[nodes_.find(node)];
+    if (number == none) number = fresh.add();
+    node = number;
+  }
+  nodes_ = std::move(fresh);
+}
+
+}  // namespace meshops

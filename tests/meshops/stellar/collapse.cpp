@@ -1,0 +1,253 @@
+#include "meshops/stellar/collapse.h"
+
+#include "meshops/handle/glue.h"
+#include "meshops/stellar/flip.h"
+#include "meshops/stellar/split_face.h"
+#include "meshops/stellar/split_vertex.h"
+#include "meshops/stellar/undo.h"
+#include "meshops/stellar/weld_edge.h"
+#include "meshops/stellar/weld_face.h"
+#include "stellar/laws.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+Halfedge ccw(const Connectivity& mesh, Halfedge h) {
+  return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
+}
+
+/// Flips all edges at the start of h that can go: those beside h on its left first, then those on its right.
+void flip_around(TestMesh& mesh, Halfedge h) {
+  const Vertex v = mesh.from_vertex_handle(h);
+  const unsigned stop = mesh.is_boundary(v) ? 2 : 3;
+  const auto flip_next = [&](Halfedge out) {
+    const Edge e = mesh.edge_handle(out);
+    if (mesh.valence(v) <= stop || mesh.is_boundary(e)) return false;
+    flip(mesh, e, Keep::manifold);
+    return true;
+  };
+  if (!mesh.is_boundary(h))
+    while (flip_next(ccw(mesh, h))) {
+    }
+  if (!mesh.is_boundary(mesh.opposite_halfedge_handle(h)))
+    while (flip_next(mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h)))) {
+    }
+}
+
+/// For each vertex, how many its component has.
+std::vector<int> component_vertices(const TestMesh& mesh) {
+  std::vector<int> count(mesh.n_vertices(), 0);
+  for_each_vertex(mesh, [&](Vertex first) {
+    std::vector<Vertex> reached = {first};
+    std::vector<char> seen(mesh.n_vertices(), 0);
+    seen[static_cast<std::size_t>(first.idx())] = 1;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const Vertex v : mesh.vv_range(reached[i]))
+        if (char& mark = seen[static_cast<std::size_t>(v.idx())]; !mark) {
+          mark = 1;
+          reached.push_back(v);
+        }
+    count[static_cast<std::size_t>(first.idx())] = static_cast<int>(reached.size());
+  });
+  return count;
+}
+
+}  // namespace
+
+TEST_SUITE("collapse") {
+  TEST_CASE("on every halfedge: refused with nothing changed, or by the table and undone by a split") {
+    int collapsed = 0, refused = 0;
+    on_every_mesh([&](TestMesh& mesh, Keep keep) {
+      const std::string shape = isomorphism_class(mesh);
+      for_each_halfedge(mesh, [&](Halfedge h) {
+        if (h.idx() % stride(mesh)) return;
+        if (refuses(mesh, collapse_blocker(mesh, h, keep), [&] { collapse(mesh, h, keep); })) {
+          ++refused;
+          return;
+        }
+        const Vertex v = mesh.from_vertex_handle(h), w = mesh.to_vertex_handle(h);
+        check_weld(
+            mesh, keep, shape,
+            [&] {
+              const WeldEffect effect = collapse(mesh, h, keep);
+              CHECK(effect.removed.vertex == v);
+              CHECK(effect.survivor == w);
+              CHECK(effect.removed.edges()[0] == mesh.edge_handle(h));
+              return effect;
+            },
+            [](TestMesh& copy, const WeldEffect& effect) {
+              split_vertex(copy, effect.left, effect.right, Keep::manifold);
+            },
+            [&](const WeldEffect& effect) { undo(mesh, effect); });
+        ++collapsed;
+      });
+    });
+    CHECK(collapsed > 1000);
+    CHECK(refused > 1000);
+  }
+
+  TEST_CASE("it is flips at the vertex and a weld: of a face, on the boundary of an edge or away with the triangle") {
+    int by_face = 0, by_edge = 0, by_triangle = 0;
+    on_every_mesh([&](TestMesh& mesh, Keep keep) {
+      if (keep == Keep::simplicial) return;
+      for_each_halfedge(mesh, [&](Halfedge h) {
+        if (stride(mesh) > 1 && h.idx() % 31) return;
+        const Vertex v = mesh.from_vertex_handle(h);
+        if (collapse_blocker(mesh, h, keep) || mesh.valence(v) == 2) return;
+        const bool along_boundary = mesh.is_boundary(mesh.edge_handle(h));
+        if (mesh.is_boundary(v) && !along_boundary) return;
+        TestMesh direct = mesh, literal = mesh;
+        collapse(direct, h, keep);
+        if (!along_boundary) {
+          flip_around(literal, h);
+          REQUIRE(literal.valence(v) == 3);
+          weld_face(literal, v, Keep::manifold);
+          ++by_face;
+        } else if (h.idx() % 2) {
+          // The last flip is left out: a vertex of degree three on the boundary is one of an edge.
+          while (literal.valence(v) > 3) {
+            const Halfedge o = literal.opposite_halfedge_handle(h);
+            const Halfedge beside = literal.is_boundary(h) ? literal.next_halfedge_handle(o) : ccw(literal, h);
+            flip(literal, literal.edge_handle(beside), Keep::manifold);
+          }
+          weld_edge(literal, h, Keep::manifold);
+          ++by_edge;
+        } else {
+          flip_around(literal, h);
+          REQUIRE(literal.valence(v) == 2);
+          const Face last = literal.face_handle(literal.is_boundary(h) ? literal.opposite_halfedge_handle(h) : h);
+          literal.delete_face(last, true);
+          ++by_triangle;
+        }
+        check_sound(literal);
+        CHECK(isomorphism_class(direct) == isomorphism_class(literal));
+      });
+    });
+    CHECK(by_face > 300);
+    CHECK(by_edge > 100);
+    CHECK(by_triangle > 100);
+  }
+
+  TEST_CASE("manifold refusals are exactly loops, pinches and components of three vertices") {
+    int refused = 0;
+    for (unsigned number = 0; number < 2000; ++number) {
+      CAPTURE(number);
+      TestMesh mesh;
+      random_tiny_mesh(mesh, number);
+      const std::vector<int> vertices_around = component_vertices(mesh);
+      for_each_halfedge(mesh, [&](Halfedge h) {
+        const Vertex v = mesh.from_vertex_handle(h), w = mesh.to_vertex_handle(h);
+        int joins = 0;
+        for (const Halfedge out : mesh.voh_range(v)) joins += mesh.to_vertex_handle(out) == w;
+        const bool pinch = !mesh.is_boundary(mesh.edge_handle(h)) && mesh.is_boundary(v) && mesh.is_boundary(w);
+        const bool expected = joins > 1 || pinch || vertices_around[static_cast<std::size_t>(v.idx())] == 3;
+        CHECK(collapse_blocker(mesh, h, Keep::manifold).has_value() == expected);
+        refused += expected;
+      });
+    }
+    CHECK(refused > 1000);
+  }
+
+  TEST_CASE("the faces of the vertex may have any number of sides, but not those beside the edge") {
+    // A square and two triangles around vertex 0; they are 0 1 2, 0 2 3 and 0 3 4 1.
+    TestMesh mesh;
+    for (int i = 0; i < 5; ++i) mesh.new_vertex();
+    mesh.add_face({Vertex(0), Vertex(1), Vertex(2)});
+    mesh.add_face({Vertex(0), Vertex(2), Vertex(3)});
+    mesh.add_face({Vertex(0), Vertex(3), Vertex(4), Vertex(1)});
+    const auto records = snapshot(mesh);
+    const Halfedge h = mesh.find_halfedge(Vertex(0), Vertex(2));
+    CHECK(collapse_blocker(mesh, mesh.find_halfedge(Vertex(0), Vertex(1))));
+    const WeldEffect effect = collapse(mesh, h);
+    check_sound(mesh);
+    CHECK(counts(mesh) == Delta{4, 4, 1, 1, 1, 0});
+    CHECK(mesh.valence(Face(2)) == 4);
+    TestMesh copy = mesh;
+    split_vertex(copy, effect.left, effect.right);
+    check_sound(copy);
+    CHECK(copy.n_faces() == 5);
+    undo(mesh, effect);
+    CHECK(snapshot(mesh) == records);
+  }
+
+  TEST_CASE("every reason") {
+    TestMesh wheel;
+    corpus()[2].build(wheel);
+    CHECK(*collapse_blocker(wheel, Halfedge()) == "no such halfedge");
+    CHECK_FALSE(collapse_blocker(wheel, wheel.find_halfedge(Vertex(0), Vertex(1))));
+    CHECK_FALSE(collapse_blocker(wheel, wheel.find_halfedge(Vertex(1), Vertex(0))));
+    TestMesh square;
+    corpus()[1].build(square);
+    CHECK(*collapse_blocker(square, square.find_halfedge(Vertex(0), Vertex(2)), Keep::manifold) ==
+          "an inner edge between two boundary vertices: they would become a pinch");
+    CHECK_FALSE(collapse_blocker(square, square.find_halfedge(Vertex(0), Vertex(1))));
+    CHECK_FALSE(collapse_blocker(square, square.find_halfedge(Vertex(1), Vertex(0))));
+    TestMesh triangle;
+    add_triangles(triangle, 3, {{0, 1, 2}});
+    for (int i = 0; i < 6; ++i)
+      CHECK(*collapse_blocker(triangle, Halfedge(i), Keep::manifold) ==
+            "nothing but an edge would be left of the component");
+    TestMesh polygon;
+    for (int i = 0; i < 4; ++i) polygon.new_vertex();
+    polygon.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
+    CHECK(*collapse_blocker(polygon, Halfedge(0)) == "a face is not a triangle");
+    CHECK(*collapse_blocker(polygon, Halfedge(1)) == "a face is not a triangle");
+    TestMesh tetrahedron;
+    corpus()[5].build(tetrahedron);
+    for (int i = 0; i < 12; ++i) {
+      CHECK(*collapse_blocker(tetrahedron, Halfedge(i)) == "two triangles would have the same corners");
+      CHECK_FALSE(collapse_blocker(tetrahedron, Halfedge(i), Keep::manifold));
+    }
+    TestMesh sphere;
+    two_triangle_sphere(sphere);
+    for (int i = 0; i < 6; ++i)
+      CHECK(*collapse_blocker(sphere, Halfedge(i), Keep::manifold) ==
+            "nothing but an edge would be left of the component");
+    // A face in a face: its corners are joined by edges that bound no common face.
+    TestMesh nested;
+    add_triangles(nested, 3, {{0, 1, 2}});
+    const Vertex centre = split_face(nested, Face(0)).added.vertex;
+    CHECK(*collapse_blocker(nested, nested.find_halfedge(Vertex(0), Vertex(1))) ==
+          "two edges would join the same vertices");
+    CHECK_FALSE(collapse_blocker(nested, nested.find_halfedge(centre, Vertex(0))));
+    collapse(nested, nested.find_halfedge(Vertex(0), Vertex(1)), Keep::manifold);
+    check_sound(nested);
+    CHECK(counts(nested) == Delta{3, 4, 2, 1, 1, 0});
+    // Now the boundary has two edges between the same vertices, and an inner vertex joins both of them once.
+    for (const Halfedge h : nested.halfedges()) {
+      if (!is_live(nested, h)) continue;
+      const auto blocker = collapse_blocker(nested, h, Keep::manifold);
+      REQUIRE(blocker);
+      if (nested.is_boundary(nested.edge_handle(h)))
+        CHECK(*blocker == "another edge joins the two vertices: it would become a loop");
+      else
+        CHECK(*blocker == "nothing but an edge would be left of the component");
+    }
+  }
+
+  TEST_CASE("a vertex of two edges collapses, and so does an edge to one") {
+    // Two triangles with three common edges; one of these opens to two, with a vertex between them.
+    TestMesh mesh;
+    two_triangle_sphere(mesh);
+    const SplitEffect split = split_vertex(mesh, Halfedge(0), Halfedge(0), Keep::manifold);
+    check_sound(mesh);
+    const Vertex w = mesh.to_vertex_handle(split.halfedge);
+    REQUIRE(mesh.valence(w) == 2);
+    const auto shape = isomorphism_class(mesh);
+    const auto records = snapshot(mesh);
+    for (const Halfedge h : {split.halfedge, mesh.opposite_halfedge_handle(split.halfedge)}) {
+      REQUIRE_FALSE(collapse_blocker(mesh, h, Keep::manifold));
+      const WeldEffect effect = collapse(mesh, h, Keep::manifold);
+      check_sound(mesh);
+      CHECK(counts(mesh) == Delta{3, 3, 2, 0, 1, 0});
+      CHECK(effect.left == effect.right);
+      TestMesh copy = mesh;
+      split_vertex(copy, effect.left, effect.right, Keep::manifold);
+      CHECK(isomorphism_class(copy) == shape);
+      undo(mesh, effect);
+      CHECK(snapshot(mesh) == records);
+    }
+  }
+}

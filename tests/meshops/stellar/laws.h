@@ -1,0 +1,89 @@
+// The laws that every stellar operator keeps on every mesh, and the meshes on which they are checked.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/delta.h"
+#include "meshops/core/live.h"
+#include "meshops/stellar/keep.h"
+#include "support/corpus.h"
+#include "support/snapshot.h"
+
+namespace meshops::test {
+
+/// The six counts of a mesh.
+Delta counts(const Connectivity& mesh);
+
+/// No two edges join the same vertices, and no two triangles have the same corners.
+bool is_simplicial(const Connectivity& mesh);
+
+/// Visits the corpus and some hundred random gluings of a few triangles, where everything that can coincide does; once
+/// with each Keep. The mesh may be changed and must be restored.
+void on_every_mesh(const std::function<void(TestMesh&, Keep)>& visit);
+
+/// The least sphere: two triangles with three common edges.
+void two_triangle_sphere(TestMesh& mesh);
+
+/// Small meshes with degenerate places, closed or with a boundary; the same for the same number.
+void random_tiny_mesh(TestMesh& mesh, unsigned number);
+
+/// Of a large mesh every seventh element is tried.
+inline int stride(const Connectivity& mesh) { return mesh.n_faces() > 300 ? 7 : 1; }
+
+/// The blocker says why and the operator throws the same, with nothing changed; or nothing.
+template <typename Operate>
+bool refuses(TestMesh& mesh, const std::optional<std::string>& blocker, Operate operate) {
+  if (!blocker) return false;
+  const auto before = snapshot(mesh);
+  std::string thrown;
+  try {
+    operate();
+  } catch (const ContractViolation& violation) {
+    thrown = violation.what();
+  }
+  CHECK_MESSAGE(thrown.find(*blocker) != std::string::npos, *blocker, " but thrown was: ", thrown);
+  CHECK(snapshot(mesh) == before);
+  return true;
+}
+
+/// A split keeps its word, and `inverse` of its effect restores every live record.
+template <typename Split, typename Inverse>
+void check_split(TestMesh& mesh, Keep keep, Split split, Inverse inverse) {
+  const auto live = live_snapshot(mesh);
+  const Delta before = counts(mesh);
+  const bool was_simplicial = stride(mesh) == 1 && is_simplicial(mesh);
+  const auto effect = split();
+  check_sound(mesh);
+  CHECK(counts(mesh) == before + effect.delta());
+  if (was_simplicial && keep == Keep::simplicial) CHECK(is_simplicial(mesh));
+  inverse(effect);
+  check_sound(mesh);
+  CHECK(live_snapshot(mesh) == live);
+  mesh.garbage_collection();
+  CHECK(live_snapshot(mesh) == live);
+}
+
+/// A weld keeps its word; `inverse` of its effect restores the mesh up to handles, and `take_back` every bit.
+template <typename Weld, typename Inverse, typename TakeBack>
+void check_weld(TestMesh& mesh, Keep keep, const std::string& shape, Weld weld, Inverse inverse, TakeBack take_back) {
+  const auto records = snapshot(mesh);
+  const Delta before = counts(mesh);
+  const bool was_simplicial = stride(mesh) == 1 && is_simplicial(mesh);
+  const auto effect = weld();
+  check_sound(mesh);
+  CHECK(counts(mesh) == before + effect.delta());
+  if (was_simplicial && keep == Keep::simplicial) CHECK(is_simplicial(mesh));
+  TestMesh copy = mesh;
+  inverse(copy, effect);
+  check_sound(copy);
+  CHECK(isomorphism_class(copy) == shape);
+  take_back(effect);
+  CHECK(snapshot(mesh) == records);
+}
+
+}  // namespace meshops::test
