@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -60,6 +61,18 @@ meshops::PolygonSoup cgal_oriented(const meshops::PolygonSoup& soup) {
   for (const std::vector<std::size_t>& polygon : polygons)
     oriented.add_face(std::vector<std::uint32_t>(polygon.begin(), polygon.end()));
   return oriented;
+}
+
+std::vector<std::vector<std::uint32_t>> cgal_kept_faces(const meshops::PolygonSoup& soup) {
+  std::vector<Point> points = places(soup.points);
+  Polygons polygons = polygons_of(soup);
+  pmp::repair_polygon_soup(points, polygons);  // leaves points without a face out
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (const std::vector<std::size_t>& polygon : polygons) {
+    faces.emplace_back();
+    for (const std::size_t corner : polygon) faces.back().push_back(static_cast<std::uint32_t>(points[corner].x()));
+  }
+  return faces;
 }
 
 std::vector<CgalPiece> cgal_pieces(const meshops::PolygonSoup& soup) {

@@ -28,7 +28,7 @@ enum class SoupDefectKind {
 struct SoupDefect {
   SoupDefectKind kind;
   /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. Of a component that is not
-  /// orientable: an edge at which its faces disagree.
+  /// orientable: an edge at which faces disagree when they agree at the edges before it.
   std::vector<std::uint32_t> points;
   /// In ascending order: the face; the duplicate and the face it repeats; all faces at the edge; of a pinch the first
   /// face of each fan; of a component the first face.
