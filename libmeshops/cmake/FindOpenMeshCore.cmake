@@ -1,5 +1,5 @@
-# Finds OpenMesh's core library: the Debian package has no CMake configuration of its own.
-# Gives the imported target OpenMeshCore::OpenMeshCore.
+# Finds OpenMesh's core library. Not every OpenMesh comes with a CMake configuration, and where one does, its targets have
+# no namespace and name the exact file of one version. Gives the imported target OpenMeshCore::OpenMeshCore.
 find_path(OpenMeshCore_INCLUDE_DIR OpenMesh/Core/Mesh/PolyConnectivity.hh)
 find_library(OpenMeshCore_LIBRARY OpenMeshCore)
 mark_as_advanced(OpenMeshCore_INCLUDE_DIR OpenMeshCore_LIBRARY)

@@ -2,18 +2,40 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# Before 1.0 a minor version may break, so that it is part of the name of the shared object.
+# Before 1.0 a minor version may break: then packages must agree in it, and the shared object has it in its name.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(rbpa_compatibility SameMinorVersion)
+  set(rbpa_soversion 0.${PROJECT_VERSION_MINOR})
+else()
+  set(rbpa_compatibility SameMajorVersion)
+  set(rbpa_soversion ${PROJECT_VERSION_MAJOR})
+endif()
+
+# A shared library looks beside itself for the other: the path in a user's program does not reach what it only needs
+# through us.
 function(rbpa_library_properties target)
   set_target_properties(${target} PROPERTIES
     VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    SOVERSION ${rbpa_soversion}
+    INSTALL_RPATH $ORIGIN)
+endfunction()
+
+# Installs programs that find the shared libraries wherever the tree is moved.
+function(rbpa_install_programs)
+  if(BUILD_SHARED_LIBS)
+    file(RELATIVE_PATH libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(${ARGN} PROPERTIES INSTALL_RPATH $ORIGIN/${libraries})
+  endif()
+  install(TARGETS ${ARGN} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
 endfunction()
 
 function(rbpa_hide_symbols target)
   set_target_properties(${target} PROPERTIES
     CXX_VISIBILITY_PRESET hidden
-    VISIBILITY_INLINES_HIDDEN ON
-    POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+    VISIBILITY_INLINES_HIDDEN ON)
+  if(BUILD_SHARED_LIBS)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides, for those who link us into their own
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
 endfunction()
 
 # Installs the library, <name>Config.cmake and <name>.pc from the caller's folder cmake/. Headers are the caller's.
@@ -28,7 +50,7 @@ function(rbpa_install_library name)
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT ${name}Targets NAMESPACE ${name}:: DESTINATION ${config_dir} COMPONENT development)
   configure_package_config_file(cmake/${name}Config.cmake.in ${name}Config.cmake INSTALL_DESTINATION ${config_dir})
-  write_basic_package_version_file(${name}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  write_basic_package_version_file(${name}ConfigVersion.cmake COMPATIBILITY ${rbpa_compatibility})
   configure_file(cmake/${name}.pc.in ${name}.pc @ONLY)
   install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/${name}Config.cmake ${CMAKE_CURRENT_BINARY_DIR}/${name}ConfigVersion.cmake
