@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, clang, nightly
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, clang, shared, nightly
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
 packages=(g++ cmake make libopenmesh-dev libboost-graph-dev doctest-dev libcli11-dev libpng-dev
-          nlohmann-json3-dev libcgal-dev)
+          nlohmann-json3-dev libcgal-dev pkgconf)
 [ "$preset" = clang ] && packages+=(clang-14)
 bash tests/install_packages.sh "${packages[@]}"
 build=$preset

@@ -1,32 +1,13 @@
 #include "cli/arguments.h"
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/same_file.h"
 
 namespace rbpa::app {
-namespace {
-
-bool is_regular_file(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
-}
-
-/// Whether two paths are, or will be, the same file. Devices may be shared.
-bool same_file(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
-  std::error_code error;
-  if (is_regular_file(a) && is_regular_file(b)) return std::filesystem::equivalent(a, b, error) && !error;
-  if (std::filesystem::exists(a, error) || std::filesystem::exists(b, error)) return false;
-  const auto full = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, error); };
-  return full(a) == full(b);
-}
-
-}  // namespace
-
 double parse_alpha(const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
   const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
@@ -42,14 +23,11 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
   if (columns) source.columns = parse_columns(*columns);
   if (format) {
     const std::optional<PointFormat> known = point_format(*format);
-    if (!known)
-      throw WrongUsage("--format: found " + in_quotes(*format) + ", expected one of " + std::string(point_formats));
+    if (!known) refuse_name("--format", *format, point_formats);
     source.format = *known;
   } else if (path != "-") {
     const std::optional<PointFormat> known = point_format(ending(path));
-    if (!known)
-      throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                       std::string(point_formats) + ", or --format");
+    if (!known) refuse_ending(path, point_formats, "--format");
     source.format = *known;
   }
   if (columns && source.format != PointFormat::text)
@@ -62,9 +40,7 @@ std::vector<Target> parse_targets(const std::vector<std::string>& paths, const s
   std::optional<OutputFormat> otherwise;
   if (format) {
     otherwise = output_format(*format);
-    if (!otherwise)
-      throw WrongUsage("--output-format: found " + in_quotes(*format) + ", expected one of " +
-                       std::string(output_formats));
+    if (!otherwise) refuse_name("--output-format", *format, output_formats);
   }
   if (paths.empty() && !stats) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<Target> targets;
@@ -73,21 +49,13 @@ std::vector<Target> parse_targets(const std::vector<std::string>& paths, const s
     if (!known) known = otherwise;
     if (!known && path == "-")
       throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(output_formats));
-    if (!known)
-      throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                       std::string(output_formats) + ", or --output-format");
+    if (!known) refuse_ending(path, output_formats, "--output-format");
     targets.push_back({path, *known});
   }
 
   std::vector<std::string> files = paths;
   if (stats) files.push_back(*stats);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (points != "-" && same_file(files[i], points))
-      throw WrongUsage(files[i] + ": found the file of points, expected another file to write to");
-    for (std::size_t k = 0; k < i; ++k)
-      if (same_file(files[i], files[k]))
-        throw WrongUsage(files[i] + ": found twice among the files to write, expected once");
-  }
+  require_different(files, points, "points");
   return targets;
 }
 

@@ -2,24 +2,17 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <cstdio>
-#include <functional>
-#include <new>
 #include <string>
 
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
-#include "io/failure.h"
+#include "io/exit_code.h"
 #include "io/interrupt.h"
-#include "rbpa/core/error.h"
 
 namespace rbpa::app {
 namespace {
 
-enum ExitCode { done = 0, failed = 1, wrong_usage = 2, bad_input_given = 3, cancelled = 130 };
-
-constexpr const char* exit_codes =
-    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 130 cancelled.";
+constexpr const char* program = "rbpa";
 
 template <typename Arguments>
 void add_point_options(CLI::App& verb, Arguments& arguments) {
@@ -67,31 +60,6 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
 }
 
-int report(const std::string& message, ExitCode code) {
-  std::fprintf(stderr, "rbpa: %s\n", message.c_str());
-  return code;
-}
-
-/// Runs `verb`, and turns what it throws into one line and an exit code.
-int run(const std::function<void()>& verb) {
-  try {
-    verb();
-    return done;
-  } catch (const WrongUsage& e) {
-    return report(e.what(), wrong_usage);
-  } catch (const BadInput& e) {
-    return report(e.what(), bad_input_given);
-  } catch (const InvalidInput& e) {
-    return report(e.what(), bad_input_given);
-  } catch (const Cancelled&) {
-    return report("cancelled", cancelled);
-  } catch (const std::bad_alloc&) {
-    return report("out of memory", failed);
-  } catch (const std::exception& e) {
-    return report(e.what(), failed);
-  }
-}
-
 int main(int argc, char** argv) {
   catch_interrupts();
   CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
@@ -108,10 +76,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& e) {  // help or version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return report(std::string(e.what()) + " (see rbpa --help)", wrong_usage);
+    return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
   }
-  if (app.got_subcommand("mesh")) return run([&] { run_mesh(mesh); });
-  return run([&] { run_info(info); });
+  if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
+  return run(program, [&] { run_info(info); });
 }
 
 }  // namespace

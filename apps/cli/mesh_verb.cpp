@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
 #include "cli/arguments.h"
 #include "cli/progress.h"
@@ -48,21 +47,6 @@ std::string reason_for_empty(const std::vector<Point>& points, std::size_t disti
   if (all_on_a_line(points)) return "all points are collinear";
   return "no triangle has circumradius <= " + alpha;
 }
-
-/// The files of one run: all are complete before the first takes its name.
-class OutputSet {
- public:
-  OutputFile& add(const std::string& path) {
-    files_.push_back(std::make_unique<OutputFile>(path));
-    return *files_.back();
-  }
-  void publish() {
-    for (const auto& file : files_) file->publish();
-  }
-
- private:
-  std::vector<std::unique_ptr<OutputFile>> files_;
-};
 
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
 

@@ -13,7 +13,9 @@ void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, cons
   meshops::for_each_face(drawn.mesh, [&](Face f) {
     std::vector<Segment> sides;
     for (const Halfedge h : drawn.mesh.fh_range(f)) sides.push_back(frame.of(drawn.segment(h)));
-    canvas.outline(sides, marks.faces.contains(f) ? colour::touched_face : colour::face);
+    canvas.outline(sides, marks.faces.contains(f)        ? colour::touched_face
+                          : marks.pale_faces.contains(f) ? colour::pale_face
+                                                         : colour::face);
   });
 }
 
@@ -43,8 +45,12 @@ void draw_boundary(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, c
 
 void draw_vertices(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
   const auto dot = [&](Place at, Vertex v) {
-    const bool touched = marks.vertices.contains(v);
-    canvas.dot(frame(at), touched ? 4.6 : 3.4, touched ? colour::touched : colour::text);
+    if (marks.vertices.contains(v))
+      canvas.dot(frame(at), 4.6, colour::touched);
+    else if (marks.pale_vertices.contains(v))
+      canvas.ring(frame(at), 2.6, colour::inner);
+    else
+      canvas.dot(frame(at), 3.4, colour::text);
   };
   meshops::for_each_vertex(drawn.mesh, [&](Vertex v) {
     if (drawn.mesh.is_isolated(v)) dot(drawn.place(v), v);
@@ -133,6 +139,20 @@ DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners
     }
   }
   return drawn;
+}
+
+Ring ring(std::uint32_t quads, double from, double to, double inner_radius, double outer_radius) {
+  Ring made;
+  const bool closed = to - from > 359;
+  const std::uint32_t n = closed ? quads : quads + 1;
+  for (const double radius : {outer_radius, inner_radius})
+    for (std::uint32_t i = 0; i < n; ++i) made.places.push_back(polar(from + (to - from) * i / quads, radius));
+  for (std::uint32_t i = 0; i < quads; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    made.faces.push_back({i, j, n + i});
+    made.faces.push_back({j, n + j, n + i});
+  }
+  return made;
 }
 
 void draw(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {

@@ -60,11 +60,21 @@ using Corners = std::vector<std::uint32_t>;
 DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
                      const std::vector<std::uint32_t>& vertex_of = {});
 
+/// A ring of quadrangles, each cut in two, between two circles about the origin; from 0 to 360 degrees it closes.
+/// Places 0, 1, … are those on the outer circle, and as many on the inner one follow.
+struct Ring {
+  std::vector<Place> places;
+  std::vector<Corners> faces;
+};
+Ring ring(std::uint32_t quads, double from, double to, double inner_radius, double outer_radius);
+
 /// What a panel shows apart from the mesh.
 struct Marks {
   std::set<Vertex> vertices;  ///< elements that are touched
   std::set<Edge> edges;
   std::set<Face> faces;
+  std::set<Vertex> pale_vertices;  ///< elements that are of no more interest
+  std::set<Face> pale_faces;
   struct Label {
     Place at;
     std::string words;

@@ -13,5 +13,8 @@ struct Figure {
 
 std::span<const Figure> handle_figures();
 std::span<const Figure> stellar_figures();
+std::span<const Figure> front_figures();
+std::span<const Figure> topology_figures();
+std::span<const Figure> defect_figures();
 
 }  // namespace figures

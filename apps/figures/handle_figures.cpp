@@ -75,25 +75,6 @@ std::string glue_join() {
                      });
 }
 
-/// A ring of quads cut in two between two circles, from one angle to another.
-struct Ring {
-  std::vector<Place> places;  // the outer circle first
-  std::vector<Corners> faces;
-};
-Ring ring(std::uint32_t quads, double from, double to, double inner_radius, double outer_radius) {
-  Ring made;
-  const bool closed = to - from > 359;
-  const std::uint32_t n = closed ? quads : quads + 1;
-  for (const double radius : {outer_radius, inner_radius})
-    for (std::uint32_t i = 0; i < n; ++i) made.places.push_back(polar(from + (to - from) * i / quads, radius));
-  for (std::uint32_t i = 0; i < quads; ++i) {
-    const std::uint32_t j = (i + 1) % n;
-    made.faces.push_back({i, j, n + i});
-    made.faces.push_back({j, n + j, n + i});
-  }
-  return made;
-}
-
 std::string glue_split_curve() {
   const Ring open = ring(7, 18, 342, 0.8, 1.7);
   const DrawnMesh before = drawn_mesh(open.places, open.faces);

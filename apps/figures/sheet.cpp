@@ -9,7 +9,6 @@ namespace {
 
 constexpr double margin = 16;          // around everything
 constexpr double gap = 36;             // between panels without an arrow
-constexpr double least_width = 220;    // of a panel: its caption must fit
 constexpr double heading_height = 26;  // of rows with headings
 constexpr double line_height = 17;
 
@@ -27,6 +26,7 @@ Box box_of(const std::vector<Panel>& panels) {
   for (const Panel& panel : panels) {
     for (const Place p : panel.drawn.all_places()) box.add(p);
     for (const auto& label : panel.marks.labels) box.add(label.at);
+    for (const Place p : panel.extent) box.add(p);
   }
   return box;
 }
@@ -80,7 +80,7 @@ std::string Sheet::svg() const {
   for (const Row& row : rows_) {
     const Box box = box_of(row.panels);
     const double inside = scale_ * (box.high.x - box.low.x), height = scale_ * (box.high.y - box.low.y);
-    const double width = std::max(inside + 12, least_width);
+    const double width = std::max(inside + 12, least_width_);
     const double between = row.arrow.empty() ? gap : width_of_arrow(row.arrow[0]);
     std::size_t lines = 0;
     bool headed = false;
@@ -96,7 +96,7 @@ std::string Sheet::svg() const {
       const double middle = x + width / 2;
       const Frame frame{{middle - inside / 2 - scale_ * box.low.x, bottom + scale_ * box.low.y}, scale_};
       if (!panel.heading.empty()) canvas.text({middle, top - 20}, panel.heading, Lettering::plain, Align::middle);
-      if (panel.plain) draw(canvas, frame, panel.drawn, panel.marks);
+      draw(canvas, frame, panel.drawn, panel.marks);
       if (panel.more) panel.more(canvas, frame);
       for (std::size_t line = 0; line < panel.caption.size(); ++line)
         canvas.text({middle, bottom + 30 + line_height * static_cast<double>(line)}, panel.caption[line],

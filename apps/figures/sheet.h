@@ -17,7 +17,7 @@ struct Panel {
   std::string heading = {};
   /// Draws more on top.
   std::function<void(Canvas&, const Frame&)> more = {};
-  bool plain = true;  ///< whether the mesh itself is drawn as draw() does
+  std::vector<Place> extent = {};  ///< places that are to be inside, apart from those of the mesh
 };
 
 /// A panel with the counts of its mesh as caption.
@@ -31,7 +31,9 @@ struct Arrow {
 
 class Sheet {
  public:
-  explicit Sheet(std::string title, double pixels_per_unit = 50) : title_(std::move(title)), scale_(pixels_per_unit) {}
+  /// Panels are at least `least_width` pixels wide, so that their captions fit.
+  explicit Sheet(std::string title, double pixels_per_unit = 50, double least_width = 220)
+      : title_(std::move(title)), scale_(pixels_per_unit), least_width_(least_width) {}
 
   Sheet& row(const Panel& before, const Arrow& arrow, const Panel& after);
   /// Panels side by side.
@@ -46,6 +48,7 @@ class Sheet {
   };
   std::string title_;
   double scale_;
+  double least_width_;
   std::vector<Row> rows_;
 };
 

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "io/failure.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -27,6 +29,18 @@ std::optional<PointFormat> point_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<MeshFormat> mesh_format(std::string_view name) {
+  constexpr std::pair<std::string_view, MeshFormat> known[] = {
+      {"off", MeshFormat::off}, {"ply", MeshFormat::ply}, {"obj", MeshFormat::obj}, {"stl", MeshFormat::stl}};
+  return find(known, name);
+}
+
+std::optional<PolylineFormat> polyline_format(std::string_view name) {
+  constexpr std::pair<std::string_view, PolylineFormat> known[] = {{"obj", PolylineFormat::obj},
+                                                                   {"json", PolylineFormat::json}};
+  return find(known, name);
+}
+
 std::optional<OutputFormat> output_format(std::string_view name) {
   constexpr std::pair<std::string_view, OutputFormat> known[] = {
       {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj},
@@ -38,6 +52,15 @@ std::string_view ending(std::string_view path) {
   path.remove_prefix(path.rfind('/') + 1);
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+}
+
+void refuse_name(const std::string& option, std::string_view name, std::string_view known) {
+  throw WrongUsage(option + ": found " + in_quotes(name) + ", expected one of " + std::string(known));
+}
+
+void refuse_ending(const std::string& path, std::string_view known, const std::string& option) {
+  throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " + std::string(known) +
+                   ", or " + option);
 }
 
 }  // namespace rbpa::app

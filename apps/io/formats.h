@@ -8,17 +8,27 @@
 namespace rbpa::app {
 
 enum class PointFormat { text, npy, off, ply, raw };
+enum class MeshFormat { off, ply, obj, stl };
+enum class PolylineFormat { obj, json };
 enum class OutputFormat { off, ply, obj, npy, svg, png };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<PointFormat> point_format(std::string_view name);
+std::optional<MeshFormat> mesh_format(std::string_view name);
+std::optional<PolylineFormat> polyline_format(std::string_view name);
 std::optional<OutputFormat> output_format(std::string_view name);
 
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);
 
+/// Throw WrongUsage: `option` was given a name, `path` has an ending, that is none of `known`.
+[[noreturn]] void refuse_name(const std::string& option, std::string_view name, std::string_view known);
+[[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);
+
 /// What there is, for messages and help.
 constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, npy, off, ply, f64xy";
+constexpr std::string_view mesh_formats = "off, ply, obj, stl";
+constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";
 
 }  // namespace rbpa::app

@@ -24,22 +24,23 @@ struct Descriptor {
   }
 };
 
-int open_for_reading(const std::string& name) {
+int open_for_reading(const std::string& name, const std::string& expected) {
   const int descriptor = open(name.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor >= 0) return descriptor;
   if (errno == EINTR) stop_if_interrupted();
   const std::string reason = errno == ENOENT ? "no such file" : std::strerror(errno);
-  bad_input(name, reason, "a file of points");
+  bad_input(name, reason, expected);
 }
 
 }  // namespace
 
-InputBytes::InputBytes(const std::string& name) : name_(name == "-" ? "standard input" : name) {
+InputBytes::InputBytes(const std::string& name, const std::string& expected)
+    : name_(name == "-" ? "standard input" : name) {
   const bool is_path = name != "-";
-  const Descriptor file{is_path ? open_for_reading(name) : STDIN_FILENO, is_path};
+  const Descriptor file{is_path ? open_for_reading(name, expected) : STDIN_FILENO, is_path};
   struct stat status {};
   if (fstat(file.number, &status) != 0) throw Failure(name_ + ": cannot read: " + std::strerror(errno));
-  if (S_ISDIR(status.st_mode)) bad_input(name_, "a folder", "a file of points");
+  if (S_ISDIR(status.st_mode)) bad_input(name_, "a folder", expected);
   if (is_path && S_ISREG(status.st_mode) && status.st_size > 0) {
     const auto size = static_cast<std::size_t>(status.st_size);
     void* memory = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);

@@ -10,9 +10,9 @@ namespace rbpa::app {
 /// A regular file is mapped, so that its bytes are neither copied nor counted twice; anything else is read to its end.
 class InputBytes {
  public:
-  /// `name` is a path, or "-" for standard input. Throws BadInput when there is no such file, Failure when reading
-  /// breaks off, Cancelled.
-  explicit InputBytes(const std::string& name);
+  /// `name` is a path, or "-" for standard input; `expected` is what it should hold. Throws BadInput when there is no
+  /// such file, Failure when reading breaks off, Cancelled.
+  InputBytes(const std::string& name, const std::string& expected);
   ~InputBytes();
   InputBytes(const InputBytes&) = delete;
   InputBytes& operator=(const InputBytes&) = delete;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rbpa::app {
 
@@ -46,6 +47,21 @@ class OutputFile {
   int descriptor_ = -1;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
+};
+
+/// The files of one run: all are complete before the first takes its name.
+class OutputSet {
+ public:
+  OutputFile& add(const std::string& path) {
+    files_.push_back(std::make_unique<OutputFile>(path));
+    return *files_.back();
+  }
+  void publish() {
+    for (const auto& file : files_) file->publish();
+  }
+
+ private:
+  std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
 }  // namespace rbpa::app

@@ -13,7 +13,7 @@
 namespace rbpa::app {
 
 std::vector<Point> read_points(const PointSource& source) {
-  const InputBytes input(source.path);
+  const InputBytes input(source.path, "a file of points");
   const std::string_view bytes = input.bytes();
   // No points may be meant; no bytes at all come from a command that failed before.
   if (bytes.empty()) bad_input(input.name(), "an empty file", "points");

@@ -1,5 +1,7 @@
 #include "io/vertex_lines.h"
 
+#include <charconv>
+
 #include "io/failure.h"
 #include "io/number.h"
 
@@ -12,6 +14,44 @@ double take_coordinate(std::string_view& rest, const Lines& lines, const std::st
   if (number.fault != NumberFault::none)
     bad_input(at_line(name, lines.number()), in_quotes(word), expected_instead(number.fault));
   return number.value;
+}
+
+std::array<double, 3> take_position(std::string_view& rest, const Lines& lines, const std::string& name) {
+  std::array<double, 3> position{};
+  for (double& coordinate : position) coordinate = take_coordinate(rest, lines, name);
+  return position;
+}
+
+void take_corner_list(std::string_view& rest, const Lines& lines, const std::string& name, std::size_t points,
+                      std::vector<std::uint32_t>& corners) {
+  const std::string_view length_word = take_word(rest);
+  const std::optional<std::size_t> length = parse_count(length_word);
+  if (!length)
+    bad_input(at_line(name, lines.number()), in_quotes(length_word.empty() ? lines.line() : length_word),
+              "the number of corners of a face");
+  corners.clear();
+  for (std::size_t i = 0; i < *length; ++i) {
+    const std::string_view word = take_word(rest);
+    if (word.empty())
+      bad_input(at_line(name, lines.number()), counted(i, "corner") + " (" + in_quotes(lines.line()) + ")",
+                std::to_string(*length) + " as the line says");
+    const std::optional<std::size_t> corner = parse_count(word);
+    if (!corner || *corner >= points)
+      bad_input(at_line(name, lines.number()), in_quotes(word), corner_expected(points));
+    corners.push_back(static_cast<std::uint32_t>(*corner));
+  }
+}
+
+std::optional<std::size_t> parse_count(std::string_view word) {
+  std::size_t count = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return count;
+}
+
+std::string corner_expected(std::size_t points) {
+  if (points == 0) return "no corner, as there are no vertices";
+  return "a vertex number from 0 to " + std::to_string(points - 1);
 }
 
 }  // namespace rbpa::app

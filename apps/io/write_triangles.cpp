@@ -2,66 +2,20 @@
 
 #include <string>
 
+#include "io/polygon_files.h"
+
 namespace rbpa::app {
 namespace {
 
-void write_count(OutputFile& file, std::size_t count) { file.write_number(static_cast<std::uint64_t>(count)); }
+/// The mesh in space, as the formats see it.
+struct InSpace {
+  const TriangleMesh& mesh;
 
-void write_xy(OutputFile& file, const Point& p) {
-  file.write_number(p.x);
-  file.write(" ");
-  file.write_number(p.y);
-  file.write(" 0\n");
-}
-
-void write_corners(OutputFile& file, const Triangle& triangle, std::uint32_t first_index) {
-  for (const std::uint32_t corner : triangle) {
-    file.write(" ");
-    file.write_number(std::uint64_t{corner} + first_index);
-  }
-  file.write("\n");
-}
-
-void write_off(OutputFile& file, const TriangleMesh& mesh) {
-  file.write("OFF\n");
-  write_count(file, mesh.vertices.size());
-  file.write(" ");
-  write_count(file, mesh.triangles.size());
-  file.write(" 0\n");
-  for (const Point& p : mesh.vertices) write_xy(file, p);
-  for (const Triangle& triangle : mesh.triangles) {
-    file.write("3");
-    write_corners(file, triangle, 0);
-  }
-}
-
-void write_obj(OutputFile& file, const TriangleMesh& mesh) {
-  for (const Point& p : mesh.vertices) {
-    file.write("v ");
-    write_xy(file, p);
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    file.write("f");
-    write_corners(file, triangle, 1);
-  }
-}
-
-void write_ply(OutputFile& file, const TriangleMesh& mesh) {
-  file.write("ply\nformat binary_little_endian 1.0\nelement vertex ");
-  write_count(file, mesh.vertices.size());
-  file.write("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
-  write_count(file, mesh.triangles.size());
-  file.write("\nproperty list uchar int vertex_indices\nend_header\n");
-  for (const Point& p : mesh.vertices) {
-    file.write_binary(p.x);
-    file.write_binary(p.y);
-    file.write_binary(0.0);
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    file.write("\x03");
-    for (const std::uint32_t corner : triangle) file.write_binary(corner);
-  }
-}
+  std::size_t points() const { return mesh.vertices.size(); }
+  std::size_t faces() const { return mesh.triangles.size(); }
+  std::array<double, 3> point(std::size_t i) const { return {mesh.vertices[i].x, mesh.vertices[i].y, 0}; }
+  std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
+};
 
 void write_npy(OutputFile& file, const TriangleMesh& mesh) {
   std::string header = "{'descr': '<u4', 'fortran_order': False, 'shape': (" +
@@ -81,9 +35,9 @@ void write_npy(OutputFile& file, const TriangleMesh& mesh) {
 
 void write_triangles(OutputFile& file, OutputFormat format, const TriangleMesh& mesh) {
   switch (format) {
-    case OutputFormat::off: return write_off(file, mesh);
-    case OutputFormat::obj: return write_obj(file, mesh);
-    case OutputFormat::ply: return write_ply(file, mesh);
+    case OutputFormat::off: return write_off(file, InSpace{mesh});
+    case OutputFormat::obj: return write_obj(file, InSpace{mesh});
+    case OutputFormat::ply: return write_ply(file, InSpace{mesh});
     case OutputFormat::npy: return write_npy(file, mesh);
     case OutputFormat::svg:
     case OutputFormat::png: break;

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "rbpa/core/api.h"
 #include "rbpa/core/mesh.h"
 #include "rbpa/core/point.h"
 
@@ -57,9 +58,9 @@ struct SolidAlphaComplex {
 /// Cocircular points are triangulated by the symbolic perturbation that docs/predicates.md defines.
 /// Requires: 0 < alpha ≤ infinity, a radius; finite points, fewer than 2³⁰ of them.
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
-SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
+RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
 /// The triangles of a complex as input indices in canonical order: counter-clockwise, smallest index first, sorted.
-std::vector<std::array<std::uint32_t, 3>> triangles(const SolidAlphaComplex& complex);
+RBPA_API std::vector<std::array<std::uint32_t, 3>> triangles(const SolidAlphaComplex& complex);
 
 }  // namespace rbpa

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "rbpa/core/api.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa {
@@ -21,6 +22,6 @@ struct ComplexCounts {
 };
 
 /// Cost: about linear.
-ComplexCounts count(const SolidAlphaComplex& complex);
+RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 
 }  // namespace rbpa

@@ -159,6 +159,13 @@ TEST_SUITE("wrong usage") {
     CHECK(outcome.err.find("npy") != std::string::npos);
   }
 
+  TEST_CASE("one file under two names, neither of which exists yet") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    refuses(folder, "mesh p.xy --alpha 1 -o m.off -o ./m.off", 2,
+            "./m.off: found twice among the files to write, expected once");
+  }
+
   TEST_CASE("help and version are answers") {
     const Folder folder;
     CHECK(folder.rbpa("--help").code == 0);

@@ -6,7 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "support/program.h"
 
@@ -14,14 +16,15 @@ using namespace apps_test;
 
 namespace {
 
-/// Starts `rbpa mesh`, its points coming from a named pipe.
-pid_t start(const Folder& folder) {
+pid_t start(std::vector<std::string> command) {
   const pid_t child = fork();
   if (child == 0) {
     const int null = open("/dev/null", O_WRONLY);
     dup2(null, 2);
-    execl(RBPA_PROGRAM, RBPA_PROGRAM, "mesh", folder.path("pipe.f64xy").c_str(), "--alpha", "inf", "-o",
-          folder.path("m.off").c_str(), static_cast<char*>(nullptr));
+    std::vector<char*> words;
+    for (std::string& word : command) words.push_back(word.data());
+    words.push_back(nullptr);
+    execv(words[0], words.data());
     _exit(127);
   }
   return child;
@@ -34,36 +37,75 @@ int exit_code(pid_t child) {
   return WEXITSTATUS(status);
 }
 
+void send(int pipe, const std::string& bytes) {
+  for (std::size_t sent = 0; sent < bytes.size();) {
+    const ssize_t n = write(pipe, bytes.data() + sent, bytes.size() - sent);
+    REQUIRE(n > 0);
+    sent += static_cast<std::size_t>(n);
+  }
+}
+
+/// Runs the command that `command_for(folder)` gives, whose input is the named pipe `pipe_name`. `send_input(pipe)`
+/// writes; the signal comes while the pipe is still open, or right after it was closed.
+void stops(int sig, bool input_ends, const std::string& pipe_name,
+           const std::function<std::vector<std::string>(const Folder&)>& command_for,
+           const std::function<void(int)>& send_input) {
+  CAPTURE(sig);
+  CAPTURE(input_ends);
+  const Folder folder;
+  REQUIRE(mkfifo(folder.path(pipe_name).c_str(), 0600) == 0);
+  const pid_t child = start(command_for(folder));
+  // Opening waits for the program to read.
+  const int pipe = open(folder.path(pipe_name).c_str(), O_WRONLY);
+  REQUIRE(pipe >= 0);
+  send_input(pipe);
+  // Not closed before the signal is sent: the program is then reading, or has just begun to compute.
+  if (input_ends) close(pipe);
+  REQUIRE(kill(child, sig) == 0);
+  CHECK(exit_code(child) == 130);
+  if (!input_ends) close(pipe);
+  CHECK(folder.names() == std::vector<std::string>{pipe_name});
+}
+
 }  // namespace
 
 TEST_CASE("a signal while points are read, and one while triangles are made") {
   for (const int sig : {SIGINT, SIGTERM})
-    for (const bool all_points_sent : {false, true}) {
-      CAPTURE(sig);
-      CAPTURE(all_points_sent);
-      const Folder folder;
-      REQUIRE(mkfifo(folder.path("pipe.f64xy").c_str(), 0600) == 0);
-      const pid_t child = start(folder);
-      // Opening waits for the program to read. Enough points follow for several seconds of work.
-      const int pipe = open(folder.path("pipe.f64xy").c_str(), O_WRONLY);
-      REQUIRE(pipe >= 0);
-      std::string chunk(1 << 20, '\0');
-      unsigned state = 1;
-      double* values = reinterpret_cast<double*>(chunk.data());
-      for (int block = 0; block < (all_points_sent ? 64 : 2); ++block) {
-        for (std::size_t i = 0; i < chunk.size() / sizeof(double); ++i)
-          values[i] = static_cast<double>(state = state * 1664525u + 1013904223u);
-        for (std::size_t sent = 0; sent < chunk.size();) {
-          const ssize_t n = write(pipe, chunk.data() + sent, chunk.size() - sent);
-          REQUIRE(n > 0);
-          sent += static_cast<std::size_t>(n);
-        }
-      }
-      // Not closed before the signal is sent: the program is then reading, or has just begun to compute.
-      if (all_points_sent) close(pipe);
-      REQUIRE(kill(child, sig) == 0);
-      CHECK(exit_code(child) == 130);
-      if (!all_points_sent) close(pipe);
-      CHECK(folder.names() == std::vector<std::string>{"pipe.f64xy"});
-    }
+    for (const bool all_points_sent : {false, true})
+      stops(
+          sig, all_points_sent, "pipe.f64xy",
+          [](const Folder& folder) -> std::vector<std::string> {
+            return {RBPA_PROGRAM, "mesh", folder.path("pipe.f64xy"), "--alpha", "inf", "-o", folder.path("m.off")};
+          },
+          [&](int pipe) {
+            // Enough points for several seconds of work.
+            std::string chunk(1 << 20, '\0');
+            unsigned state = 1;
+            double* values = reinterpret_cast<double*>(chunk.data());
+            for (int block = 0; block < (all_points_sent ? 64 : 2); ++block) {
+              for (std::size_t i = 0; i < chunk.size() / sizeof(double); ++i)
+                values[i] = static_cast<double>(state = state * 1664525u + 1013904223u);
+              send(pipe, chunk);
+            }
+          });
+}
+
+TEST_CASE("a signal while a mesh is read, and one while its topology is computed") {
+  for (const int sig : {SIGINT, SIGTERM})
+    for (const bool all_sent : {false, true})
+      stops(
+          sig, all_sent, "pipe.obj",
+          [](const Folder& folder) -> std::vector<std::string> {
+            return {MESHTOPO_PROGRAM, folder.path("pipe.obj"), "--json", "--repair", "-o", folder.path("m.off"),
+                    "--generators",   folder.path("loops.obj")};
+          },
+          [&](int pipe) {
+            // A strip of triangles, long enough for a second of work.
+            std::string text = "v 0 0 0\nv 0 1 0\n";
+            for (int i = 1; i < (all_sent ? 400000 : 1000); ++i) {
+              const std::string x = std::to_string(i);
+              text += "v " + x + " 0 0\nv " + x + " 1 0\nf -4 -2 -3\nf -3 -2 -1\n";
+            }
+            send(pipe, text);
+          });
 }

@@ -5,8 +5,9 @@ set(arrows
   meshops/handle>meshops/core
   meshops/front>meshops/core meshops/front>meshops/handle
   meshops/stellar>meshops/core
+  meshops/graph>meshops/core
   meshops/topology>meshops/core meshops/topology>meshops/front meshops/topology>meshops/handle
-  meshops/topology>meshops/stellar
+  meshops/topology>meshops/stellar meshops/topology>meshops/graph
   rbpa/predicate>rbpa/core
   rbpa/search>rbpa/core rbpa/search>rbpa/predicate
   rbpa/pivot>rbpa/core rbpa/pivot>rbpa/predicate rbpa/pivot>rbpa/search

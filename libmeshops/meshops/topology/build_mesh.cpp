@@ -1,5 +1,7 @@
 #include "meshops/topology/build_mesh.h"
 
+#include <algorithm>
+
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/topology/soup_defects.h"
@@ -7,6 +9,15 @@
 
 namespace meshops {
 namespace {
+
+/// Whether there are no defects but pinches: where all edges fit, the directions of the faces agree as they are.
+bool is_oriented_manifold(const detail::FaceFaults& faults, const detail::SoupSides& sides) {
+  for (const detail::FaceFault fault : faults.of)
+    if (fault != detail::FaceFault::none) return false;
+  for (std::size_t e = 0; e < sides.edges(); ++e)
+    if (!detail::fits(sides.edge(e))) return false;
+  return true;
+}
 
 /// The vertex of each corner, and the point of each vertex.
 struct Vertices {
@@ -47,10 +58,12 @@ Halfedge next_on_boundary(const Connectivity& mesh, Halfedge h) {
 
 std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup) {
   require(mesh.n_vertices() == 0 && mesh.n_edges() == 0 && mesh.n_faces() == 0, "build_mesh: the mesh is not empty");
-  for (const SoupDefect& defect : find_defects(soup))
-    if (defect.kind != SoupDefectKind::pinch) throw ContractViolation("build_mesh: " + describe(defect));
+  const detail::FaceFaults faults = detail::find_face_faults(soup);
+  const detail::SoupSides sides(soup, faults);
+  if (!is_oriented_manifold(faults, sides))
+    for (const SoupDefect& defect : find_defects(soup))
+      if (defect.kind != SoupDefectKind::pinch) throw ContractViolation("build_mesh: " + describe(defect));
 
-  const detail::SoupSides sides(soup, detail::find_face_faults(soup));
   Vertices vertices = number_vertices(soup, sides);
   mesh.resize(vertices.point.size(), sides.edges(), soup.faces());
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "meshops/topology/soup_sides.h"
 
@@ -10,12 +9,10 @@ namespace meshops {
 namespace {
 
 using detail::FaceFault;
+using detail::fits;
 using detail::SoupSide;
 using detail::SoupSides;
 using Edge = std::span<const SoupSide>;
-
-/// Faces that fit together at an edge: one, or two that run along it in opposite directions.
-bool fits(Edge edge) { return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending != edge[1].ascending); }
 
 class Repairer {
  public:
@@ -24,9 +21,11 @@ class Repairer {
   Repair operator()() {
     take_faces();
     orient();
-    for (bool changed = true; changed;) changed = part_fans() || detach_faces();
-    for (std::uint32_t p = 0; p < given_.points; ++p)
-      if (is_split(p)) step(RepairKind::point_split, {p}, {});
+    // Points are still those that were given.
+    const SoupSides oriented = sides();
+    part_fans(oriented);
+    find_cuts(oriented);
+    find_splits();
     std::stable_sort(result_.steps.begin(), result_.steps.end(),
                      [](const RepairStep& a, const RepairStep& b) { return a.kind < b.kind; });
     return std::move(result_);
@@ -73,43 +72,24 @@ class Repairer {
     return {result_.soup, none};
   }
 
-  /// Reverses the fewer faces of each piece, and says which edges are cut.
+  /// Reverses the fewer faces of each piece.
   void orient() {
-    const SoupSides all = sides();
     PolygonSoup& soup = result_.soup;
-    auto pieces = detail::pieces_of(soup, all, [](Edge) {});
+    auto pieces = detail::pieces_of(soup, sides(), [](Edge) {});
     std::vector<std::array<std::size_t, 2>> count(soup.faces(), {0, 0});
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
       const std::uint32_t root = pieces.find(f);
       ++count[root][pieces.is_odd(f) ? 1 : 0];
     }
-    std::vector<bool> reversed(soup.faces(), false);
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
       const auto& [even, odd] = count[pieces.find(f)];
-      if (pieces.is_odd(f) != (odd > even)) {
-        reversed[f] = true;
-        step(RepairKind::face_reversed, given_corners(f), {result_.face_was[f]});
-      }
+      if (pieces.is_odd(f) == (odd > even)) continue;
+      const auto face = soup.face(f);
+      step(RepairKind::face_reversed, {face.begin(), face.end()}, {result_.face_was[f]});
+      // The first corner stays the first.
+      std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]) + 1,
+                   soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
     }
-    for (std::size_t e = 0; e < all.edges(); ++e) {
-      const Edge edge = all.edge(e);
-      if (edge.size() == 1) continue;
-      if (edge.size() == 2 &&
-          (edge[0].ascending != reversed[edge[0].face]) != (edge[1].ascending != reversed[edge[1].face]))
-        continue;
-      std::vector<std::size_t> faces;
-      for (const SoupSide& side : edge) faces.push_back(result_.face_was[side.face]);
-      step(RepairKind::edge_cut, {edge[0].low, edge[0].high}, std::move(faces));
-    }
-    for (std::size_t f = 0; f < soup.faces(); ++f)
-      if (reversed[f])
-        std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]),
-                     soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
-  }
-
-  std::vector<std::uint32_t> given_corners(std::size_t f) const {
-    const auto face = result_.soup.face(f);
-    return {face.begin(), face.end()};
   }
 
   std::uint32_t copy_of(std::uint32_t p) {
@@ -117,57 +97,50 @@ class Repairer {
     return static_cast<std::uint32_t>(result_.soup.points++);
   }
 
-  /// Gives every fan but the first a point of its own. Faces are joined where exactly two fit together.
-  bool part_fans() {
+  /// Gives every fan but the first a point of its own. Faces are joined where exactly two fit together. All edges fit
+  /// then: sides that are not joined and still name the same two points are the ends of one fan at either, so that they
+  /// are two, and run in opposite directions as the faces of the fan agree.
+  void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
-    auto fans = detail::fans_of(soup, sides(), fits);
+    auto fans = detail::fans_of(soup, all, fits);
     std::vector<bool> taken(soup.points, false);
     std::vector<std::uint32_t> point_of(soup.corners.size());
-    bool changed = false;
     for (std::uint32_t c = 0; c < soup.corners.size(); ++c) {
       const std::uint32_t p = soup.corners[c], root = fans.find(c);
       if (root != c) {
         point_of[c] = point_of[root];
-      } else if (!taken[p]) {
-        taken[p] = true;
-        point_of[c] = p;
       } else {
-        point_of[c] = copy_of(p);
-        changed = true;
+        point_of[c] = taken[p] ? copy_of(p) : p;
+        taken[p] = true;
       }
     }
     soup.corners = std::move(point_of);
-    return changed;
   }
 
-  /// Where faces that do not fit still name one edge, because they hang together around both of its ends some other
-  /// way, all but the first get points of their own for the ends.
-  bool detach_faces() {
-    const SoupSides all = sides();
-    std::vector<std::uint32_t> corners;
-    for (std::size_t e = 0; e < all.edges(); ++e)
-      if (const Edge edge = all.edge(e); !fits(edge))
-        for (const SoupSide& side : edge.subspan(1)) {
-          corners.push_back(all.corner_at_low(side));
-          corners.push_back(all.corner_at_high(side));
-        }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    for (const std::uint32_t c : corners) result_.soup.corners[c] = copy_of(result_.soup.corners[c]);
-    return !corners.empty();
-  }
-
-  bool is_split(std::uint32_t p) {
-    if (copies_.empty()) {
-      copies_.resize(given_.points, 0);
-      for (const std::uint32_t q : result_.stands_on) ++copies_[q];
+  /// The edges at which faces had the same two points, and have them no more.
+  void find_cuts(const SoupSides& oriented) {
+    const auto ends = [&](const SoupSide& side) {
+      return std::pair(result_.soup.corners[oriented.corner_at_low(side)],
+                       result_.soup.corners[oriented.corner_at_high(side)]);
+    };
+    for (std::size_t e = 0; e < oriented.edges(); ++e) {
+      const Edge edge = oriented.edge(e);
+      if (std::all_of(edge.begin(), edge.end(), [&](const SoupSide& s) { return ends(s) == ends(edge[0]); })) continue;
+      std::vector<std::size_t> faces;
+      for (const SoupSide& side : edge) faces.push_back(result_.face_was[side.face]);
+      step(RepairKind::edge_cut, {edge[0].low, edge[0].high}, std::move(faces));
     }
-    return copies_[p] > 1;
+  }
+
+  void find_splits() {
+    std::vector<bool> split(given_.points, false);
+    for (std::size_t p = given_.points; p < result_.soup.points; ++p) split[result_.stands_on[p]] = true;
+    for (std::uint32_t p = 0; p < given_.points; ++p)
+      if (split[p]) step(RepairKind::point_split, {p}, {});
   }
 
   const PolygonSoup& given_;
   Repair result_;
-  std::vector<std::uint32_t> copies_;
 };
 
 }  // namespace

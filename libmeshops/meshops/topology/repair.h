@@ -1,6 +1,7 @@
 // What: makes an oriented manifold of any soup, and says what that took.
 // Law:  find_defects(repair(s).soup) is empty; a soup without defects comes back as it was; nothing is added to the
-// surface. Cost: near-linear.
+//       surface.
+// Cost: near-linear.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ enum class RepairKind {
   corner_dropped,  ///< a face named one point twice in a row, and names it once now
   face_dropped,    ///< a degenerate or duplicate face, or one with a corner out of range, is gone
   face_reversed,   ///< a face runs the other way now
-  edge_cut,        ///< the faces at an edge are apart: more than two met there, or two that cannot agree on a direction
+  edge_cut,        ///< the faces at an edge are not all joined there any more
   point_split      ///< a point has become several, one for each fan of faces
 };
 
@@ -41,9 +42,10 @@ MESHOPS_API std::string_view name(RepairKind kind);
 /// For people: "face dropped: points 3 3 4, face 7".
 MESHOPS_API std::string describe(const RepairStep& step);
 
-/// Faces that are degenerate or repeated go. Of the faces that hang together through edges as few as possible are
-/// reversed, the first one not when it is even. Where more than two faces meet in an edge none stays joined to another
-/// there.
+/// Faces that are degenerate, repeated or out of range go. Of the faces that hang together through edges of two as few
+/// as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet, or two
+/// that cannot agree on a direction; of these faces only two stay joined that hang together around both ends some
+/// other way.
 MESHOPS_API Repair repair(const PolygonSoup& soup);
 
 }  // namespace meshops

@@ -38,6 +38,7 @@ struct ComponentReport {
     const long closed = boundary_curves == 0 ? 1 : 0;
     return {1, 1 + closed - euler(), closed};
   }
+  friend bool operator==(const ComponentReport&, const ComponentReport&) = default;
 };
 
 /// The totals are of the complex as it is given: a point is one vertex however many fans stand on it, and an edge is a
@@ -56,6 +57,7 @@ struct TopologyReport {
   std::vector<ComponentReport> per_component;  ///< in the order of their first faces
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
+  friend bool operator==(const TopologyReport&, const TopologyReport&) = default;
 };
 
 /// Of any soup. Faces that are degenerate, repeated or out of range are passed over (find_defects() names them). At a

@@ -63,7 +63,8 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults) {
 
 FaceFaults find_face_faults(const PolygonSoup& soup) {
   constexpr std::size_t limit = std::size_t{1} << 30U;
-  require(soup.corners.size() < limit && soup.points < limit, "a soup has 2^30 corners or points, or more");
+  require(soup.corners.size() < limit && soup.points < limit && soup.faces() < limit,
+          "a soup has 2^30 corners, points or faces, or more");
   FaceFaults faults{std::vector<FaceFault>(soup.faces()), std::vector<std::size_t>(soup.faces())};
   std::vector<std::uint32_t> scratch;
   for (std::size_t f = 0; f < soup.faces(); ++f) faults.of[f] = fault_of(soup.face(f), soup.points, scratch);

@@ -19,7 +19,7 @@ struct FaceFaults {
   std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats
 };
 
-/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners or points.
+/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners, points or faces.
 FaceFaults find_face_faults(const PolygonSoup& soup);
 
 /// A side runs from the corner at index `corner` of the soup to the next one of its face.
@@ -29,6 +29,11 @@ struct SoupSide {
   std::uint32_t face;
   bool ascending;  ///< it runs from low to high
 };
+
+/// Faces that fit together at an edge: one, or two that run along it in opposite directions.
+inline bool fits(std::span<const SoupSide> edge) {
+  return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending != edge[1].ascending);
+}
 
 /// The sides of the faces that are given, sorted by edge and then by face.
 class SoupSides {

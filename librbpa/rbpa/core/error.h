@@ -3,16 +3,18 @@
 
 #include <stdexcept>
 
+#include "rbpa/core/api.h"
+
 namespace rbpa {
 
 /// The caller's data or parameters are not what the function takes; nothing was computed.
-class InvalidInput : public std::invalid_argument {
+class RBPA_API InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
 /// The progress callback asked to stop.
-class Cancelled : public std::runtime_error {
+class RBPA_API Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };

@@ -35,9 +35,9 @@ std::vector<std::string> Folder::names() const {
   return names;
 }
 
-Outcome Folder::rbpa(const std::string& arguments) const {
+Outcome Folder::run(const std::string& program, const std::string& arguments) const {
   const Folder streams;
-  const std::string command = "cd '" + path_.string() + "' && '" RBPA_PROGRAM "' " + arguments + " >'" +
+  const std::string command = "cd '" + path_.string() + "' && '" + program + "' " + arguments + " >'" +
                               streams.path("out") + "' 2>'" + streams.path("err") + "'";
   const int status = std::system(command.c_str());
   REQUIRE(WIFEXITED(status));

@@ -1,4 +1,4 @@
-// The program as a user runs it, in a folder of its own.
+// The programs as a user runs them, in a folder of its own.
 #pragma once
 
 #include <filesystem>
@@ -28,10 +28,13 @@ class Folder {
   bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
   std::vector<std::string> names() const;
 
-  /// Runs `rbpa ARGUMENTS` in this folder through the shell.
-  Outcome rbpa(const std::string& arguments) const;
+  /// Runs `rbpa ARGUMENTS`, `meshtopo ARGUMENTS` in this folder through the shell.
+  Outcome rbpa(const std::string& arguments) const { return run(RBPA_PROGRAM, arguments); }
+  Outcome meshtopo(const std::string& arguments) const { return run(MESHTOPO_PROGRAM, arguments); }
 
  private:
+  Outcome run(const std::string& program, const std::string& arguments) const;
+
   std::filesystem::path path_;
 };
 

@@ -1,0 +1,20 @@
+// What: what a program of ours tells its caller at the end.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace rbpa::app {
+
+enum ExitCode { done = 0, failed = 1, wrong_usage = 2, bad_input_given = 3, cancelled = 130 };
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 130 cancelled.";
+
+/// Says "PROGRAM: MESSAGE" on standard error; returns `code`.
+int report(const std::string& program, const std::string& message, ExitCode code);
+
+/// Does `work`, and turns what it throws into one line and an exit code.
+int run(const std::string& program, const std::function<void()>& work);
+
+}  // namespace rbpa::app

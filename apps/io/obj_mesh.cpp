@@ -1,0 +1,95 @@
+#include "io/obj_mesh.h"
+
+#include <charconv>
+#include <cstdint>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/vertex_lines.h"
+
+namespace rbpa::app {
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+  MeshFile read() {
+    for (std::size_t step = 0; lines_.next_with_content(); ++step) {
+      if (step % 16384 == 0) stop_if_interrupted();
+      first_line_ = lines_.number();
+      std::string_view rest = whole_line();
+      const std::string_view word = take_word(rest);
+      if (word == "v") {
+        mesh_.positions.push_back(take_position(rest, lines_, name_));
+        mesh_.point_lines.push_back(first_line_);
+      } else if (word == "f") {
+        read_face(rest);
+      }
+    }
+    if (mesh_.positions.empty()) bad_input(name_, "no line 'v x y z'", "the vertices of a mesh");
+    check_later_corners();
+    return std::move(mesh_);
+  }
+
+ private:
+  /// The line with all that continue it, without a comment behind.
+  std::string_view whole_line() {
+    std::string_view line = lines_.line();
+    if (!line.empty() && line.back() == '\\') {
+      joined_.clear();
+      while (!line.empty() && line.back() == '\\') {
+        joined_ += line.substr(0, line.size() - 1);
+        joined_ += ' ';
+        line = lines_.next() ? lines_.line() : std::string_view();
+      }
+      joined_ += line;
+      line = joined_;
+    }
+    return line.substr(0, line.find('#'));
+  }
+
+  void read_face(std::string_view rest) {
+    corners_.clear();
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
+      corners_.push_back(corner(word));
+    if (corners_.empty()) bad_input(at_line(name_, first_line_), "a face without corners", "vertex numbers behind 'f'");
+    mesh_.soup.add_face(corners_);
+    mesh_.face_lines.push_back(first_line_);
+  }
+
+  std::uint32_t corner(std::string_view word) const {
+    const std::string_view text = word.substr(0, word.find('/'));
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto before = static_cast<std::int64_t>(mesh_.positions.size());
+    if (error != std::errc() || end != text.data() + text.size() || number == 0 || number < -before ||
+        number > std::int64_t{UINT32_MAX})
+      bad_input(
+          at_line(name_, first_line_), in_quotes(word),
+          before == 0 ? "a vertex number from 1" : "a vertex number from 1, or from -1 to -" + std::to_string(before));
+    return static_cast<std::uint32_t>(number > 0 ? number - 1 : before + number);
+  }
+
+  /// A face may name vertices that come behind it.
+  void check_later_corners() const {
+    for (std::size_t f = 0; f < mesh_.soup.faces(); ++f)
+      for (const std::uint32_t corner : mesh_.soup.face(f))
+        if (corner >= mesh_.positions.size())
+          bad_input(at_line(name_, mesh_.face_lines[f]), in_quotes(std::to_string(std::uint64_t{corner} + 1)),
+                    "a vertex number from 1 to " + std::to_string(mesh_.positions.size()));
+  }
+
+  Lines lines_;
+  const std::string& name_;
+  std::size_t first_line_ = 0;  ///< of a line that is continued
+  std::string joined_ = {};
+  std::vector<std::uint32_t> corners_ = {};
+  MeshFile mesh_ = {};
+};
+
+}  // namespace
+
+MeshFile read_obj_mesh(std::string_view text, const std::string& name) { return ObjReader(text, name).read(); }
+
+}  // namespace rbpa::app

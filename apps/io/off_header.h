@@ -1,0 +1,26 @@
+// What: the beginning of an ASCII OFF file: how many vertices and faces follow it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/lines.h"
+
+namespace rbpa::app {
+
+struct OffHeader {
+  std::size_t vertices;
+  std::size_t line;         ///< that says so
+  std::string_view counts;  ///< its words behind the number of vertices
+  Lines lines;              ///< the vertices are next
+};
+
+/// OFF with any of the prefixes ST, C, N, or none; the counts in the line of the word or in the next. Throws BadInput
+/// naming the line, also when the file is too short for so many vertices of at least two coordinates.
+OffHeader read_off_header(std::string_view text, const std::string& name);
+
+/// "3 vertex lines as line 2 says".
+std::string announced(const OffHeader& header, std::size_t count, std::string_view noun);
+
+}  // namespace rbpa::app

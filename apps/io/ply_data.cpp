@@ -1,0 +1,77 @@
+#include "io/ply_data.h"
+
+#include <algorithm>
+
+#include "io/failure.h"
+#include "io/vertex_lines.h"
+
+namespace rbpa::app {
+
+std::string announced(const PlyElement& element) {
+  return counted(element.count, element.name + " element") + " as line " + std::to_string(element.line) + " says";
+}
+
+const PlyElement& vertices_of(const PlyHeader& header, const std::string& name) {
+  const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
+                                   [](const PlyElement& element) { return element.name == "vertex"; });
+  if (vertex == header.elements.end()) bad_input(name, "a header without vertices", "an element 'vertex'");
+  return *vertex;
+}
+
+std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
+                        const std::string& name) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i)
+    if (element.properties[i].name == property && !element.properties[i].count_type) return i;
+  bad_input(at_line(name, element.line), "vertices without " + in_quotes(property),
+            "number properties " + std::string(wanted));
+}
+
+void PlyBinary::require_room(const PlyElement& element) const {
+  const std::size_t size = element.least_size();
+  if (size > 0 && element.count > left() / size)
+    bad_input(name_, counted(left(), "byte") + " of data", announced(element));
+}
+
+void PlyBinary::skip(const PlyElement& element) {
+  if (element.has_lists()) return pass(element, [](std::size_t, const std::vector<const char*>&) {});
+  at_ += element.count * element.least_size();
+}
+
+void PlyBinary::pass(const PlyProperty& property, const PlyElement& element, std::size_t index) {
+  std::size_t values = 1;
+  if (property.count_type) {
+    const char* length = at_;
+    take(size_of(*property.count_type), element, index);
+    const double count = load_number(*property.count_type, length, order_);
+    if (count < 0)
+      bad_input(name_ + ": " + element.name + " " + std::to_string(index), "a negative list length", "none");
+    values = count > static_cast<double>(left()) ? left() + 1 : static_cast<std::size_t>(count);
+  }
+  take(values * size_of(property.type), element, index);
+}
+
+void PlyBinary::take(std::size_t size, const PlyElement& element, std::size_t index) {
+  if (size > left()) bad_input(name_, counted(index, "whole " + element.name + " element"), announced(element));
+  at_ += size;
+}
+
+void PlyText::require_room(const PlyElement& element) const {
+  if (element.properties.empty()) return;
+  // Each value takes a character, and another behind it unless it is the last of the file.
+  const std::size_t left = lines_.rest().size();
+  if (element.count > (left + 1) / (2 * element.properties.size()))
+    bad_input(name_, counted(left, "byte") + " of data", announced(element));
+}
+
+void PlyText::pass_words(const PlyProperty& property, std::string_view& rest) const {
+  double values = 1;
+  if (property.count_type) values = take_coordinate(rest, lines_, name_);
+  for (double i = 0; i < values; ++i)
+    if (take_word(rest).empty()) bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), "more values");
+}
+
+void PlyText::next(const PlyElement& element, std::size_t index) {
+  if (!lines_.next_with_content()) bad_input(name_, counted(index, element.name + " element"), announced(element));
+}
+
+}  // namespace rbpa::app

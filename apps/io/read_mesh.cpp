@@ -1,0 +1,46 @@
+#include "io/read_mesh.h"
+
+#include <limits>
+
+#include "io/failure.h"
+#include "io/input_bytes.h"
+#include "io/obj_mesh.h"
+#include "io/off_mesh.h"
+#include "io/ply_mesh.h"
+#include "io/stl_mesh.h"
+
+namespace rbpa::app {
+namespace {
+
+MeshFile parse(MeshFormat format, std::string_view bytes, const std::string& name) {
+  switch (format) {
+    case MeshFormat::off:
+      return read_off_mesh(bytes, name);
+    case MeshFormat::ply:
+      return read_ply_mesh(bytes, name);
+    case MeshFormat::obj:
+      return read_obj_mesh(bytes, name);
+    case MeshFormat::stl:
+      break;
+  }
+  return read_stl_mesh(bytes, name);
+}
+
+}  // namespace
+
+MeshFile read_mesh(const MeshSource& source) {
+  const InputBytes input(source.path, "a mesh file");
+  // A mesh without faces may be meant; no bytes at all come from a command that failed before.
+  if (input.bytes().empty()) bad_input(input.name(), "an empty file", "a mesh");
+  MeshFile mesh = parse(source.format, input.bytes(), input.name());
+  // A halfedge mesh numbers its elements with int, and a soup its corners with 32 bits.
+  constexpr std::size_t most = std::numeric_limits<int>::max() / 2;
+  if (mesh.positions.size() > most || mesh.soup.corners.size() > most)
+    bad_input(input.name(),
+              counted(mesh.positions.size(), "point") + " and " + counted(mesh.soup.corners.size(), "corner"),
+              "at most " + std::to_string(most) + " of each");
+  mesh.soup.points = mesh.positions.size();
+  return mesh;
+}
+
+}  // namespace rbpa::app

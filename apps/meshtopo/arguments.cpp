@@ -1,0 +1,74 @@
+#include "meshtopo/arguments.h"
+
+#include <vector>
+
+#include "io/failure.h"
+#include "io/same_file.h"
+#include "io/vertex_lines.h"
+#include "io/write_mesh.h"
+
+namespace rbpa::app {
+namespace {
+
+MeshSource parse_source(const std::string& path, const std::optional<std::string>& format) {
+  if (path == "-" && !format) throw WrongUsage("-: found no --format, expected one of " + std::string(mesh_formats));
+  const std::optional<MeshFormat> known = mesh_format(format ? std::string_view(*format) : ending(path));
+  if (known) return {path, *known};
+  if (format) refuse_name("--format", *format, mesh_formats);
+  refuse_ending(path, mesh_formats, "--format");
+}
+
+std::optional<MeshFormat> writable(std::string_view name) {
+  const std::optional<MeshFormat> known = mesh_format(name);
+  return known && can_write_mesh(*known) ? known : std::nullopt;
+}
+
+/// As in rbpa, the name counts where the ending does not say.
+RepairTarget parse_repair_target(const std::string& path, const std::optional<std::string>& format) {
+  if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
+  if (path == "-" && !format)
+    throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(written_mesh_formats));
+  if (const std::optional<MeshFormat> known = writable(ending(path))) return {path, *known};
+  if (!format) refuse_ending(path, written_mesh_formats, "--output-format");
+  return {path, *writable(*format)};
+}
+
+GeneratorTarget parse_generator_target(const std::string& path) {
+  if (const std::optional<PolylineFormat> known = polyline_format(ending(path))) return {path, *known};
+  throw WrongUsage("--generators: found the ending " + in_quotes(ending(path)) + ", expected one of " +
+                   std::string(polyline_formats));
+}
+
+std::size_t parse_max_defects(const std::string& text) {
+  const std::optional<std::size_t> number = parse_count(text);
+  if (!number) throw WrongUsage("--max-defects: found " + in_quotes(text) + ", expected a number from 0");
+  return *number;
+}
+
+}  // namespace
+
+TopologyPlan plan(const TopologyArguments& arguments) {
+  TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format),
+                    .max_defects = parse_max_defects(arguments.max_defects)};
+  const bool reports = arguments.json || !arguments.quiet;
+  if (reports) plan.report = "-";
+  if (arguments.repair) {
+    if (!arguments.output) throw WrongUsage("--repair: found no -o OUT, expected a file for the repaired mesh");
+    plan.repaired = parse_repair_target(*arguments.output, arguments.output_format);
+    if (reports && *arguments.output == "-")
+      throw WrongUsage("-o -: found standard output for the report and the mesh, expected another file or --quiet");
+  } else {
+    if (arguments.output_format) throw WrongUsage("--output-format: found no --repair, expected it");
+    if (arguments.output && !reports) throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
+    if (arguments.output) plan.report = arguments.output;
+  }
+  if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
+
+  std::vector<std::string> outputs;
+  if (arguments.output) outputs.push_back(*arguments.output);
+  if (arguments.generators) outputs.push_back(*arguments.generators);
+  require_different(outputs, arguments.mesh, "the mesh");
+  return plan;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,47 @@
+// What: the command line of `meshtopo`, from text to meaning.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "io/read_mesh.h"
+
+namespace rbpa::app {
+
+/// As given.
+struct TopologyArguments {
+  std::string mesh;
+  std::optional<std::string> format;
+  bool json = false;
+  std::optional<std::string> output;
+  std::optional<std::string> output_format;
+  bool repair = false;
+  std::optional<std::string> generators;
+  std::string max_defects = "20";
+  bool quiet = false;
+};
+
+struct RepairTarget {
+  std::string path;
+  MeshFormat format;
+};
+
+struct GeneratorTarget {
+  std::string path;
+  PolylineFormat format;
+};
+
+/// What a run reads and writes.
+struct TopologyPlan {
+  MeshSource source;
+  std::size_t max_defects;
+  std::optional<std::string> report = std::nullopt;  ///< where it goes, "-" for standard output; none: nowhere
+  std::optional<RepairTarget> repaired = std::nullopt;
+  std::optional<GeneratorTarget> generators = std::nullopt;
+};
+
+/// Throws WrongUsage naming the value.
+TopologyPlan plan(const TopologyArguments& arguments);
+
+}  // namespace rbpa::app

@@ -1,0 +1,22 @@
+// What: everything a run has to report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/read_mesh.h"
+#include "meshops/topology/repair.h"
+#include "meshops/topology/report.h"
+#include "meshops/topology/soup_defects.h"
+
+namespace rbpa::app {
+
+struct Findings {
+  const MeshFile& mesh;
+  meshops::TopologyReport topology;
+  std::vector<meshops::SoupDefect> defects;
+  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not asked for
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,62 @@
+// The program `meshtopo`: what its command line takes, and what its exit codes mean.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+
+#include "io/exit_code.h"
+#include "io/interrupt.h"
+#include "io/write_mesh.h"
+#include "meshtopo/run_topology.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr const char* program = "meshtopo";
+
+int main(int argc, char** argv) {
+  catch_interrupts();
+  CLI::App app("Topology of a mesh: what it has of everything, and where it is no surface", program);
+  app.set_version_flag("--version", std::string("meshtopo ") + RBPA_VERSION);
+  TopologyArguments arguments;
+  app.add_option("MESH", arguments.mesh, "Mesh file, or - for standard input")->required();
+  app.add_option("--format", arguments.format,
+                 "Format of MESH, where its ending does not say: " + std::string(mesh_formats))
+      ->type_name("NAME");
+  app.add_flag("--json", arguments.json, "The report as JSON");
+  app.add_option("-o,--output", arguments.output,
+                 "File to write: the report, or with --repair the mesh, by its ending: " +
+                     std::string(written_mesh_formats) + "; - is standard output")
+      ->type_name("OUT");
+  app.add_option("--output-format", arguments.output_format,
+                 "Format of the repaired mesh, where its ending does not say")
+      ->type_name("NAME");
+  app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done");
+  app.add_option("--generators", arguments.generators,
+                 "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
+      ->type_name("OUT");
+  app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", arguments.quiet, "No report for people");
+  app.footer(
+      "Examples:\n"
+      "  meshtopo bunny.ply\n"
+      "  meshtopo part.stl --json -o report.json\n"
+      "  meshtopo scan.obj --repair -o clean.off --generators loops.obj\n\n"
+      "Vertices and faces are numbered as in the file, from 0.\n" +
+      std::string(exit_codes));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {  // help or version
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    return report(program, std::string(e.what()) + " (see meshtopo --help)", wrong_usage);
+  }
+  return run(program, [&] { run_topology(arguments); });
+}
+
+}  // namespace
+}  // namespace rbpa::app
+
+int main(int argc, char** argv) { return rbpa::app::main(argc, argv); }

@@ -1,0 +1,44 @@
+#include "meshtopo/polylines.h"
+
+#include <nlohmann/json.hpp>
+
+#include "io/polygon_files.h"
+
+namespace rbpa::app {
+namespace {
+
+void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
+                     std::span<const Polyline> loops) {
+  for (const std::array<double, 3>& p : positions) write_obj_vertex(file, p);
+  for (Polyline loop : loops) {
+    loop.push_back(loop.front());
+    file.write("l");
+    write_corners(file, loop, 1);
+  }
+}
+
+void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
+                      std::span<const Polyline> loops) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Polyline& loop : loops) {
+    Json points = Json::array();
+    for (const std::uint32_t v : loop) points.push_back(positions[v]);
+    list.push_back({{"vertices", loop}, {"positions", points}});
+  }
+  file.write(list.dump() + "\n");
+}
+
+}  // namespace
+
+void write_polylines(OutputFile& file, PolylineFormat format, std::span<const std::array<double, 3>> positions,
+                     std::span<const Polyline> loops) {
+  switch (format) {
+    case PolylineFormat::obj:
+      return write_obj_lines(file, positions, loops);
+    case PolylineFormat::json:
+      return write_json_lines(file, positions, loops);
+  }
+}
+
+}  // namespace rbpa::app

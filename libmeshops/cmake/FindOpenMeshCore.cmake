@@ -1,0 +1,15 @@
+# Finds OpenMesh's core library: the Debian package has no CMake configuration of its own.
+# Gives the imported target OpenMeshCore::OpenMeshCore.
+find_path(OpenMeshCore_INCLUDE_DIR OpenMesh/Core/Mesh/PolyConnectivity.hh)
+find_library(OpenMeshCore_LIBRARY OpenMeshCore)
+mark_as_advanced(OpenMeshCore_INCLUDE_DIR OpenMeshCore_LIBRARY)
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenMeshCore REQUIRED_VARS OpenMeshCore_LIBRARY OpenMeshCore_INCLUDE_DIR)
+
+if(OpenMeshCore_FOUND AND NOT TARGET OpenMeshCore::OpenMeshCore)
+  add_library(OpenMeshCore::OpenMeshCore UNKNOWN IMPORTED)
+  set_target_properties(OpenMeshCore::OpenMeshCore PROPERTIES
+    IMPORTED_LOCATION ${OpenMeshCore_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${OpenMeshCore_INCLUDE_DIR})
+endif()

@@ -1,0 +1,31 @@
+// What: numbers on the edges of a mesh as a property map of Boost, for weights and capacities.
+// Law:  both halfedges of an edge have the same number.
+#pragma once
+
+#include <boost/property_map/function_property_map.hpp>
+#include <utility>
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+/// The map from a halfedge to of_edge(its edge). It owns `of_edge`, and copies it when it is copied.
+template <typename OfEdge>
+auto edge_map(OfEdge of_edge) {
+  // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
+  return boost::make_function_property_map<Halfedge>(
+      [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() / 2)); });
+}
+
+/// The map from a halfedge to the distance of its ends, as double, computed when it is asked for.
+/// Requires: `mesh` has point(Vertex), and the difference of two points has norm(); it outlives the map.
+template <typename Mesh>
+auto length_map(const Mesh& mesh) {
+  return edge_map([&mesh](Edge e) {
+    const Halfedge h = mesh.halfedge_handle(e, 0);
+    const auto along = mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h));
+    return static_cast<double>(along.norm());
+  });
+}
+
+}  // namespace meshops

@@ -1,0 +1,117 @@
+// What: a mesh seen as a graph of Boost; what the primal, dual and boundary views share.
+// Law:  source and target follow the halfedge, and a halfedge is an edge as seen from its source. edges() names every
+//       edge by one of its halfedges, and both have the same edge index. In a directed view the two halfedges of an
+//       edge are two edges, each with an index of its own and each the reverse of the other.
+// Cost: a view is one pointer, to be passed by value. Iterators allocate nothing; a step is constant.
+#pragma once
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/graph/view_iterators.h"
+#include "meshops/graph/view_maps.h"
+
+namespace meshops {
+
+/// The view of a sound mesh as `Kind` says: which elements are nodes and edges, and how edges turn about a node.
+/// `Direction` is boost::undirected_tag, or boost::bidirectional_tag where both halfedges of an edge are edges.
+/// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
+/// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
+///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
+/// Invalidated: by whatever changes the elements of the mesh. Elements marked deleted are passed over.
+template <typename Kind, typename Direction>
+class GraphView {
+  static constexpr bool is_undirected = std::is_same_v<Direction, boost::undirected_tag>;
+  struct Traversal : boost::bidirectional_graph_tag,
+                     boost::adjacency_graph_tag,
+                     boost::vertex_list_graph_tag,
+                     boost::edge_list_graph_tag {};
+
+ public:
+  using vertex_descriptor = typename Kind::Node;
+  using edge_descriptor = Halfedge;
+  using directed_category = Direction;
+  using edge_parallel_category = boost::allow_parallel_edge_tag;
+  using traversal_category = Traversal;
+  using vertices_size_type = std::size_t;
+  using edges_size_type = std::size_t;
+  using degree_size_type = std::size_t;
+
+  using vertex_iterator = detail::ListIterator<GraphView, vertex_descriptor>;
+  using edge_iterator = detail::ListIterator<GraphView, Halfedge>;
+  using out_edge_iterator = detail::TurnIterator<Kind, detail::LeavingEdge>;
+  using in_edge_iterator = detail::TurnIterator<Kind, detail::ArrivingEdge>;
+  using adjacency_iterator = detail::TurnIterator<Kind, detail::Neighbour<Kind>>;
+
+  using VertexIndexMap = IndexMap<vertex_descriptor, 1>;
+  using EdgeIndexMap = IndexMap<Halfedge, is_undirected ? 2 : 1>;
+
+  explicit GraphView(const Connectivity& mesh) : mesh_(&mesh) {}
+  explicit GraphView(const Connectivity&&) = delete;  // it would outlive the mesh
+
+  const Connectivity& mesh() const { return *mesh_; }
+  static vertex_descriptor null_vertex() { return vertex_descriptor(); }
+
+  /// Whether vertices() or edges() lists this element. Requires: the handle is in range.
+  static bool lists(const Connectivity& mesh, vertex_descriptor v) { return Kind::has(mesh, v); }
+  static bool lists(const Connectivity& mesh, Halfedge h) {
+    return Kind::has(mesh, h) && (!is_undirected || Kind::names_edge(mesh, h));
+  }
+
+  friend vertex_descriptor source(Halfedge h, const GraphView& g) { return Kind::source(*g.mesh_, h); }
+  friend vertex_descriptor target(Halfedge h, const GraphView& g) {
+    return Kind::source(*g.mesh_, g.mesh_->opposite_halfedge_handle(h));
+  }
+
+  friend auto vertices(const GraphView& g) { return vertex_iterator::range(*g.mesh_); }
+  friend auto edges(const GraphView& g) { return edge_iterator::range(*g.mesh_); }
+  friend auto out_edges(vertex_descriptor v, const GraphView& g) { return out_edge_iterator::range(*g.mesh_, v); }
+  friend auto in_edges(vertex_descriptor v, const GraphView& g) { return in_edge_iterator::range(*g.mesh_, v); }
+  friend auto adjacent_vertices(vertex_descriptor v, const GraphView& g) {
+    return adjacency_iterator::range(*g.mesh_, v);
+  }
+
+  /// One more than the greatest index, so the size of anything kept by index; 0 when there is no vertex (or edge). It
+  /// is their number when the indices have no gaps: nothing is marked deleted, and the view has all vertices (or
+  /// edges). Boost's algorithms allocate so many places and address them by index, as for boost::filtered_graph. Cost:
+  /// the length of the gap at the end.
+  friend vertices_size_type num_vertices(const GraphView& g) { return vertex_iterator::index_bound(*g.mesh_); }
+  friend edges_size_type num_edges(const GraphView& g) {
+    const std::size_t halfedges = edge_iterator::index_bound(*g.mesh_);
+    return is_undirected ? (halfedges + 1) / 2 : halfedges;
+  }
+
+  /// Cost of all three: the degree.
+  friend degree_size_type out_degree(vertex_descriptor v, const GraphView& g) {
+    const auto [first, last] = out_edges(v, g);
+    return static_cast<degree_size_type>(std::distance(first, last));
+  }
+  friend degree_size_type in_degree(vertex_descriptor v, const GraphView& g) { return out_degree(v, g); }
+  friend degree_size_type degree(vertex_descriptor v, const GraphView& g) {
+    return (is_undirected ? 1 : 2) * out_degree(v, g);
+  }
+
+  friend VertexIndexMap get(boost::vertex_index_t, const GraphView&) { return {}; }
+  friend EdgeIndexMap get(boost::edge_index_t, const GraphView&) { return {}; }
+  friend ReverseMap get(boost::edge_reverse_t, const GraphView&) requires(!is_undirected) { return {}; }
+  template <typename Property, typename Key>
+  friend auto get(Property property, const GraphView& g, Key key) {
+    return get(get(property, g), key);
+  }
+
+ private:
+  const Connectivity* mesh_;
+};
+
+/// The same graph with both halfedges of an edge as edges, as maximum flow needs it.
+template <typename Kind>
+GraphView<Kind, boost::bidirectional_tag> directed(GraphView<Kind, boost::undirected_tag> view) {
+  return GraphView<Kind, boost::bidirectional_tag>(view.mesh());
+}
+
+}  // namespace meshops

@@ -1,0 +1,28 @@
+// What: the vertices and edges of a mesh as a graph.
+// Law:  a halfedge runs from its from-vertex to its to-vertex; components are those of the mesh.
+#pragma once
+
+#include "meshops/core/live.h"
+#include "meshops/graph/graph_view.h"
+
+namespace meshops {
+namespace detail {
+
+struct Primal {
+  using Node = Vertex;
+  static bool has(const Connectivity& mesh, Vertex v) { return is_live(mesh, v); }
+  static bool has(const Connectivity& mesh, Halfedge h) { return is_live(mesh, h); }
+  static bool names_edge(const Connectivity&, Halfedge h) { return h.idx() % 2 == 0; }
+  static Vertex source(const Connectivity& mesh, Halfedge h) { return mesh.from_vertex_handle(h); }
+  static Halfedge first_leaving(const Connectivity& mesh, Vertex v) { return mesh.halfedge_handle(v); }
+  static Halfedge next_leaving(const Connectivity& mesh, Halfedge h) {
+    return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h));
+  }
+};
+
+}  // namespace detail
+
+/// Isolated vertices are vertices of it. edges() names an edge by its first halfedge.
+using PrimalGraph = GraphView<detail::Primal, boost::undirected_tag>;
+
+}  // namespace meshops

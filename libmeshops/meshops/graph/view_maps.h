@@ -1,0 +1,63 @@
+// What: the property maps that a graph view has by itself.
+// Law:  an index is that of the handle: of the vertex, face, edge or halfedge.
+#pragma once
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <cstddef>
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+template <typename Kind, typename Direction>
+class GraphView;
+
+/// The index of a handle; with `PerIndex` = 2 that of the edge of a halfedge.
+template <typename Handle, int PerIndex>
+struct IndexMap {
+  using key_type = Handle;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::readable_property_map_tag;
+
+  // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
+  std::size_t operator[](Handle handle) const { return static_cast<std::size_t>(handle.idx() / PerIndex); }
+  friend std::size_t get(IndexMap map, Handle handle) { return map[handle]; }
+};
+
+/// The halfedge that runs the other way.
+struct ReverseMap {
+  using key_type = Halfedge;
+  using value_type = Halfedge;
+  using reference = Halfedge;
+  using category = boost::readable_property_map_tag;
+
+  Halfedge operator[](Halfedge h) const { return Halfedge(h.idx() ^ 1); }
+  friend Halfedge get(ReverseMap map, Halfedge h) { return map[h]; }
+};
+
+}  // namespace meshops
+
+// Where Boost looks up the types of the maps that get() returns.
+namespace boost {
+template <typename Kind, typename Direction>
+struct property_map<meshops::GraphView<Kind, Direction>, vertex_index_t> {
+  using type = typename meshops::GraphView<Kind, Direction>::VertexIndexMap;
+  using const_type = type;
+};
+template <typename Kind, typename Direction>
+struct property_map<meshops::GraphView<Kind, Direction>, edge_index_t> {
+  using type = typename meshops::GraphView<Kind, Direction>::EdgeIndexMap;
+  using const_type = type;
+};
+template <typename Kind>
+struct property_map<meshops::GraphView<Kind, bidirectional_tag>, edge_reverse_t> {
+  using type = meshops::ReverseMap;
+  using const_type = type;
+};
+template <typename Kind, typename Direction, typename Property>
+struct property_map<const meshops::GraphView<Kind, Direction>, Property>
+    : property_map<meshops::GraphView<Kind, Direction>, Property> {};
+}  // namespace boost

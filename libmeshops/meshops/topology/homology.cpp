@@ -1,0 +1,224 @@
+#include "meshops/topology/homology.h"
+
+#include <algorithm>
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/graph/edge_map.h"
+#include "meshops/graph/primal_graph.h"
+
+namespace meshops {
+namespace {
+
+template <typename Handle>
+std::size_t at(Handle handle) {
+  return static_cast<std::size_t>(handle.idx());
+}
+
+/// A spanning forest of the vertices: how far each is from its root, and the halfedge by which it is reached, none at a
+/// root.
+struct Tree {
+  std::vector<double> distance;
+  std::vector<Halfedge> reached_by;
+
+  bool has(const Connectivity& mesh, Edge e) const {
+    const Halfedge h = mesh.halfedge_handle(e, 0);
+    return reached_by[at(mesh.to_vertex_handle(h))] == h ||
+           reached_by[at(mesh.from_vertex_handle(h))] == mesh.opposite_halfedge_handle(h);
+  }
+};
+
+/// Homology, or homology modulo the boundary: there all points of the boundary are as one, and a way between two of
+/// them is a loop. The generators come from the one, the cut from the other; on a closed mesh they are the same.
+enum class Modulo { nothing, boundary };
+
+class TreeCotree {
+ public:
+  TreeCotree(const Connectivity& mesh, std::span<const double> lengths) : mesh_(mesh), lengths_(lengths) {
+    const PrimalGraph graph(mesh);
+    component_.resize(num_vertices(graph));
+    components_ = boost::connected_components(
+        graph, boost::make_iterator_property_map(component_.begin(), get(boost::vertex_index, graph)));
+  }
+
+  std::vector<Loop> generators() const {
+    std::vector<Loop> loops;
+    const Tree tree = spanning_tree(roots(Modulo::nothing));
+    for (const Edge e : left_over(tree, Modulo::nothing)) loops.push_back(loop(tree, mesh_.halfedge_handle(e, 0)));
+    return loops;
+  }
+
+  std::vector<Edge> cut_graph() const {
+    const Tree tree = spanning_tree(roots(Modulo::boundary));
+    std::vector<Edge> cut = left_over(tree, Modulo::boundary);
+    for_each_edge(mesh_, [&](Edge e) {
+      if (tree.has(mesh_, e)) cut.push_back(e);
+    });
+    std::sort(cut.begin(), cut.end());
+    prune(cut);
+    return cut;
+  }
+
+ private:
+  /// The vertices from which the tree grows: the least of every component, or all its boundary vertices if it has any.
+  std::vector<Vertex> roots(Modulo modulo) const {
+    std::vector<Vertex> found;
+    std::vector<char> has_root(components_, 0);
+    const auto add = [&](Vertex v) {
+      found.push_back(v);
+      has_root[component_[at(v)]] = 1;
+    };
+    if (modulo == Modulo::boundary)
+      for_each_vertex(mesh_, [&](Vertex v) {
+        if (mesh_.is_boundary(v)) add(v);
+      });
+    for_each_vertex(mesh_, [&](Vertex v) {
+      if (!has_root[component_[at(v)]]) add(v);
+    });
+    return found;
+  }
+
+  Tree spanning_tree(const std::vector<Vertex>& roots) const {
+    const PrimalGraph graph(mesh_);
+    const auto index = get(boost::vertex_index, graph);
+    Tree tree{std::vector<double>(num_vertices(graph), 0), std::vector<Halfedge>(num_vertices(graph))};
+    const auto distance = boost::make_iterator_property_map(tree.distance.begin(), index);
+    const auto reached_by = boost::make_iterator_property_map(tree.reached_by.begin(), index);
+    if (lengths_.empty()) {
+      boost::queue<Vertex> queue;
+      boost::breadth_first_search(
+          graph, roots.begin(), roots.end(), queue,
+          boost::make_bfs_visitor(std::pair(boost::record_distances(distance, boost::on_tree_edge()),
+                                            boost::record_edge_predecessors(reached_by, boost::on_tree_edge()))),
+          boost::make_two_bit_color_map(num_vertices(graph), index));
+    } else {
+      boost::dijkstra_shortest_paths(
+          graph, roots.begin(), roots.end(), boost::dummy_property_map(), distance,
+          edge_map([this](Edge e) { return lengths_[at(e)]; }), index, std::less<>(), std::plus<>(),
+          std::numeric_limits<double>::infinity(), 0.0,
+          boost::make_dijkstra_visitor(boost::record_edge_predecessors(reached_by, boost::on_edge_relaxed())));
+    }
+    return tree;
+  }
+
+  /// The edges that are neither in the tree nor in the cotree: a spanning forest of the faces across other edges, which
+  /// takes those first that close long loops with the tree. Boundary edges join a face to what lies outside, or are on
+  /// no side of anything when all is modulo the boundary. Ascending.
+  std::vector<Edge> left_over(const Tree& tree, Modulo modulo) const {
+    struct Candidate {
+      double loop;
+      Edge edge;
+    };
+    std::vector<Candidate> candidates;
+    for_each_edge(mesh_, [&](Edge e) {
+      if (tree.has(mesh_, e) || (modulo == Modulo::boundary && mesh_.is_boundary(e))) return;
+      const Halfedge h = mesh_.halfedge_handle(e, 0);
+      const double length = lengths_.empty() ? 1 : lengths_[at(e)];
+      candidates.push_back(
+          {tree.distance[at(mesh_.from_vertex_handle(h))] + tree.distance[at(mesh_.to_vertex_handle(h))] + length, e});
+    });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.loop > b.loop; });
+
+    // One place more, for what lies outside. All components may share it: no cycle runs from one to another through it.
+    const std::size_t outside = mesh_.n_faces();
+    std::vector<std::size_t> parent(outside + 1);
+    std::vector<unsigned char> rank(outside + 1, 0);
+    boost::disjoint_sets<unsigned char*, std::size_t*> sets(rank.data(), parent.data());
+    for (std::size_t i = 0; i <= outside; ++i) sets.make_set(i);
+    const auto side = [&](Edge e, unsigned which) {
+      const Face f = mesh_.face_handle(mesh_.halfedge_handle(e, which));
+      return sets.find_set(f.is_valid() ? at(f) : outside);
+    };
+    std::vector<Edge> left;
+    for (const Candidate& candidate : candidates) {
+      const std::size_t a = side(candidate.edge, 0), b = side(candidate.edge, 1);
+      if (a == b)
+        left.push_back(candidate.edge);
+      else
+        sets.link(a, b);
+    }
+    std::sort(left.begin(), left.end());
+    return left;
+  }
+
+  /// `closing`, and back along the tree.
+  Loop loop(const Tree& tree, Halfedge closing) const {
+    // The ways to the root from both ends, without what they have in common.
+    const auto to_root = [&](Vertex v) {
+      std::vector<Halfedge> way;
+      for (Halfedge h = tree.reached_by[at(v)]; h.is_valid(); h = tree.reached_by[at(mesh_.from_vertex_handle(h))])
+        way.push_back(h);
+      return way;
+    };
+    std::vector<Halfedge> up = to_root(mesh_.to_vertex_handle(closing));
+    std::vector<Halfedge> down = to_root(mesh_.from_vertex_handle(closing));
+    while (!up.empty() && !down.empty() && up.back() == down.back()) {
+      up.pop_back();
+      down.pop_back();
+    }
+    Loop loop = {closing};
+    for (const Halfedge h : up) loop.push_back(mesh_.opposite_halfedge_handle(h));
+    loop.insert(loop.end(), down.rbegin(), down.rend());
+    return loop;
+  }
+
+  /// Takes out edges with an inner end at which there is no other edge, until there is none.
+  void prune(std::vector<Edge>& cut) const {
+    std::vector<bool> is_in(mesh_.n_edges(), false);
+    std::vector<int> degree(mesh_.n_vertices(), 0);
+    std::vector<int> edges(mesh_.n_vertices(), 0);  // the exclusive or of their indices: the last one when it is alone
+    const auto toggle = [&](Edge e) {
+      is_in[at(e)] = !is_in[at(e)];
+      for (const unsigned end : {0u, 1u}) {
+        const std::size_t v = at(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, end)));
+        degree[v] += is_in[at(e)] ? 1 : -1;
+        edges[v] ^= e.idx();
+      }
+    };
+    for (const Edge e : cut) toggle(e);
+    for_each_vertex(mesh_, [&](Vertex v) {
+      while (degree[at(v)] == 1 && !mesh_.is_boundary(v)) {
+        const Edge last(edges[at(v)]);
+        const Halfedge h = mesh_.halfedge_handle(last, 0);
+        v = mesh_.to_vertex_handle(h) == v ? mesh_.from_vertex_handle(h) : mesh_.to_vertex_handle(h);
+        toggle(last);
+      }
+    });
+    std::erase_if(cut, [&](Edge e) { return !is_in[at(e)]; });
+  }
+
+  const Connectivity& mesh_;
+  std::span<const double> lengths_;
+  std::vector<std::size_t> component_;
+  std::size_t components_ = 0;
+};
+
+Homology compute(const Connectivity& mesh, std::span<const double> lengths) {
+  const TreeCotree trees(mesh, lengths);
+  return {trees.generators(), trees.cut_graph()};
+}
+
+}  // namespace
+
+Homology homology(const Connectivity& mesh) { return compute(mesh, {}); }
+
+Homology homology(const Connectivity& mesh, std::span<const double> lengths) {
+  require(lengths.size() == mesh.n_edges(), "homology: one length for each edge");
+  double sum = 0;
+  for_each_edge(mesh, [&](Edge e) {
+    require(lengths[at(e)] >= 0, "homology: the length of an edge is negative or not a number");
+    sum += lengths[at(e)];
+  });
+  require(std::isfinite(sum), "homology: the sum of the lengths is not finite");
+  return compute(mesh, lengths);
+}
+
+}  // namespace meshops

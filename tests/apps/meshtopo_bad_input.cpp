@@ -1,0 +1,228 @@
+// Every way in which a mesh file or a command line of meshtopo can be bad: the exit code, the whole message, and no
+// output left.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "support/mesh_files.h"
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
+  CAPTURE(arguments);
+  const auto before = folder.names().size();
+  const Outcome outcome = folder.meshtopo(arguments);
+  CHECK(outcome.code == code);
+  CHECK(outcome.err == "meshtopo: " + message + "\n");
+  CHECK(outcome.out.empty());
+  CHECK(folder.names().size() == before);
+}
+
+void refuses_mesh(const std::string& name, const std::string& content, const std::string& message) {
+  CAPTURE(content);
+  const Folder folder;
+  folder.file(name, content);
+  refuses(folder, name + " --repair -o out.off --generators loops.obj", 3, message);
+}
+
+const std::string ply_head =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string ply_faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string three_points = "0 0 0\n1 0 0\n0 1 0\n";
+
+std::string binary_ply(const std::string& data) {
+  return "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+         "z\n" +
+         ply_faces + data;
+}
+
+std::string float_bytes(float value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+}  // namespace
+
+TEST_SUITE("meshtopo: bad input") {
+  TEST_CASE("no file, a folder, no bytes") {
+    const Folder folder;
+    refuses(folder, "none.off", 3, "none.off: found no such file, expected a mesh file");
+    refuses(folder, ". --format off", 3, ".: found a folder, expected a mesh file");
+    refuses_mesh("m.off", "", "m.off: found an empty file, expected a mesh");
+  }
+
+  TEST_CASE("OFF") {
+    const std::string head = "OFF\n3 1 0\n" + three_points;
+    refuses_mesh("m.off", "NOPE\n3 1 0\n", "m.off:1: found 'NOPE', expected OFF, COFF, NOFF or CNOFF");
+    refuses_mesh("m.off", "OFF BINARY\n", "m.off:1: found binary OFF, expected ASCII OFF");
+    refuses_mesh("m.off", "OFF\n# c\nx 1 0\n",
+                 "m.off:3: found 'x 1 0', expected the numbers of vertices, faces and edges");
+    refuses_mesh("m.off", "OFF\n3\n" + three_points,
+                 "m.off:2: found '' behind the number of vertices, expected the number of faces");
+    refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "m.off:4: found 'zero', expected a number");
+    refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "m.off:4: found '1 0', expected another number");
+    refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
+                 "m.off:4: found 'nan', expected a finite number");
+    refuses_mesh("m.off", head + "3 0 1 3\n", "m.off:6: found '3', expected a vertex number from 0 to 2");
+    refuses_mesh("m.off", head + "3 0 1 -1\n", "m.off:6: found '-1', expected a vertex number from 0 to 2");
+    refuses_mesh("m.off", head + "4 0 1 2\n", "m.off:6: found 3 corners ('4 0 1 2'), expected 4 as the line says");
+    refuses_mesh("m.off", head + "three 0 1 2\n", "m.off:6: found 'three', expected the number of corners of a face");
+    refuses_mesh("m.off", head + "3 0 1 2\n\n3 2 1 0\n",
+                 "m.off:8: found '3 2 1 0', expected nothing behind the 1 face line as line 2 says");
+    refuses_mesh("m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
+                 "m.off: found 1 face line, expected 2 face lines as line 2 says");
+    refuses_mesh("m.off", "OFF\n3 0 0\n0 0 0\n0 0 0 # long enough\n",
+                 "m.off: found 2 vertex lines, expected 3 vertex lines as line 2 says");
+  }
+
+  TEST_CASE("counts beyond the file are found before memory is asked for") {
+    refuses_mesh("m.off", "OFF\n99999999999999 0 0\n0 0 0\n",
+                 "m.off: found 6 bytes of data, expected 99999999999999 vertex lines as line 2 says");
+    refuses_mesh("m.off", "OFF\n1 99999999999999 0\n0 0 0\n3 0 0 0\n",
+                 "m.off: found 8 bytes behind the vertices, expected 99999999999999 face lines as line 2 says");
+    refuses_mesh("m.off", "OFF\n1 1 0\n0 0 0\n99999999999999 0 0 0\n",
+                 "m.off:4: found 3 corners ('99999999999999 0 0 0'), expected 99999999999999 as the line says");
+    refuses_mesh("m.ply",
+                 "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty "
+                 "float z\nelement face 99999999999999\nproperty list int int vertex_index\nend_header\n12345678",
+                 "m.ply: found 8 bytes of data, expected 99999999999999 face elements as line 7 says");
+    std::string stl(84, '\0');
+    stl.replace(80, 4, "\xff\xff\xff\xff");
+    refuses_mesh("m.stl", stl,
+                 "m.stl: found 84 bytes, expected 214748364834 for the 4294967295 facets that byte 80 announces");
+  }
+
+  TEST_CASE("PLY, ASCII") {
+    refuses_mesh("m.ply", "plya\n", "m.ply: found no PLY signature, expected a .ply file");
+    refuses_mesh("m.ply", "ply\nformat ascii 1.0\nend_header\n",
+                 "m.ply: found a header without vertices, expected an element 'vertex'");
+    refuses_mesh("m.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
+                 "m.ply:3: found vertices without 'z', expected number properties x, y and z");
+    refuses_mesh(
+        "m.ply", ply_head + "element face 1\nproperty int a\nend_header\n" + three_points + "1\n",
+        "m.ply:7: found faces without a list of vertices, expected a list property vertex_indices or vertex_index");
+    refuses_mesh("m.ply", ply_head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n",
+                 "m.ply:7: found triangle strips, expected faces as lists of vertex indices");
+    refuses_mesh("m.ply", ply_head + ply_faces + three_points + "3 0 1 3\n",
+                 "m.ply:13: found '3', expected a vertex number from 0 to 2");
+    refuses_mesh("m.ply", ply_head + ply_faces + three_points,
+                 "m.ply: found 0 bytes of data, expected 1 face element as line 7 says");
+    refuses_mesh("m.ply", ply_head + ply_faces + "0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n",
+                 "m.ply:11: found 'inf', expected a finite number");
+  }
+
+  TEST_CASE("PLY, binary: the element is named") {
+    const std::string zero = float_bytes(0);
+    refuses_mesh("m.ply",
+                 binary_ply(zero + float_bytes(std::numeric_limits<float>::quiet_NaN()) + zero + "\x01" + zero),
+                 "m.ply: vertex 0: found 'nan', expected a finite number");
+    refuses_mesh("m.ply", binary_ply(zero + zero + zero + "\x01\x07" + zero.substr(1)),
+                 "m.ply: face 0: found '7', expected a vertex number from 0 to 0");
+    refuses_mesh("m.ply", binary_ply(zero + zero + zero + "\x02" + zero),
+                 "m.ply: found 0 whole face elements, expected 1 face element as line 7 says");
+    refuses_mesh("m.ply", binary_ply(zero + zero),
+                 "m.ply: found 8 bytes of data, expected 1 vertex element as line 3 says");
+  }
+
+  TEST_CASE("OBJ") {
+    const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    refuses_mesh("m.obj", "# nothing\n", "m.obj: found no line 'v x y z', expected the vertices of a mesh");
+    refuses_mesh("m.obj", "v 0 0\n", "m.obj:1: found 'v 0 0', expected another number");
+    refuses_mesh("m.obj", head + "f 1 2 4\n", "m.obj:4: found '4', expected a vertex number from 1 to 3");
+    refuses_mesh("m.obj", head + "f 1 2 0\n", "m.obj:4: found '0', expected a vertex number from 1, or from -1 to -3");
+    refuses_mesh("m.obj", head + "f 1 2 -4\n",
+                 "m.obj:4: found '-4', expected a vertex number from 1, or from -1 to -3");
+    refuses_mesh("m.obj", head + "f 1 \\\n2 x/1\n",
+                 "m.obj:4: found 'x/1', expected a vertex number from 1, or from -1 to -3");
+    refuses_mesh("m.obj", head + "f\n", "m.obj:4: found a face without corners, expected vertex numbers behind 'f'");
+  }
+
+  TEST_CASE("STL") {
+    refuses_mesh("m.stl", "not a mesh", "m.stl: found 10 bytes, expected 'solid' or the 84 bytes before binary facets");
+    const std::string text = stl_text(pyramid_triangles), bytes = stl_binary(pyramid_triangles);
+    refuses_mesh("m.stl", text.substr(0, text.find("endsolid")),
+                 "m.stl: found the end of the file, expected facet or endsolid");
+    refuses_mesh("m.stl", "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n",
+                 "m.stl:6: found 'endloop', expected vertex");
+    refuses_mesh("m.stl", "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 x\n",
+                 "m.stl:4: found 'x', expected a number");
+    refuses_mesh("m.stl", "solid\nmesh\n", "m.stl:2: found 'mesh', expected facet or endsolid");
+    refuses_mesh("m.stl", "solid\nendsolid\nmore\n", "m.stl:3: found 'more', expected solid");
+    refuses_mesh("m.stl", bytes.substr(0, bytes.size() - 1),
+                 "m.stl: found 383 bytes, expected 384 for the 6 facets that byte 80 announces");
+    std::string broken = bytes;
+    broken.replace(84 + 50 * 2 + 12 + 4, 4, float_bytes(std::numeric_limits<float>::infinity()));
+    refuses_mesh("m.stl", broken, "m.stl: facet 2: found 'inf', expected a finite number");
+  }
+}
+
+TEST_SUITE("meshtopo: wrong usage") {
+  TEST_CASE("formats that are not known") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    folder.file("m", pyramid_off);
+    refuses(folder, "m.foo", 2, "m.foo: found the ending 'foo', expected one of off, ply, obj, stl, or --format");
+    refuses(folder, "m", 2, "m: found the ending '', expected one of off, ply, obj, stl, or --format");
+    refuses(folder, "m --format xyz", 2, "--format: found 'xyz', expected one of off, ply, obj, stl");
+    refuses(folder, "- <m.off", 2, "-: found no --format, expected one of off, ply, obj, stl");
+    refuses(folder, "m.off --repair -o out.stl", 2,
+            "out.stl: found the ending 'stl', expected one of off, ply, obj, or --output-format");
+    refuses(folder, "m.off --repair -o - -q", 2, "-o -: found no --output-format, expected one of off, ply, obj");
+    refuses(folder, "m.off --repair -o out --output-format stl", 2,
+            "--output-format: found 'stl', expected one of off, ply, obj");
+    refuses(folder, "m.off --generators loops.off", 2,
+            "--generators: found the ending 'off', expected one of obj, json");
+  }
+
+  TEST_CASE("arguments that do not go together") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    refuses(folder, "m.off --repair", 2, "--repair: found no -o OUT, expected a file for the repaired mesh");
+    refuses(folder, "m.off --output-format off", 2, "--output-format: found no --repair, expected it");
+    refuses(folder, "m.off -q -o r.txt", 2, "-o: found --quiet and no --json, expected a report to write");
+    refuses(folder, "m.off --repair -o - --output-format off", 2,
+            "-o -: found standard output for the report and the mesh, expected another file or --quiet");
+    refuses(folder, "m.off --repair -o m.off", 2,
+            "m.off: found the file of the mesh, expected another file to write to");
+    refuses(folder, "m.off --repair -o a.obj --generators ./a.obj", 2,
+            "./a.obj: found twice among the files to write, expected once");
+    CHECK(folder.content("m.off") == pyramid_off);
+  }
+
+  TEST_CASE("no mesh, an unknown option, a number that is none") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    CHECK(folder.meshtopo("").code == 2);
+    CHECK(folder.meshtopo("m.off --jsno").code == 2);
+    refuses(folder, "m.off --max-defects many", 2, "--max-defects: found 'many', expected a number from 0");
+    refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a number from 0");
+  }
+
+  TEST_CASE("help and version are answers") {
+    const Folder folder;
+    CHECK(folder.meshtopo("--help").code == 0);
+    CHECK(folder.meshtopo("--help").out.find("Examples:") != std::string::npos);
+    CHECK(folder.meshtopo("--version").out.find("meshtopo 0.") == 0);
+  }
+}
+
+TEST_SUITE("meshtopo: failure while running") {
+  TEST_CASE("a full or unwritable output, and nothing left behind") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    refuses(folder, "m.off -o /dev/full", 1, "/dev/full: cannot write: No space left on device");
+    refuses(folder, "m.off --json -o none/r.json", 1, "none/r.json: cannot create: No such file or directory");
+    refuses(folder, "m.off --repair -o none/m.off", 1, "none/m.off: cannot create: No such file or directory");
+    refuses(folder, "m.off --repair -o out.off --generators none/l.obj", 1,
+            "none/l.obj: cannot create: No such file or directory");
+    refuses(folder, "m.off -o /dev/full --generators loops.json", 1,
+            "/dev/full: cannot write: No space left on device");
+  }
+}

@@ -1,0 +1,26 @@
+# Installs the build BUILD, moves the tree to WORK, and looks for paths of the build or the sources in it.
+cmake_minimum_required(VERSION 3.22)
+file(REMOVE_RECURSE "${WORK}" "${WORK} first")
+execute_process(
+  COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --component development --prefix "${WORK} first"
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME "${WORK} first" "${WORK}")
+
+file(GLOB_RECURSE files "${WORK}/*")
+list(LENGTH files count)
+if(count LESS 40)
+  message(FATAL_ERROR "only ${count} files were installed")
+endif()
+foreach(file ${files})
+  if(NOT file MATCHES "\\.(cmake|pc|h)$")
+    continue()
+  endif()
+  file(READ "${file}" text)
+  foreach(path "${BUILD}" "${SOURCE}" "${WORK} first")
+    string(FIND "${text}" "${path}" found)
+    if(NOT found EQUAL -1)
+      message(FATAL_ERROR "${file} names ${path}, so that the tree cannot be moved")
+    endif()
+  endforeach()
+endforeach()
+message(STATUS "${count} files installed and moved")

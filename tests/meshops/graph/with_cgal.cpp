@@ -1,0 +1,68 @@
+// CGAL makes OpenMesh's meshes graphs of Boost, and so do the views: one program may use both.
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#include <doctest/doctest.h>
+
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+#include <vector>
+
+#include "meshops/graph/boundary_graph.h"
+#include "meshops/graph/dual_graph.h"
+#include "meshops/graph/edge_map.h"
+#include "meshops/graph/primal_graph.h"
+
+using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+
+namespace {
+
+/// Squares in rows, and one square apart.
+Mesh squares(int columns, int rows) {
+  Mesh mesh;
+  for (int y = 0; y <= rows; ++y)
+    for (int x = 0; x <= columns; ++x) mesh.add_vertex({float(x), float(y), 0});
+  const auto at = [&](int x, int y) { return OpenMesh::VertexHandle(y * (columns + 1) + x); };
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      mesh.add_face(std::vector{at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+  std::vector<OpenMesh::VertexHandle> apart;
+  for (int i = 0; i < 4; ++i) apart.push_back(mesh.add_vertex({float(9 + (i == 1 || i == 2)), float(i / 2), 0}));
+  mesh.add_face(apart);
+  return mesh;
+}
+
+template <typename Graph>
+std::size_t component_count(const Graph& g) {
+  std::vector<std::size_t> component(num_vertices(g));
+  return boost::connected_components(g,
+                                     boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, g)));
+}
+
+template <typename Graph, typename Weight>
+std::vector<double> distances(const Graph& g, Weight weight) {
+  std::vector<double> distance(num_vertices(g));
+  boost::dijkstra_shortest_paths(g, OpenMesh::VertexHandle(0),
+                                 boost::weight_map(weight).distance_map(
+                                     boost::make_iterator_property_map(distance.begin(), get(boost::vertex_index, g))));
+  return distance;
+}
+
+}  // namespace
+
+TEST_SUITE("graph views beside CGAL") {
+  TEST_CASE("an algorithm through CGAL's traits and through the views gives the same") {
+    const Mesh mesh = squares(4, 3);
+    const meshops::PrimalGraph primal(mesh);
+    CHECK(component_count(primal) == 2);
+    CHECK(component_count(meshops::DualGraph(mesh)) == 2);
+    CHECK(component_count(meshops::BoundaryGraph(mesh)) == 2);
+    const auto by_cgal = distances(mesh, get(boost::edge_weight, mesh));
+    const auto by_view = distances(primal, meshops::length_map(mesh));
+    CHECK(by_cgal == by_view);
+    CHECK(by_view[19] == 7);
+    std::vector<meshops::Halfedge> forest;
+    boost::kruskal_minimum_spanning_tree(primal, std::back_inserter(forest),
+                                         boost::weight_map(meshops::length_map(mesh)));
+    CHECK(forest.size() == 22);
+  }
+}

@@ -1,0 +1,201 @@
+#include "meshops/topology/soup_defects.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "meshops/core/contract.h"
+#include "support/soups.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+using Kind = SoupDefectKind;
+
+/// The texts of all defects.
+std::vector<std::string> told(const PolygonSoup& soup) {
+  std::vector<std::string> lines;
+  for (const SoupDefect& defect : find_defects(soup)) lines.push_back(describe(defect));
+  return lines;
+}
+using Lines = std::vector<std::string>;
+
+/// The points of a component that is not orientable are any edge at which it disagrees.
+std::vector<SoupDefect> without_choice(std::vector<SoupDefect> defects) {
+  for (SoupDefect& defect : defects)
+    if (defect.kind == Kind::not_orientable) defect.points.clear();
+  return defects;
+}
+
+}  // namespace
+
+TEST_SUITE("soup_defects") {
+  TEST_CASE("surfaces have none: with boundary, closed, of polygons, in components, with isolated points") {
+    CHECK(told(PolygonSoup{}).empty());
+    CHECK(told(soup(3, {})).empty());
+    CHECK(told(soup(3, {{0, 1, 2}})).empty());
+    CHECK(told(soup(7, {{0, 1, 2, 3}, {0, 3, 5}})).empty());
+    CHECK(told(grid_soup(4, 3, false, false)).empty());
+    CHECK(told(grid_soup(4, 3, true, true)).empty());
+    CHECK(told(beside(grid_soup(4, 3, true, false), grid_soup(3, 3, true, true))).empty());
+    // Two squares on each other with one corner apart, and a point at which only two faces meet.
+    CHECK(told(soup(5, {{0, 1, 2, 3}, {3, 2, 1, 4}})).empty());
+  }
+
+  TEST_CASE("a corner out of range is named with its face") {
+    CHECK(find_defects(soup(3, {{0, 1, 2}, {1, 0, 3}})) ==
+          std::vector<SoupDefect>{{Kind::corner_out_of_range, {1, 0, 3}, {1}}});
+    CHECK(told(soup(3, {{0, 1, 2}, {1, 0, 3}})) == Lines{"corner out of range: points 1 0 3, face 1"});
+    CHECK(told(soup(0, {{0}})) == Lines{"corner out of range: point 0, face 0"});
+    // It is the only thing told of a face.
+    CHECK(told(soup(3, {{0, 0, 4294967295U}})) == Lines{"corner out of range: points 0 0 4294967295, face 0"});
+  }
+
+  TEST_CASE("a degenerate face is named: too short, or one point twice") {
+    CHECK(find_defects(soup(4, {{0, 1, 1}})) == std::vector<SoupDefect>{{Kind::degenerate_face, {0, 1, 1}, {0}}});
+    CHECK(told(soup(4, {{}, {2}, {0, 1}, {0, 1, 0}, {0, 1, 2, 1}, {0, 1, 2}})) ==
+          Lines{"degenerate face: face 0", "degenerate face: point 2, face 1", "degenerate face: points 0 1, face 2",
+                "degenerate face: points 0 1 0, face 3", "degenerate face: points 0 1 2 1, face 4"});
+  }
+
+  TEST_CASE("a duplicate is named with the first face of the same cycle, whatever its start and direction") {
+    CHECK(find_defects(soup(3, {{0, 1, 2}, {2, 1, 0}})) ==
+          std::vector<SoupDefect>{{Kind::duplicate_face, {2, 1, 0}, {0, 1}}});
+    CHECK(told(soup(4, {{3, 0, 1, 2}, {1, 2, 3, 0}, {0, 3, 2, 1}})) ==
+          Lines{"duplicate face: points 1 2 3 0, faces 0 1", "duplicate face: points 0 3 2 1, faces 0 2"});
+    // The same points in another cycle are another face.
+    for (const SoupDefect& defect : find_defects(soup(4, {{0, 1, 2, 3}, {0, 2, 1, 3}})))
+      CHECK(defect.kind != Kind::duplicate_face);
+  }
+
+  TEST_CASE("an edge of three faces is named with all of them") {
+    CHECK(find_defects(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})) ==
+          std::vector<SoupDefect>{{Kind::non_manifold_edge, {0, 1}, {0, 1, 2}}});
+    CHECK(told(soup(6, {{5, 0, 3}, {2, 1, 4}, {4, 3, 0}, {3, 4, 1}, {2, 4, 3}})) ==
+          Lines{"non-manifold edge: points 3 4, faces 2 3 4"});
+  }
+
+  TEST_CASE("two faces in the same direction are named with their edge") {
+    CHECK(find_defects(soup(4, {{0, 1, 2}, {0, 1, 3}})) ==
+          std::vector<SoupDefect>{{Kind::inconsistent_orientation, {0, 1}, {0, 1}}});
+    CHECK(told(soup(5, {{4, 3, 1}, {2, 4, 3}})) == Lines{"inconsistent orientation: points 3 4, faces 0 1"});
+  }
+
+  TEST_CASE("a component that is not orientable is named by its first face, once") {
+    const auto band = find_defects(moebius_band());
+    std::vector<SoupDefect> flat;
+    std::copy_if(band.begin(), band.end(), std::back_inserter(flat),
+                 [](const SoupDefect& d) { return d.kind == Kind::not_orientable; });
+    REQUIRE(flat.size() == 1);
+    CHECK(flat[0].faces == std::vector<std::size_t>{0});
+    CHECK(flat[0].points.size() == 2);
+    CHECK(describe(flat[0]).starts_with("not orientable: points "));
+    CHECK(describe(flat[0]).ends_with(", face 0"));
+    for (const PolygonSoup& closed : {klein_bottle(), projective_plane()}) {
+      const auto two = find_defects(beside(beside(grid_soup(2, 2, false, false), closed), moebius_band()));
+      std::vector<std::size_t> firsts;
+      for (const SoupDefect& d : two)
+        if (d.kind == Kind::not_orientable) firsts.push_back(d.faces[0]);
+      CHECK(firsts == std::vector<std::size_t>{8, 8 + closed.faces()});
+    }
+  }
+
+  TEST_CASE("a pinch is named with the first face of each fan") {
+    CHECK(find_defects(soup(5, {{0, 1, 2}, {0, 3, 4}})) == std::vector<SoupDefect>{{Kind::pinch, {0}, {0, 1}}});
+    CHECK(told(soup(8, {{0, 1, 2}, {3, 4, 0}, {0, 2, 7}, {5, 6, 0}})) == Lines{"pinch: point 0, faces 0 1 3"});
+    // Two closed surfaces that touch in two points.
+    CHECK(told(soup(6, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 5, 4}, {4, 5, 1}, {5, 0, 1}})) ==
+          Lines{"non-manifold edge: points 0 1, faces 0 1 4 7"});
+    CHECK(told(soup(7, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {5, 0, 6}})) ==
+          Lines{"pinch: point 0, faces 0 4"});
+    // Faces in one edge of three hang together through it.
+    for (const SoupDefect& defect : find_defects(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})))
+      CHECK(defect.kind != Kind::pinch);
+  }
+
+  TEST_CASE("bad faces are passed over when looking for the rest") {
+    CHECK(told(soup(3, {{0, 1, 2}, {0, 1, 2}, {0, 2, 1}, {0, 1, 0}, {0, 1, 9}})) ==
+          Lines{"corner out of range: points 0 1 9, face 4", "degenerate face: points 0 1 0, face 3",
+                "duplicate face: points 0 1 2, faces 0 1", "duplicate face: points 0 2 1, faces 0 2"});
+  }
+
+  TEST_CASE("every kind has a name of its own") {
+    std::vector<std::string_view> names;
+    for (int kind = 0; kind <= static_cast<int>(Kind::pinch); ++kind) names.push_back(name(static_cast<Kind>(kind)));
+    CHECK(names == std::vector<std::string_view>{"corner out of range", "degenerate face", "duplicate face",
+                                                 "non-manifold edge", "inconsistent orientation", "not orientable",
+                                                 "pinch"});
+  }
+
+  TEST_CASE("on random soups they are those of the definitions, in their order") {
+    std::mt19937 random(1);
+    std::array<int, 7> seen{};
+    for (int round = 0; round < 6000; ++round) {
+      const PolygonSoup s = round % 3 ? random_soup(random) : broken_surface(random);
+      const auto defects = find_defects(s);
+      INFO(text(s));
+      REQUIRE(without_choice(defects) == defects_by_brute_force(s));
+      for (const SoupDefect& defect : defects) ++seen[static_cast<std::size_t>(defect.kind)];
+    }
+    for (const int times : seen) CHECK(times > 100);
+  }
+
+  TEST_CASE("the edge told of a component that is not orientable is one of its edges of two faces") {
+    std::mt19937 random(2);
+    for (int round = 0; round < 500; ++round) {
+      const PolygonSoup s = broken_surface(random);
+      for (const SoupDefect& defect : find_defects(s)) {
+        if (defect.kind != Kind::not_orientable) continue;
+        int sides = 0;
+        for (std::size_t f = 0; f < s.faces(); ++f) {
+          const auto face = s.face(f);
+          for (std::size_t i = 0; i < face.size(); ++i) {
+            const std::uint32_t a = face[i], b = face[(i + 1) % face.size()];
+            if (std::min(a, b) == defect.points[0] && std::max(a, b) == defect.points[1]) ++sides;
+          }
+        }
+        CHECK(sides >= 2);
+      }
+    }
+  }
+
+  TEST_CASE("shuffled soups have the shuffled defects") {
+    std::mt19937 random(3);
+    const auto sorted = [](std::vector<SoupDefect> defects) {
+      // Which fan or face of a component comes first is another matter, as is where they disagree.
+      for (SoupDefect& d : defects) {
+        if (d.kind == Kind::not_orientable) d.points.clear();
+        if (d.kind == Kind::not_orientable || d.kind == Kind::pinch) d.faces.assign(d.faces.size(), 0);
+        std::sort(d.points.begin(), d.points.end());
+        std::sort(d.faces.begin(), d.faces.end());
+      }
+      std::sort(defects.begin(), defects.end(), [](const SoupDefect& a, const SoupDefect& b) {
+        return std::tie(a.kind, a.points, a.faces) < std::tie(b.kind, b.points, b.faces);
+      });
+      return defects;
+    };
+    for (int round = 0; round < 2000; ++round) {
+      const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
+      auto expected = find_defects(s);
+      // Of duplicates the first counts, so that their order matters.
+      const Shuffled other = shuffled(s, random, std::none_of(expected.begin(), expected.end(), [](const auto& d) {
+                                        return d.kind == Kind::duplicate_face;
+                                      }));
+      for (SoupDefect& d : expected) {
+        for (std::uint32_t& p : d.points)
+          if (p < s.points) p = other.point_to[p];
+        for (std::size_t& f : d.faces) f = other.face_to[f];
+      }
+      INFO(text(s));
+      REQUIRE(sorted(find_defects(other.soup)) == sorted(expected));
+    }
+  }
+
+  TEST_CASE("a soup too large for handles is refused") {
+    PolygonSoup s;
+    s.points = std::size_t{1} << 30U;
+    CHECK_THROWS_AS(find_defects(s), ContractViolation);
+  }
+}
