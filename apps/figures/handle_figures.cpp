@@ -3,6 +3,7 @@
 #include "figures/figures.h"
 #include "figures/sheet.h"
 #include "meshops/core/live.h"
+#include "meshops/front/boundary_curve.h"
 #include "meshops/handle/close_curve.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/destroy.h"
@@ -159,17 +160,16 @@ std::string zip_curves() {
   const DrawnMesh before = drawn_mesh(all.places, all.faces);
   const Halfedge hole = before.boundary_between(6, 7), rim = before.boundary_between(13, 14);
   Marks curves, seam;
+  std::vector<Halfedge> edges_of_seam;
+  for (const Halfedge h : meshops::BoundaryCurve(before.mesh, hole)) edges_of_seam.push_back(h);
+  for (const Halfedge h : edges_of_seam) seam.add(before.mesh.edge_handle(h));
+  curves = seam;
+  for (const Halfedge h : meshops::BoundaryCurve(before.mesh, rim)) curves.add(before.mesh.edge_handle(h));
   DrawnMesh after = before;
-  for (const Halfedge begin : {hole, rim}) {
-    Halfedge h = begin;
-    do {
-      curves.add(before.mesh.edge_handle(h));
-      h = before.mesh.next_halfedge_handle(h);
-    } while (h != begin);
-  }
   meshops::zip_curves(after.mesh, hole, rim);
-  for (const Edge e : curves.edges)
-    if (meshops::is_live(after.mesh, e)) seam.add(e);
+  DrawnMesh back = after;
+  for (auto h = edges_of_seam.rbegin(); h != edges_of_seam.rend(); ++h) meshops::unglue(back.mesh, *h);
+  require_same_counts(before, back);
   for (int i = 0; i < 6; ++i) after.move(Vertex(6 + i), polar(60.0 * i, 1.15));
   return sheet_of("Zip sews two curves of equal length together", counted(before, curves), {"zip_curves", "6 × unglue"},
                   counted(after, seam));
