@@ -1,6 +1,5 @@
-// What:   the handle operator that makes one inner edge two boundary edges; with the vertices at its ends that lie on
-// the
-//         boundary, which become two each.
+// What:   the handle operator that makes one inner edge two boundary edges; the vertices at its ends that lie on the
+//         boundary become two each.
 // Law:    the exact inverse of glue(), case by case: a glue() and the unglue() of its effect leave every live record as
 //         it was, and so do an unglue() and the glue() of its two halfedges (but for which of its halfedges an inner
 //         vertex names).
@@ -32,15 +31,12 @@ MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, 
 /// What unglue() would undo.
 /// Requires: unglue_blocker() is empty.
 /// Cost:     constant when an end of the edge is inner; otherwise the shorter way along the curve, and the smaller of
-/// the
-///           two parts when both ends are on one curve.
+///           the two parts when both ends are on one curve.
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
 /// Parts an inner edge. `h` is on the boundary then, and a new edge takes its place in its face.
-/// Effect:   new elements have copies of all properties of the old ones: a second vertex has the place of the first.
-/// The
-///           vertices keep the fan beyond the edge, on the side of `h` that its opposite has; new ones get that of its
-///           face.
+/// Effect:   new elements have copies of all properties of the old ones: a second vertex has the place of the first. Old
+///           vertices keep the fan that the opposite of `h` is in, new ones get the fan of what was the face of `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation, mesh untouched.
 /// Inverse:  glue(first, second).
 /// Cost:     that of unglue_case(), plus the degrees of the ends that are on the boundary.
@@ -48,8 +44,7 @@ MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 
 /// Takes a glue() back: the edge and the vertices that it marked deleted live again, with their own properties.
 /// Requires: the glued edge is inner and ends at the vertices that glue() left it with; what glue() marked deleted
-/// still
-///           is. Throws ContractViolation, mesh untouched.
+///           still is. Throws ContractViolation, mesh untouched.
 /// Cost:     that of unglue_case(), plus the degrees of the ends that are on the boundary.
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect);
 

@@ -1,7 +1,6 @@
 // What:   sews two boundary curves of equal length together, edge by edge.
 // Law:    one glue() that joins two components or makes a handle, then one that zips for each further edge but the
-// last,
-//         then one that closes: the counts change by the sum.
+//         last, then one that closes: the counts change by the sum.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
@@ -33,8 +32,8 @@ struct ZipCurvesEffect {
 MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues `first` to `second`, the edge after `first` to the edge before `second`, and so on all around: two curves
-/// become one closed seam of inner edges. For pieces that were built separately. Effect:      the edges of the curve of
-/// `first` stay; those of the other are marked deleted, with one vertex of each
+/// become one closed seam of inner edges. For pieces that were built separately.
+/// Effect:      the edges of the curve of `first` stay; those of the other are marked deleted, with one vertex of each
 ///              pair: the lower handle stays.
 /// Requires:    zip_curves_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation, mesh untouched.

@@ -23,8 +23,7 @@ MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh
 
 /// The vertex v of h = v→w vanishes into w, which takes over its fan; the triangles beside h close.
 /// Effect:      v, the edge of h, the edges from v to the apexes, and the faces beside h are marked deleted. Every
-/// other
-///              halfedge from or to v is now one from or to w. The edges from w to the apexes survive for both.
+///              other halfedge from or to v is now one from or to w. The edges from w to the apexes survive for both.
 ///              Only when v has two edges, of the two from w to the apex that on the right survives.
 /// Requires:    collapse_blocker() is empty; the mesh has status.
 /// Throws:      ContractViolation, mesh untouched.

@@ -26,8 +26,7 @@ MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Ed
 
 /// Rotates the edge counter-clockwise in the quadrangle of its two triangles.
 /// Effect:      a halfedge a→b with the apex c on the left and d on the right becomes d→c. The face on the left is
-/// still
-///              on the left of it and keeps its side c→a; the other keeps d→b.
+///              still on the left of it and keeps its side c→a; the other keeps d→b.
 /// Requires:    flip_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.

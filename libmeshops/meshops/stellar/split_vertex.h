@@ -25,8 +25,7 @@ MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& 
 /// `right` left out: from `left` to the boundary, `left` left out: from the boundary to `right`; the new edge is on the
 /// boundary. Equal halfedges: the new vertex takes over all edges but this one.
 /// Effect:      `left` and `right` still leave w; a new edge to the same vertex takes the place that they had on the
-/// side
-///              of the run. No face loses a side.
+///              side of the run. No face loses a side.
 /// Returns:     what was added, and the halfedge from the new vertex to w.
 /// Requires:    split_vertex_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.

@@ -19,7 +19,8 @@ namespace meshops {
 /// Cost:     near-linear; nothing is looked up that the kernel would have to search for.
 MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup);
 
-/// The faces of a mesh as a soup, in the order of their handles; deleted ones are left out.
+/// The faces of a mesh as a soup, in the order of their handles; deleted ones are left out. A deleted vertex keeps its
+/// number, as a point without a face.
 /// Requires: `point_of_vertex` has a value per vertex, or is empty: then a vertex is its own point.
 MESHOPS_API PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex = {});
 

@@ -32,8 +32,9 @@ MESHOPS_API Homology homology(const Connectivity& mesh);
 
 /// Loops and cut that are short by the lengths of the edges, by edge index; places of deleted edges are not read. Of
 /// all bases of loops from and to the least vertex of their component these have the least total length, as long as the
-/// way from that vertex and back is counted with the loop; the generators leave it out. Requires: validate(mesh) is
-/// empty; a length for each edge, none negative, with a finite sum. Throws:   ContractViolation.
+/// way from that vertex and back is counted with the loop; the generators leave it out.
+/// Requires: validate(mesh) is empty; a length for each edge, none negative, with a finite sum.
+/// Throws:   ContractViolation.
 MESHOPS_API Homology homology(const Connectivity& mesh, std::span<const double> lengths);
 
 }  // namespace meshops

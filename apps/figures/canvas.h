@@ -1,0 +1,76 @@
+// What: a drawing as SVG: segments, outlines, dots, arrows and text.
+// Law:  the same calls give the same bytes. Positions are multiples of 0.1 pixels, with y downwards.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace figures {
+
+struct Place {
+  double x = 0, y = 0;
+  friend Place operator+(Place a, Place b) { return {a.x + b.x, a.y + b.y}; }
+  friend Place operator-(Place a, Place b) { return {a.x - b.x, a.y - b.y}; }
+  friend Place operator*(double s, Place a) { return {s * a.x, s * a.y}; }
+  friend bool operator==(Place, Place) = default;
+};
+double length(Place p);
+/// Of length 1; the zero vector stays.
+Place direction(Place p);
+/// The point at an angle in degrees on a circle about the origin, and about another centre.
+Place polar(double degrees, double radius, Place centre = {});
+
+/// A line from place to place; with `bend` a parabola that leaves and arrives in the direction of it.
+struct Segment {
+  Place from, to;
+  std::optional<Place> bend;
+  Segment reversed() const { return {to, from, bend}; }
+  Place middle() const { return bend ? 0.25 * (from + to) + 0.5 * *bend : 0.5 * (from + to); }
+};
+
+/// Blue against orange and dark against light stay apart for every kind of colour vision, and in grey.
+namespace colour {
+constexpr std::string_view paper = "#ffffff";
+constexpr std::string_view text = "#1b2733";
+constexpr std::string_view muted = "#5b6b7a";
+constexpr std::string_view inner = "#7d8b98";
+constexpr std::string_view pale = "#d3dbe3";
+constexpr std::string_view pale_face = "#f1f4f7";
+constexpr std::string_view face = "#dcebf8";
+constexpr std::string_view curve = "#1f6fb2";
+constexpr std::string_view touched = "#d9730d";
+constexpr std::string_view touched_face = "#fadcb9";
+}  // namespace colour
+
+enum class Lettering { plain, italic, code, small };
+enum class Align { start, middle, end };
+
+struct Stroke {
+  std::string_view colour = colour::inner;
+  double width = 1;
+  bool dashed = false;
+};
+
+class Canvas {
+ public:
+  void outline(const std::vector<Segment>& sides, std::string_view fill);
+  void segment(const Segment& s, const Stroke& stroke);
+  /// A triangle of `size` pixels whose middle is at a place.
+  void head(Place at, Place along, std::string_view colour, double size);
+  /// A line that ends in a head.
+  void arrow(const Segment& s, const Stroke& stroke, double head_size);
+  void dot(Place at, double radius, std::string_view fill);
+  void ring(Place at, double radius, std::string_view colour);
+  /// The base line begins, has its middle, or ends at a place.
+  void text(Place at, std::string_view words, Lettering lettering, Align align = Align::start);
+
+  /// A whole file of the given size.
+  std::string svg(std::string_view title, int width, int height) const;
+
+ private:
+  std::string body_;
+};
+
+}  // namespace figures
