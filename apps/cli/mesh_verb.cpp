@@ -1,6 +1,5 @@
 #include "cli/mesh_verb.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "cli/arguments.h"
@@ -13,7 +12,7 @@
 #include "io/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/collinear.h"
 
 namespace rbpa::app {
 namespace {
@@ -34,17 +33,10 @@ SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Search s
   return rbpa(points, alpha, options);
 }
 
-bool all_on_a_line(const std::vector<Point>& points) {
-  const auto other = std::find_if(points.begin(), points.end(), [&](const Point& p) { return !(p == points[0]); });
-  return std::all_of(points.begin(), points.end(), [&](const Point& p) {
-    return Predicates<long double>::orientation(points[0], *other, p) == 0;
-  });
-}
-
 /// Why the complex of these points has no triangle.
 std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {
   if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
-  if (all_on_a_line(points)) return "all points are collinear";
+  if (are_collinear(points)) return "all points are collinear";
   return "no triangle has circumradius <= " + alpha;
 }
 

@@ -16,6 +16,9 @@ set(arrows
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 
+# The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
+set(inside "rbpa/(pivot|predicate|search|seed)/|rbpa/policy\\.h")
+
 set(checked 0)
 set(bad "")
 foreach(library meshops rbpa)
@@ -32,6 +35,19 @@ foreach(library meshops rbpa)
         string(APPEND bad "\n  ${file} includes ${included}")
       endif()
     endforeach()
+  endforeach()
+endforeach()
+
+# Headers that users see, and programs, which are users too, know nothing of the inside.
+file(GLOB public RELATIVE ${ROOT} ${ROOT}/librbpa/rbpa/*.h ${ROOT}/librbpa/rbpa/core/*.h)
+file(GLOB_RECURSE programs RELATIVE ${ROOT} ${ROOT}/apps/*.h ${ROOT}/apps/*.cpp)
+foreach(file ${public} ${programs})
+  if(file MATCHES "librbpa/(${inside})")
+    continue()
+  endif()
+  file(STRINGS ${ROOT}/${file} includes REGEX "^#include \"(${inside})")
+  foreach(line ${includes})
+    string(APPEND bad "\n  ${file}: ${line}, which is inside librbpa")
   endforeach()
 endforeach()
 
