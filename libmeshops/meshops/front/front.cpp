@@ -107,6 +107,14 @@ std::vector<BoundaryCurve> Front::curves() const {
   return found;
 }
 
+std::vector<BoundaryCurve> Front::curves_at(Site s) const {
+  std::vector<BoundaryCurve> found;
+  for_each_fan(s, [&](Vertex v) {
+    if (const auto curve = boundary_curve_at(mesh_, v)) found.push_back(*curve);
+  });
+  return found;
+}
+
 LevelTransfer Front::next_level() {
   LevelTransfer transfer;
   for (auto s = static_cast<Site>(carried_before_); s < static_cast<Site>(sites()); ++s) carried_.push_back(s);

@@ -126,6 +126,9 @@ class MESHOPS_API Front {
 
   /// The boundary curves, each from its least halfedge. Cost: linear in the edges in use.
   std::vector<BoundaryCurve> curves() const;
+  /// The boundary curves through a site, one for each fan on it that is on the boundary, each from where it leaves the
+  /// site. A curve that passes the site several times comes as often. Cost: the number of fans.
+  std::vector<BoundaryCurve> curves_at(Site s) const;
 
   /// Goes on to the next level: frozen halfedges that are still on the boundary become active again. The mesh and its
   /// curves stay as they are, and nothing of what was left behind before is read.

@@ -185,6 +185,24 @@ TEST_SUITE("front") {
     }
   }
 
+  TEST_CASE("the curves at a site are those of its fans; an inner or free one has none") {
+    TestMesh mesh;
+    Front front(mesh, 8);
+    front.create(0, 1, 2);
+    front.create(0, 3, 4);
+    const auto curves = front.curves_at(0);
+    REQUIRE(curves.size() == 2);
+    for (const BoundaryCurve& curve : curves) CHECK(front.from_site(curve.front()) == 0);
+    CHECK_FALSE(curves[0].contains(curves[1].front()));
+    CHECK(front.curves_at(1).size() == 1);
+    CHECK(front.curves_at(7).empty());
+    // Site 0 turns inner.
+    front.attach(boundary(front, 0, 2), 3);
+    front.attach(boundary(front, 0, 4), 1);
+    CHECK(front.curves_at(0).empty());
+    CHECK_FALSE(front.is_on_boundary(0));
+  }
+
   TEST_CASE("the next level carries free sites and those on the boundary, and wakes what was frozen") {
     TestMesh mesh;
     Front front(mesh, 8);

@@ -8,8 +8,14 @@
 
 #include "meshops/core/live.h"
 #include "meshops/front/boundary_curve.h"
+#include "meshops/handle/close_curve.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
+#include "meshops/stellar/collapse.h"
+#include "meshops/stellar/flip.h"
+#include "meshops/stellar/split_edge.h"
+#include "meshops/stellar/split_face.h"
+#include "meshops/topology/count.h"
 
 namespace meshops::test {
 namespace {
@@ -118,6 +124,25 @@ void perforated_disc(TestMesh& mesh) {
   add_triangles(mesh, 26 * 21, kept);
 }
 
+/// A double torus with two holes after random stellar operators: a thousand triangles, no double edges.
+void random_stellar(TestMesh& mesh) {
+  double_torus(mesh);
+  for (const int f : {3, 60}) open_curve(mesh, Face(f));
+  std::mt19937 random(1978);
+  while (count_topology(mesh).faces < 1000) {
+    for (int step = 0; step < 20; ++step) {
+      const Edge e(static_cast<int>(random() % mesh.n_edges()));
+      const Halfedge h = mesh.halfedge_handle(e, static_cast<unsigned>(random() % 2));
+      if (!is_live(mesh, e)) continue;
+      const auto what = random() % 8;
+      if (what < 2 && !mesh.is_boundary(h)) split_face(mesh, mesh.face_handle(h));
+      if (what == 2 && !split_edge_blocker(mesh, h)) split_edge(mesh, h);
+      if (what > 2 && what < 7 && !flip_blocker(mesh, e)) flip(mesh, e);
+      if (what == 7 && !collapse_blocker(mesh, h)) collapse(mesh, h);
+    }
+  }
+}
+
 /// The traversal of a component from a halfedge, as numbers that do not depend on handles; empty as soon as it is
 /// greater than `best`, when that is not empty.
 std::vector<int> traverse(const Connectivity& mesh, Halfedge start, const std::vector<int>& best,
@@ -179,6 +204,7 @@ const std::vector<Specimen>& corpus() {
       {"pinched fans", pinched_fans, 3, 3, 0, true},
       {"two components", two_components, 2, 1, 1, true},
       {"perforated disc", perforated_disc, 1, 31, 0, true},
+      {"random stellar", random_stellar, 1, 2, 2, true},
       {"random gluings", random_gluings, 1, 2, 35, false},
   };
   return all;

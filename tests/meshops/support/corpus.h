@@ -25,7 +25,7 @@ struct Specimen {
 };
 
 /// One triangle, discs, annulus, spheres, torus, double torus, pinched fans, two components, random surfaces of a
-/// thousand triangles.
+/// thousand triangles, by gluing and by stellar operators.
 const std::vector<Specimen>& corpus();
 
 /// The isomorphism class of a mesh: equal for meshes that differ in handles only. Cost: quadratic in the worst case;
