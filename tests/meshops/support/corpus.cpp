@@ -141,6 +141,7 @@ void random_stellar(TestMesh& mesh) {
       if (what == 7 && !collapse_blocker(mesh, h)) collapse(mesh, h);
     }
   }
+  mesh.garbage_collection();
 }
 
 /// The traversal of a component from a halfedge, as numbers that do not depend on handles; empty as soon as it is
