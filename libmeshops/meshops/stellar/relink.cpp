@@ -71,12 +71,14 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
 }  // namespace
 
 bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
-  const Halfedge first = mesh.halfedge_handle(a);
-  Halfedge out = first;
+  // Around both at once: a vertex of many edges must not make its neighbours slow.
+  const Halfedge first_of_a = mesh.halfedge_handle(a), first_of_b = mesh.halfedge_handle(b);
+  Halfedge from_a = first_of_a, from_b = first_of_b;
   do {
-    if (mesh.to_vertex_handle(out) == b) return true;
-    out = cw(mesh, out);
-  } while (out != first);
+    if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
+    from_a = cw(mesh, from_a);
+    from_b = cw(mesh, from_b);
+  } while (from_a != first_of_a && from_b != first_of_b);
   return false;
 }
 

@@ -39,6 +39,7 @@ inline std::optional<std::string> as_blocker(const char* refusal) {
   return refusal ? std::optional<std::string>(refusal) : std::nullopt;
 }
 
+/// An edge joins a and b. Cost: twice the lesser degree.
 bool are_joined(const Connectivity& mesh, Vertex a, Vertex b);
 
 /// The new vertex takes over the edges of w from `left` to `right`, counter-clockwise and without these two, and a

@@ -36,6 +36,29 @@ TEST_SUITE("undo") {
       }
   }
 
+  TEST_CASE("a removal writes nothing to the records of what it removes") {
+    for (unsigned number = 0; number < 500; ++number) {
+      CAPTURE(number);
+      TestMesh mesh;
+      random_tiny_mesh(mesh, number);
+      for_each_halfedge(mesh, [&](Halfedge h) {
+        if (collapse_blocker(mesh, h, Keep::manifold)) return;
+        TestMesh after = mesh;
+        const StarElements removed = collapse(after, h, Keep::manifold).removed;
+        CHECK(after.halfedge_handle(removed.vertex) == mesh.halfedge_handle(removed.vertex));
+        for (const Face f : removed.faces()) CHECK(after.halfedge_handle(f) == mesh.halfedge_handle(f));
+        for (const Edge e : removed.edges())
+          for (const unsigned side : {0u, 1u}) {
+            const Halfedge gone = mesh.halfedge_handle(e, side);
+            CHECK(after.to_vertex_handle(gone) == mesh.to_vertex_handle(gone));
+            CHECK(after.next_halfedge_handle(gone) == mesh.next_halfedge_handle(gone));
+            CHECK(after.prev_halfedge_handle(gone) == mesh.prev_halfedge_handle(gone));
+            CHECK(after.face_handle(gone) == mesh.face_handle(gone));
+          }
+      });
+    }
+  }
+
   TEST_CASE("properties come back with the handles") {
     TestMesh mesh;
     corpus()[6].build(mesh);
