@@ -13,14 +13,6 @@ void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, 
   if (face.is_valid() && mesh.halfedge_handle(face) == h) mesh.set_halfedge_handle(face, heir);
 }
 
-void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b, Halfedge c) {
-  mesh.set_next_halfedge_handle(a, b);
-  mesh.set_next_halfedge_handle(b, c);
-  mesh.set_next_halfedge_handle(c, a);
-  for (const Halfedge h : {a, b, c}) mesh.set_face_handle(h, face);
-  mesh.set_halfedge_handle(face, a);
-}
-
 void mark_deleted(Connectivity& mesh, const StarElements& removed) {
   mesh.status(removed.vertex).set_deleted(true);
   for (const Face f : removed.faces()) mesh.status(f).set_deleted(true);

@@ -26,6 +26,15 @@ inline bool is_triangle(const Connectivity& mesh, Halfedge h) {
          mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == mesh.prev_halfedge_handle(h);
 }
 
+/// Makes a face of three halfedges, and the first of them its halfedge.
+inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b, Halfedge c) {
+  mesh.set_next_halfedge_handle(a, b);
+  mesh.set_next_halfedge_handle(b, c);
+  mesh.set_next_halfedge_handle(c, a);
+  for (const Halfedge h : {a, b, c}) mesh.set_face_handle(h, face);
+  mesh.set_halfedge_handle(face, a);
+}
+
 /// Throws ContractViolation "operation: reason", unless there is no reason.
 inline void enforce(const char* operation, const char* refusal) {
   if (refusal) throw ContractViolation(std::string(operation) + ": " + refusal);

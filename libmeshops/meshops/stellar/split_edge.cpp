@@ -25,6 +25,15 @@ const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   return detail::open_refusal(mesh, at.b, at.left, at.right, keep);
 }
 
+/// The face of `side` loses it, and gets `heir` between `before` and `after` instead.
+void cut(Connectivity& mesh, Halfedge side, Halfedge heir, Halfedge before, Halfedge after) {
+  const Face face = mesh.face_handle(side);
+  mesh.set_next_halfedge_handle(before, heir);
+  mesh.set_next_halfedge_handle(heir, after);
+  mesh.set_face_handle(heir, face);
+  if (mesh.halfedge_handle(face) == side) mesh.set_halfedge_handle(face, heir);
+}
+
 Halfedge first_halfedge(const Connectivity& mesh, Edge e) {
   return is_live(mesh, e) ? mesh.halfedge_handle(e, 0) : Halfedge();
 }
@@ -41,8 +50,42 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
 
 SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", refusal(mesh, h, keep));
-  const Place at(mesh, h);
-  return detail::open_vertex(mesh, at.b, at.left, at.right);
+  // What detail::open_vertex() does at b, without its questions: the only edge that moves is known.
+  const Halfedge o = mesh.opposite_halfedge_handle(h);
+  const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
+  const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);
+  const Vertex b = mesh.to_vertex_handle(h);
+  SplitEffect effect;
+  StarElements& added = effect.added;
+  added.at_boundary = !has_left || !has_right;
+  const Vertex v = added.vertex = mesh.new_vertex();
+  const Halfedge vb = effect.halfedge = mesh.new_edge(v, b), bv = mesh.opposite_halfedge_handle(vb);
+  added.edge[0] = mesh.edge_handle(vb);
+  mesh.set_vertex_handle(h, v);
+  if (has_left) {
+    const Halfedge vc = mesh.new_edge(v, mesh.to_vertex_handle(after_h));
+    added.edge[1] = mesh.edge_handle(vc);
+    added.face[0] = mesh.new_face();
+    cut(mesh, after_h, vc, h, mesh.next_halfedge_handle(after_h));
+    detail::make_triangle(mesh, added.face[0], vb, after_h, mesh.opposite_halfedge_handle(vc));
+  } else {
+    mesh.set_next_halfedge_handle(h, vb);
+    mesh.set_next_halfedge_handle(vb, after_h);
+  }
+  if (has_right) {
+    const Halfedge vd = mesh.new_edge(v, mesh.from_vertex_handle(before_o));
+    added.edge[has_left ? 2 : 1] = mesh.edge_handle(vd);
+    const Face face = added.face[has_left ? 1 : 0] = mesh.new_face();
+    cut(mesh, before_o, mesh.opposite_halfedge_handle(vd), mesh.prev_halfedge_handle(before_o), o);
+    detail::make_triangle(mesh, face, bv, vd, before_o);
+  } else {
+    mesh.set_next_halfedge_handle(before_o, bv);
+    mesh.set_next_halfedge_handle(bv, o);
+  }
+  const bool b_named_o = mesh.halfedge_handle(b) == o;
+  mesh.set_halfedge_handle(v, b_named_o ? o : vb);
+  if (b_named_o) mesh.set_halfedge_handle(b, bv);
+  return effect;
 }
 
 SplitEffect split_edge(Connectivity& mesh, Edge e, Keep keep) {

@@ -18,8 +18,20 @@ std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f) 
 
 SplitEffect split_face(Connectivity& mesh, Face f) {
   detail::enforce("split_face", refusal(mesh, f));
-  const Halfedge out = mesh.halfedge_handle(f);
-  return detail::open_vertex(mesh, mesh.from_vertex_handle(out), out, detail::ccw(mesh, out));
+  // What detail::open_vertex() does at the corner w, without its questions: here no edge moves and nothing is on the
+  // boundary.
+  const Halfedge wc = mesh.halfedge_handle(f), cd = mesh.next_halfedge_handle(wc), dw = mesh.next_halfedge_handle(cd);
+  SplitEffect effect;
+  const Vertex v = effect.added.vertex = mesh.new_vertex();
+  const Halfedge vw = effect.halfedge = mesh.new_edge(v, mesh.to_vertex_handle(dw));
+  const Halfedge vc = mesh.new_edge(v, mesh.to_vertex_handle(wc)), vd = mesh.new_edge(v, mesh.to_vertex_handle(cd));
+  effect.added.edge = {mesh.edge_handle(vw), mesh.edge_handle(vc), mesh.edge_handle(vd)};
+  for (Face& face : effect.added.face) face = mesh.new_face();
+  detail::make_triangle(mesh, f, vc, cd, mesh.opposite_halfedge_handle(vd));
+  detail::make_triangle(mesh, effect.added.face[0], vw, wc, mesh.opposite_halfedge_handle(vc));
+  detail::make_triangle(mesh, effect.added.face[1], mesh.opposite_halfedge_handle(vw), vd, dw);
+  mesh.set_halfedge_handle(v, vw);
+  return effect;
 }
 
 }  // namespace meshops

@@ -1,6 +1,7 @@
 #include "meshops/topology/build_mesh.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
@@ -10,93 +11,74 @@
 namespace meshops {
 namespace {
 
-/// Whether there are no defects but pinches: where all edges fit, the directions of the faces agree as they are.
-bool is_oriented_manifold(const detail::FaceFaults& faults, const detail::SoupSides& sides) {
-  for (const detail::FaceFault fault : faults.of)
-    if (fault != detail::FaceFault::none) return false;
-  for (std::size_t e = 0; e < sides.edges(); ++e)
-    if (!detail::fits(sides.edge(e))) return false;
-  return true;
-}
-
-/// The vertex of each corner, and the point of each vertex.
-struct Vertices {
-  std::vector<int> of_corner;
-  std::vector<std::uint32_t> point;
-};
-
-Vertices number_vertices(const PolygonSoup& soup, const detail::SoupSides& sides) {
-  auto fans = detail::fans_of(soup, sides, [](auto) { return true; });
-  Vertices vertices{std::vector<int>(soup.corners.size()), {}};
-  for (std::uint32_t p = 0; p < soup.points; ++p) vertices.point.push_back(p);
-  std::vector<bool> taken(soup.points, false);
-  for (std::uint32_t c = 0; c < soup.corners.size(); ++c) {
-    // The root of a set is its least corner, so that it has its vertex already.
-    const std::uint32_t root = fans.find(c);
-    if (root != c) {
-      vertices.of_corner[c] = vertices.of_corner[root];
-      continue;
-    }
-    const std::uint32_t p = soup.corners[c];
-    vertices.of_corner[c] = static_cast<int>(taken[p] ? vertices.point.size() : p);
-    if (taken[p]) vertices.point.push_back(p);
-    taken[p] = true;
+/// Edges with their faces. Returns the halfedge of each corner, by which its face leaves it.
+std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides) {
+  std::vector<Halfedge> side_of_corner(soup.corners.size());
+  for (std::size_t e = 0; e < sides.edges(); ++e) {
+    const auto edge = sides.edge(e);
+    const Halfedge h = mesh.halfedge_handle(Edge(static_cast<int>(e)), 0);
+    side_of_corner[edge[0].corner] = h;
+    if (edge.size() == 2) side_of_corner[edge[1].corner] = mesh.opposite_halfedge_handle(h);
   }
-  return vertices;
+  for (std::size_t f = 0; f < soup.faces(); ++f) {
+    const std::size_t begin = soup.begin[f], end = soup.begin[f + 1];
+    const Face face(static_cast<int>(f));
+    mesh.set_halfedge_handle(face, side_of_corner[begin]);
+    for (std::size_t c = begin; c < end; ++c) {
+      mesh.set_face_handle(side_of_corner[c], face);
+      mesh.set_next_halfedge_handle(side_of_corner[c], side_of_corner[c + 1 < end ? c + 1 : begin]);
+    }
+  }
+  return side_of_corner;
 }
 
-/// The boundary halfedge that leaves the end of a boundary halfedge: around the fan there.
-Halfedge next_on_boundary(const Connectivity& mesh, Halfedge h) {
-  Halfedge out = mesh.opposite_halfedge_handle(h);
+/// Makes all edges of the fan around the start of `first`, which has a face, start at `v`; the boundary passes by
+/// there, where the fan does not close.
+void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
+  Halfedge out = first;  // counter-clockwise, as long as there are faces
   do {
+    mesh.set_vertex_handle(mesh.opposite_halfedge_handle(out), v);
     out = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(out));
-  } while (!mesh.is_boundary(out));
-  return out;
+  } while (out != first && !mesh.is_boundary(out));
+  mesh.set_halfedge_handle(v, out);
+  if (out == first) return;
+  mesh.set_vertex_handle(mesh.opposite_halfedge_handle(out), v);
+  Halfedge in = mesh.opposite_halfedge_handle(first);  // clockwise, up to the boundary
+  while (!mesh.is_boundary(in)) {
+    in = mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(in));
+    mesh.set_vertex_handle(in, v);
+  }
+  mesh.set_next_halfedge_handle(in, out);
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup) {
   require(mesh.n_vertices() == 0 && mesh.n_edges() == 0 && mesh.n_faces() == 0, "build_mesh: the mesh is not empty");
-  const detail::FaceFaults faults = detail::find_face_faults(soup);
-  const detail::SoupSides sides(soup, faults);
-  if (!is_oriented_manifold(faults, sides))
+  const auto refuse = [&soup] {
     for (const SoupDefect& defect : find_defects(soup))
       if (defect.kind != SoupDefectKind::pinch) throw ContractViolation("build_mesh: " + describe(defect));
+  };
+  if (!detail::has_sound_faces(soup)) refuse();
+  const detail::SoupSides sides(soup);
+  if (!detail::is_manifold(soup, sides)) refuse();
 
-  Vertices vertices = number_vertices(soup, sides);
-  mesh.resize(vertices.point.size(), sides.edges(), soup.faces());
-
-  std::vector<Halfedge> side_of_corner(soup.corners.size());
-  for (std::size_t e = 0; e < sides.edges(); ++e) {
-    const auto edge = sides.edge(e);
-    const auto ends = [&](const detail::SoupSide& s) {
-      const int low = vertices.of_corner[sides.corner_at_low(s)], high = vertices.of_corner[sides.corner_at_high(s)];
-      return s.ascending ? std::pair(low, high) : std::pair(high, low);
-    };
-    const Halfedge h = mesh.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(e)), 0);
-    const auto [from, to] = ends(edge[0]);
-    mesh.set_vertex_handle(h, Vertex(to));
-    mesh.set_vertex_handle(mesh.opposite_halfedge_handle(h), Vertex(from));
-    side_of_corner[edge[0].corner] = h;
-    if (edge.size() == 2) side_of_corner[edge[1].corner] = mesh.opposite_halfedge_handle(h);
-  }
-  for (std::size_t f = 0; f < soup.faces(); ++f) {
-    const std::size_t begin = soup.begin[f], end = soup.begin[f + 1];
-    mesh.set_halfedge_handle(Face(static_cast<int>(f)), side_of_corner[begin]);
-    for (std::size_t c = begin; c < end; ++c) {
-      const Halfedge h = side_of_corner[c];
-      mesh.set_face_handle(h, Face(static_cast<int>(f)));
-      mesh.set_next_halfedge_handle(h, side_of_corner[c + 1 < end ? c + 1 : begin]);
-      mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
+  mesh.resize(soup.points, sides.edges(), soup.faces());
+  const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides);
+  std::vector<std::uint32_t> point_of_vertex(soup.points);
+  std::iota(point_of_vertex.begin(), point_of_vertex.end(), 0U);
+  // A fan gets its vertex at its least corner; a halfedge that ends at none yet is of a fan without one.
+  for (std::size_t c = 0; c < soup.corners.size(); ++c) {
+    const Halfedge out = side_of_corner[c];
+    if (mesh.to_vertex_handle(mesh.opposite_halfedge_handle(out)).is_valid()) continue;
+    Vertex v(static_cast<int>(soup.corners[c]));
+    if (mesh.halfedge_handle(v).is_valid()) {
+      v = mesh.new_vertex();
+      point_of_vertex.push_back(soup.corners[c]);
     }
+    give_fan(mesh, out, v);
   }
-  for_each_halfedge(mesh, [&](Halfedge h) {
-    if (!mesh.is_boundary(h)) return;
-    mesh.set_next_halfedge_handle(h, next_on_boundary(mesh, h));
-    mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
-  });
-  return vertices.point;
+  return point_of_vertex;
 }
 
 PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex) {

@@ -22,6 +22,10 @@ struct FaceFaults {
 /// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners, points or faces.
 FaceFaults find_face_faults(const PolygonSoup& soup);
 
+/// Every corner is a point, every face has three corners or more, and none twice: all that is left to find is
+/// duplicates. Throws as above.
+bool has_sound_faces(const PolygonSoup& soup);
+
 /// A side runs from the corner at index `corner` of the soup to the next one of its face.
 struct SoupSide {
   std::uint32_t low, high;  ///< the points at its ends, in ascending order
@@ -39,6 +43,9 @@ inline bool fits(std::span<const SoupSide> edge) {
 class SoupSides {
  public:
   SoupSides(const PolygonSoup& soup, const FaceFaults& faults);
+  /// Of all faces.
+  /// Requires: has_sound_faces(soup).
+  explicit SoupSides(const PolygonSoup& soup);
 
   std::size_t edges() const { return begin_.size() - 1; }
   std::span<const SoupSide> edge(std::size_t e) const {
@@ -49,12 +56,18 @@ class SoupSides {
   std::uint32_t corner_at_high(const SoupSide& s) const { return s.ascending ? next_corner(s) : s.corner; }
 
  private:
+  template <typename IsGiven>
+  void bring_together(IsGiven is_given);
   std::uint32_t next_corner(const SoupSide& s) const;
 
   const PolygonSoup& soup_;
   std::vector<SoupSide> sides_;
   std::vector<std::size_t> begin_;
 };
+
+/// No edge has more than two sides, and two run in opposite directions and belong to faces with different corners.
+/// Requires: the sides of all faces of the soup.
+bool is_manifold(const PolygonSoup& soup, const SoupSides& sides);
 
 /// How corners hang together to fans around points. The sides at an edge join corners when `joins(sides)`.
 template <typename Joins>
