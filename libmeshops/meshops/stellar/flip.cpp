@@ -17,9 +17,9 @@ struct Quadrangle {
   Halfedge h, bc, ca, o, ad, db;
 };
 
-const char* refusal(const Connectivity& mesh, Edge e) { return is_live(mesh, e) ? nullptr : "no such edge"; }
-
-const char* refusal(const Connectivity& mesh, const Quadrangle& q, Keep keep) {
+const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
+  if (!is_live(mesh, e)) return "no such edge";
+  const Quadrangle q(mesh, e);
   if (mesh.is_boundary(q.h) || mesh.is_boundary(q.o)) return "the edge is on the boundary";
   if (!detail::is_triangle(mesh, q.h) || !detail::is_triangle(mesh, q.o)) return "a face is not a triangle";
   const Vertex c = mesh.to_vertex_handle(q.bc), d = mesh.to_vertex_handle(q.ad);
@@ -28,26 +28,25 @@ const char* refusal(const Connectivity& mesh, const Quadrangle& q, Keep keep) {
   return nullptr;
 }
 
-/// Puts h, whose ends are set, into a triangle of its face with the sides that follow it, one of which comes from the
-/// other face.
-void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before, Halfedge comes) {
+/// Puts h and o, whose ends are set, into triangles with the sides that follow them.
+void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before) {
+  const Face face = mesh.face_handle(h);
   mesh.set_next_halfedge_handle(h, after);
   mesh.set_next_halfedge_handle(after, before);
   mesh.set_next_halfedge_handle(before, h);
-  mesh.set_face_handle(comes, mesh.face_handle(h));
+  mesh.set_face_handle(after, face);
+  mesh.set_face_handle(before, face);
 }
 
 }  // namespace
 
 std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep) {
-  const char* reason = refusal(mesh, e);
-  return detail::as_blocker(reason ? reason : refusal(mesh, Quadrangle(mesh, e), keep));
+  return detail::as_blocker(refusal(mesh, e, keep));
 }
 
 FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
-  detail::enforce("flip", refusal(mesh, e));
+  detail::enforce("flip", refusal(mesh, e, keep));
   const Quadrangle q(mesh, e);
-  detail::enforce("flip", refusal(mesh, q, keep));
   const Face left = mesh.face_handle(q.h), right = mesh.face_handle(q.o);
   const Vertex a = mesh.to_vertex_handle(q.o), b = mesh.to_vertex_handle(q.h);
   const FlipEffect effect{e, {mesh.halfedge_handle(a), mesh.halfedge_handle(b)}};
@@ -57,8 +56,8 @@ FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
   if (mesh.halfedge_handle(right) == q.ad) mesh.set_halfedge_handle(right, q.bc);
   mesh.set_vertex_handle(q.h, mesh.to_vertex_handle(q.bc));
   mesh.set_vertex_handle(q.o, mesh.to_vertex_handle(q.ad));
-  link(mesh, q.h, q.ca, q.ad, q.ad);
-  link(mesh, q.o, q.db, q.bc, q.bc);
+  link(mesh, q.h, q.ca, q.ad);
+  link(mesh, q.o, q.db, q.bc);
   return effect;
 }
 
@@ -73,8 +72,8 @@ void undo(Connectivity& mesh, const FlipEffect& effect) {
   if (mesh.halfedge_handle(right) == bc) mesh.set_halfedge_handle(right, ad);
   mesh.set_vertex_handle(h, b);
   mesh.set_vertex_handle(o, a);
-  link(mesh, h, bc, ca, bc);
-  link(mesh, o, ad, db, ad);
+  link(mesh, h, bc, ca);
+  link(mesh, o, ad, db);
   mesh.set_halfedge_handle(a, effect.named[0]);
   mesh.set_halfedge_handle(b, effect.named[1]);
 }
