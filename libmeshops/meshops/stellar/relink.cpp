@@ -1,5 +1,7 @@
 #include "meshops/stellar/relink.h"
 
+#include "meshops/core/add_elements.h"
+
 namespace meshops::detail {
 namespace {
 
@@ -62,10 +64,17 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
 
 }  // namespace
 
+constexpr int usual_degree = 12;
+
 bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
-  // Around both at once: a vertex of many edges must not make its neighbours slow.
   const Halfedge first_of_a = mesh.halfedge_handle(a), first_of_b = mesh.halfedge_handle(b);
   Halfedge from_a = first_of_a, from_b = first_of_b;
+  for (int i = 0; i < usual_degree; ++i) {
+    if (mesh.to_vertex_handle(from_a) == b) return true;
+    from_a = cw(mesh, from_a);
+    if (from_a == first_of_a) return false;
+  }
+  // Around both at once then: a vertex of many edges must not make its neighbours slow.
   do {
     if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
     from_a = cw(mesh, from_a);
@@ -82,32 +91,32 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
   SplitEffect effect;
   StarElements& added = effect.added;
   added.at_boundary = !has_left || !has_right;
-  added.vertex = mesh.new_vertex();
-  const Vertex v = added.vertex;
+  AddedElements elements(mesh, 1, added.edges().size(), added.faces().size());
+  const Vertex v = added.vertex = elements.vertex();
   bool named_moves = left_was_boundary && left == named;
   for (Halfedge out = ccw(mesh, has_left ? left : named); out != end; out = ccw(mesh, out)) {
     mesh.set_vertex_handle(mesh.opposite_halfedge_handle(out), v);
     named_moves = named_moves || out == named;
   }
 
-  const Halfedge h = effect.halfedge = mesh.new_edge(v, w);
+  const Halfedge h = effect.halfedge = elements.edge(v, w);
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   added.edge[0] = mesh.edge_handle(h);
   Halfedge vc, vd;
   if (has_left) {
-    vc = mesh.new_edge(v, mesh.to_vertex_handle(left));
+    vc = elements.edge(v, mesh.to_vertex_handle(left));
     added.edge[1] = mesh.edge_handle(vc);
-    added.face[0] = mesh.new_face();
+    added.face[0] = elements.face();
     take_place(mesh, vc, left, mesh.prev_halfedge_handle(left), mesh.next_halfedge_handle(left));
     make_triangle(mesh, added.face[0], h, left, mesh.opposite_halfedge_handle(vc));
   }
   if (has_right) {
     const Halfedge dw = mesh.opposite_halfedge_handle(right);
     const Vertex d = mesh.to_vertex_handle(right);
-    vd = mesh.new_edge(v, d);
+    vd = elements.edge(v, d);
     const Halfedge dv = mesh.opposite_halfedge_handle(vd);
     added.edge[has_left ? 2 : 1] = mesh.edge_handle(vd);
-    const Face face = added.face[has_left ? 1 : 0] = mesh.new_face();
+    const Face face = added.face[has_left ? 1 : 0] = elements.face();
     if (mesh.is_boundary(dw)) mesh.set_halfedge_handle(d, dv);
     take_place(mesh, dv, dw, mesh.prev_halfedge_handle(dw), mesh.next_halfedge_handle(dw));
     make_triangle(mesh, face, o, vd, dw);

@@ -1,5 +1,6 @@
 #include "meshops/stellar/split_edge.h"
 
+#include "meshops/core/add_elements.h"
 #include "meshops/stellar/relink.h"
 
 namespace meshops {
@@ -58,14 +59,15 @@ SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   SplitEffect effect;
   StarElements& added = effect.added;
   added.at_boundary = !has_left || !has_right;
-  const Vertex v = added.vertex = mesh.new_vertex();
-  const Halfedge vb = effect.halfedge = mesh.new_edge(v, b), bv = mesh.opposite_halfedge_handle(vb);
+  detail::AddedElements elements(mesh, 1, added.edges().size(), added.faces().size());
+  const Vertex v = added.vertex = elements.vertex();
+  const Halfedge vb = effect.halfedge = elements.edge(v, b), bv = mesh.opposite_halfedge_handle(vb);
   added.edge[0] = mesh.edge_handle(vb);
   mesh.set_vertex_handle(h, v);
   if (has_left) {
-    const Halfedge vc = mesh.new_edge(v, mesh.to_vertex_handle(after_h));
+    const Halfedge vc = elements.edge(v, mesh.to_vertex_handle(after_h));
     added.edge[1] = mesh.edge_handle(vc);
-    added.face[0] = mesh.new_face();
+    added.face[0] = elements.face();
     cut(mesh, after_h, vc, h, mesh.next_halfedge_handle(after_h));
     detail::make_triangle(mesh, added.face[0], vb, after_h, mesh.opposite_halfedge_handle(vc));
   } else {
@@ -73,9 +75,9 @@ SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
     mesh.set_next_halfedge_handle(vb, after_h);
   }
   if (has_right) {
-    const Halfedge vd = mesh.new_edge(v, mesh.from_vertex_handle(before_o));
+    const Halfedge vd = elements.edge(v, mesh.from_vertex_handle(before_o));
     added.edge[has_left ? 2 : 1] = mesh.edge_handle(vd);
-    const Face face = added.face[has_left ? 1 : 0] = mesh.new_face();
+    const Face face = added.face[has_left ? 1 : 0] = elements.face();
     cut(mesh, before_o, mesh.opposite_halfedge_handle(vd), mesh.prev_halfedge_handle(before_o), o);
     detail::make_triangle(mesh, face, bv, vd, before_o);
   } else {

@@ -1,5 +1,6 @@
 #include "meshops/stellar/split_face.h"
 
+#include "meshops/core/add_elements.h"
 #include "meshops/stellar/relink.h"
 
 namespace meshops {
@@ -22,11 +23,12 @@ SplitEffect split_face(Connectivity& mesh, Face f) {
   // boundary.
   const Halfedge wc = mesh.halfedge_handle(f), cd = mesh.next_halfedge_handle(wc), dw = mesh.next_halfedge_handle(cd);
   SplitEffect effect;
-  const Vertex v = effect.added.vertex = mesh.new_vertex();
-  const Halfedge vw = effect.halfedge = mesh.new_edge(v, mesh.to_vertex_handle(dw));
-  const Halfedge vc = mesh.new_edge(v, mesh.to_vertex_handle(wc)), vd = mesh.new_edge(v, mesh.to_vertex_handle(cd));
+  detail::AddedElements elements(mesh, 1, 3, 2);
+  const Vertex v = effect.added.vertex = elements.vertex();
+  const Halfedge vw = effect.halfedge = elements.edge(v, mesh.to_vertex_handle(dw));
+  const Halfedge vc = elements.edge(v, mesh.to_vertex_handle(wc)), vd = elements.edge(v, mesh.to_vertex_handle(cd));
   effect.added.edge = {mesh.edge_handle(vw), mesh.edge_handle(vc), mesh.edge_handle(vd)};
-  for (Face& face : effect.added.face) face = mesh.new_face();
+  for (Face& face : effect.added.face) face = elements.face();
   detail::make_triangle(mesh, f, vc, cd, mesh.opposite_halfedge_handle(vd));
   detail::make_triangle(mesh, effect.added.face[0], vw, wc, mesh.opposite_halfedge_handle(vc));
   detail::make_triangle(mesh, effect.added.face[1], mesh.opposite_halfedge_handle(vw), vd, dw);
