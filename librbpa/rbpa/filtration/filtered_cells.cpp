@@ -49,8 +49,8 @@ void bring_free_edges_forward(FilteredCells& cells, const Corners& corners, cons
   for (std::size_t e = 0; e < cells.edges.size(); ++e) {
     const meshops::Edge edge(static_cast<int>(e));
     const auto h = mesh.halfedge_handle(edge, 0);
-    const double half = least_alpha(corners.of_vertex(mesh.from_vertex_handle(h)),
-                                    corners.of_vertex(mesh.to_vertex_handle(h)));
+    const double half =
+        least_alpha(corners.of_vertex(mesh.from_vertex_handle(h)), corners.of_vertex(mesh.to_vertex_handle(h)));
     // Asked last, because on grids, where right angles are the rule, both are the same.
     if (half != cells.edges[e].alpha && !is_crowded(corners, mesh, edge)) cells.edges[e].alpha = half;
   }
@@ -79,7 +79,8 @@ FilteredCells filtered_cells(const SolidAlphaComplex& delaunay, std::span<const 
   meshops::require(filtration.triangle_alpha.size() == mesh.n_faces() && filtration.distinct == delaunay.distinct,
                    "persistence: the filtration is of another complex");
   const Corners corners(delaunay, points);
-  if (mesh.n_faces() == 0) return kind == ComplexKind::full ? cells_on_line(delaunay.isolated, points) : FilteredCells();
+  if (mesh.n_faces() == 0)
+    return kind == ComplexKind::full ? cells_on_line(delaunay.isolated, points) : FilteredCells();
 
   FilteredCells cells = cells_of(mesh, filtration.triangle_alpha);
   if (kind == ComplexKind::full) {

@@ -30,8 +30,8 @@ double area(std::array<Point, 3> corners) {
   std::sort(corners.begin(), corners.end());
   const auto& [a, b, c] = corners;
   using Wide = long double;
-  const Wide cross = (Wide(b.x) - Wide(a.x)) * (Wide(c.y) - Wide(a.y)) -
-                     (Wide(b.y) - Wide(a.y)) * (Wide(c.x) - Wide(a.x));
+  const Wide cross =
+      (Wide(b.x) - Wide(a.x)) * (Wide(c.y) - Wide(a.y)) - (Wide(b.y) - Wide(a.y)) * (Wide(c.x) - Wide(a.x));
   return static_cast<double>(std::abs(cross) / 2);
 }
 

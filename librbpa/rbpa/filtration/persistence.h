@@ -36,7 +36,6 @@ struct PersistencePair {
 /// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).
 /// Throws:   ContractViolation when one is visibly of something else.
 RBPA_API std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                                                  const Filtration& filtration,
-                                                  ComplexKind kind = ComplexKind::solid);
+                                                  const Filtration& filtration, ComplexKind kind = ComplexKind::solid);
 
 }  // namespace rbpa
