@@ -35,28 +35,54 @@ double area(std::array<Point, 3> corners) {
   return static_cast<double>(std::abs(cross) / 2);
 }
 
+/// A face without the detour over its halfedges: faces come in the order of their alphas, so each is a cache miss.
+struct Cell {
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::array<std::uint32_t, 3> corners;     ///< vertices
+  std::array<std::uint32_t, 3> neighbours;  ///< faces, or none beyond the hull
+};
+
+std::vector<Cell> cells_of(const Mesh& mesh) {
+  std::vector<Cell> cells(mesh.n_faces());
+  for (std::size_t f = 0; f < cells.size(); ++f) {
+    auto h = mesh.halfedge_handle(meshops::Face(static_cast<int>(f)));
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto beyond = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+      cells[f].corners[side] = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
+      cells[f].neighbours[side] = beyond.is_valid() ? static_cast<std::uint32_t>(beyond.idx()) : Cell::none;
+      h = mesh.next_halfedge_handle(h);
+    }
+  }
+  return cells;
+}
+
 /// The complex while triangles are added to it.
 class Growth {
  public:
   explicit Growth(const Mesh& mesh)
-      : mesh_(mesh), solids_(mesh.n_faces()), pieces_(mesh.n_vertices()), in_(mesh.n_faces()), on_(mesh.n_vertices()) {}
+      : cells_(cells_of(mesh)),
+        solids_(mesh.n_faces()),
+        pieces_(mesh.n_vertices()),
+        in_(mesh.n_faces()),
+        on_(mesh.n_vertices()) {}
 
   void add(const Entry& entry) {
+    const Cell& cell = cells_[entry.face];
     ++now_.triangles;
     ++now_.solid_components;
     area_ += entry.area;
     in_[entry.face] = true;
-
-    std::array<std::uint32_t, 3> corners;
-    auto h = mesh_.halfedge_handle(meshops::Face(static_cast<int>(entry.face)));
-    for (std::uint32_t& corner : corners) {
-      corner = static_cast<std::uint32_t>(mesh_.to_vertex_handle(h).idx());
-      cover(corner);
-      add_edge(entry.face, mesh_.face_handle(mesh_.opposite_halfedge_handle(h)));
-      h = mesh_.next_halfedge_handle(h);
+    for (const std::uint32_t neighbour : cell.neighbours) {
+      if (neighbour == Cell::none || !in_[neighbour])
+        ++edges_;
+      else
+        now_.solid_components -= solids_.join(entry.face, neighbour);
     }
-    now_.components -= pieces_.join(corners[0], corners[1]);
-    now_.components -= pieces_.join(corners[0], corners[2]);
+    for (const std::uint32_t corner : cell.corners) {
+      if (!on_[corner]) ++now_.covered, ++now_.components;
+      on_[corner] = true;
+      now_.components -= pieces_.join(cell.corners[0], corner);
+    }
   }
 
   FiltrationStep step(double alpha) const {
@@ -68,25 +94,10 @@ class Growth {
   }
 
  private:
-  void cover(std::uint32_t vertex) {
-    if (on_[vertex]) return;
-    on_[vertex] = true;
-    ++now_.covered;
-    ++now_.components;
-  }
-
-  void add_edge(std::uint32_t face, meshops::Face beyond) {
-    const auto other = static_cast<std::uint32_t>(beyond.idx());
-    if (beyond.is_valid() && in_[other])
-      now_.solid_components -= solids_.join(face, other);
-    else
-      ++edges_;
-  }
-
-  const Mesh& mesh_;
-  DisjointSets solids_;  // of faces
-  DisjointSets pieces_;  // of vertices
-  std::vector<bool> in_, on_;
+  std::vector<Cell> cells_;
+  DisjointSets solids_;        // of faces
+  DisjointSets pieces_;        // of vertices
+  std::vector<bool> in_, on_;  // faces, vertices
   FiltrationStep now_;
   std::size_t edges_ = 0;
   long double area_ = 0;
@@ -108,11 +119,16 @@ Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> 
   }
   std::sort(entries.begin(), entries.end());
 
+  const auto ends_step = [&](std::size_t i) {
+    return i + 1 == entries.size() || entries[i + 1].alpha != entries[i].alpha;
+  };
+  std::size_t steps = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) steps += ends_step(i);
+  result.steps.reserve(steps);
   Growth growth(delaunay.mesh);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     growth.add(entries[i]);
-    const bool last_of_step = i + 1 == entries.size() || entries[i + 1].alpha != entries[i].alpha;
-    if (last_of_step) result.steps.push_back(growth.step(entries[i].alpha));
+    if (ends_step(i)) result.steps.push_back(growth.step(entries[i].alpha));
   }
   return result;
 }

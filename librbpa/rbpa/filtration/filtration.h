@@ -1,7 +1,7 @@
 // What:   the solid alpha complex at every radius, from one Delaunay triangulation.
 // Law:    the last step with step.alpha ≤ alpha counts rbpa(points, alpha), for every double alpha > 0; before the
 //         first step that complex is empty. Exact, whatever the coordinates; a function of the set of points alone.
-// Cost:   sorts the triangles; the rest is near-linear. Under a µs per point.
+// Cost:   sorts the triangles; the rest is near-linear. About twice the time of the triangulation.
 // Source: Edelsbrunner, Mücke, Three-dimensional alpha shapes (1994); docs/filtration.md.
 #pragma once
 
