@@ -22,8 +22,12 @@ ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const 
   const auto radius = [](const K::FT& squared) { return std::sqrt(CGAL::to_double(squared.exact())); };
   ProposedAlphas alphas{radius(shape.find_alpha_solid()), {}};
   for (const std::size_t k : most_components) {
-    const auto found = shape.find_optimal_alpha(k);
-    alphas.optimal.push_back(found == shape.alpha_end() ? INFINITY : radius(*found));
+    auto found = shape.find_optimal_alpha(k);
+    if (found != shape.alpha_begin()) {
+      const auto before = found - 1;
+      if (*before >= shape.find_alpha_solid() && shape.number_of_solid_components(*before) <= k) found = before;
+    }
+    alphas.optimal.push_back(radius(*found));
   }
   return alphas;
 }

@@ -10,8 +10,10 @@
 namespace rbpa_test {
 
 struct ProposedAlphas {
-  double covering;              ///< find_alpha_solid(): a radius, not its square
-  std::vector<double> optimal;  ///< find_optimal_alpha(K) for each K asked for: radii
+  double covering;  ///< find_alpha_solid(): a radius, not its square
+  /// find_optimal_alpha(K) for each K asked for: radii. It returns the value after the one it has found, except at the
+  /// end; here is the one found.
+  std::vector<double> optimal;
 };
 
 /// Requires: three points that are not on a line; squares of radii are in the range of double.
