@@ -3,7 +3,7 @@
 //         solid complex these are the numbers of the filtration's steps. A pair never has birth = death.
 // Cost:   sorts the edges; the rest is near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002): the elder rule;
-//         Edelsbrunner, Delfinado, An incremental algorithm for Betti numbers (1995): holes by duality.
+//         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.
 #pragma once
 
 #include <optional>
