@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -180,12 +181,12 @@ std::string for_people(const Report& report) {
   text += "critical  " + std::to_string(steps.size()) + " radii";
   if (!steps.empty()) text += ", from " + text_of(steps.front().alpha) + " to " + text_of(steps.back().alpha);
   text += "\n";
-  if (report.pairs)
-    for (const auto& [name, dimension] : {std::pair("components", 0), std::pair("holes", 1)})
-      text += "pairs     " +
-              std::to_string(std::count_if(report.pairs->begin(), report.pairs->end(),
-                                           [&](const auto& p) { return p.dimension == dimension; })) +
-              " " + name + "\n";
+  if (report.pairs) {
+    const auto holes = std::count_if(report.pairs->begin(), report.pairs->end(),
+                                     [](const PersistencePair& pair) { return pair.dimension == 1; });
+    const auto components = static_cast<std::ptrdiff_t>(report.pairs->size()) - holes;
+    text += "pairs     " + std::to_string(components) + " of components, " + std::to_string(holes) + " of holes\n";
+  }
   return text;
 }
 

@@ -91,9 +91,10 @@ std::vector<SquaredPair> squared(const std::vector<rbpa::PersistencePair>& pairs
 
 TEST_CASE("the persistence of the full alpha complex is GUDHI's") {
   std::size_t compared = 0, holes = 0;
-  for (const auto& [name, points] : sets()) {
+  for (const Set& set : sets()) {
+    const Points& points = set.points;
     if (points.empty()) continue;  // GUDHI refuses
-    INFO(name, ", ", points.size(), " points");
+    INFO(set.name, ", ", points.size(), " points");
     const auto delaunay = rbpa::rbpa(points, infinity);
     const auto ours =
         squared(rbpa::persistence(delaunay, points, rbpa::filtration(delaunay, points), rbpa::ComplexKind::full));
@@ -117,8 +118,9 @@ TEST_CASE("smallest_covering is CGAL's optimal alpha, or a smaller one that its 
   constexpr std::array<std::size_t, 4> bounds = {1, 2, 3, 5};
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-12 * a; };
   std::size_t equal = 0, smaller = 0;
-  for (const auto& [name, points] : sets()) {
-    INFO(name, ", ", points.size(), " points");
+  for (const Set& set : sets()) {
+    const Points& points = set.points;
+    INFO(set.name, ", ", points.size(), " points");
     const auto delaunay = rbpa::rbpa(points, infinity);
     if (delaunay.mesh.n_faces() == 0) continue;
     const rbpa::Filtration all = rbpa::filtration(delaunay, points);
@@ -136,7 +138,7 @@ TEST_CASE("smallest_covering is CGAL's optimal alpha, or a smaller one that its 
       ++smaller;
       CHECK(*ours < cgal.optimal[i]);
       // Ours is a solution, and no radius below it at which the complex changes is one.
-      const auto solves = [&, &points = points](double alpha) {
+      const auto solves = [&](double alpha) {
         const auto complex = rbpa::rbpa(points, alpha);
         return complex.isolated.empty() && rbpa::count(complex).solid_components <= bounds[i];
       };

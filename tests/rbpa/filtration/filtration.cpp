@@ -34,22 +34,21 @@ FiltrationStep recounted(const Points& points, double alpha, double area) {
 }
 
 double area_of(const Points& points, const std::vector<Triangle>& triangles) {
-  long double sum = 0;
-  for (const auto& [a, b, c] : triangles) {
-    const auto [ax, ay] = points[a];
-    const auto across = [&](const Point& p, const Point& q) {
-      return (static_cast<long double>(p.x) - ax) * (static_cast<long double>(q.y) - ay);
-    };
-    sum += (across(points[b], points[c]) - across(points[c], points[b])) / 2;
-  }
+  using Wide = long double;
+  const auto cross = [](const Point& a, const Point& b, const Point& c) {
+    return (Wide(b.x) - a.x) * (Wide(c.y) - a.y) - (Wide(b.y) - a.y) * (Wide(c.x) - a.x);
+  };
+  Wide sum = 0;
+  for (const auto& [a, b, c] : triangles) sum += cross(points[a], points[b], points[c]) / 2;
   return static_cast<double>(sum);
 }
 
 }  // namespace
 
 TEST_CASE("every step counts the complex at its alpha, and the double below still has the one before") {
-  for (const auto& [name, points] : small_sets()) {
-    CAPTURE(name);
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
+    CAPTURE(set.name);
     const Filtration all = filtration_of(points);
     std::size_t before = 0;
     for (const FiltrationStep& step : all.steps) {
@@ -64,8 +63,9 @@ TEST_CASE("every step counts the complex at its alpha, and the double below stil
 }
 
 TEST_CASE("steps ascend, and end with the Delaunay triangulation: one disc over all points") {
-  for (const auto& [name, points] : small_sets()) {
-    CAPTURE(name);
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
+    CAPTURE(set.name);
     const Filtration all = filtration_of(points);
     CHECK(std::adjacent_find(all.steps.begin(), all.steps.end(), [](const auto& a, const auto& b) {
             return a.alpha >= b.alpha || a.triangles >= b.triangles || a.covered > b.covered || a.area > b.area;
@@ -81,8 +81,9 @@ TEST_CASE("steps ascend, and end with the Delaunay triangulation: one disc over 
 }
 
 TEST_CASE("a face of the mesh is in the complex from its triangle_alpha on") {
-  for (const auto& [name, points] : small_sets()) {
-    CAPTURE(name);
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
+    CAPTURE(set.name);
     const auto delaunay = rbpa::rbpa(points, infinity);
     const Filtration all = rbpa::filtration(delaunay, points);
     REQUIRE(all.triangle_alpha.size() == delaunay.mesh.n_faces());
@@ -124,8 +125,9 @@ TEST_CASE("points without a triangle have no step") {
 
 TEST_CASE("the order of the points, and repetitions, do not matter") {
   Random random(7);
-  for (const auto& [name, points] : small_sets()) {
-    CAPTURE(name);
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
+    CAPTURE(set.name);
     Points shuffled = points;
     if (!points.empty()) shuffled.push_back(points.front());
     random.shuffle(shuffled);
@@ -158,8 +160,9 @@ TEST_CASE("a radius above every finite double is infinity, and rbpa at infinity 
 
 TEST_CASE("smallest_covering is the least alpha at which all points are covered, by few enough solid components") {
   std::size_t ups_and_downs = 0;
-  for (const auto& [name, points] : small_sets()) {
-    CAPTURE(name);
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
+    CAPTURE(set.name);
     const Filtration all = filtration_of(points);
     for (std::size_t most = 0; most <= 6; ++most) {
       CAPTURE(most);

@@ -122,8 +122,9 @@ std::vector<double> telling_alphas(const Pairs& pairs) {
 
 TEST_CASE("the pairs alive at a step are its components and its holes") {
   std::size_t holes = 0;
-  for (const auto& [name, points] : small_sets()) {
-    CAPTURE(name);
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
+    CAPTURE(set.name);
     const auto delaunay = rbpa::rbpa(points, infinity);
     const Filtration all = rbpa::filtration(delaunay, points);
     const Pairs pairs = rbpa::persistence(delaunay, points, all);
@@ -139,9 +140,10 @@ TEST_CASE("the pairs alive at a step are its components and its holes") {
 }
 
 TEST_CASE("the pairs of the full complex alive at an alpha are its components and holes, counted from the definition") {
-  for (const auto& [name, points] : small_sets()) {
+  for (const SmallSet& set : small_sets()) {
+    const Points& points = set.points;
     if (points.size() > 45) continue;
-    CAPTURE(name);
+    CAPTURE(set.name);
     const FullComplex expected(points);
     const Pairs pairs = persistence_of(points, ComplexKind::full);
     CHECK(alive(pairs, 0, 0) == rbpa::rbpa(points, 1).distinct);
@@ -155,8 +157,9 @@ TEST_CASE("the pairs of the full complex alive at an alpha are its components an
 
 TEST_CASE("pairs have a length, are sorted, and exactly one of them stays") {
   for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full})
-    for (const auto& [name, points] : small_sets()) {
-      CAPTURE(name);
+    for (const SmallSet& set : small_sets()) {
+      const Points& points = set.points;
+      CAPTURE(set.name);
       const Pairs pairs = persistence_of(points, kind);
       for (const PersistencePair& p : pairs)
         if (p.death) CHECK(p.birth < *p.death);
@@ -206,8 +209,9 @@ TEST_CASE("points on a line are joined one after the other") {
 TEST_CASE("the order of the points, and repetitions, do not matter to the pairs") {
   Random random(7);
   for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full})
-    for (const auto& [name, points] : small_sets()) {
-      CAPTURE(name);
+    for (const SmallSet& set : small_sets()) {
+      const Points& points = set.points;
+      CAPTURE(set.name);
       Points shuffled = points;
       if (!points.empty()) shuffled.push_back(points.front());
       random.shuffle(shuffled);

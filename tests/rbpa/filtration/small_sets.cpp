@@ -4,9 +4,9 @@
 
 namespace rbpa_test {
 
-const std::vector<std::pair<std::string, Points>>& small_sets() {
-  static const std::vector<std::pair<std::string, Points>> sets = [] {
-    std::vector<std::pair<std::string, Points>> all = {
+const std::vector<SmallSet>& small_sets() {
+  static const std::vector<SmallSet> sets = [] {
+    std::vector<SmallSet> all = {
         {"nothing", {}},
         {"one point", {{3, 4}}},
         {"two points", {{3, 4}, {1, 2}}},

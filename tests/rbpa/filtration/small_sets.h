@@ -2,14 +2,18 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "support/triangle.h"
 
 namespace rbpa_test {
 
-/// Scattered, gridded, cocircular, collinear, repeated, clustered, sparse, extreme; named.
-const std::vector<std::pair<std::string, Points>>& small_sets();
+struct SmallSet {
+  std::string name;
+  Points points;
+};
+
+/// Scattered, gridded, cocircular, collinear, repeated, clustered, sparse, extreme.
+const std::vector<SmallSet>& small_sets();
 
 }  // namespace rbpa_test
