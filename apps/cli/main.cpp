@@ -4,6 +4,7 @@
 #include <CLI/Formatter.hpp>
 #include <string>
 
+#include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
 #include "io/exit_code.h"
@@ -52,6 +53,27 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_alpha(CLI::App& app, AlphaArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("alpha", "Every radius at which the complex changes, and which of them to choose");
+  add_point_options(verb, arguments);
+  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
+      ->type_name("K")
+      ->capture_default_str();
+  CLI::Option* json = verb.add_flag("--json", arguments.json, "Everything as JSON");
+  verb.add_flag("--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")->excludes(json);
+  verb.add_flag("--persistence", arguments.persistence, "Births and deaths of components and holes");
+  verb.add_option("--complex", arguments.complex,
+                  "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
+      ->type_name("NAME");
+  verb.add_flag("-q,--quiet", arguments.quiet, "No progress");
+  verb.footer(
+      "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there are\n"
+      "at most K solid components. Solid components hang together through edges, components through points.\n\n"
+      "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
+      "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n\n" +
+      std::string(exit_codes));
+}
+
 void add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
   add_point_options(verb, arguments);
@@ -69,7 +91,9 @@ int main(int argc, char** argv) {
              "`rbpa VERB --help` says more.");
   MeshArguments mesh;
   InfoArguments info;
+  AlphaArguments alpha;
   add_mesh(app, mesh);
+  add_alpha(app, alpha);
   add_info(app, info);
   try {
     app.parse(argc, argv);
@@ -79,6 +103,7 @@ int main(int argc, char** argv) {
     return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
+  if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
   return run(program, [&] { run_info(info); });
 }
 

@@ -14,6 +14,7 @@ set(arrows
   rbpa/seed>rbpa/core rbpa/seed>rbpa/predicate rbpa/seed>rbpa/search rbpa/seed>rbpa/pivot
   rbpa/seed>meshops/front
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed
+  rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.

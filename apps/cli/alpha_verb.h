@@ -1,0 +1,25 @@
+// What: `rbpa alpha`: the radii at which the complex of a set of points changes, and which of them to choose.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace rbpa::app {
+
+struct AlphaArguments {
+  std::string points;
+  std::optional<std::string> format;
+  std::optional<std::string> columns;
+  std::optional<std::string> stats;
+  long components = 1;  ///< at most, at `auto`
+  bool json = false;
+  bool csv = false;
+  bool persistence = false;
+  std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
+  bool quiet = false;
+};
+
+/// Prints to standard output. Throws as run_mesh() does.
+void run_alpha(const AlphaArguments& arguments);
+
+}  // namespace rbpa::app

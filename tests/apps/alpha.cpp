@@ -1,0 +1,152 @@
+// What `rbpa alpha` says.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
+
+/// Right triangles of circumradius 5 and 10 that share no point, and nothing near.
+const char* const two_triangles = "0 0\n6 0\n0 8\n100 0\n112 0\n100 16\n0 0\n";
+
+/// 17 digits: the value that a command line reads back.
+std::string text_of(const Json& number) { return number.dump(); }
+
+}  // namespace
+
+TEST_SUITE("alpha") {
+  TEST_CASE("every critical radius says what mesh at that alpha says") {
+    const Folder folder;
+    folder.file("p.xy", two_triangles);
+    const Outcome outcome = folder.rbpa("alpha p.xy --json -q");
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    const Json report = Json::parse(outcome.out);
+    CHECK(report["critical"][0] == Json::parse(R"({"alpha": 5.0, "triangles": 1, "solid_components": 1,
+        "components": 1, "holes": 0, "covered": 3, "area": 24.0})"));
+    CHECK(report["critical"][1] == Json::parse(R"({"alpha": 10.0, "triangles": 2, "solid_components": 2,
+        "components": 2, "holes": 0, "covered": 6, "area": 120.0})"));
+    CHECK(report["min"] == 10.0);
+    CHECK_FALSE(report.contains("pairs"));
+    for (const Json& step : report["critical"]) {
+      REQUIRE(folder.rbpa("mesh p.xy --alpha " + text_of(step["alpha"]) + " -q --stats s.json").code == 0);
+      const Json stats = Json::parse(folder.content("s.json"));
+      for (const char* key : {"triangles", "solid_components", "components", "holes"}) CHECK(step[key] == stats[key]);
+      CHECK(step["covered"] == stats["vertices"]);
+    }
+  }
+
+  TEST_CASE("auto covers every point in few enough solid components, and min is not above it") {
+    const Folder folder;
+    const Json one = Json::parse(folder.rbpa("alpha " + points + "--json -q").out);
+    REQUIRE(folder.rbpa("mesh " + points + "--alpha " + text_of(one["auto"]) + " -q --stats s.json").code == 0);
+    Json stats = Json::parse(folder.content("s.json"));
+    CHECK(stats["isolated"] == 0);
+    CHECK(stats["solid_components"] == 1);
+    REQUIRE(folder.rbpa("mesh " + points + "--alpha " + text_of(one["min"]) + " -q --stats s.json").code == 0);
+    stats = Json::parse(folder.content("s.json"));
+    CHECK(stats["isolated"] == 0);
+    CHECK(one["min"].get<double>() <= one["auto"].get<double>());
+    const std::string components = stats["solid_components"].dump();
+    CHECK(Json::parse(folder.rbpa("alpha " + points + "--json -q --components " + components).out)["auto"] ==
+          one["min"]);
+  }
+
+  TEST_CASE("CSV has the lines of the JSON") {
+    const Folder folder;
+    folder.file("p.xy", two_triangles);
+    CHECK(
+        folder.rbpa("alpha p.xy --csv -q")
+            .out.starts_with(
+                "alpha,triangles,solid_components,components,holes,covered,area\n5,1,1,1,0,3,24\n10,2,2,2,0,6,120\n"));
+    const std::string pairs = folder.rbpa("alpha p.xy --csv -q --persistence").out;
+    CHECK(pairs.starts_with("dimension,birth,death\n0,5,\n0,10,"));
+    const Json report = Json::parse(folder.rbpa("alpha p.xy --json -q --persistence").out);
+    CHECK(static_cast<std::size_t>(std::count(pairs.begin(), pairs.end(), '\n')) == report["pairs"].size() + 1);
+  }
+
+  TEST_CASE("pairs alive at a critical radius are its components and holes; the full complex starts with the points") {
+    const Folder folder;
+    const Json solid = Json::parse(folder.rbpa("alpha " + points + "--json --persistence -q").out);
+    const auto alive = [](const Json& report, int dimension, const Json& alpha) {
+      return std::count_if(report["pairs"].begin(), report["pairs"].end(), [&](const Json& pair) {
+        return pair["dimension"] == dimension && pair["birth"] <= alpha &&
+               (pair["death"].is_null() || alpha < pair["death"]);
+      });
+    };
+    for (std::size_t i = 0; i < solid["critical"].size(); i += 97) {
+      const Json& step = solid["critical"][i];
+      CHECK(alive(solid, 0, step["alpha"]) == step["components"].get<long>());
+      CHECK(alive(solid, 1, step["alpha"]) == step["holes"].get<long>());
+    }
+    const Json full = Json::parse(folder.rbpa("alpha " + points + "--json --persistence --complex full -q").out);
+    CHECK(full["critical"] == solid["critical"]);
+    CHECK(alive(full, 0, 0.0) == 2309);
+  }
+
+  TEST_CASE("points without a triangle are said, and auto and min are null") {
+    const Folder folder;
+    folder.file("line.xy", "0 0\n1 1\n3 3\n");
+    const Outcome line = folder.rbpa("alpha line.xy --json --persistence --complex full -q");
+    CHECK(line.code == 0);
+    CHECK(line.err == "rbpa: the complex is empty at every alpha: all points are collinear\n");
+    const Json report = Json::parse(line.out);
+    CHECK(report["auto"].is_null());
+    CHECK(report["min"].is_null());
+    CHECK(report["critical"].empty());
+    CHECK(report["pairs"].size() == 3);
+    folder.file("two.xy", "0 0\n1 1\n0 0\n");
+    CHECK(folder.rbpa("alpha two.xy").err.ends_with("fewer than three distinct points\n"));
+    CHECK(folder.rbpa("alpha two.xy").out.find("none") != std::string::npos);
+  }
+
+  TEST_CASE("numbers above every double are \"inf\", and JSON all the same") {
+    const Folder folder;
+    folder.file("p.xy", "-1e308 0\n0 -5e-324\n1e308 0\n0 -1e308\n");
+    const Json report = Json::parse(folder.rbpa("alpha p.xy --json -q").out);
+    CHECK(report["critical"].back()["alpha"] == "inf");
+    CHECK(report["critical"].back()["area"] == "inf");
+  }
+
+  TEST_CASE("text says min, auto and the range of radii") {
+    const Folder folder;
+    folder.file("p.xy", two_triangles);
+    const Outcome outcome = folder.rbpa("alpha p.xy");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.find("7, 6 of them distinct") != std::string::npos);
+    CHECK(outcome.out.find("min       10 ") != std::string::npos);
+    CHECK(outcome.out.find("from 5 to ") != std::string::npos);
+  }
+
+  TEST_CASE("what cannot be meant is refused before anything is read") {
+    const Folder folder;
+    for (const std::string wrong : {"--json --csv", "--components 0", "--components -1", "--complex full",
+                                    "--persistence --complex half", "--stats -"}) {
+      CAPTURE(wrong);
+      const Outcome outcome = folder.rbpa("alpha no_such_file.xy " + wrong);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.out.empty());
+      CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    }
+  }
+
+  TEST_CASE("statistics have sizes and times") {
+    const Folder folder;
+    folder.file("p.xy", two_triangles);
+    REQUIRE(folder.rbpa("alpha p.xy --stats s.json").code == 0);
+    const Json stats = Json::parse(folder.content("s.json"));
+    CHECK(stats["points"] == 7);
+    CHECK(stats["distinct"] == 6);
+    for (const char* phase : {"read", "build", "write"}) CHECK(stats["seconds"][phase] >= 0.0);
+  }
+}

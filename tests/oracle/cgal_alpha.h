@@ -1,0 +1,22 @@
+// What: the alphas that CGAL's Alpha_shape_2 proposes, with exact constructions.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/point.h"
+
+namespace rbpa_test {
+
+struct ProposedAlphas {
+  double covering;  ///< find_alpha_solid(): a radius, not its square
+  /// find_optimal_alpha(K) for each K asked for: radii. It returns the value after the one it has found, except at the
+  /// end; here is the one found.
+  std::vector<double> optimal;
+};
+
+/// Requires: three points that are not on a line; squares of radii are in the range of double.
+ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const std::size_t> most_components);
+
+}  // namespace rbpa_test

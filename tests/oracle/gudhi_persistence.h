@@ -1,0 +1,23 @@
+// What: the persistence of the alpha complex as GUDHI computes it.
+// How:  its Alpha_complex on CGAL's exact kernel, exact squared radii rounded to double; cohomology with coefficients
+//       in Z/2.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/point.h"
+
+namespace rbpa_test {
+
+struct SquaredPair {
+  int dimension;
+  double birth;  ///< squared radius
+  double death = std::numeric_limits<double>::infinity();
+};
+
+/// All pairs with birth < death after rounding. Requires: squares of radii are in the range of double.
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points);
+
+}  // namespace rbpa_test
