@@ -1,5 +1,6 @@
 // CGAL makes OpenMesh's meshes graphs of Boost, and so do the views: one program may use both.
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <doctest/doctest.h>
 
 #include <boost/graph/connected_components.hpp>
@@ -7,10 +8,21 @@
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 #include <vector>
 
+#include "meshops/front/engine.h"
 #include "meshops/graph/boundary_graph.h"
 #include "meshops/graph/dual_graph.h"
 #include "meshops/graph/edge_map.h"
 #include "meshops/graph/primal_graph.h"
+#include "meshops/handle/create.h"
+#include "meshops/handle/unglue.h"
+#include "meshops/handle/zip_curves.h"
+#include "meshops/stellar/collapse.h"
+#include "meshops/stellar/flip.h"
+#include "meshops/stellar/split_edge.h"
+#include "meshops/stellar/split_face.h"
+#include "meshops/topology/homology.h"
+#include "meshops/topology/report.h"
+#include "meshops/topology/tracker.h"
 
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
@@ -64,5 +76,34 @@ TEST_SUITE("graph views beside CGAL") {
     boost::kruskal_minimum_spanning_tree(primal, std::back_inserter(forest),
                                          boost::weight_map(meshops::length_map(mesh)));
     CHECK(forest.size() == 22);
+  }
+
+  TEST_CASE("what the operators leave is a valid halfedge graph to CGAL") {
+    Mesh mesh;
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_halfedge_status();
+    mesh.request_face_status();
+    const auto boundary = [&] { return mesh.opposite_halfedge_handle(meshops::create_triangle(mesh)); };
+    const meshops::Halfedge a = boundary(), b = boundary(), c = boundary(), d = boundary();
+    const auto valid = [&] {
+      Mesh compact = mesh;
+      compact.garbage_collection();
+      return CGAL::is_valid_halfedge_graph(compact) && CGAL::is_valid_face_graph(compact);
+    };
+    meshops::glue(mesh, a, b);
+    meshops::zip_curves(mesh, c, d);
+    CHECK(valid());
+    meshops::split_edge(mesh, a);
+    const meshops::SplitEffect split = meshops::split_face(mesh, mesh.face_handle(a));
+    CHECK_FALSE(meshops::flip_blocker(mesh, mesh.edge_handle(a)));
+    const meshops::FlipEffect flipped = meshops::flip(mesh, mesh.edge_handle(a));
+    CHECK(valid());
+    meshops::undo(mesh, flipped);
+    meshops::collapse(mesh, split.halfedge);
+    meshops::unglue(mesh, a);
+    CHECK(valid());
+    CHECK(meshops::report(mesh).solid_components == 2);
+    CHECK(meshops::homology(mesh).generators.empty());
   }
 }
