@@ -6,8 +6,40 @@
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/same_file.h"
+#include "picture/scene.h"
 
 namespace rbpa::app {
+namespace {
+
+template <typename Format>
+std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(std::string_view),
+                                         std::string_view known_formats, const std::vector<std::string>& paths,
+                                         const std::optional<std::string>& format,
+                                         const std::optional<std::string>& stats, const std::string& points) {
+  std::optional<Format> otherwise;
+  if (format) {
+    otherwise = known_format(*format);
+    if (!otherwise) refuse_name("--output-format", *format, known_formats);
+  }
+  if (paths.empty() && !stats) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  std::vector<TargetOf<Format>> targets;
+  for (const std::string& path : paths) {
+    std::optional<Format> known = path == "-" ? std::nullopt : known_format(ending(path));
+    if (!known) known = otherwise;
+    if (!known && path == "-")
+      throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(known_formats));
+    if (!known) refuse_ending(path, known_formats, "--output-format");
+    targets.push_back({path, *known});
+  }
+
+  std::vector<std::string> files = paths;
+  if (stats) files.push_back(*stats);
+  require_different(files, points, "points");
+  return targets;
+}
+
+}  // namespace
+
 double parse_alpha(const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
   const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
@@ -15,6 +47,21 @@ double parse_alpha(const std::string& text) {
   if (number.fault != NumberFault::none || !(number.value > 0))
     throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius: a number > 0, or inf");
   return number.value;
+}
+
+double parse_area(const std::string& option, const std::string& text) {
+  const ParsedNumber number = parse_whole_number(text);
+  const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
+  if (infinite) return std::numeric_limits<double>::infinity();
+  if (number.fault != NumberFault::none || !(number.value >= 0))
+    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected an area: a number >= 0, or inf");
+  return number.value;
+}
+
+void check_width(int width) {
+  if (width < least_width || width > greatest_width)
+    throw WrongUsage("--width: found " + std::to_string(width) + ", expected " + std::to_string(least_width) + " to " +
+                     std::to_string(greatest_width) + " pixels");
 }
 
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
@@ -37,26 +84,13 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
 
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
                                   const std::optional<std::string>& stats, const std::string& points) {
-  std::optional<OutputFormat> otherwise;
-  if (format) {
-    otherwise = output_format(*format);
-    if (!otherwise) refuse_name("--output-format", *format, output_formats);
-  }
-  if (paths.empty() && !stats) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
-  std::vector<Target> targets;
-  for (const std::string& path : paths) {
-    std::optional<OutputFormat> known = path == "-" ? std::nullopt : output_format(ending(path));
-    if (!known) known = otherwise;
-    if (!known && path == "-")
-      throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(output_formats));
-    if (!known) refuse_ending(path, output_formats, "--output-format");
-    targets.push_back({path, *known});
-  }
+  return targets_of(output_format, output_formats, paths, format, stats, points);
+}
 
-  std::vector<std::string> files = paths;
-  if (stats) files.push_back(*stats);
-  require_different(files, points, "points");
-  return targets;
+std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
+                                             const std::optional<std::string>& format,
+                                             const std::optional<std::string>& stats, const std::string& points) {
+  return targets_of(shape_format, shape_formats, paths, format, stats, points);
 }
 
 }  // namespace rbpa::app

@@ -17,14 +17,38 @@ double parse_alpha(const std::string& text);
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
                          const std::optional<std::string>& columns);
 
-struct Target {
+/// A bound on areas: a number >= 0, or "inf".
+double parse_area(const std::string& option, const std::string& text);
+
+/// Throws WrongUsage unless a picture can be `width` pixels wide.
+void check_width(int width);
+
+template <typename Format>
+struct TargetOf {
   std::string path;
-  OutputFormat format;
+  Format format;
 };
+using Target = TargetOf<OutputFormat>;
+using ShapeTarget = TargetOf<ShapeFormat>;
 
 /// Formats by the endings; one without a known ending takes `format`. No two targets may be the same file, nor the
 /// points or `stats`.
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
                                   const std::optional<std::string>& stats, const std::string& points);
+std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
+                                             const std::optional<std::string>& format,
+                                             const std::optional<std::string>& stats, const std::string& points);
+
+/// " -> a.off, standard output"; "" when there is none.
+template <typename Format>
+std::string list_of(const std::vector<TargetOf<Format>>& targets) {
+  std::string text;
+  const char* before = " -> ";
+  for (const TargetOf<Format>& target : targets) {
+    text += before + (target.path == "-" ? std::string("standard output") : target.path);
+    before = ", ";
+  }
+  return text;
+}
 
 }  // namespace rbpa::app

@@ -7,6 +7,7 @@
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
+#include "cli/shape_verb.h"
 #include "io/exit_code.h"
 #include "io/interrupt.h"
 
@@ -74,6 +75,36 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_shape(CLI::App& app, ShapeArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
+  add_point_options(verb, arguments);
+  verb.add_option("--alpha", arguments.alpha, "Largest circumradius (a radius, in units of the points), or inf")
+      ->type_name("R")
+      ->required();
+  verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(shape_formats) +
+                                               "; - is standard output; may be given several times")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
+      ->type_name("NAME");
+  verb.add_option("--min-hole-area", arguments.min_hole_area,
+                  "Fill holes that enclose less, and what lies in them; inf fills all")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--min-part-area", arguments.min_part_area, "Drop polygons of less area, after holes are filled")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
+  verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa shape points.xy --alpha 0.3 -o shape.geojson -o picture.png\n"
+      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
+      "GeoJSON has a Feature for each polygon, with its area, perimeter and number of holes; WKT is one MULTIPOLYGON.\n"
+      "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
+      std::string(exit_codes));
+}
+
 void add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
   add_point_options(verb, arguments);
@@ -90,10 +121,12 @@ int main(int argc, char** argv) {
   app.footer("Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"
              "`rbpa VERB --help` says more.");
   MeshArguments mesh;
+  ShapeArguments shape;
   InfoArguments info;
   AlphaArguments alpha;
   add_mesh(app, mesh);
   add_alpha(app, alpha);
+  add_shape(app, shape);
   add_info(app, info);
   try {
     app.parse(argc, argv);
@@ -104,6 +137,7 @@ int main(int argc, char** argv) {
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
+  if (app.got_subcommand("shape")) return run(program, [&] { run_shape(shape); });
   return run(program, [&] { run_info(info); });
 }
 

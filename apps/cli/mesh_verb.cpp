@@ -3,16 +3,14 @@
 #include <cstdio>
 
 #include "cli/arguments.h"
-#include "cli/progress.h"
+#include "cli/build.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/number.h"
 #include "io/output_file.h"
 #include "io/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
-#include "rbpa/collinear.h"
 
 namespace rbpa::app {
 namespace {
@@ -21,23 +19,6 @@ Search parse_search(const std::string& text) {
   if (text == "near") return Search::near_to_far;
   if (text == "paper") return Search::paper_grid;
   throw WrongUsage("--search: found " + in_quotes(text) + ", expected near or paper");
-}
-
-SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Search search, bool quiet) {
-  ProgressLine line(!quiet);
-  Options options{.search = search};
-  options.progress = [&](const Progress& progress) {
-    line.show(progress);
-    return !interrupted();
-  };
-  return rbpa(points, alpha, options);
-}
-
-/// Why the complex of these points has no triangle.
-std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {
-  if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
-  if (are_collinear(points)) return "all points are collinear";
-  return "no triangle has circumradius <= " + alpha;
 }
 
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
@@ -73,12 +54,7 @@ std::string summary(std::size_t points, const SolidAlphaComplex& complex, const 
   if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
   text += ", " + counted(complex.mesh.n_faces(), "triangle") + ", " + std::to_string(complex.isolated.size()) +
           " isolated";
-  const char* before = " -> ";
-  for (const Target& target : targets) {
-    text += before + (target.path == "-" ? std::string("standard output") : target.path);
-    before = ", ";
-  }
-  return text;
+  return text + list_of(targets);
 }
 
 }  // namespace
@@ -89,15 +65,13 @@ void run_mesh(const MeshArguments& arguments) {
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
   const std::vector<Target> targets =
       parse_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
-  if (arguments.width < least_width || arguments.width > greatest_width)
-    throw WrongUsage("--width: found " + std::to_string(arguments.width) + ", expected " +
-                     std::to_string(least_width) + " to " + std::to_string(greatest_width) + " pixels");
+  check_width(arguments.width);
 
   Stats stats{.alpha = alpha};
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
-  const SolidAlphaComplex complex = build(points, alpha, search, arguments.quiet);
+  const SolidAlphaComplex complex = build(points, alpha, {.search = search}, arguments.quiet);
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;

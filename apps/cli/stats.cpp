@@ -29,24 +29,28 @@ void write_stats(OutputFile& file, const Stats& stats) {
   };
   Json alpha = or_null(stats.alpha);
   if (stats.alpha && std::isinf(*stats.alpha)) alpha = "inf";
-  const Json report = {{"points", stats.points},
-                       {"distinct", stats.distinct},
-                       {"isolated", or_null(stats.isolated)},
-                       {"triangles", counted(&ComplexCounts::triangles)},
-                       {"vertices", counted(&ComplexCounts::points_covered)},
-                       {"edges", counted(&ComplexCounts::edges)},
-                       {"boundary_curves", counted(&ComplexCounts::boundary_curves)},
-                       {"solid_components", counted(&ComplexCounts::solid_components)},
-                       {"components", counted(&ComplexCounts::components)},
-                       {"holes", counted(&ComplexCounts::holes)},
-                       {"alpha", alpha},
-                       {"method", stats.counts ? Json("rbpa") : Json(nullptr)},
-                       {"threads", 1},
-                       {"seconds",
-                        {{"read", stats.read_seconds},
-                         {"build", or_null(stats.build_seconds)},
-                         {"write", or_null(stats.write_seconds)}}},
-                       {"peak_bytes", peak_bytes()}};
+  Json report = {{"points", stats.points},
+                 {"distinct", stats.distinct},
+                 {"isolated", or_null(stats.isolated)},
+                 {"triangles", counted(&ComplexCounts::triangles)},
+                 {"vertices", counted(&ComplexCounts::points_covered)},
+                 {"edges", counted(&ComplexCounts::edges)},
+                 {"boundary_curves", counted(&ComplexCounts::boundary_curves)},
+                 {"solid_components", counted(&ComplexCounts::solid_components)},
+                 {"components", counted(&ComplexCounts::components)},
+                 {"holes", counted(&ComplexCounts::holes)},
+                 {"alpha", alpha},
+                 {"method", stats.counts ? Json("rbpa") : Json(nullptr)},
+                 {"threads", 1}};
+  if (stats.polygons) {
+    report["polygons"] = *stats.polygons;
+    report["polygon_holes"] = stats.of_polygons.holes;
+    report["area"] = stats.of_polygons.area;  // beyond the range of double: null
+    report["perimeter"] = stats.of_polygons.perimeter;
+  }
+  report["seconds"] = {
+      {"read", stats.read_seconds}, {"build", or_null(stats.build_seconds)}, {"write", or_null(stats.write_seconds)}};
+  report["peak_bytes"] = peak_bytes();
   file.write(report.dump(2) + "\n");
 }
 

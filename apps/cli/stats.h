@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/output_file.h"
+#include "rbpa/shape/polygons.h"
 #include "rbpa/topology.h"
 
 namespace rbpa::app {
@@ -17,6 +18,9 @@ struct Stats {
   std::optional<double> alpha = std::nullopt;
   std::optional<std::size_t> isolated = std::nullopt;
   std::optional<ComplexCounts> counts = std::nullopt;
+  /// Keys for polygons are in the report only where a verb makes them.
+  std::optional<std::size_t> polygons = std::nullopt;
+  PolygonTotals of_polygons = {};
   double read_seconds = 0;
   std::optional<double> build_seconds = std::nullopt;
   std::optional<double> write_seconds = std::nullopt;

@@ -48,6 +48,15 @@ std::optional<OutputFormat> output_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<ShapeFormat> shape_format(std::string_view name) {
+  constexpr std::pair<std::string_view, ShapeFormat> known[] = {{"geojson", ShapeFormat::geojson},
+                                                                {"json", ShapeFormat::geojson},
+                                                                {"wkt", ShapeFormat::wkt},
+                                                                {"svg", ShapeFormat::svg},
+                                                                {"png", ShapeFormat::png}};
+  return find(known, name);
+}
+
 std::string_view ending(std::string_view path) {
   path.remove_prefix(path.rfind('/') + 1);
   const std::size_t dot = path.rfind('.');

@@ -11,12 +11,14 @@ enum class PointFormat { text, npy, off, ply, raw };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 enum class OutputFormat { off, ply, obj, npy, svg, png };
+enum class ShapeFormat { geojson, wkt, svg, png };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<PointFormat> point_format(std::string_view name);
 std::optional<MeshFormat> mesh_format(std::string_view name);
 std::optional<PolylineFormat> polyline_format(std::string_view name);
 std::optional<OutputFormat> output_format(std::string_view name);
+std::optional<ShapeFormat> shape_format(std::string_view name);
 
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);
@@ -30,5 +32,6 @@ constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, npy, off, pl
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";
+constexpr std::string_view shape_formats = "geojson, json, wkt, svg, png";
 
 }  // namespace rbpa::app

@@ -46,4 +46,14 @@ Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& compl
   return drawing;
 }
 
+Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
+                   std::span<const std::uint32_t> isolated) {
+  Drawing drawing{.points = points, .inner_edges = {}, .curves = {}, .isolated = isolated};
+  for (const Polygon& polygon : polygons) {
+    drawing.curves.push_back(polygon.shell.points);
+    for (const Ring& hole : polygon.holes) drawing.curves.push_back(hole.points);
+  }
+  return drawing;
+}
+
 }  // namespace rbpa::app

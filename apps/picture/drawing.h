@@ -9,6 +9,7 @@
 
 #include "rbpa/core/point.h"
 #include "rbpa/rbpa.h"
+#include "rbpa/shape/polygons.h"
 
 namespace rbpa::app {
 
@@ -18,11 +19,15 @@ using Edge = std::array<std::uint32_t, 2>;
 struct Drawing {
   std::span<const Point> points;
   std::vector<Edge> inner_edges;                   ///< between two triangles; lower index first, sorted
-  std::vector<std::vector<std::uint32_t>> curves;  ///< boundary curves, each from its least edge, sorted
+  std::vector<std::vector<std::uint32_t>> curves;  ///< around the solid, each from its least edge, sorted; or rings
   std::span<const std::uint32_t> isolated;
 };
 
 /// Requires: `points` are those of the complex. What it returns looks into both.
 Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& complex);
+
+/// Polygons without inner edges, their rings as they are. What it returns looks into `points` and `isolated`.
+Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
+                   std::span<const std::uint32_t> isolated);
 
 }  // namespace rbpa::app

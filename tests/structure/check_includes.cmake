@@ -13,6 +13,8 @@ set(arrows
   rbpa/pivot>rbpa/core rbpa/pivot>rbpa/predicate rbpa/pivot>rbpa/search
   rbpa/seed>rbpa/core rbpa/seed>rbpa/predicate rbpa/seed>rbpa/search rbpa/seed>rbpa/pivot
   rbpa/seed>meshops/front
+  rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate
+  rbpa/shape>meshops/front rbpa/shape>meshops/topology
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)

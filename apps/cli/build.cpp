@@ -1,0 +1,26 @@
+#include "cli/build.h"
+
+#include <algorithm>
+
+#include "cli/progress.h"
+#include "io/interrupt.h"
+#include "rbpa/collinear.h"
+
+namespace rbpa::app {
+
+SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Options options, bool quiet) {
+  ProgressLine line(!quiet);
+  options.progress = [&](const Progress& progress) {
+    line.show(progress);
+    return !interrupted();
+  };
+  return rbpa(points, alpha, options);
+}
+
+std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {
+  if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
+  if (are_collinear(points)) return "all points are collinear";
+  return "no triangle has circumradius <= " + alpha;
+}
+
+}  // namespace rbpa::app

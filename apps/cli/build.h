@@ -1,0 +1,17 @@
+// What: the complex of a run, watched: progress on a terminal, Ctrl-C heard, and in words why it is empty.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rbpa/rbpa.h"
+
+namespace rbpa::app {
+
+/// rbpa() with a progress line unless `quiet`. Throws Cancelled after a signal.
+SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Options options, bool quiet);
+
+/// Why the complex of these points has no triangle. `alpha` as the user wrote it.
+std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha);
+
+}  // namespace rbpa::app

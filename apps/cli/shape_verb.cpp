@@ -1,0 +1,104 @@
+#include "cli/shape_verb.h"
+
+#include <cstdio>
+
+#include "cli/arguments.h"
+#include "cli/build.h"
+#include "cli/stats.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/output_file.h"
+#include "io/write_polygons.h"
+#include "picture/png.h"
+#include "picture/svg.h"
+#include "rbpa/shape/polygons.h"
+
+namespace rbpa::app {
+namespace {
+
+void write_targets(OutputSet& outputs, const std::vector<ShapeTarget>& targets, const std::vector<Point>& points,
+                   const std::vector<Polygon>& shape, const SolidAlphaComplex& complex, int width) {
+  std::optional<Drawing> drawing;
+  for (const ShapeTarget& target : targets) {
+    stop_if_interrupted();
+    OutputFile& file = outputs.add(target.path);
+    switch (target.format) {
+      case ShapeFormat::geojson:
+        write_geojson(file, shape, points);
+        break;
+      case ShapeFormat::wkt:
+        write_wkt(file, shape, points);
+        break;
+      case ShapeFormat::svg:
+      case ShapeFormat::png:
+        if (!drawing) drawing = drawing_of(points, shape, complex.isolated);
+        const Scene scene = place(*drawing, width);
+        target.format == ShapeFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+        break;
+    }
+    file.finish();
+  }
+}
+
+std::string reason_for_no_polygon(const std::vector<Point>& points, const SolidAlphaComplex& complex,
+                                  const ShapeArguments& arguments) {
+  if (complex.mesh.n_faces() == 0) return reason_for_empty(points, complex.distinct, arguments.alpha);
+  return "no part has an area >= " + arguments.min_part_area;
+}
+
+std::string summary(std::size_t points, const SolidAlphaComplex& complex, std::size_t polygons,
+                    const PolygonTotals& totals, const std::vector<ShapeTarget>& targets) {
+  char area[32];
+  std::snprintf(area, sizeof area, "%.6g", totals.area);
+  std::string text = counted(points, "point");
+  if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
+  return text + ", " + counted(polygons, "polygon") + " with " + counted(totals.holes, "hole") + ", area " + area +
+         list_of(targets);
+}
+
+}  // namespace
+
+void run_shape(const ShapeArguments& arguments) {
+  const double alpha = parse_alpha(arguments.alpha);
+  const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
+                             .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
+  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
+  const std::vector<ShapeTarget> targets =
+      parse_shape_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
+  check_width(arguments.width);
+
+  Stats stats{.alpha = alpha};
+  Stopwatch watch;
+  const std::vector<Point> points = read_points(source);
+  stats.read_seconds = watch.lap();
+  const SolidAlphaComplex complex = build(points, alpha, {}, arguments.quiet);
+  stop_if_interrupted();
+  const std::vector<Polygon> shape = polygons(complex, filter);
+  const PolygonTotals totals = total(shape);
+  stats.build_seconds = watch.lap();
+
+  OutputSet outputs;
+  write_targets(outputs, targets, points, shape, complex, arguments.width);
+  stats.write_seconds = watch.lap();
+  if (arguments.stats) {
+    stats.points = points.size();
+    stats.distinct = complex.distinct;
+    stats.isolated = complex.isolated.size();
+    stats.counts = count(complex);
+    stats.polygons = shape.size();
+    stats.of_polygons = totals;
+    OutputFile& file = outputs.add(*arguments.stats);
+    write_stats(file, stats);
+    file.finish();
+  }
+  outputs.publish();
+
+  if (shape.empty()) {
+    const std::string reason = reason_for_no_polygon(points, complex, arguments);
+    std::fprintf(stderr, "rbpa: the shape is empty: %s\n", reason.c_str());
+  }
+  if (!arguments.quiet)
+    std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, shape.size(), totals, targets).c_str());
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,28 @@
+// What: `rbpa shape`: from a file of points to files of polygons and pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rbpa::app {
+
+/// What the command line says, as text; run_shape() judges it.
+struct ShapeArguments {
+  std::string points;
+  std::optional<std::string> format;
+  std::optional<std::string> columns;
+  std::string alpha;
+  std::vector<std::string> outputs;
+  std::optional<std::string> output_format;
+  std::optional<std::string> stats;
+  std::string min_hole_area = "0";
+  std::string min_part_area = "0";
+  int width = 1200;
+  bool quiet = false;
+};
+
+/// Throws WrongUsage before anything is read; BadInput, Failure, Cancelled. No file is left behind then.
+void run_shape(const ShapeArguments& arguments);
+
+}  // namespace rbpa::app

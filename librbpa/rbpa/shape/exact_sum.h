@@ -1,0 +1,34 @@
+// What: sums of products of doubles without any error until the end.
+// How:  one number of fixed point, wide enough for the product of any two doubles, in digits of 32 bits whose carries
+//       wait. Source: Kulisch, Miranker, Computer Arithmetic in Theory and Practice (1981).
+// Law:  the sum does not depend on the order.
+// Cost: some nanoseconds a product; 1 KiB.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace rbpa {
+
+class ExactSum {
+ public:
+  /// Requires: finite.
+  void add(double value) { add_product(value, 1); }
+  void add_product(double a, double b);
+
+  /// The double nearest to the sum times 2^exponent (next to nearest where that is subnormal); infinity beyond the
+  /// largest.
+  double rounded(int exponent = 0) const;
+
+ private:
+  using Digits = std::array<std::int64_t, 142>;
+
+  static void carry(Digits& digits);
+  void add_bits(std::uint64_t bits, unsigned position, bool negative);
+
+  Digits digits_{};  // digit i counts 2^(32 i − offset); between carries any integer
+  std::uint32_t additions_ = 0;
+};
+
+}  // namespace rbpa

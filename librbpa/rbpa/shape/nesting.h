@@ -1,0 +1,27 @@
+// What: which polygon lies in a hole of which.
+// How:  a sweep over the plane from left to right, exactly decided: below a shell's first point there is a hole, or a
+//       shell beside it, or nothing.
+// Cost: n log n in the boundary edges.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/point.h"
+#include "rbpa/shape/polygons.h"
+
+namespace rbpa {
+
+struct HoleOf {
+  std::size_t polygon;
+  std::size_t hole;
+  friend bool operator==(const HoleOf&, const HoleOf&) = default;
+};
+
+/// For each polygon the smallest hole that it lies in, if any.
+/// Requires: `polygons` are those of a solid alpha complex, `points` the input by index.
+std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points);
+
+}  // namespace rbpa
