@@ -15,12 +15,16 @@ set(arrows
   rbpa/seed>meshops/front
   rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate
   rbpa/shape>meshops/front rbpa/shape>meshops/topology
-  rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed
+  rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search rbpa/run>rbpa/pivot
+  rbpa/run>meshops/core rbpa/run>meshops/front
+  rbpa/hierarchy>rbpa/core rbpa/hierarchy>rbpa/predicate rbpa/hierarchy>rbpa/search rbpa/hierarchy>rbpa/pivot
+  rbpa/hierarchy>rbpa/seed rbpa/hierarchy>meshops/front
+  rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed rbpa>rbpa/run rbpa>rbpa/hierarchy
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(pivot|predicate|search|seed)/|rbpa/policy\\.h")
+set(inside "rbpa/(hierarchy|pivot|predicate|run|search|seed)/|rbpa/policy\\.h")
 
 set(checked 0)
 set(bad "")

@@ -1,5 +1,8 @@
 #include "meshops/front/front.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "meshops/core/contract.h"
 
 namespace meshops {
@@ -119,8 +122,19 @@ LevelTransfer Front::next_level() {
   LevelTransfer transfer;
   for (auto s = static_cast<Site>(carried_before_); s < static_cast<Site>(sites()); ++s) carried_.push_back(s);
   carried_before_ = sites();
-  for (const Site s : carried_)
-    if (is_free(s) || is_on_boundary(s)) transfer.carried.push_back(s);
+  // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
+  std::vector<Site> on_boundary;
+  const auto note = [&](Halfedge h) {
+    if (mesh_.is_boundary(h)) on_boundary.push_back(from_site(h));
+  };
+  std::for_each(frozen_.begin(), frozen_.end(), note);
+  std::for_each(active_.begin() + static_cast<std::ptrdiff_t>(head_), active_.end(), note);
+  std::sort(on_boundary.begin(), on_boundary.end());
+  on_boundary.erase(std::unique(on_boundary.begin(), on_boundary.end()), on_boundary.end());
+  std::vector<Site> free;
+  std::copy_if(carried_.begin(), carried_.end(), std::back_inserter(free), [&](Site s) { return is_free(s); });
+  transfer.carried.resize(on_boundary.size() + free.size());
+  std::merge(on_boundary.begin(), on_boundary.end(), free.begin(), free.end(), transfer.carried.begin());
   transfer.left_behind = carried_.size() - transfer.carried.size();
   carried_ = transfer.carried;
   for (const Halfedge h : frozen_) {

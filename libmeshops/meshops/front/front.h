@@ -123,6 +123,8 @@ class MESHOPS_API Front {
 
   /// Sets a halfedge aside: nothing can be attached to it at this level.
   void freeze(Halfedge h) { frozen_.push_back(h); }
+  /// What was set aside at this level, in that order; some of it may have been attached to since and be inner now.
+  const std::vector<Halfedge>& frozen() const { return frozen_; }
 
   /// The boundary curves, each from its least halfedge. Cost: linear in the edges in use.
   std::vector<BoundaryCurve> curves() const;
@@ -132,7 +134,8 @@ class MESHOPS_API Front {
 
   /// Goes on to the next level: frozen halfedges that are still on the boundary become active again. The mesh and its
   /// curves stay as they are, and nothing of what was left behind before is read.
-  /// Cost:   linear in the sites that the transfer before carried (all, the first time), and in the frozen halfedges.
+  /// Cost:   linear in the sites that the transfer before carried (all, the first time), and m log m in the m frozen
+  ///         halfedges.
   /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
   LevelTransfer next_level();
 

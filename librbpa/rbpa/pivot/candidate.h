@@ -41,6 +41,8 @@ class Candidates {
 
   const Point& a() const { return a_; }
   const Point& b() const { return b_; }
+  Site site_a() const { return site_a_; }
+  Site site_b() const { return site_b_; }
   const typename P::Vector& chord() const { return d_; }
 
   /// Tells of a site that will be considered: what has a circle beyond its own is out of the contest at once.

@@ -12,6 +12,7 @@
 
 #include "rbpa/pivot/candidate.h"
 #include "rbpa/pivot/radius.h"
+#include "rbpa/search/convex_hull.h"
 #include "rbpa/search/point_grid.h"
 
 namespace rbpa {
@@ -21,9 +22,11 @@ class Pivot {
  public:
   using Site = std::uint32_t;
 
-  /// Keeps references. `grid_unit` as for Candidates.
+  /// Keeps references. `grid_unit` as for Candidates. Requires for an infinite radius: the points are not on a line.
   Pivot(const PointGrid<Real>& grid, Radius radius, Real grid_unit)
-      : grid_(grid), radius_(radius), grid_unit_(grid_unit) {}
+      : grid_(grid), radius_(radius), grid_unit_(grid_unit) {
+    if (radius.is_infinite()) hull_.emplace(grid.points());
+  }
 
   /// The apex left of the Delaunay edge a→b, or nothing when no ball of at most the radius reaches one.
   /// `hints` are sites that may well be it, and are considered first: they cost little and spare a search.
@@ -41,8 +44,9 @@ class Pivot {
 
   void search(Candidates<Real>& candidates) const {
     const Real chord = std::sqrt(Predicates<Real>::dot(candidates.chord(), candidates.chord()));
-    Real reach = std::min(std::max(first_reach_in_chords * chord, first_reach_in_cells * grid_.cell_size()),
-                          most_first_reach_in_chords * chord);
+    Real reach =
+        std::min(std::max(first_reach_in_chords * chord, first_reach_in_cells * grid_.cell_size_at(candidates.a())),
+                 most_first_reach_in_chords * chord);
     Real searched = std::min(centre_for(chord, reach), candidates.centre_bound());
     const bool reaches_ball = !radius_.is_infinite() && reach >= Real(radius_.value());
     if (reaches_ball) searched = std::min(searched, farthest(chord));
@@ -56,6 +60,8 @@ class Pivot {
       const Real end = farthest(chord);
       if (searched >= end) return;
       if (next == infinity) {
+        // Without a radius the search for what is not there would go through all that lies along the hull.
+        if (empty_looks == 0 && hull_ && hull_->has_edge(candidates.site_a(), candidates.site_b())) return;
         reach *= 2;
         // A cluster was left behind: on to the scale at which it is one of many points, whatever lies between.
         if (++empty_looks == looks_in_chords) reach = std::max(reach, first_reach_in_cells * grid_.cell_size());
@@ -89,6 +95,7 @@ class Pivot {
   const PointGrid<Real>& grid_;
   Radius radius_;
   Real grid_unit_;
+  std::optional<ConvexHull<Real>> hull_;
 };
 
 }  // namespace rbpa

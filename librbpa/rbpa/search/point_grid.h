@@ -5,6 +5,7 @@
 //       point and 4 a cell; scan linear in the rows the region meets and the points in its cells.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,6 +36,8 @@ class PointGrid {
 
   /// The side of a cell at the coarsest level: the scale at which a search does well to begin.
   Real cell_size() const { return levels_.empty() ? 0 : levels_[0].cell; }
+  /// The side of the cell around a point of the input, at the finest level there.
+  Real cell_size_at(const Point& p) const;
   /// No two points are farther apart than this.
   Real diameter_bound() const { return levels_.empty() ? 0 : 2 * (levels_[0].width + levels_[0].height); }
 
@@ -64,7 +67,7 @@ class PointGrid {
   };
 
   static constexpr Real points_per_cell = 2;
-  static constexpr std::uint32_t most_in_cell = 48;  ///< a cell with more is a grid of its own
+  static constexpr std::uint32_t most_in_cell = 24;  ///< a cell with more is a grid of its own
   static constexpr int small_box = 8;                ///< rows and columns
 
   static Level make_level(std::span<const Point> points);
@@ -82,6 +85,18 @@ class PointGrid {
   std::vector<Repetition> repetitions_;
   std::vector<Level> levels_;
 };
+
+template <typename Real>
+Real PointGrid<Real>::cell_size_at(const Point& p) const {
+  for (const Level* level = &levels_[0];;) {
+    const auto cell = static_cast<std::uint32_t>(level->row(Real(p.y))) * static_cast<std::uint32_t>(level->columns) +
+                      static_cast<std::uint32_t>(level->column(Real(p.x)));
+    if (level->start[cell + 1] - level->start[cell] <= most_in_cell) return level->cell;
+    level = &levels_[std::lower_bound(level->children.begin(), level->children.end(), cell,
+                                      [](const Child& c, std::uint32_t at) { return c.cell < at; })
+                         ->level];
+  }
+}
 
 template <typename Real>
 template <typename Visit>

@@ -1,0 +1,34 @@
+// What: a solid alpha complex as a mesh, and where its vertices stand.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/core/api.h"
+#include "rbpa/core/mesh.h"
+
+namespace rbpa {
+
+/// A point equal to one given before it.
+struct Duplicate {
+  std::uint32_t index;       ///< the input index of the repetition
+  std::uint32_t stands_for;  ///< the lowest input index with the same coordinates
+  friend bool operator==(const Duplicate&, const Duplicate&) = default;
+};
+
+/// A solid alpha complex as an oriented 2-manifold with boundary.
+/// Where the complex touches itself in a point (a pinch), each fan has a vertex of its own on the same input point.
+struct SolidAlphaComplex {
+  Mesh mesh;                               ///< faces counter-clockwise; no isolated and no deleted elements; z = 0
+  std::vector<std::uint32_t> input_index;  ///< of each vertex of the mesh, the input point it stands on
+  std::vector<std::uint32_t> isolated;     ///< input indices of distinct points in no triangle, ascending
+  std::vector<Duplicate> duplicates;       ///< ascending by index
+  std::size_t distinct = 0;                ///< number of distinct points
+};
+
+/// The triangles of a complex as input indices in canonical order: counter-clockwise, smallest index first, sorted.
+RBPA_API std::vector<std::array<std::uint32_t, 3>> triangles(const SolidAlphaComplex& complex);
+
+}  // namespace rbpa

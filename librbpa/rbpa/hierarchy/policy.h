@@ -1,0 +1,61 @@
+// What:   one level of hierarchical ball pivoting as a policy of the advancing-front engine.
+// Law:    proposes exactly the triangles of the level's complex that are not in the mesh.
+// Source: Restricted BPA, section 6.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "meshops/front/policy.h"
+#include "rbpa/hierarchy/level_seeds.h"
+
+namespace rbpa {
+
+/// `Observer` has a member searched(front), which is called while seeds are searched, and may throw to end the run.
+template <typename Real, typename Observer>
+class LevelPivoting {
+ public:
+  using Site = std::uint32_t;
+
+  /// Keeps references.
+  LevelPivoting(const PointGrid<Real>& grid, const Ladder<Real>& ladder, Apexes<Real>& apexes, LevelSeeds<Real>& seeds,
+                Observer& observer)
+      : points_(grid.points()), ladder_(ladder), apexes_(apexes), seeds_(seeds), observer_(observer) {}
+
+  void begin(int level) {
+    radius_ = ladder_.radius(level);
+    least_frozen_ = std::numeric_limits<Real>::infinity();
+  }
+
+  /// The first level at which a frozen edge may advance.
+  int next() const { return ladder_.first_reaching(least_frozen_); }
+
+  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) {
+    return seeds_.next(front, [&] { observer_.searched(front); });
+  }
+
+  std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) {
+    const auto apex = apexes_(front, h);
+    if (!apex) {
+      apexes_.keep(front, h, apex);
+      return std::nullopt;
+    }
+    const Point &a = points_[static_cast<Site>(front.from_site(h))], &b = points_[static_cast<Site>(front.to_site(h))];
+    if (radius_.template admits<Real>(a, b, points_[*apex])) return meshops::Site(*apex);
+    apexes_.keep(front, h, apex);
+    least_frozen_ = std::min(least_frozen_, circumradius<Real>(a, b, points_[*apex]));
+    return std::nullopt;
+  }
+
+ private:
+  std::span<const Point> points_;
+  const Ladder<Real>& ladder_;
+  Apexes<Real>& apexes_;
+  LevelSeeds<Real>& seeds_;
+  Observer& observer_;
+  Radius radius_;
+  Real least_frozen_ = 0;
+};
+
+}  // namespace rbpa

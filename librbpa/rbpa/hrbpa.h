@@ -1,0 +1,51 @@
+// What:   the solid alpha complex from the bottom up: restricted ball pivoting with radii α₀, 2α₀, 4α₀ … up to alpha.
+// Law:    the same set of triangles as rbpa() gives; after each level the mesh is exactly the complex of its radius.
+// Cost:   follows the points that take part on each level; see docs/hrbpa.md.
+// Source: Medeiros, Velho, Lopes, Restricted BPA, section 6.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/api.h"
+#include "rbpa/core/complex.h"
+#include "rbpa/core/point.h"
+#include "rbpa/core/progress.h"
+
+namespace rbpa {
+
+/// One level of a hierarchy, as the run saw it.
+struct Level {
+  double alpha = 0;             ///< the radius: 2^number α₀, or that of the whole run on the last level
+  int number = 0;               ///< levels on which nothing can happen are left out
+  std::size_t transferred = 0;  ///< points carried on from the level before: isolated or on the boundary
+  std::size_t taking_part = 0;  ///< of those, how many were looked at; the others sleep
+  std::size_t advancing = 0;    ///< halfedges on the front when the level began
+  std::size_t triangles = 0;    ///< of the mesh when the level ended; those added are the last
+  double seconds = 0;
+};
+
+struct HierarchyOptions {
+  /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1.
+  std::size_t leaf_capacity = 64;
+  /// Called every few milliseconds; returning false cancels the run. Empty: never called.
+  std::function<bool(const Progress&)> progress = {};
+};
+
+struct Hierarchy {
+  SolidAlphaComplex complex;  ///< its faces are in the order of the levels
+  double least_radius = 0;    ///< α₀; 0 when there is no triangle to look for
+  std::vector<Level> levels;  ///< ascending in alpha
+};
+
+/// The solid alpha complex of `points` by hierarchical restricted ball pivoting.
+/// Requires: 0 < alpha ≤ infinity, a radius; finite points, fewer than 2³⁰ of them.
+/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
+RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
+
+/// The level at which a face came into the complex, as a position in `levels`.
+RBPA_API std::size_t level_of(const Hierarchy& hierarchy, std::size_t face);
+
+}  // namespace rbpa

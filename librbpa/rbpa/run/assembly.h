@@ -1,0 +1,70 @@
+// What: what every run has in common: points to sites and an empty front, and a front that has run dry to a complex.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshops/front/front.h"
+#include "rbpa/core/complex.h"
+#include "rbpa/run/report.h"
+#include "rbpa/search/point_grid.h"
+
+namespace rbpa {
+
+template <typename Real>
+class Assembly {
+ public:
+  /// Keeps a reference to a complex that is empty yet.
+  Assembly(std::span<const Point> input, SolidAlphaComplex& complex)
+      : grid_(input), complex_(begin(complex)), front_(complex.mesh, grid_.points().size(), elements_at_a_time) {}
+  Assembly(const Assembly&) = delete;
+  Assembly& operator=(const Assembly&) = delete;
+
+  const PointGrid<Real>& grid() const { return grid_; }
+  meshops::Front& front() { return front_; }
+
+  /// All sites are on one line: there is no triangle to look for.
+  bool collinear() const {
+    const auto points = grid_.points();
+    if (points.size() < 3) return true;
+    return std::all_of(points.begin() + 2, points.end(),
+                       [&](const Point& p) { return Predicates<Real>::orientation(points[0], points[1], p) == 0; });
+  }
+
+  /// Makes the complex of what the front has built. Once.
+  void finish() {
+    const auto points = grid_.points();
+    for (std::size_t s = 0; s < points.size(); ++s)
+      if (front_.is_free(static_cast<meshops::Site>(s))) complex_.isolated.push_back(grid_.input_index()[s]);
+    std::sort(complex_.isolated.begin(), complex_.isolated.end());
+
+    const std::vector<meshops::Site> site = front_.finish();
+    complex_.input_index.resize(site.size());
+    for (std::size_t v = 0; v < site.size(); ++v) {
+      const auto s = static_cast<std::size_t>(site[v]);
+      complex_.input_index[v] = grid_.input_index()[s];
+      complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {points[s].x, points[s].y, 0.0});
+    }
+  }
+
+ private:
+  static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;  // 1: what is validated has no spare elements
+
+  SolidAlphaComplex& begin(SolidAlphaComplex& complex) const {
+    const std::size_t points = grid_.points().size();
+    complex.distinct = points;
+    for (const auto& r : grid_.repetitions()) complex.duplicates.push_back({r.index, r.stands_for});
+    // A planar triangulation of n points has fewer than 3n edges and 2n faces; vertices there are a few more while fans
+    // on one point wait to grow together. What is not used is never touched.
+    complex.mesh.reserve(points + points / 16 + 64, 3 * points + elements_at_a_time, 2 * points + elements_at_a_time);
+    return complex;
+  }
+
+  PointGrid<Real> grid_;
+  SolidAlphaComplex& complex_;
+  meshops::Front front_;
+};
+
+}  // namespace rbpa

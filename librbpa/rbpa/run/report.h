@@ -1,0 +1,62 @@
+// What: asks the caller, now and then, whether to go on. In the debug build, validates the mesh after every triangle
+//       while it is small, and each time it has grown by a sixteenth when it is large.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
+#include "meshops/front/policy.h"
+#include "rbpa/core/error.h"
+#include "rbpa/core/progress.h"
+
+namespace rbpa {
+
+#ifdef NDEBUG
+inline constexpr bool debug = false;
+#else
+inline constexpr bool debug = true;
+#endif
+
+class Report : public meshops::FrontVisitor {
+ public:
+  /// Keeps a reference.
+  Report(const std::function<bool(const Progress&)>& progress, std::size_t points)
+      : progress_(progress), points_(points) {}
+
+  void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
+  void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
+
+  /// For the stretches in which no triangle is found.
+  void searched(const meshops::Front& front) {
+    if (!progress_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(20)) return;
+    last_ = now;
+    ask(front);
+  }
+
+ private:
+  void count(const meshops::Front& front) {
+    if (debug && front.faces() >= next_validation_) {
+      const auto defects = meshops::validate(front.mesh());
+      if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
+      next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
+    }
+    if (++events_ % interval == 0 && progress_) ask(front);
+  }
+  void ask(const meshops::Front& front) {
+    if (!progress_({front.faces(), points_})) throw Cancelled();
+  }
+
+  static constexpr std::size_t interval = 4096;  // triangles: about a millisecond
+  const std::function<bool(const Progress&)>& progress_;
+  std::size_t points_;
+  std::size_t events_ = 0;
+  std::size_t next_validation_ = 0;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace rbpa
