@@ -76,10 +76,10 @@ TEST_SUITE("images") {
   }
 
   TEST_CASE("the same figure from every kind of PNG and PGM") {
-    for (const auto& [width, height] : {std::pair{3U, 3U}, {9U, 4U}, {1U, 5U}, {6U, 1U}, {17U, 23U}}) {
-      const Picture picture = dotted(width, height);
+    for (const auto& size : {std::pair{3U, 3U}, {9U, 4U}, {1U, 5U}, {6U, 1U}, {17U, 23U}}) {
+      const Picture picture = dotted(size.first, size.second);
       const std::vector<Point> expected = centres(picture, 0);
-      CAPTURE(width);
+      CAPTURE(picture.width);
       for (const bool interlaced : {false, true}) {
         for (const int depth : {1, 2, 4, 8}) {
           CAPTURE(depth);
@@ -106,7 +106,10 @@ TEST_SUITE("images") {
     touching.grey[4] = 0;
     CHECK(points_of_pgm(pgm(touching, false)) == centres(touching, 0));
     CHECK(points_of_pgm("P2 2 2 1 0 0 0 0").empty());
-    CHECK(points_of_pgm("P2 2 1 1 0 1") == std::vector<Point>{{0.5, 0.5}});  // of as many, dark is the figure
+    // Each pixel of the border counts once: of as many, dark is the figure.
+    CHECK(points_of_pgm("P2 3 3 1  0 1 0  1 1 1  0 1 0").size() == 4);
+    CHECK(points_of_pgm("P2 1 5 1  0 1 1 0 0").size() == 2);
+    CHECK(points_of_pgm("P2 2 1 1 0 1") == std::vector<Point>{{0.5, 0.5}});
   }
 
   TEST_CASE("--foreground says which, and dark and light together are every pixel once") {
@@ -226,6 +229,19 @@ TEST_SUITE("bad images") {
     CHECK(folder.names().size() == 2);
   }
 
+  TEST_CASE("a broken part of a PNG file that has no pixels is passed over in silence") {
+    const Folder folder;
+    const Picture picture = dotted(9, 9);
+    std::string bytes = png(picture, PngKind::grey, 8);
+    const std::size_t behind_header = 33;
+    bytes.insert(behind_header, std::string("\0\0\0\4gAMA\0\0\0\0????", 16));  // no gamma, no checksum
+    folder.file("i.png", bytes);
+    const Outcome outcome = folder.rbpa("info i.png");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(points_of_png(bytes) == centres(picture, 0));
+  }
+
   TEST_CASE("a PGM file of text names the line") {
     CHECK(refusal_of_pgm("P2\n2 2\n255\n0 0\n0 256\n") == "i.pgm:5: found '256', expected a grey value of at most 255");
     CHECK(refusal_of_pgm("P2\n2 2 # size\n255\n0 0\n0 x9\n") ==
@@ -242,6 +258,7 @@ TEST_SUITE("bad images") {
     CHECK(refusal_of_pgm("P6 1 1 255\nabc") ==
           "i.pgm: found 'P6', expected a PGM image, which begins with 'P2' or 'P5'");
     CHECK(refusal_of_pgm("P5 0 4 255\n") == "i.pgm: found 0 x 4 pixels, expected at least 1 x 1");
+    CHECK(refusal_of_pgm("P5 4 0 255\n") == "i.pgm: found 4 x 0 pixels, expected at least 1 x 1");
     CHECK(refusal_of_pgm("P5 99999999999 99999999999 255\n") ==
           "i.pgm: found 99999999999 x 99999999999 pixels, expected fewer than 2^30 of them");
     CHECK(refusal_of_pgm("P5 20000 20000 255\nab") ==
