@@ -134,6 +134,21 @@ TEST_SUITE("images") {
       }
   }
 
+  TEST_CASE("a transparent colour is as good as transparent pixels") {
+    Picture picture = inverse(dotted(9, 9));
+    picture.opacity = picture.grey;
+    const std::vector<Point> expected = centres(picture, 255);
+    for (const bool interlaced : {false, true}) {
+      for (const int depth : {1, 2, 4, 8}) {
+        CHECK(points_of_png(png(picture, PngKind::palette, depth, interlaced)) == expected);
+        CHECK(points_of_png(png(picture, PngKind::palette, depth, interlaced), {Foreground::dark}).empty());
+      }
+      for (const int depth : {8, 16})
+        for (const PngKind kind : {PngKind::grey, PngKind::colour})
+          CHECK(points_of_png(png(picture, kind, depth, interlaced), {Foreground::dark}).empty());
+    }
+  }
+
   TEST_CASE("from the threshold on a pixel is light") {
     const std::string bytes = "P2 4 1 255 0 127 128 255";
     const auto light = [&](double threshold) { return points_of_pgm(bytes, {Foreground::light, threshold}).size(); };

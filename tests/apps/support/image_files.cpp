@@ -85,6 +85,12 @@ std::string png(const Picture& picture, PngKind kind, int depth, bool interlaced
     const auto colours = palette_of(depth);
     png_set_PLTE(writer, info, colours.data(), static_cast<int>(colours.size()));
   }
+  const bool has_channel = kind == PngKind::grey_with_opacity || kind == PngKind::colour_with_opacity;
+  if (!picture.opacity.empty() && !has_channel) {
+    const png_byte first_of_palette = 0;
+    const png_color_16 black{};
+    png_set_tRNS(writer, info, &first_of_palette, 1, &black);
+  }
   std::vector<std::vector<png_byte>> rows;
   for (std::uint32_t y = 0; y < picture.height; ++y) rows.push_back(row_of(picture, y, kind, depth));
   std::vector<png_byte*> starts;
