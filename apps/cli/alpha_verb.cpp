@@ -208,7 +208,7 @@ void run_alpha(const AlphaArguments& arguments) {
   const ComplexKind kind = parse_complex(arguments);
   if (arguments.components < 1)
     throw WrongUsage("--components: found " + std::to_string(arguments.components) + ", expected at least 1");
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
+  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   if (arguments.stats) require_different({"-", *arguments.stats}, arguments.points, "points");
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);

@@ -65,8 +65,8 @@ void check_width(int width) {
 }
 
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
-                         const std::optional<std::string>& columns) {
-  PointSource source{.path = path};
+                         const std::optional<std::string>& columns, const PixelArguments& pixels) {
+  PointSource source{.path = path, .pixels = parse_pixel_rule(pixels)};
   if (columns) source.columns = parse_columns(*columns);
   if (format) {
     const std::optional<PointFormat> known = point_format(*format);
@@ -79,6 +79,10 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
   }
   if (columns && source.format != PointFormat::text)
     throw WrongUsage("--columns: found a format with fixed columns, expected text");
+  const bool is_image = source.format == PointFormat::png || source.format == PointFormat::pgm;
+  if ((pixels.foreground || pixels.threshold) && !is_image)
+    throw WrongUsage(std::string(pixels.foreground ? "--foreground" : "--threshold") +
+                     ": found a format without pixels, expected png or pgm");
   return source;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/pixel_arguments.h"
 #include "io/formats.h"
 #include "io/read_points.h"
 
@@ -15,7 +16,7 @@ double parse_alpha(const std::string& text);
 
 /// Where the points come from: the format as said, else by the ending; standard input is text.
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
-                         const std::optional<std::string>& columns);
+                         const std::optional<std::string>& columns, const PixelArguments& pixels);
 
 /// A bound on areas: a number >= 0, or "inf".
 double parse_area(const std::string& option, const std::string& text);

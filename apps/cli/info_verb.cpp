@@ -77,7 +77,7 @@ std::string as_json(const Info& info) {
 }  // namespace
 
 void run_info(const InfoArguments& arguments) {
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
+  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   Stopwatch watch;
   std::vector<Point> points = read_points(source);
   Stats stats{.read_seconds = watch.lap()};

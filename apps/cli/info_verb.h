@@ -4,12 +4,15 @@
 #include <optional>
 #include <string>
 
+#include "cli/pixel_arguments.h"
+
 namespace rbpa::app {
 
 struct InfoArguments {
   std::string points;
   std::optional<std::string> format;
   std::optional<std::string> columns;
+  PixelArguments pixels;
   std::optional<std::string> stats;
   bool json = false;
 };

@@ -24,6 +24,11 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("NAME");
   verb.add_option("--columns", arguments.columns, "Columns of text that are x and y: numbers from 1, or header names")
       ->type_name("X,Y");
+  verb.add_option("--foreground", arguments.pixels.foreground,
+                  "Pixels of an image that are points: dark or light; by default what its border mostly is not")
+      ->type_name("NAME");
+  verb.add_option("--threshold", arguments.pixels.threshold, "Share of white from which on a pixel is light; 0.5 by default")
+      ->type_name("T");
   verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
 }
 

@@ -62,7 +62,7 @@ std::string summary(std::size_t points, const SolidAlphaComplex& complex, const 
 void run_mesh(const MeshArguments& arguments) {
   const double alpha = parse_alpha(arguments.alpha);
   const Search search = parse_search(arguments.search);
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
+  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   const std::vector<Target> targets =
       parse_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
   check_width(arguments.width);

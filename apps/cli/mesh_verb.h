@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/pixel_arguments.h"
 #include "io/columns.h"
 #include "io/formats.h"
 #include "rbpa/rbpa.h"
@@ -16,6 +17,7 @@ struct MeshArguments {
   std::string points;
   std::optional<std::string> format;
   std::optional<std::string> columns;
+  PixelArguments pixels;
   std::string alpha;
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;

@@ -62,7 +62,7 @@ void run_shape(const ShapeArguments& arguments) {
   const double alpha = parse_alpha(arguments.alpha);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns);
+  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   const std::vector<ShapeTarget> targets =
       parse_shape_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
   check_width(arguments.width);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/pixel_arguments.h"
+
 namespace rbpa::app {
 
 /// What the command line says, as text; run_shape() judges it.
@@ -12,6 +14,7 @@ struct ShapeArguments {
   std::string points;
   std::optional<std::string> format;
   std::optional<std::string> columns;
+  PixelArguments pixels;
   std::string alpha;
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;

@@ -47,6 +47,25 @@ std::string escaped(std::string_view words) {
   return text;
 }
 
+std::string path_of(const std::vector<std::vector<Place>>& rings) {
+  std::string path;
+  for (const auto& ring : rings) {
+    std::string_view step = "M";
+    for (const Place p : ring) {
+      path += joined({step, pair(p)});
+      step = "L";
+    }
+    path += "Z";
+  }
+  return path;
+}
+
+std::string attributes(const Stroke& stroke) {
+  std::string text = attribute("stroke", stroke.colour) + attribute("stroke-width", decimal(stroke.width));
+  if (stroke.dashed) text += attribute("stroke-dasharray", "5 4");
+  return text + " fill=\"none\"/>\n";
+}
+
 std::string_view class_of(Lettering lettering) {
   constexpr std::string_view names[] = {"", "i", "c", "s"};
   return names[static_cast<int>(lettering)];
@@ -73,11 +92,25 @@ void Canvas::outline(const std::vector<Segment>& sides, std::string_view fill) {
   body_ += joined({"Z\"", attribute("fill", fill), "/>\n"});
 }
 
+void Canvas::region(const std::vector<std::vector<Place>>& rings, std::string_view fill) {
+  if (rings.empty()) return;
+  body_ += joined({"<path d=\"", path_of(rings), "\"", attribute("fill", fill), " fill-rule=\"evenodd\"/>\n"});
+}
+
+void Canvas::closed_lines(const std::vector<std::vector<Place>>& rings, const Stroke& stroke) {
+  if (rings.empty()) return;
+  body_ += joined({"<path d=\"", path_of(rings), "\"", attributes(stroke)});
+}
+
 void Canvas::segment(const Segment& s, const Stroke& stroke) {
-  body_ += joined({"<path d=\"M", pair(s.from), draw_to_end(s), "\"", attribute("stroke", stroke.colour),
-                   attribute("stroke-width", decimal(stroke.width))});
-  if (stroke.dashed) body_ += attribute("stroke-dasharray", "5 4");
-  body_ += " fill=\"none\"/>\n";
+  body_ += joined({"<path d=\"M", pair(s.from), draw_to_end(s), "\"", attributes(stroke)});
+}
+
+void Canvas::segments(const std::vector<Segment>& all, const Stroke& stroke) {
+  if (all.empty()) return;
+  std::string path;
+  for (const Segment& s : all) path += joined({"M", pair(s.from), draw_to_end(s)});
+  body_ += joined({"<path d=\"", path, "\"", attributes(stroke)});
 }
 
 void Canvas::head(Place at, Place along, std::string_view colour, double size) {
@@ -95,6 +128,18 @@ void Canvas::arrow(const Segment& s, const Stroke& stroke, double head_size) {
 void Canvas::dot(Place at, double radius, std::string_view fill) {
   body_ += joined({"<circle", attribute("cx", decimal(at.x)), attribute("cy", decimal(at.y)),
                    attribute("r", decimal(radius)), attribute("fill", fill), "/>\n"});
+}
+
+void Canvas::dots(const std::vector<Place>& at, double radius, std::string_view fill) {
+  if (at.empty()) return;
+  std::string path;
+  for (const Place p : at) path += joined({"M", pair(p), "h0"});  // the round ends of a line of no length
+  body_ += joined({"<path d=\"", path, "\"", attributes({fill, 2 * radius})});
+}
+
+void Canvas::circle(Place centre, double radius, const Stroke& stroke) {
+  body_ += joined({"<circle", attribute("cx", decimal(centre.x)), attribute("cy", decimal(centre.y)),
+                   attribute("r", decimal(radius)), attributes(stroke)});
 }
 
 void Canvas::ring(Place at, double radius, std::string_view colour) {

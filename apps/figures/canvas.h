@@ -56,13 +56,22 @@ struct Stroke {
 class Canvas {
  public:
   void outline(const std::vector<Segment>& sides, std::string_view fill);
+  /// What lies inside an odd number of the closed polylines.
+  void region(const std::vector<std::vector<Place>>& rings, std::string_view fill);
+  void closed_lines(const std::vector<std::vector<Place>>& rings, const Stroke& stroke);
   void segment(const Segment& s, const Stroke& stroke);
+  /// Many straight segments as one element.
+  void segments(const std::vector<Segment>& all, const Stroke& stroke);
   /// A triangle of `size` pixels whose middle is at a place.
   void head(Place at, Place along, std::string_view colour, double size);
   /// A line that ends in a head.
   void arrow(const Segment& s, const Stroke& stroke, double head_size);
   void dot(Place at, double radius, std::string_view fill);
+  /// Many dots as one element.
+  void dots(const std::vector<Place>& at, double radius, std::string_view fill);
   void ring(Place at, double radius, std::string_view colour);
+  /// A line around what lies inside, which stays to be seen.
+  void circle(Place centre, double radius, const Stroke& stroke);
   /// The base line begins, has its middle, or ends at a place.
   void text(Place at, std::string_view words, Lettering lettering, Align align = Align::start);
 

@@ -1,4 +1,4 @@
-// What: the figures of the operator pages, each drawn from a mesh on which the operator was run.
+// What: the figures of the pages, each drawn from a mesh on which the operator, or from points on which the method, was run.
 #pragma once
 
 #include <span>
@@ -16,5 +16,7 @@ std::span<const Figure> stellar_figures();
 std::span<const Figure> front_figures();
 std::span<const Figure> topology_figures();
 std::span<const Figure> defect_figures();
+std::span<const Figure> pivoting_figures();
+std::span<const Figure> shape_figures();
 
 }  // namespace figures

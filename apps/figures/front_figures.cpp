@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <utility>
 
+#include "figures/drawn_front.h"
 #include "figures/figures.h"
 #include "figures/sheet.h"
 #include "meshops/core/live.h"
@@ -52,33 +52,6 @@ struct Events : meshops::FrontVisitor {
   void curve_split(const Front&, Halfedge, Halfedge) { names.emplace_back("curve_split"); }
   void curve_closed(const Front&) { names.emplace_back("curve_closed"); }
 };
-
-/// The mesh of a front as it is now. Fans on one site lie slightly apart, each on its side; vertices that merged into
-/// others are left out.
-DrawnMesh drawn_front(const Front& front, const Mesh& mesh, const std::vector<Place>& places) {
-  DrawnMesh drawn;
-  drawn.mesh = mesh;
-  meshops::for_each_vertex(mesh, [&](Vertex v) {
-    const Site s = front.site(v);
-    if (mesh.is_isolated(v) && !(front.is_free(s) && v.idx() == s))
-      drawn.mesh.status(v).set_deleted(true);
-    else
-      drawn.move(v, places[static_cast<std::size_t>(s)]);
-  });
-  std::map<Vertex, Place> apart;
-  for (Site s = 0; s < static_cast<Site>(front.sites()); ++s) {
-    std::vector<Vertex> fans;
-    front.for_each_fan(s, [&](Vertex v) { fans.push_back(v); });
-    if (fans.size() < 2) continue;
-    for (const Vertex v : fans) {
-      Place towards;
-      for (const Face f : mesh.vf_range(v)) towards = towards + direction(drawn.centroid(f) - drawn.place(v));
-      apart[v] = drawn.place(v) + 0.1 * direction(towards);
-    }
-  }
-  for (const auto& [v, place] : apart) drawn.move(v, place);
-  return drawn;
-}
 
 std::vector<Triangle> as_triangles(const std::vector<Corners>& faces) {
   std::vector<Triangle> triangles;

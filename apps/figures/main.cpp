@@ -1,4 +1,4 @@
-// What: draws the figures of the operator pages by running the operators.
+// What: draws the figures of the pages by running what they show.
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -27,7 +27,8 @@ int main(int count, char** arguments) {
     const std::filesystem::path folder = arguments[1];
     std::filesystem::create_directories(folder);
     for (const auto group : {figures::handle_figures, figures::stellar_figures, figures::front_figures,
-                             figures::topology_figures, figures::defect_figures})
+                             figures::topology_figures, figures::defect_figures, figures::pivoting_figures,
+                             figures::shape_figures})
       for (const figures::Figure& figure : group()) write(folder / (std::string(figure.name) + ".svg"), figure.svg());
   } catch (const std::exception& error) {
     std::cerr << "draw_figures: " << error.what() << '\n';

@@ -25,7 +25,7 @@ std::optional<PointFormat> point_format(std::string_view name) {
       {"xy", PointFormat::text},  {"txt", PointFormat::text}, {"csv", PointFormat::text},
       {"tsv", PointFormat::text}, {"xyz", PointFormat::text}, {"text", PointFormat::text},
       {"npy", PointFormat::npy},  {"off", PointFormat::off},  {"ply", PointFormat::ply},
-      {"f64xy", PointFormat::raw}};
+      {"f64xy", PointFormat::raw}, {"png", PointFormat::png}, {"pgm", PointFormat::pgm}};
   return find(known, name);
 }
 

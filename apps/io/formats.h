@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-enum class PointFormat { text, npy, off, ply, raw };
+enum class PointFormat { text, npy, off, ply, raw, png, pgm };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 enum class OutputFormat { off, ply, obj, npy, svg, png };
@@ -28,7 +28,7 @@ std::string_view ending(std::string_view path);
 [[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);
 
 /// What there is, for messages and help.
-constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, npy, off, ply, f64xy";
+constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";

@@ -7,7 +7,9 @@
 #include "io/input_bytes.h"
 #include "io/npy_points.h"
 #include "io/off_points.h"
+#include "io/pgm_points.h"
 #include "io/ply_points.h"
+#include "io/png_points.h"
 #include "io/text_points.h"
 
 namespace rbpa::app {
@@ -22,6 +24,8 @@ std::vector<Point> read_points(const PointSource& source) {
     case PointFormat::off: return read_off_points(bytes, input.name());
     case PointFormat::ply: return read_ply_points(bytes, input.name());
     case PointFormat::raw: return read_raw_points(bytes, input.name());
+    case PointFormat::png: return read_png_points(bytes, input.name(), source.pixels);
+    case PointFormat::pgm: return read_pgm_points(bytes, input.name(), source.pixels);
     case PointFormat::text: break;
   }
   return read_text_points(bytes, input.name(), source.columns);

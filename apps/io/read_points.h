@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/columns.h"
+#include "io/foreground.h"
 #include "io/formats.h"
 #include "rbpa/core/point.h"
 
@@ -14,6 +15,7 @@ struct PointSource {
   std::string path;  ///< "-" is standard input
   PointFormat format = PointFormat::text;
   Columns columns = {};  ///< of text
+  PixelRule pixels = {};  ///< of images
 };
 
 /// The points in the order of the file, all finite. Throws BadInput naming the file, the line or the point, what was
