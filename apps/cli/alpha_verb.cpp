@@ -12,10 +12,12 @@
 #include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
+#include "io/formats.h"
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
+#include "picture/filtration_plot.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
 
@@ -56,7 +58,7 @@ Report examine(const std::vector<Point>& points, const AlphaArguments& arguments
   stop_if_interrupted();
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);
-  if (arguments.persistence) report.pairs = persistence(delaunay, points, report.filtration, kind);
+  if (arguments.persistence || arguments.picture) report.pairs = persistence(delaunay, points, report.filtration, kind);
   return report;
 }
 
@@ -209,15 +211,29 @@ void run_alpha(const AlphaArguments& arguments) {
   if (arguments.components < 1)
     throw WrongUsage("--components: found " + std::to_string(arguments.components) + ", expected at least 1");
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
-  if (arguments.stats) require_different({"-", *arguments.stats}, arguments.points, "points");
+  if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)
+    throw WrongUsage(*arguments.picture + ": found the ending " + in_quotes(ending(*arguments.picture)) +
+                     ", expected svg");
+  std::vector<std::string> outputs{"-"};
+  if (arguments.picture) outputs.push_back(*arguments.picture);
+  if (arguments.stats) outputs.push_back(*arguments.stats);
+  require_different(outputs, arguments.points, "points");
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   Stats stats{.read_seconds = watch.lap()};
-  const Report report = examine(points, arguments, kind);
+  Report report = examine(points, arguments, kind);
   stats.build_seconds = watch.lap();
 
+  std::optional<OutputFile> picture;
+  if (arguments.picture) {
+    write_svg(picture.emplace(*arguments.picture),
+              {report.filtration.steps, *report.pairs, report.least_covering, report.least_connected});
+    picture->finish();
+    if (!arguments.persistence) report.pairs.reset();
+  }
   OutputFile out("-");
   write(out, report, arguments);
+  if (picture) picture->publish();
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
     stats.points = points.size();

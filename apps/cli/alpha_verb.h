@@ -14,6 +14,7 @@ struct AlphaArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::optional<std::string> stats;
+  std::optional<std::string> picture;  ///< an .svg to write
   long components = 1;  ///< at most, at `auto`
   bool json = false;
   bool csv = false;

@@ -71,6 +71,8 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--complex", arguments.complex,
                   "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
       ->type_name("NAME");
+  verb.add_option("-o,--output", arguments.picture, "Picture to write, .svg: the counts against alpha, and the persistence")
+      ->type_name("OUT");
   verb.add_flag("-q,--quiet", arguments.quiet, "No progress");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there are\n"

@@ -128,6 +128,40 @@ TEST_SUITE("alpha") {
     CHECK(outcome.out.find("from 5 to ") != std::string::npos);
   }
 
+  TEST_CASE("a picture has both marks, and is the same for shuffled points") {
+    const Folder folder;
+    folder.file("p.xy", two_triangles);
+    folder.file("q.xy", "100 16\n0 8\n112 0\n0 0\n100 0\n6 0\n");
+    REQUIRE(folder.rbpa("alpha p.xy -q -o p.svg").code == 0);
+    REQUIRE(folder.rbpa("alpha q.xy -q -o q.svg").code == 0);
+    const std::string picture = folder.content("p.svg");
+    CHECK(picture == folder.content("q.svg"));
+    CHECK(picture.find(">min = 10<") != std::string::npos);
+    CHECK(picture.find(">auto = ") != std::string::npos);
+    CHECK(picture.ends_with("</svg>\n"));
+  }
+
+  TEST_CASE("a picture of one triangle, and of none, has axes and no number that is none") {
+    const Folder folder;
+    for (const char* points : {corner, "0 0\n1 1\n3 3\n"}) {
+      folder.file("p.xy", points);
+      REQUIRE(folder.rbpa("alpha p.xy -q -o p.svg").code == 0);
+      const std::string picture = folder.content("p.svg");
+      CHECK(picture.find(">alpha<") != std::string::npos);
+      CHECK(picture.find("nan") == std::string::npos);
+      CHECK(picture.find("inf") == std::string::npos);
+    }
+  }
+
+  TEST_CASE("a picture that cannot be is refused, and leaves no file") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    CHECK(folder.rbpa("alpha p.xy -o p.tiff").code == 2);
+    CHECK(folder.rbpa("alpha p.xy -o -").code == 2);
+    CHECK(folder.rbpa("alpha p.xy -o no_folder/p.svg").code == 1);
+    CHECK(folder.names() == std::vector<std::string>{"p.xy"});
+  }
+
   TEST_CASE("what cannot be meant is refused before anything is read") {
     const Folder folder;
     for (const std::string wrong : {"--json --csv", "--components 0", "--components -1", "--complex full",

@@ -1,0 +1,165 @@
+#include "picture/filtration_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace rbpa::app {
+namespace {
+
+constexpr int left = 80, right = 800, width = 960, height = 1090;
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+/// Logarithms from low to high, on pixels.
+struct Axis {
+  double low, high;
+  int from, to;
+  int at(double logarithm) const {
+    const double share = std::clamp((logarithm - low) / (high - low), 0.0, 1.0);
+    return static_cast<int>(std::lround(from + share * (to - from)));
+  }
+};
+
+void line(OutputFile& file, int x1, int y1, int x2, int y2, const char* style) {
+  file.write(std::string("<path d=\"M") + std::to_string(x1) + " " + std::to_string(y1) + "L" + std::to_string(x2) +
+             " " + std::to_string(y2) + "\" " + style + "/>\n");
+}
+
+void text(OutputFile& file, int x, int y, const std::string& words, const char* anchor) {
+  file.write(std::string("<text x=\"") + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\" text-anchor=\"" +
+             anchor + "\">" + words + "</text>\n");
+}
+
+/// Powers of ten, at most nine; the ends where fewer than two are inside.
+std::vector<std::pair<double, std::string>> ticks(const Axis& axis) {
+  std::vector<std::pair<double, std::string>> all;
+  const double stride = std::max(1.0, std::ceil((axis.high - axis.low) / 8));
+  for (double t = std::ceil(axis.low); t <= axis.high; t += stride) all.emplace_back(t, number(std::pow(10, t)));
+  if (all.size() < 2) all = {{axis.low, number(std::pow(10, axis.low))}, {axis.high, number(std::pow(10, axis.high))}};
+  return all;
+}
+
+constexpr const char* grid = "stroke=\"#d3dbe3\" fill=\"none\"";
+
+void draw_frame(OutputFile& file, const Axis& x, int top, int bottom, const char* name) {
+  for (const auto& [t, label] : ticks(x)) {
+    line(file, x.at(t), top, x.at(t), bottom, grid);
+    text(file, x.at(t), bottom + 20, label, "middle");
+  }
+  text(file, (left + right) / 2, bottom + 42, name, "middle");
+  line(file, left, bottom, right, bottom, "stroke=\"#1b2733\"");
+  line(file, left, top, left, bottom, "stroke=\"#1b2733\"");
+}
+
+using Count = std::size_t FiltrationStep::*;
+
+/// Per column of pixels its least, its greatest and its last value.
+void draw_curve(OutputFile& file, const FiltrationPlot& plot, const Axis& x, const Axis& y, Count count,
+                const std::string& colour) {
+  file.write(std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + colour + "\" d=\"M" +
+             std::to_string(left) + " " + std::to_string(y.from));
+  const auto column = [&](std::size_t i) { return x.at(std::log10(plot.steps[i].alpha)); };
+  for (std::size_t i = 0; i < plot.steps.size();) {
+    const int at = column(i);
+    int least = y.from, greatest = y.to, last = y.from;
+    for (; i < plot.steps.size() && column(i) == at; ++i) {
+      last = y.at(std::log10(1 + static_cast<double>(plot.steps[i].*count)));
+      least = std::min(least, last);
+      greatest = std::max(greatest, last);
+    }
+    file.write(std::string("H") + std::to_string(at) + "V" + std::to_string(greatest) + "V" + std::to_string(least) +
+               "V" + std::to_string(last));
+  }
+  file.write(std::string("H") + std::to_string(right) + "\"/>\n");
+}
+
+void draw_mark(OutputFile& file, const Axis& x, const std::optional<double>& alpha, const std::string& name, int y) {
+  if (!alpha) return;
+  const int at = x.at(std::log10(*alpha));
+  line(file, at, y + 4, at, 500, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
+  text(file, at, y, name + " = " + number(*alpha), at < 200 ? "start" : at > 700 ? "end" : "middle");
+}
+
+void draw_curves(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
+  struct Series {
+    Count count;
+    const char* name;
+    const char* colour;
+  };
+  constexpr std::array<Series, 4> all{{{&FiltrationStep::covered, "covered points", "#7d8b98"},
+                                       {&FiltrationStep::holes, "holes", "#d9730d"},
+                                       {&FiltrationStep::solid_components, "solid components", "#7cb7e8"},
+                                       {&FiltrationStep::components, "components", "#10335c"}}};
+  std::size_t most = 1;
+  for (const FiltrationStep& step : plot.steps)
+    for (const Series& series : all) most = std::max(most, step.*series.count);
+  const Axis y{0, std::log10(1 + static_cast<double>(most)), 500, 80};
+  draw_frame(file, x, 80, 500, "alpha");
+  text(file, left - 8, 505, "0", "end");
+  for (double t = 1; t <= static_cast<double>(most); t *= 10) {
+    const int at = y.at(std::log10(1 + t));
+    line(file, left, at, right, at, grid);
+    text(file, left - 8, at + 5, number(t), "end");
+  }
+  int row = 100;
+  for (const Series& series : all) {
+    draw_curve(file, plot, x, y, series.count, series.colour);
+    line(file, right + 15, row - 5, right + 35, row - 5,
+         (std::string("stroke-width=\"3\" stroke=\"") + std::string(series.colour) + "\"").c_str());
+    text(file, right + 42, row, series.name, "start");
+    row += 24;
+  }
+  draw_mark(file, x, plot.least_covering, "min", 40);
+  draw_mark(file, x, plot.least_connected, "auto", 62);
+}
+
+/// Pairs whose dots would cover each other are one dot: whatever stands apart stays.
+void draw_diagram(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
+  const Axis y{x.low, x.high, 1030, 630};
+  draw_frame(file, x, 600, 1030, "birth");
+  text(file, left, 585, "death", "end");
+  for (const auto& [t, label] : ticks(y)) text(file, left - 8, y.at(t) + 5, label, "end");
+  line(file, left, 1030, right, 630, grid);
+  line(file, left, 605, right, 605, "stroke=\"#7d8b98\" stroke-dasharray=\"5 4\"");
+  text(file, right + 10, 610, "never dies", "start");
+  std::set<std::array<int, 3>> dots;
+  for (const PersistencePair& pair : plot.pairs)
+    dots.insert({pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : 605});
+  for (const auto& [dimension, at, death] : dots)
+    file.write(std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
+               "\" fill=\"" + (dimension == 0 ? "#10335c" : "#d9730d") + "\"/>\n");
+}
+
+}  // namespace
+
+void write_svg(OutputFile& file, const FiltrationPlot& plot) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const FiltrationStep& step : plot.steps)
+    if (std::isfinite(step.alpha)) {
+      low = std::min(low, std::log10(step.alpha));
+      high = std::max(high, std::log10(step.alpha));
+    }
+  if (!(low <= high)) low = high = 0;
+  const double margin = high > low ? (high - low) / 40 : 1;
+  const Axis x{low - margin, high + margin, left, right};
+  const std::string size =
+      std::string("width=\"") + std::to_string(width) + "\" height=\"" + std::to_string(height) + "\"";
+  file.write(std::string("<svg xmlns=\"http://www.w3.org/2000/svg\" ") + size +
+             " font-family=\"sans-serif\" font-size=\"14\">\n");
+  file.write("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+  draw_curves(file, plot, x);
+  draw_diagram(file, plot, x);
+  file.write("</svg>\n");
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,23 @@
+// What: a filtration as a picture: its counts against alpha, and births against deaths.
+// Law:  the same set of points gives the same bytes. At most some elements per pixel, however many steps and pairs.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "io/output_file.h"
+#include "rbpa/filtration/filtration.h"
+#include "rbpa/filtration/persistence.h"
+
+namespace rbpa::app {
+
+struct FiltrationPlot {
+  std::span<const FiltrationStep> steps;
+  std::span<const PersistencePair> pairs;
+  std::optional<double> least_covering;   ///< marked "min"
+  std::optional<double> least_connected;  ///< marked "auto"
+};
+
+void write_svg(OutputFile& file, const FiltrationPlot& plot);
+
+}  // namespace rbpa::app
