@@ -142,6 +142,8 @@ int main(int argc, char** argv) {
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_info(app, info);
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr)
+    return report(program, "unknown verb `" + std::string(argv[1]) + "`, expected mesh, alpha, shape or info", wrong_usage);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version
