@@ -40,15 +40,6 @@ std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(s
 
 }  // namespace
 
-double parse_alpha(const std::string& text) {
-  const ParsedNumber number = parse_whole_number(text);
-  const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
-  if (infinite) return std::numeric_limits<double>::infinity();
-  if (number.fault != NumberFault::none || !(number.value > 0))
-    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius: a number > 0, or inf");
-  return number.value;
-}
-
 double parse_area(const std::string& option, const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
   const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;

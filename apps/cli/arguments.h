@@ -11,9 +11,6 @@
 
 namespace rbpa::app {
 
-/// A radius: a number > 0, or "inf".
-double parse_alpha(const std::string& text);
-
 /// Where the points come from: the format as said, else by the ending; standard input is text.
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
                          const std::optional<std::string>& columns, const PixelArguments& pixels);

@@ -42,12 +42,22 @@ void add_method_options(CLI::App& verb, MethodArguments& arguments) {
       ->type_name("K");
 }
 
+template <typename Arguments>
+void add_alpha_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("--alpha", arguments.alpha,
+                  "Largest circumradius: a radius in units of the points, or inf; min is the least that covers every "
+                  "point, auto the least that does so in at most K solid components (see rbpa alpha)")
+      ->type_name("R|auto|inf|min")
+      ->required();
+  verb.add_option("--components", arguments.components,
+                  "How many solid components `auto` may have at most; 1 by default")
+      ->type_name("K");
+}
+
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_point_options(verb, arguments);
-  verb.add_option("--alpha", arguments.alpha, "Largest circumradius (a radius, in units of the points), or inf")
-      ->type_name("R")
-      ->required();
+  add_alpha_options(verb, arguments);
   verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(output_formats) +
                                                "; - is standard output; may be given several times")
       ->type_name("OUT")
@@ -69,6 +79,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       "Examples:\n"
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
+      "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order, so that an index means the same in both.\n" +
@@ -99,9 +110,7 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
 void add_shape(CLI::App& app, ShapeArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
   add_point_options(verb, arguments);
-  verb.add_option("--alpha", arguments.alpha, "Largest circumradius (a radius, in units of the points), or inf")
-      ->type_name("R")
-      ->required();
+  add_alpha_options(verb, arguments);
   verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(shape_formats) +
                                                "; - is standard output; may be given several times")
       ->type_name("OUT")
@@ -120,7 +129,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
-      "  rbpa shape points.xy --alpha 0.3 -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
       "GeoJSON has a Feature for each polygon, with its area, perimeter and number of holes; WKT is one MULTIPOLYGON.\n"
       "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +

@@ -1,7 +1,9 @@
 #include "cli/mesh_verb.h"
 
 #include <cstdio>
+#include <limits>
 
+#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
 #include "cli/levels.h"
@@ -45,12 +47,13 @@ void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const
   }
 }
 
-std::string summary(std::size_t points, const SolidAlphaComplex& complex, const std::vector<Target>& targets) {
+std::string summary(std::size_t points, const SolidAlphaComplex& complex, const std::string& chosen_alpha,
+                    const std::vector<Target>& targets) {
   std::string text = counted(points, "point");
   if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
   text +=
       ", " + counted(complex.mesh.n_faces(), "triangle") + ", " + std::to_string(complex.isolated.size()) + " isolated";
-  return text + list_of(targets);
+  return text + chosen_alpha + list_of(targets);
 }
 
 std::vector<std::string> reports(const MeshArguments& arguments) {
@@ -63,7 +66,7 @@ std::vector<std::string> reports(const MeshArguments& arguments) {
 }  // namespace
 
 void run_mesh(const MeshArguments& arguments) {
-  const double alpha = parse_alpha(arguments.alpha);
+  const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
   const Method method = parse_method(arguments.method);
   std::optional<LevelFormat> levels;
   if (arguments.levels) levels = parse_levels(*arguments.levels, method);
@@ -72,10 +75,13 @@ void run_mesh(const MeshArguments& arguments) {
       parse_targets(arguments.outputs, arguments.output_format, reports(arguments), arguments.points);
   check_width(arguments.width);
 
-  Stats stats{.alpha = alpha};
+  Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
+  stats.alpha = choose_alpha(choice, points, arguments.quiet);
+  // Points without such a radius have no triangle at any.
+  const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
   const Hierarchy hierarchy = build(points, alpha, method, arguments.quiet);
   const SolidAlphaComplex& complex = hierarchy.complex;
   stats.build_seconds = watch.lap();
@@ -100,7 +106,10 @@ void run_mesh(const MeshArguments& arguments) {
     const std::string reason = reason_for_empty(points, complex.distinct, arguments.alpha);
     std::fprintf(stderr, "rbpa: the complex is empty: %s\n", reason.c_str());
   }
-  if (!arguments.quiet) std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, targets).c_str());
+  if (!arguments.quiet) {
+    const std::string chosen_alpha = said(choice, stats.alpha);
+    std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, chosen_alpha, targets).c_str());
+  }
 }
 
 }  // namespace rbpa::app

@@ -20,6 +20,7 @@ struct MeshArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::string alpha;
+  std::optional<long> components;  ///< at most, at `auto`; 1 if absent
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;

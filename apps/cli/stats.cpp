@@ -40,6 +40,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
                  {"components", counted(&ComplexCounts::components)},
                  {"holes", counted(&ComplexCounts::holes)},
                  {"alpha", alpha},
+                 {"alpha_rule", or_null(stats.alpha_rule)},
                  {"method", stats.counts ? Json(stats.method) : Json(nullptr)},
                  {"threads", 1}};
   if (stats.polygons) {

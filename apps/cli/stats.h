@@ -17,6 +17,7 @@ struct Stats {
   std::size_t distinct = 0;
   /// What a verb does not compute is null in the report.
   std::optional<double> alpha = std::nullopt;
+  std::optional<std::string> alpha_rule = std::nullopt;
   std::optional<std::size_t> isolated = std::nullopt;
   std::optional<ComplexCounts> counts = std::nullopt;
   std::string method = "rbpa";  ///< where there are counts

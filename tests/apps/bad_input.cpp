@@ -136,7 +136,7 @@ TEST_SUITE("wrong usage") {
     folder.file("p.xy", corner);
     for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})
       refuses(folder, "mesh p.xy -o m.off --alpha=" + alpha, 2,
-              "--alpha: found '" + alpha + "', expected a radius: a number > 0, or inf");
+              "--alpha: found '" + alpha + "', expected a radius (a number > 0, or inf), auto or min");
   }
 
   TEST_CASE("no alpha, no verb, an unknown option") {
