@@ -15,13 +15,13 @@ template <typename Format>
 std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(std::string_view),
                                          std::string_view known_formats, const std::vector<std::string>& paths,
                                          const std::optional<std::string>& format,
-                                         const std::optional<std::string>& stats, const std::string& points) {
+                                         const std::vector<std::string>& reports, const std::string& points) {
   std::optional<Format> otherwise;
   if (format) {
     otherwise = known_format(*format);
     if (!otherwise) refuse_name("--output-format", *format, known_formats);
   }
-  if (paths.empty() && !stats) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  if (paths.empty() && reports.empty()) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<TargetOf<Format>> targets;
   for (const std::string& path : paths) {
     std::optional<Format> known = path == "-" ? std::nullopt : known_format(ending(path));
@@ -33,7 +33,7 @@ std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(s
   }
 
   std::vector<std::string> files = paths;
-  if (stats) files.push_back(*stats);
+  files.insert(files.end(), reports.begin(), reports.end());
   require_different(files, points, "points");
   return targets;
 }
@@ -78,14 +78,14 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
 }
 
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                  const std::optional<std::string>& stats, const std::string& points) {
-  return targets_of(output_format, output_formats, paths, format, stats, points);
+                                  const std::vector<std::string>& reports, const std::string& points) {
+  return targets_of(output_format, output_formats, paths, format, reports, points);
 }
 
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
-                                             const std::optional<std::string>& stats, const std::string& points) {
-  return targets_of(shape_format, shape_formats, paths, format, stats, points);
+                                             const std::vector<std::string>& reports, const std::string& points) {
+  return targets_of(shape_format, shape_formats, paths, format, reports, points);
 }
 
 }  // namespace rbpa::app

@@ -32,6 +32,16 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
 }
 
+void add_method_options(CLI::App& verb, MethodArguments& arguments) {
+  verb.add_option("--method", arguments.method,
+                  "rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the same")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--leaf-capacity", arguments.leaf_capacity,
+                  "Points that a leaf of the quadtree may hold, from whose smallest leaf hrbpa takes the first radius")
+      ->type_name("K");
+}
+
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--alpha", arguments.alpha,
@@ -55,9 +65,14 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
       ->type_name("NAME");
   verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
-  verb.add_option("--search", arguments.search, "near, or paper (the grid of the paper); the result is the same")
+  add_method_options(verb, arguments.method);
+  verb.add_option("--search", arguments.method.search, "near, or paper (the grid of the paper); the result is the same")
       ->type_name("NAME")
       ->capture_default_str();
+  verb.add_option("--levels", arguments.levels,
+                  "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on\n"
+                  "standard output")
+      ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
   verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
   verb.footer(
@@ -65,6 +80,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
+      "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order, so that an index means the same in both.\n" +
       std::string(exit_codes));
@@ -101,6 +117,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       ->allow_extra_args(false);
   verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
       ->type_name("NAME");
+  add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less, and what lies in them; inf fills all")
       ->type_name("A")

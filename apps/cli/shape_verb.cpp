@@ -6,6 +6,7 @@
 #include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/method.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -63,11 +64,14 @@ std::string summary(std::size_t points, const SolidAlphaComplex& complex, std::s
 
 void run_shape(const ShapeArguments& arguments) {
   const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
+  const Method method = parse_method(arguments.method);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
+  std::vector<std::string> reports;
+  if (arguments.stats) reports.push_back(*arguments.stats);
   const std::vector<ShapeTarget> targets =
-      parse_shape_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
+      parse_shape_targets(arguments.outputs, arguments.output_format, reports, arguments.points);
   check_width(arguments.width);
 
   Stats stats{.alpha_rule = name_of(choice.rule)};
@@ -77,7 +81,7 @@ void run_shape(const ShapeArguments& arguments) {
   stats.alpha = choose_alpha(choice, points, arguments.quiet);
   // Points without such a radius have no triangle at any.
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
-  const SolidAlphaComplex complex = build(points, alpha, {}, arguments.quiet);
+  const SolidAlphaComplex complex = build(points, alpha, method, arguments.quiet).complex;
   stop_if_interrupted();
   const std::vector<Polygon> shape = polygons(complex, filter);
   const PolygonTotals totals = total(shape);
@@ -91,6 +95,7 @@ void run_shape(const ShapeArguments& arguments) {
     stats.distinct = complex.distinct;
     stats.isolated = complex.isolated.size();
     stats.counts = count(complex);
+    stats.method = method.name();
     stats.polygons = shape.size();
     stats.of_polygons = totals;
     OutputFile& file = outputs.add(*arguments.stats);

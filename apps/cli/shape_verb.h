@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/method.h"
 #include "cli/pixel_arguments.h"
 
 namespace rbpa::app {
@@ -20,6 +21,7 @@ struct ShapeArguments {
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;
+  MethodArguments method;
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
   int width = 1200;

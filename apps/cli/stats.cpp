@@ -41,7 +41,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
                  {"holes", counted(&ComplexCounts::holes)},
                  {"alpha", alpha},
                  {"alpha_rule", or_null(stats.alpha_rule)},
-                 {"method", stats.counts ? Json("rbpa") : Json(nullptr)},
+                 {"method", stats.counts ? Json(stats.method) : Json(nullptr)},
                  {"threads", 1}};
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;

@@ -2,14 +2,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <optional>
-#include <random>
 #include <stdexcept>
 
+#include "figures/caption.h"
 #include "figures/drawn_complex.h"
 #include "figures/figures.h"
+#include "figures/random.h"
 #include "figures/sheet.h"
 #include "io/foreground.h"
 #include "rbpa/filtration/filtration.h"
@@ -21,24 +21,6 @@ namespace {
 
 using rbpa::app::Shade;
 using rbpa::app::Shades;
-
-/// Numbers in [0, 1), the same everywhere.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-std::string rounded(double value, const char* format = "%.3g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
-std::string of(const char* name, std::size_t value) { return std::string(name) + " " + std::to_string(value); }
 
 Points isolated_points(const Points& points, const rbpa::SolidAlphaComplex& complex) {
   Points isolated;
