@@ -159,7 +159,8 @@ int main(int argc, char** argv) {
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_info(app, info);
-  if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr)
+  const auto is_named = [&](const CLI::App* verb) { return verb->check_name(argv[1]); };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named).empty())
     return report(program, "unknown verb `" + std::string(argv[1]) + "`, expected mesh, alpha, shape or info", wrong_usage);
   try {
     app.parse(argc, argv);

@@ -144,6 +144,10 @@ TEST_SUITE("wrong usage") {
     folder.file("p.xy", corner);
     CHECK(folder.rbpa("mesh p.xy -o m.off").code == 2);
     CHECK(folder.rbpa("").code == 2);
+    const auto unknown = folder.rbpa("mehs p.xy");
+    CHECK(unknown.code == 2);
+    CHECK(unknown.err == "rbpa: unknown verb `mehs`, expected mesh, alpha, shape or info\n");
+    CHECK(folder.rbpa("info p.xy --stats -").code == 2);
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off --alhpa 2").code == 2);
     CHECK_FALSE(folder.has("m.off"));
   }
