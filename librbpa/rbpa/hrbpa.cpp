@@ -18,9 +18,10 @@ namespace {
 template <typename Real>
 class HierarchicalRun {
  public:
-  HierarchicalRun(const PointGrid<Real>& grid, double least, Radius radius, Real grid_unit,
+  HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
                   const HierarchyOptions& options)
-      : ladder_(least, radius, grid.diameter_bound()),
+      : alpha_(alpha),
+        ladder_(least, radius, grid.diameter_bound()),
         pivot_(grid, Radius(), grid_unit),
         apexes_(pivot_),
         seeds_(grid, ladder_, pivot_, apexes_),
@@ -58,21 +59,17 @@ class HierarchicalRun {
   }
 
  private:
-  double alpha(int level) const {
-    const Radius radius = ladder_.radius(level);
-    return radius.is_infinite() ? std::numeric_limits<double>::infinity() : radius.value();
-  }
+  double alpha(int level) const { return ladder_.is_last(level) ? alpha_ : ladder_.radius(level).value(); }
 
   /// The first level after this one on which something can happen.
   int next_level(int level, const std::vector<meshops::Site>& carried) const {
     int next = policy_.next();
     for (const meshops::Site s : carried) next = std::min(next, seeds_.wake(s));
     if (next == ladder_.never) return next;
-    next = std::max(next, level + 1);
-    while (next > level + 1 && ladder_.is_last(next - 1)) --next;
-    return next;
+    return std::clamp(next, level + 1, ladder_.end());
   }
 
+  double alpha_;  // as given: a radius beyond all circumradii is infinite to the ladder
   Ladder<Real> ladder_;
   Pivot<Real> pivot_;
   Apexes<Real> apexes_;
@@ -95,7 +92,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
       result.least_radius =
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
                      std::numeric_limits<double>::max());
-      HierarchicalRun<Real> run(grid, result.least_radius, radius, grid_unit, options);
+      HierarchicalRun<Real> run(grid, result.least_radius, alpha, radius, grid_unit, options);
       result.levels = run.advance(assembly.front());
     }
     assembly.finish();
