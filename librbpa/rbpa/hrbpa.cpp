@@ -38,16 +38,23 @@ class HierarchicalRun {
       policy_.begin(level.number);
       seeds_.begin(level.number, std::move(free));
       meshops::advance(front, policy_, report_);
+      level.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      // Sites may have been looked at in vain: which, depends on the order of the input. What they cost is told with
+      // the level after.
+      const bool in_vain =
+          !levels.empty() && front.faces() == levels.back().triangles && !ladder_.is_last(level.number);
       level.triangles = front.faces();
-      level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      levels.push_back(level);
+      if (!in_vain) levels.push_back(level);
       if (ladder_.is_last(level.number)) break;
 
       const meshops::LevelTransfer transfer = front.next_level();
       const int next = next_level(level.number, transfer.carried);
-      if (next == ladder_.never) break;
-      level = {.alpha = alpha(next), .number = next, .transferred = transfer.carried.size()};
-      level.advancing = transfer.reactivated;
+      level = {.alpha = alpha(next),
+               .number = next,
+               .transferred = transfer.carried.size(),
+               .taking_part = in_vain ? level.taking_part : 0,
+               .advancing = transfer.reactivated,
+               .seconds = in_vain ? level.seconds : 0};
       free.clear();
       for (const meshops::Site s : transfer.carried) {
         if (seeds_.wake(s) > next) continue;
@@ -61,11 +68,10 @@ class HierarchicalRun {
  private:
   double alpha(int level) const { return ladder_.is_last(level) ? alpha_ : ladder_.radius(level).value(); }
 
-  /// The first level after this one on which something can happen.
+  /// The first level after this one on which something can happen, or the last.
   int next_level(int level, const std::vector<meshops::Site>& carried) const {
     int next = policy_.next();
     for (const meshops::Site s : carried) next = std::min(next, seeds_.wake(s));
-    if (next == ladder_.never) return next;
     return std::clamp(next, level + 1, ladder_.end());
   }
 
