@@ -3,12 +3,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
 #include "cli/shape_verb.h"
 #include "io/exit_code.h"
+#include "io/failure.h"
 #include "io/interrupt.h"
 
 namespace rbpa::app {
@@ -127,6 +129,15 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
 }
 
+std::string unexpected(const std::string& word, const CLI::App& app) {
+  const std::string found = "found " + in_quotes(word) + ", expected ";
+  const auto verbs = app.get_subcommands();  // those given
+  if (verbs.empty()) return found + "mesh, alpha, shape or info (see rbpa --help)";
+  const std::string verb = "rbpa " + verbs.front()->get_name();
+  return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
+         " --help)";
+}
+
 int main(int argc, char** argv) {
   catch_interrupts();
   CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
@@ -147,6 +158,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& e) {  // help or version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
+    // What is missing may be there under a wrong name.
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
     return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
