@@ -58,8 +58,7 @@ const char* name_of(AlphaRule rule) {
 
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, bool quiet) {
   if (choice.rule == AlphaRule::given) return choice.radius;
-  const Filtration all = filtration(build(points, infinity, {}, quiet), points);
-  stop_if_interrupted();
+  const Filtration all = filtration(build(points, infinity, {}, quiet), points, [] { return !interrupted(); });
   return choice.rule == AlphaRule::least ? smallest_covering(all) : smallest_covering(all, choice.most_components);
 }
 

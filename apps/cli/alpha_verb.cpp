@@ -44,7 +44,7 @@ Report examine(const std::vector<Point>& points, std::size_t most_components, co
                ComplexKind kind) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), {}, arguments.quiet);
   Report report{.points = points.size(), .most_components = most_components};
-  report.filtration = filtration(delaunay, points);
+  report.filtration = filtration(delaunay, points, [] { return !interrupted(); });
   stop_if_interrupted();
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);

@@ -24,6 +24,7 @@ std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(s
   if (paths.empty() && reports.empty()) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<TargetOf<Format>> targets;
   for (const std::string& path : paths) {
+    if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : known_format(ending(path));
     if (!known) known = otherwise;
     if (!known && path == "-")
@@ -58,6 +59,7 @@ void check_width(int width) {
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
                          const std::optional<std::string>& columns, const PixelArguments& pixels) {
   PointSource source{.path = path, .pixels = parse_pixel_rule(pixels)};
+  if (path.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
   if (columns) source.columns = parse_columns(*columns);
   if (format) {
     const std::optional<PointFormat> known = point_format(*format);

@@ -3,12 +3,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
 #include "cli/shape_verb.h"
 #include "io/exit_code.h"
+#include "io/failure.h"
 #include "io/interrupt.h"
 
 namespace rbpa::app {
@@ -144,6 +146,15 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
 }
 
+std::string unexpected(const std::string& word, const CLI::App& app) {
+  const std::string found = "found " + in_quotes(word) + ", expected ";
+  const auto verbs = app.get_subcommands();  // those given
+  if (verbs.empty()) return found + "mesh, alpha, shape or info (see rbpa --help)";
+  const std::string verb = "rbpa " + verbs.front()->get_name();
+  return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
+         " --help)";
+}
+
 int main(int argc, char** argv) {
   catch_interrupts();
   CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
@@ -159,14 +170,14 @@ int main(int argc, char** argv) {
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_info(app, info);
-  const auto is_named = [&](const CLI::App* verb) { return verb->check_name(argv[1]); };
-  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named).empty())
-    return report(program, "unknown verb `" + std::string(argv[1]) + "`, expected mesh, alpha, shape or info", wrong_usage);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
+    // What is missing may be there under a wrong name.
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
     return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });

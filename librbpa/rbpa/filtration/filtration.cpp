@@ -8,6 +8,7 @@
 #include "rbpa/filtration/corners.h"
 #include "rbpa/filtration/growth.h"
 #include "rbpa/filtration/least_alpha.h"
+#include "rbpa/filtration/pulse.h"
 
 namespace rbpa {
 namespace {
@@ -46,7 +47,9 @@ FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double ar
 
 }  // namespace
 
-Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points) {
+Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                      const std::function<bool()>& go_on) {
+  Pulse pulse(go_on);
   const Corners corners(delaunay, points);
   meshops::require(delaunay.mesh.n_faces() == 0 || delaunay.isolated.empty(),
                    "filtration: the complex leaves points out, so it is not the Delaunay triangulation");
@@ -54,11 +57,15 @@ Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> 
   result.triangle_alpha.resize(delaunay.mesh.n_faces());
   std::vector<Entry> entries(delaunay.mesh.n_faces());
   for (std::uint32_t f = 0; f < entries.size(); ++f) {
+    pulse.beat();
     const std::array<Point, 3> triangle = corners.of_face(f);
     result.triangle_alpha[f] = least_alpha(triangle[0], triangle[1], triangle[2]);
     entries[f] = {result.triangle_alpha[f], area(triangle), f};
   }
-  std::sort(entries.begin(), entries.end());
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    pulse.beat();
+    return a < b;
+  });
 
   const auto ends_step = [&](std::size_t i) {
     return i + 1 == entries.size() || entries[i + 1].alpha != entries[i].alpha;
@@ -69,6 +76,7 @@ Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> 
   Growth growth(delaunay);
   long double area = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
+    pulse.beat();
     growth.add(entries[i].face);
     area += entries[i].area;
     if (ends_step(i)) result.steps.push_back(step_of(growth.counts(), entries[i].alpha, area));
