@@ -28,8 +28,9 @@ class HierarchicalRun {
         report_(options.progress, grid.points().size()),
         policy_(grid, ladder_, apexes_, seeds_, report_) {}
 
-  std::vector<Level> advance(meshops::Front& front) {
-    std::vector<Level> levels;
+  /// Fills in the levels.
+  void advance(meshops::Front& front, Hierarchy& result) {
+    std::vector<Level>& levels = result.levels;
     std::vector<meshops::Site> free(front.sites());
     std::iota(free.begin(), free.end(), 0);
     Level level{.alpha = alpha(0), .transferred = free.size(), .taking_part = free.size()};
@@ -39,12 +40,14 @@ class HierarchicalRun {
       seeds_.begin(level.number, std::move(free));
       meshops::advance(front, policy_, report_);
       level.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      // Sites may have been looked at in vain: which, depends on the order of the input. What they cost is told with
-      // the level after.
+      // Sites may have been looked at in vain: which, depends on the order of the input.
       const bool in_vain =
           !levels.empty() && front.faces() == levels.back().triangles && !ladder_.is_last(level.number);
       level.triangles = front.faces();
-      if (!in_vain) levels.push_back(level);
+      if (in_vain)
+        result.looked_in_vain += level.taking_part;
+      else
+        levels.push_back(level);
       if (ladder_.is_last(level.number)) break;
 
       const meshops::LevelTransfer transfer = front.next_level();
@@ -52,7 +55,6 @@ class HierarchicalRun {
       level = {.alpha = alpha(next),
                .number = next,
                .transferred = transfer.carried.size(),
-               .taking_part = in_vain ? level.taking_part : 0,
                .advancing = transfer.reactivated,
                .seconds = in_vain ? level.seconds : 0};
       free.clear();
@@ -62,7 +64,6 @@ class HierarchicalRun {
         if (front.is_free(s)) free.push_back(s);
       }
     }
-    return levels;
   }
 
  private:
@@ -99,7 +100,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
                      std::numeric_limits<double>::max());
       HierarchicalRun<Real> run(grid, result.least_radius, alpha, radius, grid_unit, options);
-      result.levels = run.advance(assembly.front());
+      run.advance(assembly.front(), result);
     }
     assembly.finish();
   });

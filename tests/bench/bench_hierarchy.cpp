@@ -31,7 +31,7 @@ std::vector<Timings> contest(const rbpa_test::Points& points, double alpha, cons
 }
 
 double taking_part(const rbpa::Hierarchy& hierarchy) {
-  double sum = 0;
+  auto sum = static_cast<double>(hierarchy.looked_in_vain);
   for (const rbpa::Level& level : hierarchy.levels) sum += static_cast<double>(level.taking_part);
   return sum;
 }

@@ -16,7 +16,7 @@ inline rbpa::Hierarchy hierarchy(std::span<const rbpa::Point> points, double alp
 }
 
 inline std::size_t sum_of_taking_part(const rbpa::Hierarchy& h) {
-  std::size_t sum = 0;
+  std::size_t sum = h.looked_in_vain;
   for (const rbpa::Level& level : h.levels) sum += level.taking_part;
   return sum;
 }
