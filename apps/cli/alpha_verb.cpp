@@ -8,8 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
-#include "cli/progress.h"
+#include "cli/build.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/formats.h"
@@ -41,20 +42,11 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
   throw WrongUsage("--complex: found " + in_quotes(*arguments.complex) + ", expected solid or full");
 }
 
-SolidAlphaComplex triangulate(const std::vector<Point>& points, bool quiet) {
-  ProgressLine line(!quiet);
-  Options options;
-  options.progress = [&](const Progress& progress) {
-    line.show(progress);
-    return !interrupted();
-  };
-  return rbpa(points, std::numeric_limits<double>::infinity(), options);
-}
-
-Report examine(const std::vector<Point>& points, const AlphaArguments& arguments, ComplexKind kind) {
-  const SolidAlphaComplex delaunay = triangulate(points, arguments.quiet);
-  Report report{.points = points.size(), .most_components = static_cast<std::size_t>(arguments.components)};
-  report.filtration = filtration(delaunay, points);
+Report examine(const std::vector<Point>& points, std::size_t most_components, const AlphaArguments& arguments,
+               ComplexKind kind) {
+  const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), {}, arguments.quiet);
+  Report report{.points = points.size(), .most_components = most_components};
+  report.filtration = filtration(delaunay, points, [] { return !interrupted(); });
   stop_if_interrupted();
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);
@@ -208,8 +200,7 @@ void write(OutputFile& out, const Report& report, const AlphaArguments& argument
 
 void run_alpha(const AlphaArguments& arguments) {
   const ComplexKind kind = parse_complex(arguments);
-  if (arguments.components < 1)
-    throw WrongUsage("--components: found " + std::to_string(arguments.components) + ", expected at least 1");
+  const std::size_t most_components = parse_components(arguments.components);
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)
     throw WrongUsage(*arguments.picture + ": found the ending " + in_quotes(ending(*arguments.picture)) +
@@ -221,7 +212,7 @@ void run_alpha(const AlphaArguments& arguments) {
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   Stats stats{.read_seconds = watch.lap()};
-  Report report = examine(points, arguments, kind);
+  Report report = examine(points, most_components, arguments, kind);
   stats.build_seconds = watch.lap();
 
   std::optional<OutputFile> picture;

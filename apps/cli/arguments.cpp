@@ -15,15 +15,16 @@ template <typename Format>
 std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(std::string_view),
                                          std::string_view known_formats, const std::vector<std::string>& paths,
                                          const std::optional<std::string>& format,
-                                         const std::optional<std::string>& stats, const std::string& points) {
+                                         const std::vector<std::string>& reports, const std::string& points) {
   std::optional<Format> otherwise;
   if (format) {
     otherwise = known_format(*format);
     if (!otherwise) refuse_name("--output-format", *format, known_formats);
   }
-  if (paths.empty() && !stats) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  if (paths.empty() && reports.empty()) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<TargetOf<Format>> targets;
   for (const std::string& path : paths) {
+    if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : known_format(ending(path));
     if (!known) known = otherwise;
     if (!known && path == "-")
@@ -33,21 +34,12 @@ std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(s
   }
 
   std::vector<std::string> files = paths;
-  if (stats) files.push_back(*stats);
+  files.insert(files.end(), reports.begin(), reports.end());
   require_different(files, points, "points");
   return targets;
 }
 
 }  // namespace
-
-double parse_alpha(const std::string& text) {
-  const ParsedNumber number = parse_whole_number(text);
-  const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
-  if (infinite) return std::numeric_limits<double>::infinity();
-  if (number.fault != NumberFault::none || !(number.value > 0))
-    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius: a number > 0, or inf");
-  return number.value;
-}
 
 double parse_area(const std::string& option, const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
@@ -67,6 +59,7 @@ void check_width(int width) {
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
                          const std::optional<std::string>& columns, const PixelArguments& pixels) {
   PointSource source{.path = path, .pixels = parse_pixel_rule(pixels)};
+  if (path.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
   if (columns) source.columns = parse_columns(*columns);
   if (format) {
     const std::optional<PointFormat> known = point_format(*format);
@@ -87,14 +80,14 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
 }
 
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                  const std::optional<std::string>& stats, const std::string& points) {
-  return targets_of(output_format, output_formats, paths, format, stats, points);
+                                  const std::vector<std::string>& reports, const std::string& points) {
+  return targets_of(output_format, output_formats, paths, format, reports, points);
 }
 
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
-                                             const std::optional<std::string>& stats, const std::string& points) {
-  return targets_of(shape_format, shape_formats, paths, format, stats, points);
+                                             const std::vector<std::string>& reports, const std::string& points) {
+  return targets_of(shape_format, shape_formats, paths, format, reports, points);
 }
 
 }  // namespace rbpa::app

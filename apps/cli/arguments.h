@@ -11,9 +11,6 @@
 
 namespace rbpa::app {
 
-/// A radius: a number > 0, or "inf".
-double parse_alpha(const std::string& text);
-
 /// Where the points come from: the format as said, else by the ending; standard input is text.
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
                          const std::optional<std::string>& columns, const PixelArguments& pixels);
@@ -33,12 +30,12 @@ using Target = TargetOf<OutputFormat>;
 using ShapeTarget = TargetOf<ShapeFormat>;
 
 /// Formats by the endings; one without a known ending takes `format`. No two targets may be the same file, nor the
-/// points or `stats`.
+/// points or `reports`.
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                  const std::optional<std::string>& stats, const std::string& points);
+                                  const std::vector<std::string>& reports, const std::string& points);
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
-                                             const std::optional<std::string>& stats, const std::string& points);
+                                             const std::vector<std::string>& reports, const std::string& points);
 
 /// " -> a.off, standard output"; "" when there is none.
 template <typename Format>

@@ -9,6 +9,7 @@
 #include "cli/stats.h"
 #include "io/number.h"
 #include "io/output_file.h"
+#include "io/same_file.h"
 
 namespace rbpa::app {
 namespace {
@@ -78,6 +79,7 @@ std::string as_json(const Info& info) {
 
 void run_info(const InfoArguments& arguments) {
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
+  if (arguments.stats) require_different({"-", *arguments.stats}, arguments.points, "points");
   Stopwatch watch;
   std::vector<Point> points = read_points(source);
   Stats stats{.read_seconds = watch.lap()};

@@ -3,12 +3,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
 #include "cli/shape_verb.h"
 #include "io/exit_code.h"
+#include "io/failure.h"
 #include "io/interrupt.h"
 
 namespace rbpa::app {
@@ -32,12 +34,32 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
 }
 
+void add_method_options(CLI::App& verb, MethodArguments& arguments) {
+  verb.add_option("--method", arguments.method,
+                  "rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the same")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--leaf-capacity", arguments.leaf_capacity,
+                  "Points that a leaf of the quadtree may hold, from whose smallest leaf hrbpa takes the first radius")
+      ->type_name("K");
+}
+
+template <typename Arguments>
+void add_alpha_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("--alpha", arguments.alpha,
+                  "Largest circumradius: a radius in units of the points, or inf; min is the least that covers every "
+                  "point, auto the least that does so in at most K solid components (see rbpa alpha)")
+      ->type_name("R|auto|inf|min")
+      ->required();
+  verb.add_option("--components", arguments.components,
+                  "How many solid components `auto` may have at most; 1 by default")
+      ->type_name("K");
+}
+
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_point_options(verb, arguments);
-  verb.add_option("--alpha", arguments.alpha, "Largest circumradius (a radius, in units of the points), or inf")
-      ->type_name("R")
-      ->required();
+  add_alpha_options(verb, arguments);
   verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(output_formats) +
                                                "; - is standard output; may be given several times")
       ->type_name("OUT")
@@ -45,15 +67,22 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
       ->type_name("NAME");
   verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
-  verb.add_option("--search", arguments.search, "near, or paper (the grid of the paper); the result is the same")
+  add_method_options(verb, arguments.method);
+  verb.add_option("--search", arguments.method.search, "near, or paper (the grid of the paper); the result is the same")
       ->type_name("NAME")
       ->capture_default_str();
+  verb.add_option("--levels", arguments.levels,
+                  "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on\n"
+                  "standard output")
+      ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
   verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
+      "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
+      "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order, so that an index means the same in both.\n" +
       std::string(exit_codes));
@@ -85,15 +114,14 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
 void add_shape(CLI::App& app, ShapeArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
   add_point_options(verb, arguments);
-  verb.add_option("--alpha", arguments.alpha, "Largest circumradius (a radius, in units of the points), or inf")
-      ->type_name("R")
-      ->required();
+  add_alpha_options(verb, arguments);
   verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(shape_formats) +
                                                "; - is standard output; may be given several times")
       ->type_name("OUT")
       ->allow_extra_args(false);
   verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
       ->type_name("NAME");
+  add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less, and what lies in them; inf fills all")
       ->type_name("A")
@@ -105,7 +133,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
-      "  rbpa shape points.xy --alpha 0.3 -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
       "GeoJSON has a Feature for each polygon, with its area, perimeter and number of holes; WKT is one MULTIPOLYGON.\n"
       "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
@@ -118,6 +146,15 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
   verb.add_flag("--json", arguments.json, "As JSON");
   verb.footer("The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
+}
+
+std::string unexpected(const std::string& word, const CLI::App& app) {
+  const std::string found = "found " + in_quotes(word) + ", expected ";
+  const auto verbs = app.get_subcommands();  // those given
+  if (verbs.empty()) return found + "mesh, alpha, shape or info (see rbpa --help)";
+  const std::string verb = "rbpa " + verbs.front()->get_name();
+  return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
+         " --help)";
 }
 
 int main(int argc, char** argv) {
@@ -140,6 +177,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& e) {  // help or version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
+    // What is missing may be there under a wrong name.
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
     return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });

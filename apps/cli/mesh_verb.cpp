@@ -1,9 +1,13 @@
 #include "cli/mesh_verb.h"
 
 #include <cstdio>
+#include <limits>
 
+#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/levels.h"
+#include "cli/method.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -14,12 +18,6 @@
 
 namespace rbpa::app {
 namespace {
-
-Search parse_search(const std::string& text) {
-  if (text == "near") return Search::near_to_far;
-  if (text == "paper") return Search::paper_grid;
-  throw WrongUsage("--search: found " + in_quotes(text) + ", expected near or paper");
-}
 
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
 
@@ -49,39 +47,55 @@ void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const
   }
 }
 
-std::string summary(std::size_t points, const SolidAlphaComplex& complex, const std::vector<Target>& targets) {
+std::string summary(std::size_t points, const SolidAlphaComplex& complex, const std::string& chosen_alpha,
+                    const std::vector<Target>& targets) {
   std::string text = counted(points, "point");
   if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
-  text += ", " + counted(complex.mesh.n_faces(), "triangle") + ", " + std::to_string(complex.isolated.size()) +
-          " isolated";
-  return text + list_of(targets);
+  text +=
+      ", " + counted(complex.mesh.n_faces(), "triangle") + ", " + std::to_string(complex.isolated.size()) + " isolated";
+  return text + chosen_alpha + list_of(targets);
+}
+
+std::vector<std::string> reports(const MeshArguments& arguments) {
+  std::vector<std::string> paths;
+  for (const auto& report : {arguments.stats, arguments.levels})
+    if (report) paths.push_back(*report);
+  return paths;
 }
 
 }  // namespace
 
 void run_mesh(const MeshArguments& arguments) {
-  const double alpha = parse_alpha(arguments.alpha);
-  const Search search = parse_search(arguments.search);
+  const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
+  const Method method = parse_method(arguments.method);
+  std::optional<LevelFormat> levels;
+  if (arguments.levels) levels = parse_levels(*arguments.levels, method);
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   const std::vector<Target> targets =
-      parse_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
+      parse_targets(arguments.outputs, arguments.output_format, reports(arguments), arguments.points);
   check_width(arguments.width);
 
-  Stats stats{.alpha = alpha};
+  Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
-  const SolidAlphaComplex complex = build(points, alpha, {.search = search}, arguments.quiet);
+  stats.alpha = choose_alpha(choice, points, arguments.quiet);
+  // Points without such a radius have no triangle at any.
+  const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
+  const Hierarchy hierarchy = build(points, alpha, method, arguments.quiet);
+  const SolidAlphaComplex& complex = hierarchy.complex;
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
   write_targets(outputs, targets, points, complex, arguments);
+  if (levels) write_levels(outputs.add(*arguments.levels), *levels, hierarchy, method);
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
     stats.points = points.size();
     stats.distinct = complex.distinct;
     stats.isolated = complex.isolated.size();
     stats.counts = count(complex);
+    stats.method = method.name();
     OutputFile& file = outputs.add(*arguments.stats);
     write_stats(file, stats);
     file.finish();
@@ -92,7 +106,10 @@ void run_mesh(const MeshArguments& arguments) {
     const std::string reason = reason_for_empty(points, complex.distinct, arguments.alpha);
     std::fprintf(stderr, "rbpa: the complex is empty: %s\n", reason.c_str());
   }
-  if (!arguments.quiet) std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, targets).c_str());
+  if (!arguments.quiet) {
+    const std::string chosen_alpha = said(choice, stats.alpha);
+    std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, chosen_alpha, targets).c_str());
+  }
 }
 
 }  // namespace rbpa::app

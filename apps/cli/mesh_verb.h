@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/method.h"
 #include "cli/pixel_arguments.h"
 #include "io/columns.h"
 #include "io/formats.h"
@@ -19,10 +20,12 @@ struct MeshArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::string alpha;
+  std::optional<long> components;  ///< at most, at `auto`; 1 if absent
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;
-  std::string search = "near";
+  std::optional<std::string> levels;
+  MethodArguments method;
   int width = 1200;
   bool compact = false;
   bool quiet = false;

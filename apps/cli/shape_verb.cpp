@@ -1,9 +1,12 @@
 #include "cli/shape_verb.h"
 
 #include <cstdio>
+#include <limits>
 
+#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/method.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -47,31 +50,38 @@ std::string reason_for_no_polygon(const std::vector<Point>& points, const SolidA
 }
 
 std::string summary(std::size_t points, const SolidAlphaComplex& complex, std::size_t polygons,
-                    const PolygonTotals& totals, const std::vector<ShapeTarget>& targets) {
+                    const PolygonTotals& totals, const std::string& chosen_alpha,
+                    const std::vector<ShapeTarget>& targets) {
   char area[32];
   std::snprintf(area, sizeof area, "%.6g", totals.area);
   std::string text = counted(points, "point");
   if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
   return text + ", " + counted(polygons, "polygon") + " with " + counted(totals.holes, "hole") + ", area " + area +
-         list_of(targets);
+         chosen_alpha + list_of(targets);
 }
 
 }  // namespace
 
 void run_shape(const ShapeArguments& arguments) {
-  const double alpha = parse_alpha(arguments.alpha);
+  const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
+  const Method method = parse_method(arguments.method);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
+  std::vector<std::string> reports;
+  if (arguments.stats) reports.push_back(*arguments.stats);
   const std::vector<ShapeTarget> targets =
-      parse_shape_targets(arguments.outputs, arguments.output_format, arguments.stats, arguments.points);
+      parse_shape_targets(arguments.outputs, arguments.output_format, reports, arguments.points);
   check_width(arguments.width);
 
-  Stats stats{.alpha = alpha};
+  Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
-  const SolidAlphaComplex complex = build(points, alpha, {}, arguments.quiet);
+  stats.alpha = choose_alpha(choice, points, arguments.quiet);
+  // Points without such a radius have no triangle at any.
+  const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
+  const SolidAlphaComplex complex = build(points, alpha, method, arguments.quiet).complex;
   stop_if_interrupted();
   const std::vector<Polygon> shape = polygons(complex, filter);
   const PolygonTotals totals = total(shape);
@@ -85,6 +95,7 @@ void run_shape(const ShapeArguments& arguments) {
     stats.distinct = complex.distinct;
     stats.isolated = complex.isolated.size();
     stats.counts = count(complex);
+    stats.method = method.name();
     stats.polygons = shape.size();
     stats.of_polygons = totals;
     OutputFile& file = outputs.add(*arguments.stats);
@@ -97,8 +108,11 @@ void run_shape(const ShapeArguments& arguments) {
     const std::string reason = reason_for_no_polygon(points, complex, arguments);
     std::fprintf(stderr, "rbpa: the shape is empty: %s\n", reason.c_str());
   }
-  if (!arguments.quiet)
-    std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, shape.size(), totals, targets).c_str());
+  if (!arguments.quiet) {
+    const std::string chosen_alpha = said(choice, stats.alpha);
+    std::fprintf(stderr, "rbpa: %s\n",
+                 summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets).c_str());
+  }
 }
 
 }  // namespace rbpa::app

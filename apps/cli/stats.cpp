@@ -40,7 +40,8 @@ void write_stats(OutputFile& file, const Stats& stats) {
                  {"components", counted(&ComplexCounts::components)},
                  {"holes", counted(&ComplexCounts::holes)},
                  {"alpha", alpha},
-                 {"method", stats.counts ? Json("rbpa") : Json(nullptr)},
+                 {"alpha_rule", or_null(stats.alpha_rule)},
+                 {"method", stats.counts ? Json(stats.method) : Json(nullptr)},
                  {"threads", 1}};
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;

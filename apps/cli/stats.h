@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "io/output_file.h"
 #include "rbpa/shape/polygons.h"
@@ -16,8 +17,10 @@ struct Stats {
   std::size_t distinct = 0;
   /// What a verb does not compute is null in the report.
   std::optional<double> alpha = std::nullopt;
+  std::optional<std::string> alpha_rule = std::nullopt;
   std::optional<std::size_t> isolated = std::nullopt;
   std::optional<ComplexCounts> counts = std::nullopt;
+  std::string method = "rbpa";  ///< where there are counts
   /// Keys for polygons are in the report only where a verb makes them.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};

@@ -18,5 +18,6 @@ std::span<const Figure> topology_figures();
 std::span<const Figure> defect_figures();
 std::span<const Figure> pivoting_figures();
 std::span<const Figure> shape_figures();
+std::span<const Figure> hierarchy_figures();
 
 }  // namespace figures

@@ -2,14 +2,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <optional>
-#include <random>
 #include <stdexcept>
 
+#include "figures/caption.h"
 #include "figures/drawn_complex.h"
 #include "figures/figures.h"
+#include "figures/random.h"
 #include "figures/sheet.h"
 #include "io/foreground.h"
 #include "rbpa/filtration/filtration.h"
@@ -21,24 +21,6 @@ namespace {
 
 using rbpa::app::Shade;
 using rbpa::app::Shades;
-
-/// Numbers in [0, 1), the same everywhere.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-std::string rounded(double value, const char* format = "%.3g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
-std::string of(const char* name, std::size_t value) { return std::string(name) + " " + std::to_string(value); }
 
 Points isolated_points(const Points& points, const rbpa::SolidAlphaComplex& complex) {
   Points isolated;
@@ -278,12 +260,92 @@ std::string paper_8_molecule() {
       .svg();
 }
 
+/// Corners and middles of the unit squares marked #, as a set: at alpha 1/2 the marked squares are the solid.
+Points points_of(std::span<const std::string_view> rows) {
+  Points points;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t column = 0; column < rows[row].size(); ++column) {
+      if (rows[row][column] != '#') continue;
+      const double x = static_cast<double>(column), y = static_cast<double>(rows.size() - row) - 1;
+      for (const double up : {0.0, 1.0})
+        for (const double right : {0.0, 1.0}) points.push_back({x + right, y + up});
+      points.push_back({x + 0.5, y + 0.5});
+    }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// The points that lie on several rings, or on one of several polygons.
+Points touching_points(const Points& points, std::span<const rbpa::Polygon> solid) {
+  std::vector<std::size_t> rings(points.size(), 0);
+  const auto count = [&](const rbpa::Ring& ring) {
+    for (const std::uint32_t i : ring.points) ++rings[i];
+  };
+  for (const rbpa::Polygon& polygon : solid) {
+    count(polygon.shell);
+    for (const rbpa::Ring& hole : polygon.holes) count(hole);
+  }
+  Points touching;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (rings[i] > 1) touching.push_back(points[i]);
+  return touching;
+}
+
+std::string shape_rings() {
+  constexpr std::array<std::string_view, 8> picture = {"#######.######",  //
+                                                       "#.....#.#.####",  //
+                                                       "#.###.#.##.###",  //
+                                                       "#.#.#.#.#####.",  //
+                                                       "#.###.#.####.#",  //
+                                                       "#.....#.######",  //
+                                                       "#######.######",  //
+                                                       ".......#......"};
+  const Points points = points_of(picture);
+  const auto complex = rbpa::rbpa(points, 0.5);
+  const auto counts = rbpa::count(complex);
+
+  Panel triangles =
+      panel_over(points, "(a) solid alpha complex",
+                 {of("solid components", counts.solid_components) + " · " + of("components", counts.components),
+                  of("boundary curves", counts.boundary_curves)});
+  triangles.more = [=](Canvas& canvas, const Frame& frame) { draw_complex(canvas, frame, complex, 2); };
+  std::vector<Panel> panels = {triangles};
+  const auto add = [&](std::string heading, const rbpa::PolygonFilter& filter) {
+    const auto solid = rbpa::polygons(complex, filter);
+    const auto totals = rbpa::total(solid);
+    const Points touching = touching_points(points, solid);
+    panels.push_back(panel_over(
+        points, std::move(heading),
+        {of("polygons", solid.size()) + " · " + of("holes", totals.holes) + " · area " + rounded(totals.area),
+         of("points where rings touch", touching.size())}));
+    panels.back().more = [=](Canvas& canvas, const Frame& frame) {
+      draw_solid(canvas, frame, points, solid, 2);
+      std::vector<std::vector<Place>> holes;
+      for (const rbpa::Polygon& polygon : solid)
+        for (const rbpa::Ring& hole : polygon.holes) {
+          holes.emplace_back();
+          for (const std::uint32_t i : hole.points) holes.back().push_back(frame(place_of(points[i])));
+        }
+      canvas.closed_lines(holes, {colour::touched, 2});
+      draw_points(canvas, frame, touching, 3.6, colour::text);
+    };
+  };
+  add("(b) polygons: shells blue, holes orange", {});
+  add("(c) min_hole_area 2, min_part_area 2", {.min_hole_area = 2, .min_part_area = 2});
+  add("(d) min_hole_area 26, min_part_area 2", {.min_hole_area = 26, .min_part_area = 2});
+  return Sheet("Boundary curves become rings, rings become polygons; holes and parts are filtered", 24)
+      .row({panels[0], panels[1]})
+      .row({panels[2], panels[3]})
+      .svg();
+}
+
 }  // namespace
 
 std::span<const Figure> shape_figures() {
-  static constexpr std::array figures = {Figure{"paper_1_complexes", paper_1_complexes},
-                                         Figure{"paper_7_alpha_symbol", paper_7_alpha_symbol},
-                                         Figure{"paper_8_molecule", paper_8_molecule}};
+  static constexpr std::array figures = {
+      Figure{"paper_1_complexes", paper_1_complexes}, Figure{"paper_7_alpha_symbol", paper_7_alpha_symbol},
+      Figure{"paper_8_molecule", paper_8_molecule}, Figure{"shape_rings", shape_rings}};
   return figures;
 }
 

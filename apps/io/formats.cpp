@@ -22,10 +22,9 @@ std::optional<Format> find(const std::pair<std::string_view, Format> (&known)[co
 
 std::optional<PointFormat> point_format(std::string_view name) {
   constexpr std::pair<std::string_view, PointFormat> known[] = {
-      {"xy", PointFormat::text},  {"txt", PointFormat::text}, {"csv", PointFormat::text},
-      {"tsv", PointFormat::text}, {"xyz", PointFormat::text}, {"text", PointFormat::text},
-      {"npy", PointFormat::npy},  {"off", PointFormat::off},  {"ply", PointFormat::ply},
-      {"f64xy", PointFormat::raw}, {"png", PointFormat::png}, {"pgm", PointFormat::pgm}};
+      {"xy", PointFormat::text},  {"txt", PointFormat::text},  {"csv", PointFormat::text}, {"tsv", PointFormat::text},
+      {"xyz", PointFormat::text}, {"text", PointFormat::text}, {"npy", PointFormat::npy},  {"off", PointFormat::off},
+      {"ply", PointFormat::ply},  {"f64xy", PointFormat::raw}, {"png", PointFormat::png},  {"pgm", PointFormat::pgm}};
   return find(known, name);
 }
 
@@ -54,6 +53,11 @@ std::optional<ShapeFormat> shape_format(std::string_view name) {
                                                                 {"wkt", ShapeFormat::wkt},
                                                                 {"svg", ShapeFormat::svg},
                                                                 {"png", ShapeFormat::png}};
+  return find(known, name);
+}
+
+std::optional<LevelFormat> level_format(std::string_view name) {
+  constexpr std::pair<std::string_view, LevelFormat> known[] = {{"csv", LevelFormat::csv}, {"json", LevelFormat::json}};
   return find(known, name);
 }
 

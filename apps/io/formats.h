@@ -12,6 +12,7 @@ enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 enum class OutputFormat { off, ply, obj, npy, svg, png };
 enum class ShapeFormat { geojson, wkt, svg, png };
+enum class LevelFormat { csv, json };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<PointFormat> point_format(std::string_view name);
@@ -19,6 +20,7 @@ std::optional<MeshFormat> mesh_format(std::string_view name);
 std::optional<PolylineFormat> polyline_format(std::string_view name);
 std::optional<OutputFormat> output_format(std::string_view name);
 std::optional<ShapeFormat> shape_format(std::string_view name);
+std::optional<LevelFormat> level_format(std::string_view name);
 
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);

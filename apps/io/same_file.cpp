@@ -24,6 +24,18 @@ bool same_file(const std::string& a, const std::string& b) {
   return full(a) == full(b);
 }
 
+void require_place(const std::string& path) {
+  if (path == "-") return;
+  if (path.empty()) throw WrongUsage("found an empty name of a file to write, expected a path");
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw Failure(path + ": found a folder, expected a file to write");
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) return;
+  const std::filesystem::file_type type = std::filesystem::status(folder, error).type();
+  if (type == std::filesystem::file_type::not_found)
+    throw Failure(path + ": found no folder " + in_quotes(folder.string()) + ", expected one to write to");
+}
+
 }  // namespace
 
 void require_different(const std::vector<std::string>& outputs, const std::string& input, const std::string& content) {
@@ -34,6 +46,7 @@ void require_different(const std::vector<std::string>& outputs, const std::strin
       if (same_file(outputs[i], outputs[k]))
         throw WrongUsage(outputs[i] + ": found twice among the files to write, expected once");
   }
+  for (const std::string& output : outputs) require_place(output);
 }
 
 }  // namespace rbpa::app

@@ -12,7 +12,10 @@
 namespace rbpa::app {
 namespace {
 
-constexpr int left = 80, right = 800, width = 960, height = 1090;
+// Pixels from the upper left corner.
+constexpr int left = 80, right = 800, width = 970, height = 1090;
+constexpr int curves_top = 80, curves_bottom = 500;
+constexpr int diagram_top = 600, never_dies = 605, last_death = 630, diagram_bottom = 1030;
 
 std::string number(double value) {
   std::array<char, 32> text{};
@@ -45,7 +48,10 @@ std::vector<std::pair<double, std::string>> ticks(const Axis& axis) {
   std::vector<std::pair<double, std::string>> all;
   const double stride = std::max(1.0, std::ceil((axis.high - axis.low) / 8));
   for (double t = std::ceil(axis.low); t <= axis.high; t += stride) all.emplace_back(t, number(std::pow(10, t)));
-  if (all.size() < 2) all = {{axis.low, number(std::pow(10, axis.low))}, {axis.high, number(std::pow(10, axis.high))}};
+  if (all.size() < 2) {
+    const auto end = [](double t) { return std::pair(t, number(std::pow(10, std::clamp(t, -323.0, 308.0)))); };
+    all = {end(axis.low), end(axis.high)};
+  }
   return all;
 }
 
@@ -86,7 +92,8 @@ void draw_curve(OutputFile& file, const FiltrationPlot& plot, const Axis& x, con
 void draw_mark(OutputFile& file, const Axis& x, const std::optional<double>& alpha, const std::string& name, int y) {
   if (!alpha) return;
   const int at = x.at(std::log10(*alpha));
-  line(file, at, y + 4, at, 500, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
+  // Below the labels of both marks.
+  line(file, at, curves_top - 10, at, curves_bottom, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
   text(file, at, y, name + " = " + number(*alpha), at < 200 ? "start" : at > 700 ? "end" : "middle");
 }
 
@@ -103,15 +110,15 @@ void draw_curves(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
   std::size_t most = 1;
   for (const FiltrationStep& step : plot.steps)
     for (const Series& series : all) most = std::max(most, step.*series.count);
-  const Axis y{0, std::log10(1 + static_cast<double>(most)), 500, 80};
-  draw_frame(file, x, 80, 500, "alpha");
-  text(file, left - 8, 505, "0", "end");
+  const Axis y{0, std::log10(1 + static_cast<double>(most)), curves_bottom, curves_top};
+  draw_frame(file, x, curves_top, curves_bottom, "alpha");
+  text(file, left - 8, curves_bottom + 5, "0", "end");
   for (double t = 1; t <= static_cast<double>(most); t *= 10) {
     const int at = y.at(std::log10(1 + t));
     line(file, left, at, right, at, grid);
     text(file, left - 8, at + 5, number(t), "end");
   }
-  int row = 100;
+  int row = curves_top + 20;
   for (const Series& series : all) {
     draw_curve(file, plot, x, y, series.count, series.colour);
     line(file, right + 15, row - 5, right + 35, row - 5,
@@ -125,16 +132,17 @@ void draw_curves(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
 
 /// Pairs whose dots would cover each other are one dot: whatever stands apart stays.
 void draw_diagram(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
-  const Axis y{x.low, x.high, 1030, 630};
-  draw_frame(file, x, 600, 1030, "birth");
-  text(file, left, 585, "death", "end");
+  const Axis y{x.low, x.high, diagram_bottom, last_death};
+  draw_frame(file, x, diagram_top, diagram_bottom, "birth");
+  text(file, left, diagram_top - 15, "death", "end");
   for (const auto& [t, label] : ticks(y)) text(file, left - 8, y.at(t) + 5, label, "end");
-  line(file, left, 1030, right, 630, grid);
-  line(file, left, 605, right, 605, "stroke=\"#7d8b98\" stroke-dasharray=\"5 4\"");
-  text(file, right + 10, 610, "never dies", "start");
+  line(file, left, diagram_bottom, right, last_death, grid);
+  line(file, left, never_dies, right, never_dies, "stroke=\"#7d8b98\" stroke-dasharray=\"5 4\"");
+  text(file, right + 10, never_dies + 5, "never dies", "start");
   std::set<std::array<int, 3>> dots;
   for (const PersistencePair& pair : plot.pairs)
-    dots.insert({pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : 605});
+    dots.insert(
+        {pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : never_dies});
   for (const auto& [dimension, at, death] : dots)
     file.write(std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
                "\" fill=\"" + (dimension == 0 ? "#10335c" : "#d9730d") + "\"/>\n");

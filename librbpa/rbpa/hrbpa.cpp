@@ -18,17 +18,19 @@ namespace {
 template <typename Real>
 class HierarchicalRun {
  public:
-  HierarchicalRun(const PointGrid<Real>& grid, double least, Radius radius, Real grid_unit,
+  HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
                   const HierarchyOptions& options)
-      : ladder_(least, radius, grid.diameter_bound()),
+      : alpha_(alpha),
+        ladder_(least, radius, grid.diameter_bound()),
         pivot_(grid, Radius(), grid_unit),
         apexes_(pivot_),
         seeds_(grid, ladder_, pivot_, apexes_),
         report_(options.progress, grid.points().size()),
         policy_(grid, ladder_, apexes_, seeds_, report_) {}
 
-  std::vector<Level> advance(meshops::Front& front) {
-    std::vector<Level> levels;
+  /// Fills in the levels.
+  void advance(meshops::Front& front, Hierarchy& result) {
+    std::vector<Level>& levels = result.levels;
     std::vector<meshops::Site> free(front.sites());
     std::iota(free.begin(), free.end(), 0);
     Level level{.alpha = alpha(0), .transferred = free.size(), .taking_part = free.size()};
@@ -37,16 +39,24 @@ class HierarchicalRun {
       policy_.begin(level.number);
       seeds_.begin(level.number, std::move(free));
       meshops::advance(front, policy_, report_);
+      level.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      // Sites may have been looked at in vain: which, depends on the order of the input.
+      const bool in_vain =
+          !levels.empty() && front.faces() == levels.back().triangles && !ladder_.is_last(level.number);
       level.triangles = front.faces();
-      level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      levels.push_back(level);
+      if (in_vain)
+        result.looked_in_vain += level.taking_part;
+      else
+        levels.push_back(level);
       if (ladder_.is_last(level.number)) break;
 
       const meshops::LevelTransfer transfer = front.next_level();
       const int next = next_level(level.number, transfer.carried);
-      if (next == ladder_.never) break;
-      level = {.alpha = alpha(next), .number = next, .transferred = transfer.carried.size()};
-      level.advancing = transfer.reactivated;
+      level = {.alpha = alpha(next),
+               .number = next,
+               .transferred = transfer.carried.size(),
+               .advancing = transfer.reactivated,
+               .seconds = in_vain ? level.seconds : 0};
       free.clear();
       for (const meshops::Site s : transfer.carried) {
         if (seeds_.wake(s) > next) continue;
@@ -54,25 +64,19 @@ class HierarchicalRun {
         if (front.is_free(s)) free.push_back(s);
       }
     }
-    return levels;
   }
 
  private:
-  double alpha(int level) const {
-    const Radius radius = ladder_.radius(level);
-    return radius.is_infinite() ? std::numeric_limits<double>::infinity() : radius.value();
-  }
+  double alpha(int level) const { return ladder_.is_last(level) ? alpha_ : ladder_.radius(level).value(); }
 
-  /// The first level after this one on which something can happen.
+  /// The first level after this one on which something can happen, or the last.
   int next_level(int level, const std::vector<meshops::Site>& carried) const {
     int next = policy_.next();
     for (const meshops::Site s : carried) next = std::min(next, seeds_.wake(s));
-    if (next == ladder_.never) return next;
-    next = std::max(next, level + 1);
-    while (next > level + 1 && ladder_.is_last(next - 1)) --next;
-    return next;
+    return std::clamp(next, level + 1, ladder_.end());
   }
 
+  double alpha_;  // as given: a radius beyond all circumradii is infinite to the ladder
   Ladder<Real> ladder_;
   Pivot<Real> pivot_;
   Apexes<Real> apexes_;
@@ -95,8 +99,8 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
       result.least_radius =
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
                      std::numeric_limits<double>::max());
-      HierarchicalRun<Real> run(grid, result.least_radius, radius, grid_unit, options);
-      result.levels = run.advance(assembly.front());
+      HierarchicalRun<Real> run(grid, result.least_radius, alpha, radius, grid_unit, options);
+      run.advance(assembly.front(), result);
     }
     assembly.finish();
   });

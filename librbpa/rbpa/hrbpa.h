@@ -19,25 +19,26 @@ namespace rbpa {
 /// One level of a hierarchy, as the run saw it.
 struct Level {
   double alpha = 0;             ///< the radius: 2^number α₀, or that of the whole run on the last level
-  int number = 0;               ///< levels on which nothing can happen are left out
+  int number = 0;               ///< levels between the first and the last that have no triangle are left out
   std::size_t transferred = 0;  ///< points carried on from the level before: isolated or on the boundary
   std::size_t taking_part = 0;  ///< of those, how many were looked at; the others sleep
   std::size_t advancing = 0;    ///< halfedges on the front when the level began
   std::size_t triangles = 0;    ///< of the mesh when the level ended; those added are the last
-  double seconds = 0;
+  double seconds = 0;           ///< with that of levels left out before it
 };
 
 struct HierarchyOptions {
   /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1.
-  std::size_t leaf_capacity = 64;
+  std::size_t leaf_capacity = 4096;
   /// Called every few milliseconds; returning false cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
 struct Hierarchy {
-  SolidAlphaComplex complex;  ///< its faces are in the order of the levels
-  double least_radius = 0;    ///< α₀; 0 when there is no triangle to look for
-  std::vector<Level> levels;  ///< ascending in alpha
+  SolidAlphaComplex complex;       ///< its faces are in the order of the levels
+  double least_radius = 0;         ///< α₀; 0 when there is no triangle to look for
+  std::vector<Level> levels;       ///< ascending in alpha
+  std::size_t looked_in_vain = 0;  ///< points that took part on levels left out
 };
 
 /// The solid alpha complex of `points` by hierarchical restricted ball pivoting.

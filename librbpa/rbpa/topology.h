@@ -19,6 +19,7 @@ struct ComplexCounts {
   std::size_t solid_components = 0;
   std::size_t components = 0;
   std::size_t holes = 0;
+  friend bool operator==(const ComplexCounts&, const ComplexCounts&) = default;
 };
 
 /// Cost: about linear.

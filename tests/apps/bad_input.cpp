@@ -136,7 +136,7 @@ TEST_SUITE("wrong usage") {
     folder.file("p.xy", corner);
     for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})
       refuses(folder, "mesh p.xy -o m.off --alpha=" + alpha, 2,
-              "--alpha: found '" + alpha + "', expected a radius: a number > 0, or inf");
+              "--alpha: found '" + alpha + "', expected a radius (a number > 0, or inf), auto or min");
   }
 
   TEST_CASE("no alpha, no verb, an unknown option") {
@@ -144,8 +144,23 @@ TEST_SUITE("wrong usage") {
     folder.file("p.xy", corner);
     CHECK(folder.rbpa("mesh p.xy -o m.off").code == 2);
     CHECK(folder.rbpa("").code == 2);
-    CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off --alhpa 2").code == 2);
-    CHECK_FALSE(folder.has("m.off"));
+    CHECK(folder.rbpa("info p.xy --stats -").code == 2);
+    refuses(folder, "mehs p.xy --alpha 1 -o m.off", 2,
+            "found 'mehs', expected mesh, alpha, shape or info (see rbpa --help)");
+    for (const std::string before : {"", "--alpha 1 "})  // with and without what is required
+      refuses(folder, "mesh p.xy " + before + "-o m.off --alhpa 2", 2,
+              "found '--alhpa', expected an option of rbpa mesh (see rbpa mesh --help)");
+    refuses(folder, "shape p.xy q.xy --alpha 1 -o s.wkt", 2,
+            "found 'q.xy', expected no more arguments of rbpa shape (see rbpa shape --help)");
+  }
+
+  TEST_CASE("an empty name") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    refuses(folder, "mesh '' --alpha 1 -o m.off", 2, "POINTS: found an empty name, expected a path or -");
+    refuses(folder, "mesh p.xy --alpha 1 -o ''", 2, "-o: found an empty name, expected a path or -");
+    refuses(folder, "mesh p.xy --alpha 1 -o m.off --stats ''", 2,
+            "found an empty name of a file to write, expected a path");
   }
 
   TEST_CASE("an unknown ending lists those that are known") {
@@ -185,14 +200,23 @@ TEST_SUITE("failure while running") {
   TEST_CASE("an unwritable output") {
     const Folder folder;
     folder.file("p.xy", corner);
-    refuses(folder, "mesh p.xy --alpha 1 -o none/m.off", 1, "none/m.off: cannot create: No such file or directory");
+    refuses(folder, "mesh p.xy --alpha 1 -o none/m.off", 1,
+            "none/m.off: found no folder 'none', expected one to write to");
+  }
+
+  TEST_CASE("a folder as output, and a missing folder, are found before anything is read") {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("d.off"));
+    refuses(folder, "mesh p.xy --alpha 1 -o d.off", 1, "d.off: found a folder, expected a file to write");
+    refuses(folder, "shape p.xy --alpha 1 -o s.wkt --stats a/b/s.json", 1,
+            "a/b/s.json: found no folder 'a/b', expected one to write to");
   }
 
   TEST_CASE("one output that fails keeps the others away and leaves what was there") {
     const Folder folder;
     folder.file("p.xy", corner);
     folder.file("m.off", "old");
-    CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off -o none/m.ply").code == 1);
+    CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off -o /dev/full --output-format ply").code == 1);
     CHECK(folder.content("m.off") == "old");
     CHECK(folder.names().size() == 2);
   }

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.h"
@@ -69,15 +70,16 @@ void stops(int sig, bool input_ends, const std::string& pipe_name,
 
 }  // namespace
 
-TEST_CASE("a signal while points are read, and one while triangles are made") {
+TEST_CASE("a signal while points are read, and one while triangles are made, by either method") {
   for (const int sig : {SIGINT, SIGTERM})
-    for (const bool all_points_sent : {false, true})
+    for (const auto& [method, all_points_sent] : {std::pair{"rbpa", false}, {"rbpa", true}, {"hrbpa", true}})
       stops(
           sig, all_points_sent, "pipe.f64xy",
-          [](const Folder& folder) -> std::vector<std::string> {
-            return {RBPA_PROGRAM, "mesh", folder.path("pipe.f64xy"), "--alpha", "inf", "-o", folder.path("m.off")};
+          [&, method = method](const Folder& folder) -> std::vector<std::string> {
+            return {RBPA_PROGRAM, "mesh", folder.path("pipe.f64xy"), "--alpha", "inf", "--method",
+                    method,       "-o",   folder.path("m.off")};
           },
-          [&](int pipe) {
+          [&, all_points_sent = all_points_sent](int pipe) {
             // Enough points for several seconds of work.
             std::string chunk(1 << 20, '\0');
             unsigned state = 1;

@@ -218,10 +218,10 @@ TEST_SUITE("meshtopo: failure while running") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     refuses(folder, "m.off -o /dev/full", 1, "/dev/full: cannot write: No space left on device");
-    refuses(folder, "m.off --json -o none/r.json", 1, "none/r.json: cannot create: No such file or directory");
-    refuses(folder, "m.off --repair -o none/m.off", 1, "none/m.off: cannot create: No such file or directory");
+    refuses(folder, "m.off --json -o none/r.json", 1, "none/r.json: found no folder 'none', expected one to write to");
+    refuses(folder, "m.off --repair -o none/m.off", 1, "none/m.off: found no folder 'none', expected one to write to");
     refuses(folder, "m.off --repair -o out.off --generators none/l.obj", 1,
-            "none/l.obj: cannot create: No such file or directory");
+            "none/l.obj: found no folder 'none', expected one to write to");
     refuses(folder, "m.off -o /dev/full --generators loops.json", 1,
             "/dev/full: cannot write: No space left on device");
   }

@@ -185,7 +185,8 @@ TEST_SUITE("shape") {
   TEST_CASE("wrong usage: the option, what was found, what was expected, and no file") {
     const Folder folder;
     folder.file("p.xy", corner);
-    refuses(folder, "shape p.xy --alpha 0 -o s.wkt", "--alpha: found '0', expected a radius: a number > 0, or inf");
+    refuses(folder, "shape p.xy --alpha 0 -o s.wkt",
+            "--alpha: found '0', expected a radius (a number > 0, or inf), auto or min");
     refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-hole-area=-1",
             "--min-hole-area: found '-1', expected an area: a number >= 0, or inf");
     refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-part-area nan",

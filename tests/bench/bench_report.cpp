@@ -1,6 +1,5 @@
 // A table of rbpa() against CGAL, both run in turn on the same points, as docs/performance.md shows it.
 //   bench_report [--runs=N] [--points=N]      5 runs of each, on 1,000,000 points
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -11,27 +10,15 @@
 #include "bench/contest.h"
 #include "bench/machine.h"
 #include "bench/memory.h"
+#include "bench/timings.h"
 
 namespace rbpa_bench {
 namespace {
 
 struct Figures {
-  std::vector<double> per_point;  ///< nanoseconds
+  Timings per_point;  ///< nanoseconds
   std::size_t triangles = 0;
   std::string bytes_per_point = "?";
-
-  double median() const {
-    std::vector<double> sorted = per_point;
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t middle = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
-  }
-  std::string text() const {
-    const auto [least, most] = std::minmax_element(per_point.begin(), per_point.end());
-    char line[64];
-    std::snprintf(line, sizeof line, "%.0f (%.0f–%.0f)", median(), *least, *most);
-    return line;
-  }
 };
 
 struct Row {
@@ -55,13 +42,14 @@ Row contest(const Workload& workload, std::size_t count, double alpha, int runs)
   for (int run = 0; run < runs; ++run)
     for (const Side& side : sides) {
       const Run result = side.contestant.run(points, alpha);
-      side.figures.per_point.push_back(1e9 * result.seconds / static_cast<double>(points.size()));
+      side.figures.per_point.of.push_back(1e9 * result.seconds / static_cast<double>(points.size()));
       side.figures.triangles = result.triangles;
     }
   std::printf("| %s | %zu | %s | %zu | %s | %s | %.2f | %s | %s |\n", std::string(workload.name).c_str(), points.size(),
               std::isinf(alpha) ? "∞" : std::to_string(std::lround(alpha)).c_str(), row.ours.triangles,
-              row.ours.text().c_str(), row.peer.text().c_str(), row.ours.median() / row.peer.median(),
-              row.ours.bytes_per_point.c_str(), row.peer.bytes_per_point.c_str());
+              row.ours.per_point.text().c_str(), row.peer.per_point.text().c_str(),
+              row.ours.per_point.median() / row.peer.per_point.median(), row.ours.bytes_per_point.c_str(),
+              row.peer.bytes_per_point.c_str());
   if (row.ours.triangles != row.peer.triangles)
     std::printf("\n**The triangles differ: CGAL with its rounded filter has %zu.**\n\n", row.peer.triangles);
   std::fflush(stdout);
@@ -78,8 +66,8 @@ void report(std::size_t count, int runs) {
   std::printf("|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const double alpha : {3.0, double(INFINITY)})
     for (const Workload& workload : {uniform, jittered, grid}) contest(workload, count, alpha, runs);
-  const double tenth = contest(uniform, count / 10, 3, runs).ours.median();
-  const double fourfold = contest(uniform, count * 4, 3, runs).ours.median();
+  const double tenth = contest(uniform, count / 10, 3, runs).ours.per_point.median();
+  const double fourfold = contest(uniform, count * 4, 3, runs).ours.per_point.median();
   std::printf("\nGrowth: %.2f times the time a point at %zu points compared with %zu.\n", fourfold / tenth, count * 4,
               count / 10);
 }

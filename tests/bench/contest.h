@@ -25,6 +25,10 @@ struct Contestant {
 /// rbpa::rbpa(): a halfedge mesh with input indices.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha);
 
+/// rbpa::hrbpa(): the same mesh, from the bottom up.
+Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
+Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
+
 /// The same by the paper's grid.
 Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha);
 
@@ -33,10 +37,11 @@ Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha);
 Run run_cgal(std::span<const rbpa::Point> points, double alpha);
 
 inline constexpr Contestant rbpa_near_to_far{"rbpa", run_rbpa};
+inline constexpr Contestant hrbpa{"hrbpa", run_hrbpa};
 inline constexpr Contestant rbpa_paper_grid{"rbpa_paper_grid", run_rbpa_paper_grid};
 inline constexpr Contestant cgal{"cgal", run_cgal};
 
-/// A kind of point set of mean spacing 1.
+/// A kind of point set; of mean spacing 1 where it is even.
 struct Workload {
   std::string_view name;
   rbpa_test::Points (*make)(std::size_t count);
@@ -45,5 +50,12 @@ struct Workload {
 extern const Workload uniform;
 extern const Workload jittered;  ///< a grid whose points are moved by up to 0.45 of its pitch in either direction
 extern const Workload grid;
+extern const Workload clusters;  ///< a hundred Gaussian clusters of equal number whose widths span three decades
+extern const Workload kuzmin;    ///< a heavy centre: density falls with the third power of the distance
+extern const Workload lidar;     ///< scan lines at map coordinates, quantised to a hundredth
+extern const Workload decades;   ///< spacing grows with the distance from the centre, from 1 to 1000
+
+/// Half of the points lie twice as dense as the others, as in the paper's figure 9.
+rbpa_test::Points two_level_sampling(std::size_t count);
 
 }  // namespace rbpa_bench

@@ -17,6 +17,19 @@ struct Quadrangle {
   Halfedge h, bc, ca, o, ad, db;
 };
 
+/// The apexes have an edge in common. Around the first, from one side of its triangle to the other: what lies next to
+/// the quadrangle is read anyway, and most vertices have few edges.
+bool apexes_are_joined(const Connectivity& mesh, const Quadrangle& q, Vertex c, Vertex d) {
+  constexpr int usual_degree = 12;
+  const Halfedge end = mesh.opposite_halfedge_handle(q.bc);
+  int looked = 0;
+  for (Halfedge out = detail::cw(mesh, q.ca); out != end; out = detail::cw(mesh, out)) {
+    if (mesh.to_vertex_handle(out) == d) return true;
+    if (++looked == usual_degree) return detail::are_joined(mesh, c, d);
+  }
+  return false;
+}
+
 const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
   if (!is_live(mesh, e)) return "no such edge";
   const Quadrangle q(mesh, e);
@@ -24,7 +37,7 @@ const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
   if (!detail::is_triangle(mesh, q.h) || !detail::is_triangle(mesh, q.o)) return "a face is not a triangle";
   const Vertex c = mesh.to_vertex_handle(q.bc), d = mesh.to_vertex_handle(q.ad);
   if (c == d) return "both triangles have the same apex: the edge would become a loop";
-  if (keep == Keep::simplicial && detail::are_joined(mesh, c, d)) return "two edges would join the same vertices";
+  if (keep == Keep::simplicial && apexes_are_joined(mesh, q, c, d)) return "two edges would join the same vertices";
   return nullptr;
 }
 

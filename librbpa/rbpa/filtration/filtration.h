@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,8 +37,10 @@ struct Filtration {
 
 /// The filtration of `points` by circumradius.
 /// Requires: `delaunay` is rbpa(points, infinity), and `points` are the same.
-/// Throws:   ContractViolation when the complex stands on points that are not those given.
-RBPA_API Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points);
+/// Throws:   ContractViolation when the complex stands on points that are not those given; Cancelled when `go_on`, which
+///           is called every few milliseconds, returns false. Empty: never called.
+RBPA_API Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                               const std::function<bool()>& go_on = {});
 
 /// The least alpha at which every distinct point is in a triangle; with `most_components`, at which moreover there are
 /// at most that many solid components (their number is not monotone in alpha: it may exceed the bound again above).

@@ -17,16 +17,19 @@ class Ladder {
 
   /// Requires: 0 < least < ∞. The ladder ends with the radius `last`. Where that is infinite, no level but the last has
   /// a radius above `largest`.
-  Ladder(double least, Radius last, Real largest)
-      : least_(least),
-        last_(last),
-        bound_(last.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(last.value())) {}
+  Ladder(double least, Radius last, Real largest) : least_(least), last_(last) {
+    const Real bound =
+        last.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(last.value());
+    while (std::ldexp(Real(least), end_) < bound) ++end_;
+  }
 
-  bool is_last(int level) const { return !(std::ldexp(Real(least_), level) < bound_); }
+  /// The number of the last level, that of the radius `last`.
+  int end() const { return end_; }
+  bool is_last(int level) const { return level >= end_; }
   Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
 
   /// A level such that the radii of all before it are less than `radius`, which may be rounded; seldom one too early.
-  /// It may lie behind the last.
+  /// It may lie behind the last where that has a finite radius; an infinite one reaches all that is finite.
   int first_reaching(Real radius) const {
     constexpr Real deflated = 1 - Real(1e-5);
     const Real ratio = radius / Real(least_) * deflated;
@@ -34,13 +37,13 @@ class Ladder {
     if (!(ratio < std::numeric_limits<Real>::infinity())) return never;
     int exponent;
     std::frexp(ratio, &exponent);
-    return exponent;
+    return last_.is_infinite() ? std::min(exponent, end_) : exponent;
   }
 
  private:
   double least_;
   Radius last_;
-  Real bound_;
+  int end_ = 0;
 };
 
 }  // namespace rbpa

@@ -39,7 +39,8 @@ class Quadtree {
   }
 
   /// Calls visit(Square) for every square that is cut. A square that holds points in one quarter only is not visited
-  /// for itself: what is cut there lies in that quarter.
+  /// for itself: what is cut there lies in that quarter. The last of them is, where the numbers end before the points
+  /// part.
   template <typename Visit>
   void for_each_cut(Visit visit) {
     cut(points_, root_, visit);
@@ -68,12 +69,16 @@ class Quadtree {
     const Box box = box_of(points);
     const Real right = box.x + box.width, top = box.y + box.height;
     Real x, y;  // where the square is cut
-    for (;;) {
+    for (Square parent = square;;) {
       x = square.x + square.side / 2;
       y = square.y + square.side / 2;
-      if (!(x > square.x && y > square.y)) return;  // too small for its place: the numbers end here
+      if (!(x > square.x && y > square.y)) {  // too small for its place: the numbers end here
+        if (square.side < parent.side) visit(parent);
+        return;
+      }
       const bool in_right = box.x >= x, in_left = right < x, in_top = box.y >= y, in_bottom = top < y;
       if (!(in_right || in_left) || !(in_top || in_bottom)) break;
+      parent = square;
       square = {in_right ? x : square.x, in_top ? y : square.y, square.side / 2};
     }
     visit(square);

@@ -10,11 +10,10 @@ PointGrid<Real>::PointGrid(std::span<const Point> input) {
   if (input.empty()) return;
   points_.resize(input.size() + padding);
   index_.resize(input.size());
-  Level root = make_level(input);
-  sort_into_cells(root, input, {}, 0);
-  remove_repetitions(root);
-  levels_.push_back(std::move(root));
+  levels_.push_back(make_level(input));
+  sort_into_cells(levels_[0], input, {}, 0);
   for (std::size_t i = 0; i < levels_.size(); ++i) refine(i);
+  remove_repetitions();
 }
 
 /// A grid over the box of some points, its cells still empty.
@@ -66,25 +65,21 @@ void PointGrid<Real>::sort_into_cells(Level& level, std::span<const Point> point
   }
 }
 
-/// Marks every point of [first, last) that equals one before it. The range is in input order.
+/// Finds every point of [first, last) that equals one before it. The range is in input order.
 template <typename Real>
-bool PointGrid<Real>::keep_first_of_equals(std::uint32_t first, std::uint32_t last,
-                                           std::vector<std::uint8_t>& repeated) {
-  bool any = false;
-  const auto mark = [&](std::uint32_t repetition, std::uint32_t original) {
-    if (!any) repeated.assign(last - first, 0);
-    any = true;
-    repeated[repetition - first] = 1;
+void PointGrid<Real>::find_repetitions(std::uint32_t first, std::uint32_t last, std::vector<std::uint32_t>& repeated) {
+  const auto note = [&](std::uint32_t repetition, std::uint32_t original) {
+    repeated.push_back(repetition);
     repetitions_.push_back({index_[repetition], index_[original]});
   };
   if (last - first <= 8) {
     for (std::uint32_t i = first + 1; i < last; ++i)
       for (std::uint32_t j = first; j < i; ++j)
         if (points_[i] == points_[j]) {
-          mark(i, j);  // j is the first of its equals, as the search goes upward
+          note(i, j);  // j is the first of its equals, as the search goes upward
           break;
         }
-    return any;
+    return;
   }
   std::vector<std::uint32_t> order(last - first);
   std::iota(order.begin(), order.end(), first);
@@ -94,41 +89,50 @@ bool PointGrid<Real>::keep_first_of_equals(std::uint32_t first, std::uint32_t la
   std::uint32_t original = order[0];
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (points_[order[k]] == points_[original])
-      mark(order[k], original);
+      note(order[k], original);
     else
       original = order[k];
   }
-  return any;
 }
 
+/// Leaves one of all equal points, in every cell where it was. Equal points share a cell at every level.
 template <typename Real>
-void PointGrid<Real>::remove_repetitions(Level& level) {
-  std::vector<std::uint8_t> repeated;
-  std::uint32_t kept = 0;
-  std::uint32_t first = 0;
-  for (std::size_t cell = 0; cell + 1 < level.start.size(); ++cell) {
-    const std::uint32_t last = level.start[cell + 1];
-    const bool any = last - first > 1 && keep_first_of_equals(first, last, repeated);
-    level.start[cell] = kept;
-    if (!any && kept == first) {
-      kept = last;
-    } else {
-      for (std::uint32_t i = first; i < last; ++i) {
-        if (any && repeated[i - first]) continue;
-        points_[kept] = points_[i];
-        index_[kept++] = index_[i];
-      }
+void PointGrid<Real>::remove_repetitions() {
+  std::vector<std::uint32_t> repeated;  // sites
+  for (const Level& level : levels_) {
+    auto child = level.children.begin();
+    for (std::uint32_t cell = 0; cell + 1 < level.start.size(); ++cell) {
+      if (child != level.children.end() && child->cell == cell)
+        ++child;  // its own cells are looked into
+      else if (level.start[cell + 1] - level.start[cell] > 1)
+        find_repetitions(level.start[cell], level.start[cell + 1], repeated);
     }
-    first = last;
   }
-  level.start.back() = kept;
-  points_.resize(kept + padding);
-  index_.resize(kept);
+  if (repeated.empty()) return;
+  std::sort(repeated.begin(), repeated.end());
   std::sort(repetitions_.begin(), repetitions_.end(),
             [](const Repetition& a, const Repetition& b) { return a.index < b.index; });
+
+  const auto before = [&](std::uint32_t site) {
+    return static_cast<std::uint32_t>(std::lower_bound(repeated.begin(), repeated.end(), site) - repeated.begin());
+  };
+  for (Level& level : levels_)
+    for (std::uint32_t& start : level.start) start -= before(start);
+  auto next = repeated.begin();
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < index_.size(); ++i) {
+    if (next != repeated.end() && *next == i) {
+      ++next;
+      continue;
+    }
+    points_[kept] = points_[i];
+    index_[kept++] = index_[i];
+  }
+  points_.resize(kept + padding);
+  index_.resize(kept);
 }
 
-/// Makes a grid of every cell with too many points. The points are distinct, so that each grid parts them.
+/// Makes a grid of every cell with too many points, unless all are one: each grid parts its points.
 template <typename Real>
 void PointGrid<Real>::refine(std::size_t level) {
   for (std::uint32_t cell = 0; cell + 1 < levels_[level].start.size(); ++cell) {
@@ -136,10 +140,20 @@ void PointGrid<Real>::refine(std::size_t level) {
     if (last - first <= most_in_cell) continue;
     const std::vector<Point> points(points_.begin() + first, points_.begin() + last);
     const std::vector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
+    if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; })) continue;
     Level finer = make_level(points);
     sort_into_cells(finer, points, index, first);
     levels_[level].children.push_back({cell, static_cast<std::uint32_t>(levels_.size())});
     levels_.push_back(std::move(finer));
+  }
+  Level& refined = levels_[level];
+  if (refined.children.empty()) return;
+  refined.child.resize(static_cast<std::size_t>(refined.rows) + 1);
+  std::size_t next = 0;
+  for (int row = 0; row <= refined.rows; ++row) {
+    const auto first = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(refined.columns);
+    while (next < refined.children.size() && refined.children[next].cell < first) ++next;
+    refined.child[static_cast<std::size_t>(row)] = static_cast<std::uint32_t>(next);
   }
 }
 

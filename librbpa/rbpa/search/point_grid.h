@@ -56,6 +56,15 @@ class PointGrid {
     int columns, rows;
     std::vector<std::uint32_t> start;  // of each cell, row by row, the first site; and the end
     std::vector<Child> children;       // the cells that are grids of their own, ascending
+    std::vector<std::uint32_t> child;  // of each row, the first of its children; and the end. Empty without children
+
+    /// The first child of a row that is not before a cell of it.
+    auto child_at(int row_number, std::uint32_t from) const {
+      if (children.empty()) return children.end();
+      const auto first = children.begin() + child[static_cast<std::size_t>(row_number)];
+      const auto last = children.begin() + child[static_cast<std::size_t>(row_number) + 1];
+      return std::lower_bound(first, last, from, [](const Child& c, std::uint32_t at) { return c.cell < at; });
+    }
 
     int clamp(Real cells, int count) const {
       if (!(cells > 0)) return 0;
@@ -73,8 +82,8 @@ class PointGrid {
   static Level make_level(std::span<const Point> points);
   void sort_into_cells(Level& level, std::span<const Point> points, std::span<const std::uint32_t> index,
                        std::uint32_t first);
-  void remove_repetitions(Level& level);
-  bool keep_first_of_equals(std::uint32_t first, std::uint32_t last, std::vector<std::uint8_t>& repeated);
+  void remove_repetitions();
+  void find_repetitions(std::uint32_t first, std::uint32_t last, std::vector<std::uint32_t>& repeated);
   void refine(std::size_t level);
 
   template <typename Visit>
@@ -89,12 +98,13 @@ class PointGrid {
 template <typename Real>
 Real PointGrid<Real>::cell_size_at(const Point& p) const {
   for (const Level* level = &levels_[0];;) {
-    const auto cell = static_cast<std::uint32_t>(level->row(Real(p.y))) * static_cast<std::uint32_t>(level->columns) +
+    const int row = level->row(Real(p.y));
+    const auto cell = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(level->columns) +
                       static_cast<std::uint32_t>(level->column(Real(p.x)));
     if (level->start[cell + 1] - level->start[cell] <= most_in_cell) return level->cell;
-    level = &levels_[std::lower_bound(level->children.begin(), level->children.end(), cell,
-                                      [](const Child& c, std::uint32_t at) { return c.cell < at; })
-                         ->level];
+    const auto child = level->child_at(row, cell);
+    if (child == level->children.end() || child->cell != cell) return level->cell;
+    level = &levels_[child->level];
   }
 }
 
@@ -120,9 +130,7 @@ void PointGrid<Real>::scan_level(const Level& level, const Region<Real>& region,
     std::uint32_t first = level.start[c0];
     const std::uint32_t last = level.start[c1];
     if (last - first > most_in_cell && !level.children.empty()) {
-      auto child = std::lower_bound(level.children.begin(), level.children.end(), c0,
-                                    [](const Child& c, std::uint32_t cell) { return c.cell < cell; });
-      for (; child != level.children.end() && child->cell < c1; ++child) {
+      for (auto child = level.child_at(r, c0); child != level.children.end() && child->cell < c1; ++child) {
         if (first < level.start[child->cell]) visit(first, level.start[child->cell]);
         scan_level(levels_[child->level], region, visit);
         first = level.start[child->cell + 1];

@@ -8,6 +8,7 @@
 
 #include "filtration/small_sets.h"
 #include "meshops/core/contract.h"
+#include "rbpa/core/error.h"
 #include "rbpa/topology.h"
 #include "support/generate.h"
 #include "support/random.h"
@@ -183,6 +184,20 @@ TEST_CASE("smallest_covering is the least alpha at which all points are covered,
     }
   }
   CHECK(ups_and_downs > 0);
+}
+
+TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
+  const Points points = random_grid(300, 40000, false, 3);
+  const rbpa::SolidAlphaComplex delaunay = rbpa::rbpa(points, infinity);
+  std::size_t calls = 0;
+  const Filtration whole = rbpa::filtration(delaunay, points, [&] { return ++calls > 0; });
+  CHECK(whole.steps == rbpa::filtration(delaunay, points).steps);
+  REQUIRE(calls > 20);
+  for (std::size_t last = 1; last <= calls; last += calls / 10) {
+    std::size_t call = 0;
+    CHECK_THROWS_AS(rbpa::filtration(delaunay, points, [&] { return ++call < last; }), rbpa::Cancelled);
+    CHECK(call == last);
+  }
 }
 
 TEST_CASE("a complex of other points, or not of all triangles, is refused") {

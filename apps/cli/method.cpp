@@ -1,0 +1,49 @@
+#include "cli/method.h"
+
+#include "cli/build.h"
+#include "cli/progress.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+Search parse_search(const std::string& text) {
+  if (text == "near") return Search::near_to_far;
+  if (text == "paper") return Search::paper_grid;
+  throw WrongUsage("--search: found " + in_quotes(text) + ", expected near or paper");
+}
+
+}  // namespace
+
+Method parse_method(const MethodArguments& arguments) {
+  Method method{.search = parse_search(arguments.search)};
+  if (arguments.method != "rbpa" && arguments.method != "hrbpa")
+    throw WrongUsage("--method: found " + in_quotes(arguments.method) + ", expected rbpa or hrbpa");
+  const bool hierarchical = arguments.method == "hrbpa";
+  if (hierarchical && method.search != Search::near_to_far)
+    throw WrongUsage("--search: found " + in_quotes(arguments.search) + " with --method hrbpa, expected near");
+  if (arguments.leaf_capacity) {
+    if (!hierarchical) throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
+    if (*arguments.leaf_capacity < 1)
+      throw WrongUsage("--leaf-capacity: found " + std::to_string(*arguments.leaf_capacity) +
+                       ", expected at least 1 point");
+  }
+  if (hierarchical)
+    method.leaf_capacity =
+        arguments.leaf_capacity ? static_cast<std::size_t>(*arguments.leaf_capacity) : HierarchyOptions().leaf_capacity;
+  return method;
+}
+
+Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, bool quiet) {
+  if (!method.leaf_capacity)
+    return {.complex = build(points, alpha, Options{.search = method.search, .progress = {}}, quiet), .levels = {}};
+  ProgressLine line(!quiet);
+  const auto watched = [&](const Progress& progress) {
+    line.show(progress);
+    return !interrupted();
+  };
+  return hrbpa(points, alpha, {.leaf_capacity = *method.leaf_capacity, .progress = watched});
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,37 @@
+// What: by which method a complex is made: the options about it, and the run.
+// Law:  the complex is the same set of triangles by every method.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rbpa/hrbpa.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa::app {
+
+/// What the command line says, as text.
+struct MethodArguments {
+  std::string method = "rbpa";
+  std::string search = "near";
+  std::optional<long> leaf_capacity;
+};
+
+struct Method {
+  Search search = Search::near_to_far;
+  /// Hierarchical, with at most so many points in a leaf; absent: with one radius.
+  std::optional<std::size_t> leaf_capacity = std::nullopt;
+
+  std::string name() const { return leaf_capacity ? "hrbpa" : "rbpa"; }
+};
+
+/// Throws WrongUsage naming the value: one that is none, or one that is about another method.
+Method parse_method(const MethodArguments& arguments);
+
+/// The complex with a progress line unless `quiet`; with levels where the method has them. Throws Cancelled after a
+/// signal.
+Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, bool quiet);
+
+}  // namespace rbpa::app

@@ -1,0 +1,141 @@
+// The tables of docs/hrbpa.md: hrbpa() against rbpa(), CGAL and the paper's RBPA, and what leaf capacity does.
+//   bench_hierarchy [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/contest.h"
+#include "bench/machine.h"
+#include "bench/timings.h"
+#include "rbpa/hrbpa.h"
+
+namespace rbpa_bench {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string name(const Workload& workload) { return std::string(workload.name); }
+
+/// Times of each contestant on the same points, in turn, in units of `unit` seconds.
+std::vector<Timings> contest(const rbpa_test::Points& points, double alpha, const std::vector<Contestant>& contestants,
+                             int runs, double unit) {
+  std::vector<Timings> timings(contestants.size());
+  for (int run = 0; run < runs; ++run)
+    for (std::size_t i = 0; i < contestants.size(); ++i)
+      timings[i].of.push_back(contestants[i].run(points, alpha).seconds / unit);
+  return timings;
+}
+
+double taking_part(const rbpa::Hierarchy& hierarchy) {
+  auto sum = static_cast<double>(hierarchy.looked_in_vain);
+  for (const rbpa::Level& level : hierarchy.levels) sum += static_cast<double>(level.taking_part);
+  return sum;
+}
+
+void against_cgal(std::size_t count, int runs) {
+  std::printf("Alpha = ∞. Nanoseconds a point: median (min–max).\n\n");
+  std::printf("| points | number | hrbpa | rbpa | CGAL | hrbpa / CGAL | rbpa / CGAL | levels | Σ taking part / n |\n");
+  std::printf("|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar}) {
+    const rbpa_test::Points points = workload.make(count);
+    const auto size = static_cast<double>(points.size());
+    const auto times = contest(points, infinity, {hrbpa, rbpa_near_to_far, cgal}, runs, 1e-9 * size);
+    const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, infinity);
+    std::printf("| %s | %zu | %s | %s | %s | %.2f | %.2f | %zu | %.2f |\n", name(workload).c_str(), points.size(),
+                times[0].text().c_str(), times[1].text().c_str(), times[2].text().c_str(),
+                times[0].median() / times[2].median(), times[1].median() / times[2].median(), hierarchy.levels.size(),
+                taking_part(hierarchy) / size);
+    std::fflush(stdout);
+  }
+}
+
+/// Figure 9: at twice α₀, and where spacing varies much.
+void against_the_paper(int runs) {
+  std::printf("\nMilliseconds: median (min–max).\n\n");
+  std::printf("| points | number | alpha | hrbpa | the paper's RBPA | ratio |\n|---|--:|--:|--:|--:|--:|\n");
+  const auto row = [&](const std::string& what, const rbpa_test::Points& points, double alpha, std::size_t capacity) {
+    Timings ours, paper;
+    for (int run = 0; run < runs; ++run) {
+      ours.of.push_back(1e3 * run_hrbpa_with(points, alpha, capacity).seconds);
+      paper.of.push_back(1e3 * run_rbpa_paper_grid(points, alpha).seconds);
+    }
+    std::printf("| %s | %zu | %.4g | %s | %s | %.1f |\n", what.c_str(), points.size(), alpha, ours.text(2).c_str(),
+                paper.text(2).c_str(), paper.median() / ours.median());
+    std::fflush(stdout);
+  };
+  const rbpa_test::Points two_scales = two_level_sampling(700);
+  const std::size_t few = 8;
+  const double least = rbpa::hrbpa(two_scales, infinity, {.leaf_capacity = few, .progress = {}}).least_radius;
+  row("two scales, as figure 9", two_scales, 2 * least, few);
+  row("two scales, default leaves", two_scales, 2 * least, rbpa::HierarchyOptions().leaf_capacity);
+  row(name(decades), decades.make(20000), 100, rbpa::HierarchyOptions().leaf_capacity);
+}
+
+/// A pair at a distance of 10⁻¹² spacings.
+void close_pair(std::size_t count, int runs) {
+  const rbpa_test::Points points = uniform.make(count);
+  rbpa_test::Points with_pair = points;
+  with_pair.push_back({points[count / 2].x, std::nextafter(points[count / 2].y, infinity)});
+  Timings without, with;
+  for (int run = 0; run < runs; ++run) {
+    without.of.push_back(1e3 * run_hrbpa(points, infinity).seconds);
+    with.of.push_back(1e3 * run_hrbpa(with_pair, infinity).seconds);
+  }
+  std::printf("\nOne pair at a distance of %.1g among %zu uniform points: %s ms, without it %s ms: %.2f times.\n",
+              with_pair.back().y - points[count / 2].y, count, with.text().c_str(), without.text().c_str(),
+              with.median() / without.median());
+}
+
+void leaf_capacities(std::size_t count, int runs) {
+  const std::vector<std::size_t> capacities{4, 16, 64, 256, 1024, 4096, 16384, 65536};
+  std::printf(
+      "\nAlpha = ∞, %zu points, by leaf capacity. Nanoseconds a point, median; Σ taking part / n.\n\n| points |",
+      count);
+  for (const std::size_t k : capacities) std::printf(" %zu |", k);
+  std::printf("\n|---|");
+  for (std::size_t i = 0; i < capacities.size(); ++i) std::printf("--:|");
+  std::printf("\n");
+  for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar}) {
+    const rbpa_test::Points points = workload.make(count);
+    const auto size = static_cast<double>(points.size());
+    std::vector<Timings> times(capacities.size());
+    for (int run = 0; run < runs; ++run)
+      for (std::size_t i = 0; i < capacities.size(); ++i)
+        times[i].of.push_back(1e9 * run_hrbpa_with(points, infinity, capacities[i]).seconds / size);
+    std::printf("| %s |", name(workload).c_str());
+    for (std::size_t i = 0; i < capacities.size(); ++i)
+      std::printf(" %.0f; %.2f |", times[i].median(),
+                  taking_part(rbpa::hrbpa(points, infinity, {.leaf_capacity = capacities[i], .progress = {}})) / size);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace rbpa_bench
+
+int main(int argc, char** argv) {
+  std::size_t points = 1000000;
+  int runs = 5;
+  for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
+    const auto value = [&](std::string_view name, auto& number) {
+      if (!given.starts_with(name)) return false;
+      const auto [end, error] = std::from_chars(given.data() + name.size(), given.data() + given.size(), number);
+      return error == std::errc{} && end == given.data() + given.size() && number > 0;
+    };
+    if (value("--points=", points) || value("--runs=", runs)) continue;
+    std::fprintf(stderr, "usage: bench_hierarchy [--runs=N] [--points=N]\n");
+    return 2;
+  }
+  std::printf("%s; %s; %s; %s `%s`; one thread, %d runs of each in turn.\n\n", rbpa_bench::processor().c_str(),
+              rbpa_bench::memory().c_str(), rbpa_bench::system().c_str(), rbpa_bench::compiler().c_str(),
+              rbpa_bench::compiler_flags().c_str(), runs);
+  rbpa_bench::against_cgal(points, runs);
+  rbpa_bench::against_the_paper(runs);
+  rbpa_bench::close_pair(points, runs);
+  rbpa_bench::leaf_capacities(points / 4, (runs + 1) / 2);
+}

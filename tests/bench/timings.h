@@ -1,0 +1,29 @@
+// What: times of repeated runs, and what a table says of them.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace rbpa_bench {
+
+struct Timings {
+  std::vector<double> of;  ///< each run, in one unit
+
+  double median() const {
+    std::vector<double> sorted = of;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t middle = sorted.size() / 2;
+    return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  }
+  /// Median (least–most).
+  std::string text(int digits = 0) const {
+    const auto [least, most] = std::minmax_element(of.begin(), of.end());
+    char line[96];
+    std::snprintf(line, sizeof line, "%.*f (%.*f–%.*f)", digits, median(), digits, *least, digits, *most);
+    return line;
+  }
+};
+
+}  // namespace rbpa_bench

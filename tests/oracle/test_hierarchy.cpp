@@ -1,0 +1,83 @@
+// hrbpa() against CGAL: the final complex, and the mesh after every level, for leaf capacities from 1 to 64.
+//   --largest=N   only sets with at most that many points
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "oracle/arguments.h"
+#include "oracle/check.h"
+#include "oracle/delaunay.h"
+#include "support/data_folder.h"
+#include "support/levels.h"
+#include "support/random.h"
+#include "support/read_points.h"
+#include "support/sets.h"
+#include "support/shrink.h"
+#include "support/spacing.h"
+
+namespace rbpa_test {
+namespace {
+
+constexpr std::size_t most_levels = 5;  // of a set with many, those looked at
+
+/// The triangles that were there when a level ended.
+std::vector<Triangle> triangles_after(const rbpa::Hierarchy& h, std::size_t level) {
+  std::vector<Triangle> found;
+  for (const auto face : h.complex.mesh.faces()) {
+    if (rbpa::level_of(h, static_cast<std::size_t>(face.idx())) > level) continue;
+    Triangle corners{};
+    std::size_t i = 0;
+    for (const auto v : face.vertices()) corners[i++] = h.complex.input_index[static_cast<std::size_t>(v.idx())];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    found.push_back(corners);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void check_set(const std::string& name, const Points& points, std::vector<double> alphas, Random& random) {
+  const DelaunayOracle oracle(points);
+  alphas.push_back(INFINITY);
+  for (const double alpha : alphas) {
+    const std::size_t capacity = std::size_t{1} << random.below(7);
+    INFO(name, ", ", points.size(), " points, alpha ", literal(alpha), ", leaf capacity ", capacity);
+    const rbpa::Hierarchy h = hierarchy(points, alpha, capacity);
+    const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
+    CHECK_MESSAGE(wrong.empty(), wrong);
+    const std::size_t step = std::max<std::size_t>(1, h.levels.size() / most_levels);
+    for (std::size_t i = 0; i < h.levels.size(); i += step) {
+      INFO("after level ", h.levels[i].number, ", alpha ", literal(h.levels[i].alpha));
+      const std::string wrong_here = difference(oracle.triangles(h.levels[i].alpha), triangles_after(h, i));
+      CHECK_MESSAGE(wrong_here.empty(), wrong_here);
+    }
+  }
+}
+
+bool of_asked_size(const Points& points) { return points.size() <= argument("largest", 20000); }
+
+TEST_CASE("generated sets: after every level the mesh is the Delaunay triangles within its radius") {
+  Random random(21);
+  for (const NamedSet& set : generated_sets()) {
+    const Points points = set.make();
+    if (of_asked_size(points)) check_set(std::string(set.name), points, set.alphas, random);
+  }
+}
+
+TEST_CASE("point files: after every level the mesh is the Delaunay triangles within its radius") {
+  Random random(22);
+  std::size_t sets = 0;
+  for (const auto& folder : {bundled_data(), further_data()}) {
+    for (const PointFile& file : point_files(folder)) {
+      const Points points = read_points(file);
+      if (!of_asked_size(points)) continue;
+      ++sets;
+      check_set(file.name, points, {2 * mean_spacing(points)}, random);
+    }
+  }
+  CHECK(sets >= 20);
+}
+
+}  // namespace
+}  // namespace rbpa_test

@@ -1,0 +1,131 @@
+#include "rbpa/hierarchy/ladder.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "rbpa/hierarchy/circumradius.h"
+#include "support/exact.h"
+#include "support/random.h"
+#include "support/samples.h"
+
+using namespace rbpa_test;
+using rbpa::Ladder;
+using rbpa::Point;
+using rbpa::Radius;
+
+TEST_SUITE_BEGIN("hierarchy");
+
+namespace {
+
+const double most = std::numeric_limits<double>::max();
+
+template <typename Real>
+void check_ladder(double least, Radius last, Real largest) {
+  CAPTURE(least);
+  const Ladder<Real> ladder(least, last, largest);
+  const Real end = last.is_infinite() ? largest : Real(last.value());
+  // The last level is the first whose power reaches the end.
+  CHECK(ladder.is_last(ladder.end()));
+  CHECK_FALSE(ladder.is_last(ladder.end() - 1));
+  CHECK(ladder.radius(ladder.end()).is_infinite() == last.is_infinite());
+  if (!last.is_infinite()) CHECK(ladder.radius(ladder.end()).value() == last.value());
+  for (int level = 0; level < ladder.end(); ++level) {
+    const double radius = ladder.radius(level).value();
+    REQUIRE(std::isfinite(radius));
+    REQUIRE(radius == std::ldexp(least, level));
+    REQUIRE(Real(radius) < end);
+  }
+}
+
+template <typename Real>
+void check_first_reaching(const Ladder<Real>& ladder, Real radius, double least) {
+  CAPTURE(radius);
+  const int first = ladder.first_reaching(radius);
+  REQUIRE(first >= 0);
+  // Those before are too small; the radius may be rounded by a millionth.
+  if (first > 0) REQUIRE(std::ldexp(Real(least), first - 1) < radius * (1 - Real(1e-6)));
+  // And not earlier than it must be, but within a hundred-thousandth of the power of two.
+  if (first < ladder.end()) REQUIRE(std::ldexp(Real(least), first) >= radius * (1 - Real(2e-5)));
+}
+
+}  // namespace
+
+TEST_CASE("the radii double until the last, which is as given") {
+  Random random(51);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double least = std::ldexp(1 + random.unit(), random.integer(-150, 100));
+    const double last = std::ldexp(1 + random.unit(), random.integer(-150, 150));
+    if (least >= last) continue;
+    check_ladder<double>(least, Radius(last), 1);
+    check_ladder<double>(least, Radius(), last);
+    check_ladder<long double>(least, Radius(last), 1);
+  }
+  check_ladder<double>(1, Radius(1024), 1);
+  check_ladder<double>(1, Radius(std::nextafter(1024, 0)), 1);
+  check_ladder<double>(1, Radius(std::nextafter(1024, 2000)), 1);
+  check_ladder<long double>(5e-324, Radius(most), 1);
+  check_ladder<long double>(5e-324, Radius(), std::ldexp(1.0L, 1030));
+  check_ladder<long double>(1e300, Radius(), std::ldexp(1.0L, 1030));
+}
+
+TEST_CASE("a least radius that is not below the last makes one level") {
+  for (const double last : {1.0, 0.5, 5e-324}) {
+    const Ladder<double> ladder(1, Radius(last), 1);
+    CHECK(ladder.end() == 0);
+    CHECK(ladder.radius(0).value() == last);
+  }
+  CHECK(Ladder<double>(1, Radius(), 0.5).radius(0).is_infinite());
+  CHECK(Ladder<long double>(most, Radius(), std::ldexp(1.0L, 1030)).end() == 0);
+}
+
+TEST_CASE("no level before the first that reaches a radius does, and that one does") {
+  Random random(52);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const double least = std::ldexp(1 + random.unit(), random.integer(-100, 10));
+    const Radius last = random.chance(0.5) ? Radius() : Radius(std::ldexp(least, random.integer(1, 200)));
+    const double some = random.chance(0.3) ? std::ldexp(least, random.integer(-3, 150))
+                                           : std::ldexp(1 + random.unit(), random.integer(-110, 150));
+    CAPTURE(least);
+    check_first_reaching(Ladder<double>(least, last, 1e9), some, least);
+    check_first_reaching(Ladder<double>(least, last, 1e9), jiggled(some, 5, random), least);
+    check_first_reaching(Ladder<long double>(least, last, 1e9L), static_cast<long double>(some), least);
+  }
+  const Ladder<long double> longest(5e-324, Radius(most), 1);
+  for (const double radius : {5e-324, 1e-310, 1e-300, 1.0, 1e300, most})
+    check_first_reaching(longest, static_cast<long double>(radius), 5e-324);
+  CHECK(longest.first_reaching(0) == 0);
+}
+
+TEST_CASE("no finite ladder reaches infinity, and an infinite one reaches every other radius with its last level") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(Ladder<double>(1, Radius(8), 1).first_reaching(infinity) == Ladder<double>::never);
+  CHECK(Ladder<double>(1, Radius(), 8).first_reaching(infinity) == Ladder<double>::never);
+  for (const double radius : {7.0, 8.0, 9.0, 1e10, 1e300})
+    CHECK(Ladder<double>(1, Radius(), 8).first_reaching(radius) == 3);
+  CHECK(Ladder<double>(1, Radius(8), 1).first_reaching(1e10) > 3);
+}
+
+TEST_CASE("the scheduled circumradius is not above the true one, and near it away from lines") {
+  Random random(53);
+  std::size_t near = 0, all = 0;
+  for (const Kind kind : kinds_that_fit_double) {
+    CAPTURE(name(kind));
+    for (int trial = 0; trial < 500; ++trial) {
+      Point p[3];
+      fill(p, kind, random);
+      if (exact::orientation(p[0], p[1], p[2]) == 0) continue;
+      const double r = rbpa::circumradius<double>(p[0], p[1], p[2]);
+      REQUIRE(r > 0);
+      REQUIRE(std::isfinite(r));
+      // Less by a millionth it is below; the ladder gives away ten.
+      CHECK(exact::compare_circumradius(p[0], p[1], p[2], r * (1 - 1e-6)) >= 0);
+      ++all;
+      near += exact::compare_circumradius(p[0], p[1], p[2], r * (1 + 1e-6)) <= 0;
+    }
+  }
+  CHECK(near > all / 2);
+}
+
+TEST_SUITE_END();
