@@ -172,7 +172,7 @@ std::string for_people(const Report& report) {
   text += "min       " + text_of(report.least_covering) + "  (least alpha that covers every point)\n";
   text += "auto      " + text_of(report.least_connected) + "  (moreover in at most " +
           counted(report.most_components, "solid component") + ")\n";
-  text += "critical  " + std::to_string(steps.size()) + " radii";
+  text += "critical  " + std::to_string(steps.size()) + (steps.size() == 1 ? " radius" : " radii");
   if (!steps.empty()) text += ", from " + text_of(steps.front().alpha) + " to " + text_of(steps.back().alpha);
   text += "\n";
   if (report.pairs) {
