@@ -1,19 +1,13 @@
 #include "cli/build.h"
 
-#include <algorithm>
-
 #include "cli/progress.h"
-#include "io/interrupt.h"
 #include "rbpa/collinear.h"
 
 namespace rbpa::app {
 
 SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Options options, bool quiet) {
   ProgressLine line(!quiet);
-  options.progress = [&](const Progress& progress) {
-    line.show(progress);
-    return !interrupted();
-  };
+  options.progress = line.watch();
   return rbpa(points, alpha, options);
 }
 

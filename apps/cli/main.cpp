@@ -3,6 +3,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/alpha_verb.h"
@@ -56,16 +57,21 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("K");
 }
 
-void add_mesh(CLI::App& app, MeshArguments& arguments) {
-  CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
-  add_point_options(verb, arguments);
-  add_alpha_options(verb, arguments);
-  verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(output_formats) +
+template <typename Arguments>
+void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view formats) {
+  verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(formats) +
                                                "; - is standard output; may be given several times")
       ->type_name("OUT")
       ->allow_extra_args(false);
   verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
       ->type_name("NAME");
+}
+
+void add_mesh(CLI::App& app, MeshArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
+  add_point_options(verb, arguments);
+  add_alpha_options(verb, arguments);
+  add_output_options(verb, arguments, output_formats);
   verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
   add_method_options(verb, arguments.method);
   verb.add_option("--search", arguments.method.search, "near, or paper (the grid of the paper); the result is the same")
@@ -115,12 +121,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
-  verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(shape_formats) +
-                                               "; - is standard output; may be given several times")
-      ->type_name("OUT")
-      ->allow_extra_args(false);
-  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
-      ->type_name("NAME");
+  add_output_options(verb, arguments, shape_formats);
   add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less, and what lies in them; inf fills all")

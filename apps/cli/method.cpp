@@ -3,7 +3,6 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 
 namespace rbpa::app {
 namespace {
@@ -39,11 +38,7 @@ Hierarchy build(const std::vector<Point>& points, double alpha, const Method& me
   if (!method.leaf_capacity)
     return {.complex = build(points, alpha, Options{.search = method.search, .progress = {}}, quiet), .levels = {}};
   ProgressLine line(!quiet);
-  const auto watched = [&](const Progress& progress) {
-    line.show(progress);
-    return !interrupted();
-  };
-  return hrbpa(points, alpha, {.leaf_capacity = *method.leaf_capacity, .progress = watched});
+  return hrbpa(points, alpha, {.leaf_capacity = *method.leaf_capacity, .progress = line.watch()});
 }
 
 }  // namespace rbpa::app

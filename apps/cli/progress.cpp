@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "io/interrupt.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -38,6 +40,13 @@ ProgressLine::ProgressLine(bool wanted) : shown_(wanted && isatty(STDERR_FILENO)
 
 ProgressLine::~ProgressLine() {
   if (written_) std::fputs("\r\x1b[K", stderr);
+}
+
+std::function<bool(const Progress&)> ProgressLine::watch() {
+  return [this](const Progress& progress) {
+    show(progress);
+    return !interrupted();
+  };
 }
 
 void ProgressLine::show(const Progress& progress) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "rbpa/rbpa.h"
@@ -17,9 +18,12 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void show(const Progress& progress);
+  /// For a run to call: shows how far it is, and says to stop after a signal. Must not outlive this line.
+  std::function<bool(const Progress&)> watch();
 
  private:
+  void show(const Progress& progress);
+
   using Clock = std::chrono::steady_clock;
 
   bool shown_;

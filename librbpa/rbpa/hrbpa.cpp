@@ -7,6 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/front/engine.h"
+#include "rbpa/collinear.h"
 #include "rbpa/hierarchy/policy.h"
 #include "rbpa/hierarchy/quadtree.h"
 #include "rbpa/run/assembly.h"
@@ -94,7 +95,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double below_all) {
     Assembly<Real> assembly(points, result.complex);
     const auto& grid = assembly.grid();
-    if (!assembly.collinear()) {
+    if (!are_collinear(grid.points())) {
       const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
       result.least_radius =
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),

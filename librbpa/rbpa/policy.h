@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "meshops/front/policy.h"
+#include "rbpa/pivot/front_pivot.h"
 #include "rbpa/seed/seeds.h"
 
 namespace rbpa {
@@ -16,8 +17,6 @@ namespace rbpa {
 template <typename Real, typename FrontPivot, typename Observer>
 class RestrictedBallPivoting {
  public:
-  using Site = std::uint32_t;
-
   /// Keeps references.
   RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot, Observer& observer)
       : seeds_(seeds), pivot_(pivot), observer_(observer) {}
@@ -27,12 +26,7 @@ class RestrictedBallPivoting {
   }
 
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
-    const auto& mesh = front.mesh();
-    // About half of the triangles fill a corner of the front: the neighbours on it are good guesses.
-    const auto before = static_cast<Site>(front.from_site(mesh.prev_halfedge_handle(h)));
-    const auto after = static_cast<Site>(front.to_site(mesh.next_halfedge_handle(h)));
-    const auto apex =
-        pivot_(static_cast<Site>(front.from_site(h)), static_cast<Site>(front.to_site(h)), {before, after});
+    const auto apex = pivot_on(pivot_, front, h);
     if (!apex) return std::nullopt;
     return static_cast<meshops::Site>(*apex);
   }

@@ -1,6 +1,7 @@
 #include "rbpa/rbpa.h"
 
 #include "meshops/front/engine.h"
+#include "rbpa/collinear.h"
 #include "rbpa/pivot/paper_pivot.h"
 #include "rbpa/policy.h"
 #include "rbpa/run/assembly.h"
@@ -45,7 +46,8 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   SolidAlphaComplex complex;
   with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double) {
     Assembly<Real> assembly(points, complex);
-    if (!assembly.collinear()) Run<Real>(assembly.grid(), radius, grid_unit, options).advance(assembly.front());
+    if (!are_collinear(assembly.grid().points()))
+      Run<Real>(assembly.grid(), radius, grid_unit, options).advance(assembly.front());
     assembly.finish();
   });
   return complex;

@@ -1,6 +1,5 @@
 // The tables of docs/hrbpa.md: hrbpa() against rbpa(), CGAL and the paper's RBPA, and what leaf capacity does.
 //   bench_hierarchy [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -8,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "bench/contest.h"
 #include "bench/machine.h"
 #include "bench/timings.h"
@@ -119,23 +119,13 @@ void leaf_capacities(std::size_t count, int runs) {
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  std::size_t points = 1000000;
-  int runs = 5;
-  for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
-    const auto value = [&](std::string_view name, auto& number) {
-      if (!given.starts_with(name)) return false;
-      const auto [end, error] = std::from_chars(given.data() + name.size(), given.data() + given.size(), number);
-      return error == std::errc{} && end == given.data() + given.size() && number > 0;
-    };
-    if (value("--points=", points) || value("--runs=", runs)) continue;
-    std::fprintf(stderr, "usage: bench_hierarchy [--runs=N] [--points=N]\n");
-    return 2;
-  }
+  const auto arguments = rbpa_bench::parse(argc, argv);
+  if (!arguments) return 2;
   std::printf("%s; %s; %s; %s `%s`; one thread, %d runs of each in turn.\n\n", rbpa_bench::processor().c_str(),
               rbpa_bench::memory().c_str(), rbpa_bench::system().c_str(), rbpa_bench::compiler().c_str(),
-              rbpa_bench::compiler_flags().c_str(), runs);
-  rbpa_bench::against_cgal(points, runs);
-  rbpa_bench::against_the_paper(runs);
-  rbpa_bench::close_pair(points, runs);
-  rbpa_bench::leaf_capacities(points / 4, (runs + 1) / 2);
+              rbpa_bench::compiler_flags().c_str(), arguments->runs);
+  rbpa_bench::against_cgal(arguments->points, arguments->runs);
+  rbpa_bench::against_the_paper(arguments->runs);
+  rbpa_bench::close_pair(arguments->points, arguments->runs);
+  rbpa_bench::leaf_capacities(arguments->points / 4, (arguments->runs + 1) / 2);
 }

@@ -1,12 +1,12 @@
 // A table of rbpa() against CGAL, both run in turn on the same points, as docs/performance.md shows it.
 //   bench_report [--runs=N] [--points=N]      5 runs of each, on 1,000,000 points
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bench/arguments.h"
 #include "bench/contest.h"
 #include "bench/machine.h"
 #include "bench/memory.h"
@@ -76,17 +76,7 @@ void report(std::size_t count, int runs) {
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  std::size_t points = 1000000;
-  int runs = 5;
-  for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
-    const auto value = [&](std::string_view name, auto& number) {
-      if (!given.starts_with(name)) return false;
-      const auto [end, error] = std::from_chars(given.data() + name.size(), given.data() + given.size(), number);
-      return error == std::errc{} && end == given.data() + given.size() && number > 0;
-    };
-    if (value("--points=", points) || value("--runs=", runs)) continue;
-    std::fprintf(stderr, "usage: bench_report [--runs=N] [--points=N]\n");
-    return 2;
-  }
-  rbpa_bench::report(points, runs);
+  const auto arguments = rbpa_bench::parse(argc, argv);
+  if (!arguments) return 2;
+  rbpa_bench::report(arguments->points, arguments->runs);
 }

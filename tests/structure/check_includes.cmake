@@ -11,6 +11,7 @@ set(arrows
   rbpa/predicate>rbpa/core
   rbpa/search>rbpa/core rbpa/search>rbpa/predicate
   rbpa/pivot>rbpa/core rbpa/pivot>rbpa/predicate rbpa/pivot>rbpa/search
+  rbpa/pivot>meshops/front
   rbpa/seed>rbpa/core rbpa/seed>rbpa/predicate rbpa/seed>rbpa/search rbpa/seed>rbpa/pivot
   rbpa/seed>meshops/front
   rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meshops/front/front.h"
+#include "rbpa/pivot/front_pivot.h"
 #include "rbpa/pivot/pivot.h"
 
 namespace rbpa {
@@ -24,7 +25,7 @@ class Apexes {
   /// The Delaunay apex left of a boundary halfedge; nothing on the convex hull.
   std::optional<Site> operator()(const meshops::Front& front, meshops::Halfedge h) const {
     const std::size_t edge = edge_of(h);
-    if (edge >= of_edge_.size() || of_edge_[edge] == unknown) return find(front, h);
+    if (edge >= of_edge_.size() || of_edge_[edge] == unknown) return pivot_on(pivot_, front, h);
     return of_edge_[edge] == none ? std::nullopt : std::optional(of_edge_[edge]);
   }
 
@@ -50,14 +51,6 @@ class Apexes {
       of_edge_.resize(edge + 4096, unknown);
     }
     return of_edge_[edge];
-  }
-
-  std::optional<Site> find(const meshops::Front& front, meshops::Halfedge h) const {
-    const auto& mesh = front.mesh();
-    // About half of the triangles fill a corner of the front: the neighbours on it are good guesses.
-    const auto before = static_cast<Site>(front.from_site(mesh.prev_halfedge_handle(h)));
-    const auto after = static_cast<Site>(front.to_site(mesh.next_halfedge_handle(h)));
-    return pivot_(static_cast<Site>(front.from_site(h)), static_cast<Site>(front.to_site(h)), {before, after});
   }
 
   const Pivot<Real>& pivot_;

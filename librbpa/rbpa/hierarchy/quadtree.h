@@ -34,7 +34,7 @@ class Quadtree {
   /// The side of the smallest leaf; of the root when that is the only one.
   Real smallest_side() {
     Real least = root_.side;
-    cut(points_, root_, [&](const Square& parent) { least = std::min(least, parent.side / 2); });
+    for_each_cut([&](const Square& parent) { least = std::min(least, parent.side / 2); });
     return least;
   }
 
@@ -45,8 +45,6 @@ class Quadtree {
   void for_each_cut(Visit visit) {
     cut(points_, root_, visit);
   }
-
-  const Square& root() const { return root_; }
 
  private:
   struct Box {

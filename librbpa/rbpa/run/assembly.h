@@ -25,14 +25,6 @@ class Assembly {
   const PointGrid<Real>& grid() const { return grid_; }
   meshops::Front& front() { return front_; }
 
-  /// All sites are on one line: there is no triangle to look for.
-  bool collinear() const {
-    const auto points = grid_.points();
-    if (points.size() < 3) return true;
-    return std::all_of(points.begin() + 2, points.end(),
-                       [&](const Point& p) { return Predicates<Real>::orientation(points[0], points[1], p) == 0; });
-  }
-
   /// Makes the complex of what the front has built. Once.
   void finish() {
     const auto points = grid_.points();

@@ -1,0 +1,22 @@
+// What: the pivot on a halfedge of the front.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "meshops/front/front.h"
+
+namespace rbpa {
+
+/// The apex that a pivot (Pivot, or PaperPivot for comparison) finds left of a boundary halfedge.
+template <typename AnyPivot>
+std::optional<std::uint32_t> pivot_on(const AnyPivot& pivot, const meshops::Front& front, meshops::Halfedge h) {
+  const auto& mesh = front.mesh();
+  // About half of the triangles fill a corner of the front: the neighbours on it are good guesses.
+  const auto before = static_cast<std::uint32_t>(front.from_site(mesh.prev_halfedge_handle(h)));
+  const auto after = static_cast<std::uint32_t>(front.to_site(mesh.next_halfedge_handle(h)));
+  return pivot(static_cast<std::uint32_t>(front.from_site(h)), static_cast<std::uint32_t>(front.to_site(h)),
+               {before, after});
+}
+
+}  // namespace rbpa
