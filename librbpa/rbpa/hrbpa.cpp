@@ -21,7 +21,9 @@ class HierarchicalRun {
  public:
   HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
                   const HierarchyOptions& options)
-      : alpha_(alpha),
+      : input_index_(grid.input_index()),
+        level_ended_(options.level_ended),
+        alpha_(alpha),
         ladder_(least, radius, grid.diameter_bound()),
         pivot_(grid, Radius(), grid_unit),
         apexes_(pivot_),
@@ -45,10 +47,12 @@ class HierarchicalRun {
       const bool in_vain =
           !levels.empty() && front.faces() == levels.back().triangles && !ladder_.is_last(level.number);
       level.triangles = front.faces();
-      if (in_vain)
+      if (in_vain) {
         result.looked_in_vain += level.taking_part;
-      else
+      } else {
         levels.push_back(level);
+        if (level_ended_) level_ended_({levels.back(), front, input_index_});
+      }
       if (ladder_.is_last(level.number)) break;
 
       const meshops::LevelTransfer transfer = front.next_level();
@@ -77,6 +81,8 @@ class HierarchicalRun {
     return std::clamp(next, level + 1, ladder_.end());
   }
 
+  std::span<const std::uint32_t> input_index_;
+  const std::function<void(const EndedLevel&)>& level_ended_;
   double alpha_;  // as given: a radius beyond all circumradii is infinite to the ladder
   Ladder<Real> ladder_;
   Pivot<Real> pivot_;
