@@ -11,6 +11,7 @@
 #include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/formats.h"
@@ -46,11 +47,18 @@ Report examine(const std::vector<Point>& points, std::size_t most_components, co
                ComplexKind kind) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), {}, arguments.quiet);
   Report report{.points = points.size(), .most_components = most_components};
-  report.filtration = filtration(delaunay, points, [] { return !interrupted(); });
+  {
+    ProgressLine line(!arguments.quiet);
+    const std::string doing = "radii of " + counted(delaunay.mesh.n_faces(), "triangle");
+    report.filtration = filtration(delaunay, points, line.watch(doing));
+  }
   stop_if_interrupted();
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);
-  if (arguments.persistence || arguments.picture) report.pairs = persistence(delaunay, points, report.filtration, kind);
+  if (arguments.persistence || arguments.picture) {
+    ProgressLine line(!arguments.quiet);
+    report.pairs = persistence(delaunay, points, report.filtration, kind, line.watch("persistence"));
+  }
   return report;
 }
 
