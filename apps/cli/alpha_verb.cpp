@@ -223,25 +223,24 @@ void run_alpha(const AlphaArguments& arguments) {
   Report report = examine(points, most_components, arguments, kind);
   stats.build_seconds = watch.lap();
 
-  std::optional<OutputFile> picture;
-  if (arguments.picture) {
-    write_svg(picture.emplace(*arguments.picture),
-              {report.filtration.steps, *report.pairs, report.least_covering, report.least_connected});
+  // What cannot be written is found out before anything is said on standard output.
+  OutputSet files;
+  OutputFile* picture = arguments.picture ? &files.add(*arguments.picture) : nullptr;
+  OutputFile* stats_file = arguments.stats ? &files.add(*arguments.stats) : nullptr;
+  if (picture) {
+    write_svg(*picture, {report.filtration.steps, *report.pairs, report.least_covering, report.least_connected});
     picture->finish();
     if (!arguments.persistence) report.pairs.reset();
   }
-  OutputFile out("-");
-  write(out, report, arguments);
-  if (picture) picture->publish();
+  write(files.add("-"), report, arguments);
   stats.write_seconds = watch.lap();
-  if (arguments.stats) {
+  if (stats_file) {
     stats.points = points.size();
     stats.distinct = report.filtration.distinct;
-    OutputFile file(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
-    file.publish();
+    write_stats(*stats_file, stats);
+    stats_file->finish();
   }
+  files.publish();
   if (report.filtration.steps.empty()) {
     const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
     std::fprintf(stderr, "rbpa: the complex is empty at every alpha: %s\n", why);

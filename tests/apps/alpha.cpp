@@ -162,6 +162,23 @@ TEST_SUITE("alpha") {
     CHECK(folder.names() == std::vector<std::string>{"p.xy"});
   }
 
+  TEST_CASE("all files of a run appear, or none does") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("p.svg", "before");
+    const Outcome no_folder = folder.rbpa("alpha p.xy -o p.svg --stats no_folder/s.json");
+    CHECK(no_folder.code == 1);
+    CHECK(no_folder.out.empty());
+    CHECK(folder.rbpa("alpha p.xy -o p.svg --stats s.json > /dev/full 2> /dev/null && true").code == 1);
+    CHECK(folder.rbpa("alpha p.xy -o no_folder/p.svg --stats s.json").code == 1);
+    CHECK(folder.rbpa("alpha p.xy -o p.svg --stats /dev/full").code == 1);
+    CHECK(folder.content("p.svg") == "before");
+    CHECK(folder.names() == std::vector<std::string>{"p.svg", "p.xy"});
+    CHECK(folder.rbpa("alpha p.xy -o p.svg --stats s.json").code == 0);
+    CHECK(folder.content("p.svg") != "before");
+    CHECK(folder.names() == std::vector<std::string>{"p.svg", "p.xy", "s.json"});
+  }
+
   TEST_CASE("what cannot be meant is refused before anything is read") {
     const Folder folder;
     for (const std::string wrong : {"--json --csv", "--components 0", "--components -1", "--complex full",
