@@ -228,7 +228,7 @@ void run_alpha(const AlphaArguments& arguments) {
   OutputFile* picture = arguments.picture ? &files.add(*arguments.picture) : nullptr;
   OutputFile* stats_file = arguments.stats ? &files.add(*arguments.stats) : nullptr;
   if (picture) {
-    write_svg(*picture, {report.filtration.steps, *report.pairs, report.least_covering, report.least_connected});
+    picture->write(svg_of({report.filtration.steps, *report.pairs, report.least_covering, report.least_connected}));
     picture->finish();
     if (!arguments.persistence) report.pairs.reset();
   }
