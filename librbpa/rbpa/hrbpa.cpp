@@ -26,6 +26,7 @@ class HierarchicalRun {
   HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
                   const HierarchyOptions& options)
       : grid_(grid),
+        level_ended_(options.level_ended),
         alpha_(alpha),
         ladder_(least, radius, grid.diameter_bound()),
         pivot_(grid, Radius(), grid_unit),
@@ -37,12 +38,12 @@ class HierarchicalRun {
   /// Fills in the levels.
   void advance(meshops::Front& front, Hierarchy& result) {
     std::vector<Level>& levels = result.levels;
-    find_local_triangles(front);
+    auto start = std::chrono::steady_clock::now();
+    find_local_triangles(front);  // on the first level's account
     std::vector<meshops::Site> carried(front.sites()), free;
     std::iota(carried.begin(), carried.end(), 0);
     Level level{.alpha = alpha(0), .transferred = carried.size()};
-    for (;;) {
-      const auto start = std::chrono::steady_clock::now();
+    for (;; start = std::chrono::steady_clock::now()) {
       level.taking_part = insert_local_triangles(level.number, front);
       free.clear();
       for (const meshops::Site s : carried) {
@@ -58,10 +59,12 @@ class HierarchicalRun {
       const bool in_vain =
           !levels.empty() && front.faces() == levels.back().triangles && !ladder_.is_last(level.number);
       level.triangles = front.faces();
-      if (in_vain)
+      if (in_vain) {
         result.looked_in_vain += level.taking_part;
-      else
+      } else {
         levels.push_back(level);
+        if (level_ended_) level_ended_({levels.back(), front, grid_.input_index()});
+      }
       if (ladder_.is_last(level.number)) break;
 
       const meshops::LevelTransfer transfer = front.next_level();
@@ -114,6 +117,7 @@ class HierarchicalRun {
   }
 
   const PointGrid<Real>& grid_;
+  const std::function<void(const EndedLevel&)>& level_ended_;
   double alpha_;  // as given: a radius beyond all circumradii is infinite to the ladder
   Ladder<Real> ladder_;
   Pivot<Real> pivot_;
