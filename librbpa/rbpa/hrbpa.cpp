@@ -24,22 +24,27 @@ template <typename Real>
 class HierarchicalRun {
  public:
   HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
-                  const HierarchyOptions& options)
+                  const HierarchyOptions& options, const meshops::Front& front)
       : grid_(grid),
         level_ended_(options.level_ended),
         alpha_(alpha),
         ladder_(least, radius, grid.diameter_bound()),
-        pivot_(grid, Radius(), grid_unit),
+        report_(options.progress, grid.points().size()),
+        start_(std::chrono::steady_clock::now()),
+        local_(local_triangles(front)),
+        pivot_(grid, local_ ? local_->done() : std::vector<bool>(), grid_unit),
         apexes_(pivot_),
         seeds_(grid, ladder_, pivot_, apexes_),
-        report_(options.progress, grid.points().size()),
-        policy_(grid, ladder_, apexes_, seeds_, report_) {}
+        policy_(grid, ladder_, apexes_, seeds_, report_) {
+    if (!local_) return;
+    for (meshops::Site s = 0; s < static_cast<meshops::Site>(front.sites()); ++s)
+      if (local_->is_known(s)) seeds_.leave_out(s);
+  }
 
   /// Fills in the levels.
   void advance(meshops::Front& front, Hierarchy& result) {
     std::vector<Level>& levels = result.levels;
-    auto start = std::chrono::steady_clock::now();
-    find_local_triangles(front);  // on the first level's account
+    auto start = start_;
     std::vector<meshops::Site> carried(front.sites()), free;
     std::iota(carried.begin(), carried.end(), 0);
     Level level{.alpha = alpha(0), .transferred = carried.size()};
@@ -82,17 +87,17 @@ class HierarchicalRun {
   /// Extreme exponents do without tiles: there, all is found level by level.
   static constexpr bool has_tiles = std::is_same_v<Real, double>;
 
-  void find_local_triangles(const meshops::Front& front) {
+  std::optional<LocalTriangles> local_triangles(const meshops::Front& front) {
     if constexpr (has_tiles) {
-      local_.emplace(grid_.points(), ladder_);
+      LocalTriangles found(grid_.points(), ladder_);
       for_each_tile(grid_, Radius(), [&](const TileTriangles& tile) {
-        local_->add(tile);
+        found.add(tile);
         report_.worked(front);
       });
-      local_->sort();
-      for (meshops::Site s = 0; s < static_cast<meshops::Site>(front.sites()); ++s)
-        if (local_->is_known(s)) seeds_.leave_out(s);
+      found.sort();
+      return found;
     }
+    return std::nullopt;
   }
 
   /// Returns: at how many sites.
@@ -120,11 +125,12 @@ class HierarchicalRun {
   const std::function<void(const EndedLevel&)>& level_ended_;
   double alpha_;  // as given: a radius beyond all circumradii is infinite to the ladder
   Ladder<Real> ladder_;
-  Pivot<Real> pivot_;
+  Report report_;
+  std::chrono::steady_clock::time_point start_;  // tiles are on the account of the first level
+  std::optional<LocalTriangles> local_;
+  RemainingPivot<Real> pivot_;
   Apexes<Real> apexes_;
   LevelSeeds<Real> seeds_;
-  std::optional<LocalTriangles> local_;
-  Report report_;
   LevelPivoting<Real, Report> policy_;
 };
 
@@ -142,7 +148,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
       result.least_radius =
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
                      std::numeric_limits<double>::max());
-      HierarchicalRun<Real> run(grid, result.least_radius, alpha, radius, grid_unit, options);
+      HierarchicalRun<Real> run(grid, result.least_radius, alpha, radius, grid_unit, options, assembly.front());
       run.advance(assembly.front(), result);
     }
     assembly.finish();

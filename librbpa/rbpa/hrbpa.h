@@ -41,7 +41,7 @@ struct EndedLevel {
 
 struct HierarchyOptions {
   /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1.
-  std::size_t leaf_capacity = 4096;
+  std::size_t leaf_capacity = 16384;
   /// Called every few milliseconds; returning false cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
   /// Called with each level of Hierarchy::levels when it has ended, before the next one begins; its time is in no level's.

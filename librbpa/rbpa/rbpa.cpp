@@ -1,5 +1,7 @@
 #include "rbpa/rbpa.h"
 
+#include <array>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
 #include "rbpa/pivot/paper_pivot.h"
+#include "rbpa/pivot/remaining_pivot.h"
 #include "rbpa/policy.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
@@ -15,38 +18,62 @@
 namespace rbpa {
 namespace {
 
+/// What the tiles have begun, where there is no radius: all that is missing hangs together with it through edges.
+template <typename Real>
+class Continue {
+ public:
+  explicit Continue(const RemainingPivot<Real>& pivot) : pivot_(pivot) {}
+
+  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front&) const { return std::nullopt; }
+  std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
+    const auto apex = pivot_on(pivot_, front, h);
+    if (!apex) return std::nullopt;
+    return static_cast<meshops::Site>(*apex);
+  }
+
+ private:
+  const RemainingPivot<Real>& pivot_;
+};
+
 template <typename Real>
 class Run {
  public:
   Run(const PointGrid<Real>& grid, Radius radius, Real grid_unit, const Options& options)
-      : grid_(grid), radius_(radius), pivot_(grid, radius, grid_unit), grid_unit_(grid_unit), options_(options) {}
+      : grid_(grid), radius_(radius), grid_unit_(grid_unit), report_(options.progress, grid.points().size()) {}
 
-  void advance(meshops::Front& front) const {
-    Report report(options_.progress, grid_.points().size());
-    if (options_.search == Search::near_to_far) {
-      std::vector<bool> known;
-      // Extreme exponents do without tiles.
-      if constexpr (std::is_same_v<Real, double>)
-        known = lay_tiles(grid_, radius_, front, [&] { report.worked(front); });
-      advance(front, pivot_, std::move(known), report);
+  void by_tiles(meshops::Front& front) {
+    std::vector<bool> known;
+    // Extreme exponents do without tiles.
+    if constexpr (std::is_same_v<Real, double>)
+      known = lay_tiles(grid_, radius_, front, [&] { report_.worked(front); });
+    if (radius_.is_infinite() && front.faces() > 0) {
+      const RemainingPivot<Real> pivot(grid_, known, grid_unit_);
+      Continue<Real> policy(pivot);
+      meshops::advance(front, policy, report_);
     } else {
-      advance(front, PaperPivot<Real>(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_), {}, report);
+      const Pivot<Real> pivot(grid_, radius_, grid_unit_);
+      advance(front, pivot, pivot, std::move(known));
     }
+  }
+
+  void by_the_paper(meshops::Front& front) {
+    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
+    advance(front, PaperPivot<Real>(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_), pivot, {});
   }
 
  private:
   template <typename FrontPivot>
-  void advance(meshops::Front& front, const FrontPivot& pivot, std::vector<bool> known, Report& report) const {
-    Seeds<Real> seeds(grid_, radius_, pivot_, std::move(known));
-    RestrictedBallPivoting<Real, FrontPivot, Report> policy(seeds, pivot, report);
-    meshops::advance(front, policy, report);
+  void advance(meshops::Front& front, const FrontPivot& front_pivot, const Pivot<Real>& pivot,
+               std::vector<bool> known) {
+    Seeds<Real> seeds(grid_, radius_, pivot, std::move(known));
+    RestrictedBallPivoting<Real, FrontPivot, Report> policy(seeds, front_pivot, report_);
+    meshops::advance(front, policy, report_);
   }
 
   const PointGrid<Real>& grid_;
   Radius radius_;
-  Pivot<Real> pivot_;
   Real grid_unit_;
-  const Options& options_;
+  Report report_;
 };
 
 }  // namespace
@@ -56,8 +83,13 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   SolidAlphaComplex complex;
   with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double) {
     Assembly<Real> assembly(points, complex);
-    if (!are_collinear(assembly.grid().points()))
-      Run<Real>(assembly.grid(), radius, grid_unit, options).advance(assembly.front());
+    if (!are_collinear(assembly.grid().points())) {
+      Run<Real> run(assembly.grid(), radius, grid_unit, options);
+      if (options.search == Search::near_to_far)
+        run.by_tiles(assembly.front());
+      else
+        run.by_the_paper(assembly.front());
+    }
     assembly.finish();
   });
   return complex;

@@ -8,9 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "meshops/core/large_pages.h"
 #include "meshops/front/front.h"
 #include "rbpa/pivot/front_pivot.h"
-#include "rbpa/pivot/pivot.h"
+#include "rbpa/pivot/remaining_pivot.h"
 
 namespace rbpa {
 
@@ -19,14 +20,20 @@ class Apexes {
  public:
   using Site = std::uint32_t;
 
-  /// Keeps a reference to a pivot of infinite radius.
-  explicit Apexes(const Pivot<Real>& pivot) : pivot_(pivot) {}
+  /// Keeps a reference.
+  explicit Apexes(const RemainingPivot<Real>& pivot) : pivot_(pivot) {}
 
   /// The Delaunay apex left of a boundary halfedge; nothing on the convex hull.
   std::optional<Site> operator()(const meshops::Front& front, meshops::Halfedge h) const {
     const std::size_t edge = edge_of(h);
     if (edge >= of_edge_.size() || of_edge_[edge] == unknown) return pivot_on(pivot_, front, h);
     return of_edge_[edge] == none ? std::nullopt : std::optional(of_edge_[edge]);
+  }
+
+  /// The apex is remembered, so that keep() would change nothing.
+  bool is_kept(meshops::Halfedge h) const {
+    const std::size_t edge = edge_of(h);
+    return edge < of_edge_.size() && of_edge_[edge] != unknown;
   }
 
   /// Keeps the apex beyond a boundary halfedge that somebody else has found.
@@ -50,13 +57,16 @@ class Apexes {
   Site& at(const meshops::Front& front, meshops::Halfedge h) {
     const std::size_t edge = edge_of(h);
     if (edge >= of_edge_.size()) {
-      of_edge_.reserve(3 * front.sites());  // all the edges that there can be; what is not used is never touched
+      if (of_edge_.empty()) {
+        of_edge_.reserve(3 * front.sites());  // all the edges that there can be; what is not used is never touched
+        meshops::prefer_large_pages(of_edge_.data(), of_edge_.capacity() * sizeof(Site));
+      }
       of_edge_.resize(edge + 4096, unknown);
     }
     return of_edge_[edge];
   }
 
-  const Pivot<Real>& pivot_;
+  const RemainingPivot<Real>& pivot_;
   std::vector<Site> of_edge_;
 };
 

@@ -32,8 +32,9 @@ class LevelSeeds {
   using Site = std::uint32_t;
   using P = Predicates<Real>;
 
-  /// Keeps references. `pivot` has no radius.
-  LevelSeeds(const PointGrid<Real>& grid, const Ladder<Real>& ladder, const Pivot<Real>& pivot, Apexes<Real>& apexes)
+  /// Keeps references.
+  LevelSeeds(const PointGrid<Real>& grid, const Ladder<Real>& ladder, const RemainingPivot<Real>& pivot,
+             Apexes<Real>& apexes)
       : grid_(grid),
         points_(grid.points()),
         ladder_(ladder),
@@ -240,7 +241,7 @@ class LevelSeeds {
   const PointGrid<Real>& grid_;
   std::span<const Point> points_;
   const Ladder<Real>& ladder_;
-  const Pivot<Real>& pivot_;
+  const RemainingPivot<Real>& pivot_;
   Apexes<Real>& apexes_;
   std::vector<std::uint16_t> wake_;
   int level_ = 0;

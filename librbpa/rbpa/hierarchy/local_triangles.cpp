@@ -15,6 +15,7 @@ LocalTriangles::LocalTriangles(std::span<const Point> points, const Ladder<doubl
   level_.reserve(2 * points.size());
   meshops::prefer_large_pages(corners_.data(), corners_.capacity() * sizeof(corners_[0]));
   meshops::prefer_large_pages(across_.data(), across_.capacity() * sizeof(across_[0]));
+  meshops::prefer_large_pages(level_.data(), level_.capacity() * sizeof(level_[0]));
 }
 
 void LocalTriangles::add(const TileTriangles& tile) {
@@ -96,11 +97,24 @@ void LocalTriangles::sort() {
   start_.assign(static_cast<std::size_t>(ladder_.end()) + 3, 0);
   for (const std::uint16_t level : level_) ++start_[level + 1u];
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+  order_.reserve(level_.size());
+  face_.reserve(level_.size());
+  meshops::prefer_large_pages(order_.data(), order_.capacity() * sizeof(order_[0]));
+  meshops::prefer_large_pages(face_.data(), face_.capacity() * sizeof(face_[0]));
   order_.resize(level_.size());
   std::vector<std::uint32_t> next(start_);
   for (std::uint32_t t = 0; t < level_.size(); ++t) order_[next[level_[t]]++] = t;
   face_.assign(level_.size(), meshops::Face());
   seen_.assign(points_.size(), 0);
+}
+
+std::vector<bool> LocalTriangles::done() const {
+  std::vector<bool> done = known_;
+  const auto is_known_corner = [&](meshops::Site s) { return is_known(s); };
+  for (const auto& corners : corners_)
+    if (!std::all_of(corners.begin(), corners.end(), is_known_corner))
+      for (const meshops::Site s : corners) done[static_cast<std::size_t>(s)] = false;
+  return done;
 }
 
 std::uint32_t LocalTriangles::first_of_level(int level) const {
@@ -110,6 +124,62 @@ std::uint32_t LocalTriangles::first_of_level(int level) const {
 int LocalTriangles::next(int level) const {
   const std::uint32_t first = first_of_level(level);
   return first == first_of_level(ladder_.end() + 1) ? Ladder<double>::never : level_[order_[first]];
+}
+
+/// At how many of its corners the triangle is the first of its level.
+std::size_t LocalTriangles::count_sites(std::uint32_t triangle, int level) {
+  std::size_t sites = 0;
+  for (const meshops::Site s : corners_[triangle]) {
+    std::uint16_t& seen = seen_[static_cast<std::size_t>(s)];
+    sites += seen != level + 1;
+    seen = static_cast<std::uint16_t>(level + 1);
+  }
+  return sites;
+}
+
+/// Lays some triangles of the first level, in ascending order, as a patch.
+std::size_t LocalTriangles::lay(std::span<const std::uint32_t> triangles, int level, meshops::Front& front) {
+  const auto first = static_cast<int>(front.faces());
+  for (std::size_t i = 0; i < triangles.size(); ++i) face_[triangles[i]] = meshops::Face(first + static_cast<int>(i));
+  patch_.clear();
+  std::size_t sites = 0;
+  for (const std::uint32_t t : triangles) {
+    sites += count_sites(t, level);
+    patch_.triangles.push_back(corners_[t]);
+    auto& across = patch_.across.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int beyond = across_[t][i];
+      const auto other = static_cast<std::size_t>(beyond) / 3;
+      if (beyond == none)
+        across[i] = meshops::Patch::open;
+      else if (level_[other] > level)
+        across[i] = meshops::Patch::frozen;
+      else if (other < triangles.front() || other > triangles.back())
+        across[i] = meshops::Patch::open;
+      else
+        across[i] = 3 * (face_[other].idx() - first) + beyond % 3;
+    }
+  }
+  front.lay(patch_);
+  return sites;
+}
+
+/// Tells of the triangles of later levels beyond the front that was laid. `first` is the number of the first face's
+/// triangle in the order of levels.
+void LocalTriangles::remember_frozen(std::uint32_t first, meshops::Front& front, Apexes<double>& apexes) const {
+  for (const meshops::Halfedge h : front.frozen()) {
+    const meshops::Halfedge side = front.mesh().opposite_halfedge_handle(h);
+    const std::uint32_t t = order_[first + static_cast<std::uint32_t>(front.mesh().face_handle(side).idx())];
+    const auto i = static_cast<std::size_t>(std::find(corners_[t].begin(), corners_[t].end(), front.from_site(side)) -
+                                            corners_[t].begin());
+    apexes.remember(front, h, apex_beyond(across_[t][i]));
+  }
+}
+
+/// The corner of a triangle opposite to one of its sides.
+std::uint32_t LocalTriangles::apex_beyond(int side) const {
+  const auto s = static_cast<std::size_t>(side);
+  return static_cast<std::uint32_t>(corners_[s / 3][(s + 2) % 3]);
 }
 
 std::size_t LocalTriangles::insert(std::uint32_t triangle, int level, meshops::Front& front, Apexes<double>& apexes) {
@@ -128,23 +198,18 @@ std::size_t LocalTriangles::insert(std::uint32_t triangle, int level, meshops::F
   }
   const meshops::InsertedTriangle inserted = front.insert(sides, corner[0], corner[1], corner[2]);
   face_[triangle] = inserted.face;
-  std::size_t sites = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    std::uint16_t& seen = seen_[static_cast<std::size_t>(corner[i])];
-    sites += seen != level + 1;
-    seen = static_cast<std::uint16_t>(level + 1);
     if (sides.side[i].is_valid()) continue;
     const meshops::Halfedge h = mesh.opposite_halfedge_handle(inserted.side[i]);
     const int beyond = across_[triangle][i];
     if (beyond < 0) {
       front.activate(h);
     } else if (level_[static_cast<std::size_t>(beyond) / 3] > level) {
-      const auto& other = corners_[static_cast<std::size_t>(beyond) / 3];
-      apexes.remember(front, h, static_cast<std::uint32_t>(other[(static_cast<std::size_t>(beyond) + 2) % 3]));
+      apexes.remember(front, h, apex_beyond(beyond));
       front.freeze(h);
     }
   }
-  return sites;
+  return count_sites(triangle, level);
 }
 
 }  // namespace rbpa

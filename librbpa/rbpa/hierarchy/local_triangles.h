@@ -6,6 +6,7 @@
 // Cost: that of the tiles; then constant per triangle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -32,6 +33,10 @@ class LocalTriangles {
   /// Every triangle at the site is local.
   bool is_known(meshops::Site s) const { return known_[static_cast<std::size_t>(s)]; }
 
+  /// Of each site, whether it is no corner of a triangle with a corner that is not known: nothing that is still to be
+  /// found comes near it.
+  std::vector<bool> done() const;
+
   /// One of the triangles that insert() of this level, the last, put into the mesh is at the site.
   bool has_triangle(meshops::Site s, int level) const { return seen_[static_cast<std::size_t>(s)] == level + 1; }
 
@@ -44,15 +49,28 @@ class LocalTriangles {
   template <typename Inserted>
   std::size_t insert(int level, meshops::Front& front, Apexes<double>& apexes, Inserted inserted) {
     std::size_t sites = 0;
-    for (std::uint32_t i = first_of_level(level); i < first_of_level(level + 1); ++i) {
+    const std::uint32_t first = first_of_level(level), last = first_of_level(level + 1);
+    if (front.faces() == 0) {
+      for (std::uint32_t i = first; i < last; i += at_once) {
+        sites += lay({order_.data() + i, std::min<std::size_t>(at_once, last - i)}, level, front);
+        inserted();
+      }
+      front.join();
+      remember_frozen(first, front, apexes);
+      return sites;
+    }
+    for (std::uint32_t i = first; i < last; ++i) {
+      if (i + ahead < last) prefetch(order_[i + ahead]);
       sites += insert(order_[i], level, front, apexes);
-      if (i % 1024 == 0) inserted();
+      if (i % at_once == 0) inserted();
     }
     return sites;
   }
 
  private:
   static constexpr int none = -1;
+  static constexpr std::uint32_t at_once = 8192;  // triangles of a patch
+  static constexpr std::uint32_t ahead = 12;
 
   struct Seam {
     int side, next;
@@ -67,6 +85,15 @@ class LocalTriangles {
     return corners_[static_cast<std::size_t>(side) / 3][(static_cast<std::size_t>(side) + 1) % 3];
   }
   std::uint32_t first_of_level(int level) const;
+  std::size_t count_sites(std::uint32_t triangle, int level);
+  std::size_t lay(std::span<const std::uint32_t> triangles, int level, meshops::Front& front);
+  std::uint32_t apex_beyond(int side) const;
+  void remember_frozen(std::uint32_t first, meshops::Front& front, Apexes<double>& apexes) const;
+  void prefetch(std::uint32_t triangle) const {
+    __builtin_prefetch(&across_[triangle]);
+    __builtin_prefetch(&corners_[triangle]);
+    __builtin_prefetch(&face_[triangle]);
+  }
   std::size_t insert(std::uint32_t triangle, int level, meshops::Front& front, Apexes<double>& apexes);
 
   std::span<const Point> points_;
@@ -79,7 +106,8 @@ class LocalTriangles {
   std::vector<int> first_seam_;               // of each site
   std::vector<std::uint32_t> order_, start_;  // triangles by level; of each level the first
   std::vector<meshops::Face> face_;           // of each triangle that is in the mesh
-  std::vector<std::uint16_t> seen_;           // of each site, one more than the last level that had a triangle there
+  meshops::Patch patch_;
+  std::vector<std::uint16_t> seen_;  // of each site, one more than the last level that had a triangle there
 };
 
 }  // namespace rbpa

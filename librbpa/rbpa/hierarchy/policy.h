@@ -36,15 +36,15 @@ class LevelPivoting {
   }
 
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) {
+    const bool is_kept = apexes_.is_kept(h);
     const auto apex = apexes_(front, h);
-    if (!apex) {
-      apexes_.keep(front, h, apex);
-      return std::nullopt;
+    if (apex) {
+      const Point &a = points_[static_cast<Site>(front.from_site(h))],
+                  &b = points_[static_cast<Site>(front.to_site(h))];
+      if (radius_.template admits<Real>(a, b, points_[*apex])) return meshops::Site(*apex);
+      least_frozen_ = std::min(least_frozen_, circumradius<Real>(a, b, points_[*apex]));
     }
-    const Point &a = points_[static_cast<Site>(front.from_site(h))], &b = points_[static_cast<Site>(front.to_site(h))];
-    if (radius_.template admits<Real>(a, b, points_[*apex])) return meshops::Site(*apex);
-    apexes_.keep(front, h, apex);
-    least_frozen_ = std::min(least_frozen_, circumradius<Real>(a, b, points_[*apex]));
+    if (!is_kept) apexes_.keep(front, h, apex);
     return std::nullopt;
   }
 

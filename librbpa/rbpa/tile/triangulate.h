@@ -11,6 +11,8 @@
 
 #include "meshops/front/patch.h"
 #include "rbpa/pivot/radius.h"
+#include "rbpa/tile/coordinates.h"
+#include "rbpa/tile/local_front.h"
 #include "rbpa/tile/tile.h"
 
 namespace rbpa {
@@ -23,12 +25,11 @@ struct TileTriangles {
 
 /// What one thread works with, from tile to tile.
 struct TileWorkspace {
-  std::vector<float> x, y, low;
-  std::vector<std::int32_t> start, unknown;
-  std::vector<std::uint16_t> base;
-  std::vector<std::uint16_t> head, corner, across, link, queue;
-  std::vector<std::uint8_t> seen;
+  TileCoordinates coordinates;
+  LocalFront front;
+  std::vector<std::uint16_t> queue;
   std::vector<int> number;
+  std::vector<bool> uncertain;
 };
 
 /// Replaces `result`.

@@ -1,0 +1,384 @@
+// What: which point does a ball that rolls over a→b to its left touch first? For sixteen edges at a time, on the points
+//       of a tile. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
+// Law:  the answer is that of Pivot, or none where the tile's points do not tell it.
+// How:  as pivot/candidate.h: the circle through a, b and p has its centre k half-chords left of the chord's middle, and
+//       the least k wins. Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
+#if defined(RBPA_TILE_CONTEST_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_TILE_CONTEST_INL_H_
+#undef RBPA_TILE_CONTEST_INL_H_
+#else
+#define RBPA_TILE_CONTEST_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "rbpa/predicate/predicates.h"
+#include "rbpa/tile/coordinates.h"
+#include "rbpa/tile/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rbpa {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+class Contest {
+ public:
+  using Index = std::uint16_t;
+  static constexpr Index none = 0xffff;
+  static constexpr std::size_t batch = 16;
+
+  /// The edges to be asked, and the answers.
+  alignas(64) std::int32_t a[batch + 1], b[batch + 1];  // one more, so that a loop may write before it looks
+  Index apex[batch];
+
+  /// Keeps references.
+  Contest(const Tile& tile, const TileCoordinates& coordinates)
+      : tile_(tile),
+        at_(coordinates),
+        low_(tile.points.size() + batch * static_cast<std::size_t>(tile.rows)),
+        base_(low_.size()) {}
+
+  /// Finds the apexes of the first `size` edges, at least one.
+  void run(std::size_t size) {
+    for (std::size_t i = size; i < batch; ++i) {
+      a[i] = a[0];
+      b[i] = b[0];
+    }
+    look_around();
+    for (std::size_t i = 0; i < size; ++i) {
+      apex[i] = among_three_rows(i);
+      if (apex[i] == none) apex[i] = search(i);
+    }
+  }
+
+  /// One edge.
+  Index operator()(Index from, Index to) {
+    a[0] = from;
+    b[0] = to;
+    run(1);
+    return apex[0];
+  }
+
+ private:
+  using P = Predicates<double>;
+  using D = hn::CappedTag<float, batch>;
+  using I = hn::RebindToSigned<D>;
+  using V = hn::Vec<D>;
+
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  static constexpr float unit = 0x1p-24f;  // of one rounding
+  static constexpr float slack = 16 * unit;
+  static constexpr int rows_at_once = 3;
+  static constexpr std::size_t row_length = 16;  // points of a row that are looked at at once
+  // Measured: a first look this far finds the apex of nearly all edges, and seldom has to leave three rows.
+  static constexpr float first_reach_in_cells = 0.9f;
+  static constexpr float first_reach_in_chords = 0.6f;
+  static constexpr float most_first_reach_in_chords = 3;  // where a crowd fills a cell, the chord is the scale
+  static constexpr float most_reach = 4;                  // the whole tile, from any point of it
+
+  /// Where to look first, for all edges.
+  HWY_NOINLINE void look_around() {
+    const D d;
+    const I di;
+    const auto set = [&](float value) { return hn::Set(d, value); };
+    for (std::size_t i = 0; i < batch; i += hn::Lanes(d)) {
+      const auto ia = hn::Load(di, a + i), ib = hn::Load(di, b + i);
+      const V ax = hn::GatherIndex(d, at_.x.data(), ia), ay = hn::GatherIndex(d, at_.y.data(), ia);
+      const V bx = hn::GatherIndex(d, at_.x.data(), ib), by = hn::GatherIndex(d, at_.y.data(), ib);
+      const V half = set(0.5f), one = set(1), zero = hn::Zero(d);
+      const V dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy;
+      const V length = hn::Max(hn::Sqrt(squared), set(0x1p-60f));
+      const V reach = hn::Max(set(first_reach_in_chords) * length,
+                              hn::Min(set(most_first_reach_in_chords) * length, set(first_reach_in_cells * at_.cell)));
+      const V ratio = hn::Min((reach + reach) / length, set(0x1p20f));
+      const V k = hn::Sqrt(hn::Max(zero, ratio * ratio - one)), half_k = half * k;
+      // The box of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
+      const V x = half * (ax + bx) - half_k * dy, y = half * (ay + by) + half_k * dx;
+      const V radius = half * length * hn::Sqrt(one + k * k), wide = set(slack) * (one + radius + k);
+      const V r = radius + wide, chord_reach = half_k * squared, left_x = r * dy, left_y = r * dx;
+      const V x_low = hn::IfThenElse(hn::Neg(left_x) <= chord_reach, x - r, hn::Min(ax, bx) - wide);
+      const V x_high = hn::IfThenElse(left_x <= chord_reach, x + r, hn::Max(ax, bx) + wide);
+      const V y_low = hn::IfThenElse(left_y <= chord_reach, y - r, hn::Min(ay, by) - wide);
+      const V y_high = hn::IfThenElse(hn::Neg(left_y) <= chord_reach, y + r, hn::Max(ay, by) + wide);
+      const auto inside = hn::And(hn::And(x_low >= set(at_.x_low), x_high <= set(at_.x_high)),
+                                  hn::And(y_low >= set(at_.y_low), y_high <= set(at_.y_high)));
+      const auto cell_of = [&](V at, float from, int count) {
+        const V cells = (at - set(from)) * set(at_.per_cell);
+        return hn::ConvertTo(di, hn::Max(zero, hn::Min(cells, set(static_cast<float>(count - 1)))));
+      };
+      const auto c0 = cell_of(x_low, at_.x0, at_.columns), c1 = cell_of(x_high, at_.x0, at_.columns);
+      const auto r0 = cell_of(y_low, at_.y0, at_.rows), r1 = cell_of(y_high, at_.y0, at_.rows);
+      const auto across = c1 - c0 + hn::Set(di, 1), up = r1 - r0;
+      auto cell = r0 * hn::Set(di, at_.columns) + c0;
+      auto unknown = hn::Zero(di);
+      auto fits = up < hn::Set(di, rows_at_once);
+      for (int row = 0; row < rows_at_once; ++row) {
+        const auto in_box = up > hn::Set(di, row - 1);
+        const auto first = hn::GatherIndex(di, at_.start.data(), cell);
+        const auto count = hn::IfThenElseZero(in_box, hn::GatherIndex(di, at_.start.data(), cell + across) - first);
+        if (!at_.unknown.empty())
+          unknown = unknown + hn::IfThenElseZero(in_box, hn::GatherIndex(di, at_.unknown.data(), cell + across) -
+                                                             hn::GatherIndex(di, at_.unknown.data(), cell));
+        hn::Store(first, di, first_[row] + i);
+        hn::Store(count, di, count_[row] + i);
+        fits = hn::And(fits, count < hn::Set(di, static_cast<int>(row_length) + 1));
+        cell = cell + hn::Set(di, at_.columns);
+      }
+      fits = hn::And(fits, unknown == hn::Zero(di));
+      const auto good = hn::And(inside, hn::RebindMask(d, fits));
+      hn::Store(hn::IfThenElse(good, k, set(-infinity)), d, searched_ + i);
+      hn::Store(k, d, k_ + i);
+
+      hn::Store(hn::ConvertTo(d, hn::Max(across, hn::Set(di, rows_at_once))), d, extent_ + i);
+      hn::Store(ax, d, ax_ + i);
+      hn::Store(ay, d, ay_ + i);
+      hn::Store(bx, d, bx_ + i);
+      hn::Store(by, d, by_ + i);
+    }
+    for (std::size_t i = 0; i < batch; ++i) bound_errors(i, extent_[i]);
+    for (std::size_t i = 0; i < batch; ++i) {
+      std::uint64_t ends = 0;
+      for (unsigned row = 0; row < rows_at_once; ++row)
+        ends |= bit_of(a[i] - first_[row][i], row) | bit_of(b[i] - first_[row][i], row);
+      not_ends_[i] = ~ends;
+    }
+  }
+
+  static std::uint64_t bit_of(std::int32_t place, unsigned row) {
+    const auto at = static_cast<std::uint32_t>(place);
+    return at < row_length ? std::uint64_t{1} << (at + row_length * row) : 0;
+  }
+
+  /// What rounding can do to the numbers of an edge in a box of so many cells.
+  void bound_errors(std::size_t edge, float cells) {
+    constexpr float two = 2 * TileCoordinates::rounding;
+    const float extent = cells * at_.cell * (1 + slack) + slack;
+    const float chord = std::max(std::abs(bx_[edge] - ax_[edge]), std::abs(by_[edge] - ay_[edge]));
+    const float of_e = two + unit * extent, of_d = two + unit * chord;
+    const bool exact = extent <= at_.lattice_extent;
+    error_dot_[edge] = exact ? 0 : 12.3f * extent * (of_e + unit * extent);
+    error_cross_[edge] = exact ? 0 : 2.1f * (chord * of_e + extent * of_d + 2 * unit * chord * extent);
+    right_of_[edge] = exact ? std::numeric_limits<float>::min() : -4 * error_cross_[edge];
+  }
+
+  /// An edge in every lane.
+  struct Edge {
+    V ax, ay, bx, by, dx, dy, error_dot, error_cross, left_of, right_of;
+  };
+  HWY_INLINE Edge edge_of(std::size_t i) const {
+    const D d;
+    const V ax = hn::Set(d, ax_[i]), ay = hn::Set(d, ay_[i]), bx = hn::Set(d, bx_[i]), by = hn::Set(d, by_[i]);
+    return {ax,
+            ay,
+            bx,
+            by,
+            bx - ax,
+            by - ay,
+            hn::Set(d, error_dot_[i]),
+            hn::Set(d, 3 * error_cross_[i]),
+            hn::Set(d, 4 * error_cross_[i]),
+            hn::Set(d, right_of_[i])};
+  }
+
+  /// k of the points from `first` on between two bounds; whether each is left of the chord, and whether it may be.
+  struct Bounds {
+    V low, high;
+    hn::Mask<D> left, perhaps;
+  };
+  HWY_INLINE Bounds bounds(const Edge& e, std::size_t first, std::size_t count) const {
+    const D d;
+    const V px = hn::LoadU(d, at_.x.data() + first), py = hn::LoadU(d, at_.y.data() + first);
+    const V ex = px - e.ax, ey = py - e.ay, fx = px - e.bx, fy = py - e.by;
+    const V cross = hn::MulSub(e.dx, ey, e.dy * ex), dot = hn::MulAdd(ex, fx, ey * fy);
+    const V inverse = hn::Set(d, 1) / cross, k = dot * inverse;
+    const V relative = hn::MulAdd(e.error_cross, inverse, hn::Set(d, 4 * unit));
+    const V error = hn::MulAdd(hn::Abs(k), relative, e.error_dot * inverse);
+    const auto valid = hn::FirstN(d, count);
+    return {k - error, k + error, hn::And(valid, cross > e.left_of), hn::And(valid, cross >= e.right_of)};
+  }
+
+  /// Among the points of at most three short rows; none: look again.
+  HWY_NOINLINE Index among_three_rows(std::size_t edge) {
+    const D d;
+    constexpr std::size_t N = hn::MaxLanes(d), per_row = row_length / N, vectors = rows_at_once * per_row;
+    const float searched = searched_[edge];
+    if (!(searched >= 0)) return none;
+    const Edge e = edge_of(edge);
+    V low[vectors];
+    std::uint64_t left = 0, perhaps = 0, low_enough = 0;
+    V least = hn::Set(d, infinity);
+    for (std::size_t j = 0; j < vectors; ++j) {
+      const std::size_t row = j / per_row, skipped = j % per_row * N;
+      const auto count = static_cast<std::size_t>(count_[row][edge]);
+      const Bounds k =
+          bounds(e, static_cast<std::size_t>(first_[row][edge]) + skipped, count > skipped ? count - skipped : 0);
+      low[j] = k.low;
+      least = hn::Min(least, hn::IfThenElse(k.left, k.high, hn::Set(d, infinity)));
+      left |= bits_of(k.left) << (j * N);
+      perhaps |= bits_of(k.perhaps) << (j * N);
+    }
+    const V bound = hn::MinOfLanes(d, least);
+    for (std::size_t j = 0; j < vectors; ++j) low_enough |= bits_of(low[j] <= bound) << (j * N);
+    std::uint64_t can_win = perhaps & (low_enough | ~left) & not_ends_[edge];
+    const float high = hn::GetLane(bound);
+    if (!(high <= searched)) {
+      if (high < infinity) k_[edge] = high;
+      return none;
+    }
+    const auto point = [&](std::uint64_t bits) {
+      const auto at = static_cast<std::size_t>(std::countr_zero(bits));
+      return static_cast<Index>(static_cast<std::size_t>(first_[at / row_length][edge]) + at % row_length);
+    };
+    if ((can_win & (can_win - 1)) == 0) return point(can_win);
+    contenders_.clear();
+    for (; can_win != 0; can_win &= can_win - 1) contenders_.push_back(point(can_win));
+    return decide(edge);
+  }
+
+  static HWY_INLINE std::uint64_t bits_of(hn::Mask<D> mask) {
+    const D d;
+    std::conditional_t<hn::MaxLanes(d) == 16, std::uint16_t, std::uint8_t> bits;
+    hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
+    return bits;
+  }
+
+  /// What the bounds left undecided.
+  HWY_NOINLINE Index decide(std::size_t edge) const {
+    const auto ia = static_cast<std::size_t>(a[edge]), ib = static_cast<std::size_t>(b[edge]);
+    const Point &pa = tile_.points[ia], &pb = tile_.points[ib];
+    const bool exact = error_cross_[edge] == 0;
+    Index winner = none;
+    for (const Index i : contenders_) {
+      if (!exact && P::orientation(pa, pb, tile_.points[i]) <= 0) continue;
+      if (winner == none || (exact ? beats_on_lattice(ia, ib, i, winner)
+                                   : P::in_perturbed_circle(pa, pb, tile_.points[winner], tile_.points[i]) > 0))
+        winner = i;
+    }
+    return winner;
+  }
+
+  /// p is in the circle of a, b, q. In double precision products of four differences are exact.
+  bool beats_on_lattice(std::size_t ia, std::size_t ib, std::size_t p, std::size_t q) const {
+    struct Ratio {
+      double dot, cross;
+    };
+    const auto centre = [&](std::size_t i) -> Ratio {
+      const double ex = double(at_.x[i]) - at_.x[ia], ey = double(at_.y[i]) - at_.y[ia];
+      const double dx = double(at_.x[ib]) - at_.x[ia], dy = double(at_.y[ib]) - at_.y[ia];
+      return {ex * (double(at_.x[i]) - at_.x[ib]) + ey * (double(at_.y[i]) - at_.y[ib]), dx * ey - dy * ex};
+    };
+    const Ratio of_p = centre(p), of_q = centre(q);
+    const double first = of_p.dot * of_q.cross, second = of_q.dot * of_p.cross;
+    if (first != second) return first < second;
+    return P::perturbed_side(tile_.points[ia], tile_.points[ib], tile_.points[q], tile_.points[p]) > 0;
+  }
+
+  /// Cells, and whether all points are known where a circle reaches.
+  struct Cells {
+    int c0, c1, r0, r1;
+    bool known;
+  };
+  /// The cells of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
+  Cells cells_for(std::size_t edge, float k) const {
+    const float ax = ax_[edge], ay = ay_[edge], bx = bx_[edge], by = by_[edge];
+    const float dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy, half = 0.5f * k;
+    const float x = 0.5f * (ax + bx) - half * dy, y = 0.5f * (ay + by) + half * dx;
+    const float radius = 0.5f * std::sqrt(squared) * std::sqrt(1 + k * k), wide = slack * (1 + radius + std::abs(k));
+    const float r = radius + wide, reach = half * squared;
+    const float x_low = -r * dy <= reach ? x - r : std::min(ax, bx) - wide;
+    const float x_high = -r * dy >= -reach ? x + r : std::max(ax, bx) + wide;
+    const float y_low = r * dx <= reach ? y - r : std::min(ay, by) - wide;
+    const float y_high = r * dx >= -reach ? y + r : std::max(ay, by) + wide;
+    Cells cells{at_.column(x_low), at_.column(x_high), at_.row(y_low), at_.row(y_high), false};
+    cells.known = x_low >= at_.x_low && x_high <= at_.x_high && y_low >= at_.y_low && y_high <= at_.y_high &&
+                  at_.is_known(cells.c0, cells.c1, cells.r0, cells.r1);
+    return cells;
+  }
+
+  /// From near to far, as far as it takes.
+  HWY_NOINLINE Index search(std::size_t edge) {
+    const float dx = bx_[edge] - ax_[edge], dy = by_[edge] - ay_[edge], length = std::sqrt(dx * dx + dy * dy);
+    if (!(length > 0)) return none;
+    float k = k_[edge], reach = 0.5f * length * std::sqrt(1 + k * k);
+    for (;;) {
+      const Cells cells = cells_for(edge, k);
+      const auto [winner, high] = among(edge, cells);
+      if (high <= k) return cells.known || cells_for(edge, high).known ? winner : none;
+      if (high < infinity) {
+        k = high;
+        continue;
+      }
+      if (!cells.known || reach > most_reach) return none;
+      reach *= 2;
+      const float ratio = 2 * reach / length;
+      k = std::sqrt(std::max(0.0f, ratio * ratio - 1));
+    }
+  }
+
+  /// The winner among the points of some cells, and how far left of the middle its circle's centre is, at most.
+  struct Winner {
+    Index point;
+    float high;  // infinity when there is none
+  };
+  Winner among(std::size_t edge, const Cells& cells) {
+    const D d;
+    const std::size_t N = hn::Lanes(d);
+    bound_errors(edge, static_cast<float>(std::max(cells.c1 - cells.c0, cells.r1 - cells.r0) + 1));
+    const Edge e = edge_of(edge);
+    V least = hn::Set(d, infinity);
+    std::size_t vectors = 0;
+    for (int r = cells.r0; r <= cells.r1; ++r) {
+      const auto end = static_cast<std::size_t>(at_.start[static_cast<std::size_t>(r * at_.columns + cells.c1 + 1)]);
+      for (auto i = static_cast<std::size_t>(at_.start[static_cast<std::size_t>(r * at_.columns + cells.c0)]); i < end;
+           i += N) {
+        const Bounds k = bounds(e, i, end - i);
+        least = hn::Min(least, hn::IfThenElse(k.left, k.high, hn::Set(d, infinity)));
+        const V low = hn::IfThenElse(k.left, k.low, hn::Set(d, -infinity));
+        hn::StoreU(hn::IfThenElse(k.perhaps, low, hn::Set(d, infinity)), d, low_.data() + vectors * N);
+        base_[vectors++] = static_cast<Index>(i);
+      }
+    }
+    const V bound = hn::MinOfLanes(d, least);
+    const float high = hn::GetLane(bound);
+    contenders_.clear();
+    for (std::size_t j = 0; j < vectors; ++j) {
+      const V low = hn::LoadU(d, low_.data() + j * N);
+      for (std::uint64_t bits = bits_of(hn::And(low <= bound, low < hn::Set(d, infinity))); bits != 0;
+           bits &= bits - 1) {
+        const auto point = base_[j] + static_cast<std::uint32_t>(std::countr_zero(bits));
+        if (point != static_cast<std::uint32_t>(a[edge]) && point != static_cast<std::uint32_t>(b[edge]))
+          contenders_.push_back(static_cast<Index>(point));
+      }
+    }
+    if (contenders_.empty()) return {none, high};
+    return {contenders_.size() == 1 && high < infinity ? contenders_[0] : decide(edge), high};
+  }
+
+  const Tile& tile_;
+  const TileCoordinates& at_;
+  alignas(64) std::int32_t first_[rows_at_once][batch], count_[rows_at_once][batch];
+  alignas(64) float ax_[batch], ay_[batch], bx_[batch], by_[batch], k_[batch], extent_[batch];
+  alignas(64) float error_dot_[batch], error_cross_[batch], right_of_[batch];
+  alignas(
+      64) float searched_[batch];  // where all is seen up to there, how far left of the middle centres may be; else −∞
+  std::uint64_t not_ends_[batch];  // of three rows, the places of points that are not ends of the edge
+  std::vector<float> low_;
+  std::vector<Index> base_, contenders_;
+};
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace rbpa
+HWY_AFTER_NAMESPACE();
+
+#endif
