@@ -3,8 +3,13 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
+
+#include "io/decimal.h"
 
 namespace rbpa::app {
 
@@ -22,6 +27,8 @@ ParsedNumber parse_extreme_number(const char* first, const char* last, const cha
 /// The number that begins at `first`, an optional sign included.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
+  if (const Decimal decimal = read_decimal(first, last); decimal.end != nullptr)
+    return {decimal.value, decimal.end, NumberFault::none};
   double value = 0;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc::invalid_argument) return {0, first, NumberFault::not_a_number};
@@ -36,15 +43,28 @@ ParsedNumber parse_whole_number(std::string_view text);
 /// What had to stand where there is a fault.
 const char* expected_instead(NumberFault fault);
 
+/// Enough for any number: 24 characters are the longest.
+constexpr std::size_t number_room = 32;
+
+/// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is room. Returns its
+/// end.
+inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
+inline char* put_number(char* at, double value) {
+  if (std::bit_cast<std::uint64_t>(value) == 0) {  // in a plane every third coordinate
+    *at = '0';
+    return at + 1;
+  }
+  return std::to_chars(at, at + number_room, value).ptr;
+}
+
 /// A double as the shortest text that reads back to it.
 class ShortestText {
  public:
-  explicit ShortestText(double value)
-      : end_(std::to_chars(text_.data(), text_.data() + text_.size(), value).ptr) {}
+  explicit ShortestText(double value) : end_(put_number(text_.data(), value)) {}
   operator std::string_view() const { return {text_.data(), static_cast<std::size_t>(end_ - text_.data())}; }
 
  private:
-  std::array<char, 32> text_;  // 24 characters are the longest
+  std::array<char, number_room> text_;
   char* end_;
 };
 
