@@ -18,7 +18,8 @@ namespace {
 
 /// load_points() with `load_x(bytes)` and `load_y(bytes)` for the coordinates.
 template <typename LoadX, typename LoadY>
-std::vector<Point> load_all(const PointArray& array, const LoadX& load_x, const LoadY& load_y, const std::string& name) {
+std::vector<Point> load_all(const PointArray& array, const LoadX& load_x, const LoadY& load_y,
+                            const std::string& name) {
   std::vector<Point> points;
   points.reserve(array.count);
   // In blocks that stay in the nearest cache while they are made, filled and checked.
