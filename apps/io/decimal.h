@@ -1,6 +1,6 @@
 // What: the decimal numbers that one product of two words decides, which are nearly all that files hold.
 // Law:  what is decided is what std::from_chars() finds, value and end; the rest is left to it.
-// Cost: some 13 ns for 17 digits.
+// Cost: a few operations for eight digits, one product.
 // Source: W. Clinger, How to read floating point numbers accurately (1990); the bound is derived below.
 #pragma once
 
@@ -33,7 +33,7 @@ struct PowerOfFive {
   int shift;            ///< the bits below them
 };
 
-constexpr std::array<PowerOfFive, 2 * largest_exponent + 1> make_powers() {
+constexpr std::array<PowerOfFive, 2 * largest_exponent + 1> make_powers_of_five() {
   std::array<PowerOfFive, 2 * largest_exponent + 1> powers{};
   std::uint64_t five = 1;
   for (std::size_t i = 0; i <= largest_exponent; ++i, five *= 5) {
@@ -45,9 +45,15 @@ constexpr std::array<PowerOfFive, 2 * largest_exponent + 1> make_powers() {
   return powers;
 }
 
-inline constexpr auto powers = make_powers();
+inline constexpr auto powers_of_five = make_powers_of_five();
 
-constexpr std::uint64_t powers_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+constexpr std::array<std::uint64_t, 20> make_powers_of_ten() {
+  std::array<std::uint64_t, 20> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
+  return powers;
+}
+
+inline constexpr auto powers_of_ten = make_powers_of_ten();
 
 constexpr std::uint64_t each_byte(std::uint64_t byte) { return byte * 0x0101010101010101U; }
 
@@ -93,7 +99,7 @@ inline const char* take_digits(const char* at, const char* last, std::uint64_t& 
 
 inline std::optional<double> nearest_double(std::uint64_t w, int exponent) {
   if (exponent < -decimal::largest_exponent || exponent > decimal::largest_exponent) return std::nullopt;
-  const auto [power, shift] = decimal::powers[static_cast<std::size_t>(exponent + decimal::largest_exponent)];
+  const auto [power, shift] = decimal::powers_of_five[static_cast<std::size_t>(exponent + decimal::largest_exponent)];
   const int zeros = std::countl_zero(w);
   const decimal::TwoWords product = decimal::TwoWords{w << zeros} * power;
   const auto upper = static_cast<std::uint64_t>(product >> 64U), lower = static_cast<std::uint64_t>(product);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -43,19 +42,13 @@ ParsedNumber parse_whole_number(std::string_view text);
 /// What had to stand where there is a fault.
 const char* expected_instead(NumberFault fault);
 
-/// Enough for any number: 24 characters are the longest.
-constexpr std::size_t number_room = 32;
+/// Enough for any number, 24 characters at most, and for what is put behind it on the way.
+constexpr std::size_t number_room = 40;
 
 /// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is room. Returns its
-/// end.
-inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
-inline char* put_number(char* at, double value) {
-  if (std::bit_cast<std::uint64_t>(value) == 0) {  // in a plane every third coordinate
-    *at = '0';
-    return at + 1;
-  }
-  return std::to_chars(at, at + number_room, value).ptr;
-}
+/// end. The bytes are those of std::to_chars().
+inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + 20, value).ptr; }
+char* put_number(char* at, double value);
 
 /// A double as the shortest text that reads back to it.
 class ShortestText {

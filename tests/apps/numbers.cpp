@@ -171,4 +171,35 @@ TEST_SUITE("numbers") {
     const std::string zero = "-0.000";
     CHECK(rbpa::app::read_decimal(zero.data(), zero.data() + zero.size()).end == zero.data() + zero.size());
   }
+
+  TEST_CASE("a number is put in the bytes of std::to_chars()") {
+    const auto same_text = [](double value) {
+      std::array<char, 40> text{};
+      const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+      return std::string_view(rbpa::app::ShortestText(value)) == std::string_view(text.data(), end);
+    };
+    Texts texts(22);
+    std::size_t different = 0;
+    const auto check = [&](double value) {
+      for (const double x : {value, -value, std::nextafter(value, 0.0), std::nextafter(value, 1e300)}) {
+        if (same_text(x)) continue;
+        CAPTURE(x);
+        CHECK(same_text(x));
+        ++different;
+      }
+    };
+    for (int i = 0; i < 100000 && different < 10; ++i) {
+      check(texts.any_double());
+      check(std::ldexp(texts.unit(), static_cast<int>(texts.below(80)) - 20));
+      // Few decimal places, few binary places, integers with zeros behind.
+      const double power = std::pow(10, static_cast<double>(texts.below(16)));
+      check(static_cast<double>(texts.below(1000000000)) / power);
+      check(std::ldexp(static_cast<double>(texts.below(1000)), -static_cast<int>(texts.below(70))));
+      check(static_cast<double>(texts.below(1000)) * power);
+    }
+    CHECK(different == 0);
+    for (int exponent = -1074; exponent < 1024; ++exponent) check(std::ldexp(1.0, exponent));
+    for (const double value : {0.0, 0.001, 0.0009, 0x1p-10, 99999.0, 100000.0, 1e15, 1e16, 0x1p53, 0.1 + 0.2, 5e-324})
+      check(value);
+  }
 }
