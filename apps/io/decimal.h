@@ -17,9 +17,9 @@ namespace rbpa::app {
 ///
 /// Requires w > 0. Let 5^exponent = (power + δ) · 2^s with 0 ≤ δ < 1 and 2^63 ≤ power < 2^64, and w be shifted up to
 /// 2^63 ≤ w < 2^64. Then w · (power + δ) lies less than 2^64 above w · power: less than one unit of its upper word. Of
-/// that word 53 bits are the mantissa, and the bits below them, the rest, tell which way to round: down when
-/// rest + 1 < half, since the true rest is less than rest + 1 plus the lower word; up when rest and lower word are above
-/// half, and then an excess beyond the next mantissa rounds to the same. Between lies what is left undecided.
+/// that word 53 bits are the mantissa, and the bits below them, the rest, tell which way to round. The true rest lies
+/// from rest + lower word up to less than one more: down when rest + 2 ≤ half; up when rest and lower word are above
+/// half, since an excess beyond the next mantissa rounds to the same. Between lies what is left undecided.
 std::optional<double> nearest_double(std::uint64_t w, int exponent);
 
 namespace decimal {

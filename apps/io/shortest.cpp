@@ -1,11 +1,11 @@
 // What: put_number() for doubles, by exact integers where two words hold them; std::to_chars() has the rest.
 //
 // Let x = m · 2^−n with 2^52 < m < 2^53 be above 2^−10 and no integer. The reals nearer to x than to any other double,
-// the interval, reach 2^−n / 2 to both sides. Let k be the least power for which 10^k · 2^−n > 1; it is < 10. In units of
-// 10^−k the interval is longer than one and shorter than ten. So it holds at most one multiple of ten, which then is the
-// shortest decimal in it with zeros behind, since one still shorter would be another multiple. Otherwise the integers in
-// it are the shortest, the one nearest to x is among them, and of two as near the even one is asked for. The ends of the
-// interval are (2m ± 1) · 5^k / 2^(n−k+1), odd over even, and so never integers themselves.
+// the interval, reach 2^−n / 2 to both sides. Let k be the least power for which 10^k · 2^−n > 1; it is < 10. In units
+// of 10^−k the interval is longer than one and shorter than ten. So it holds at most one multiple of ten, which then is
+// the shortest decimal in it with zeros behind, since one still shorter would be another multiple. Otherwise the
+// integers in it are the shortest, the one nearest to x is among them, and of two as near the even one is asked for.
+// The ends of the interval are (2m ± 1) · 5^k / 2^(n−k+1), odd over even, and so never integers themselves.
 //
 // 2m · 5^k has at most 54 + 45 bits, as k ≤ 19: two words hold everything exactly.
 //

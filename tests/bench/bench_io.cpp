@@ -85,7 +85,7 @@ void write_plainly(const std::string& path, const std::string& like) {
   if (fsync(fileno(stream.get())) != 0) throw std::runtime_error(path + ": cannot be written");
 }
 
-/// Milliseconds of the processor, the system's work included, and of the clock, which waits for the disk and for others.
+/// Milliseconds of the processor, the system's work included, and of the clock, which waits for the disk and others.
 struct Times {
   Timings processor, clock;
 
