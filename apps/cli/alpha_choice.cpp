@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "cli/build.h"
+#include "cli/progress.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 #include "io/number.h"
 #include "rbpa/filtration/filtration.h"
 
@@ -58,7 +58,9 @@ const char* name_of(AlphaRule rule) {
 
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, bool quiet) {
   if (choice.rule == AlphaRule::given) return choice.radius;
-  const Filtration all = filtration(build(points, infinity, {}, quiet), points, [] { return !interrupted(); });
+  const SolidAlphaComplex delaunay = build(points, infinity, {}, quiet);
+  ProgressLine line(!quiet);
+  const Filtration all = filtration(delaunay, points, line.watch("choosing alpha"));
   return choice.rule == AlphaRule::least ? smallest_covering(all) : smallest_covering(all, choice.most_components);
 }
 

@@ -11,6 +11,7 @@
 #include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/formats.h"
@@ -46,11 +47,18 @@ Report examine(const std::vector<Point>& points, std::size_t most_components, co
                ComplexKind kind) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), {}, arguments.quiet);
   Report report{.points = points.size(), .most_components = most_components};
-  report.filtration = filtration(delaunay, points, [] { return !interrupted(); });
+  {
+    ProgressLine line(!arguments.quiet);
+    const std::string doing = "radii of " + counted(delaunay.mesh.n_faces(), "triangle");
+    report.filtration = filtration(delaunay, points, line.watch(doing));
+  }
   stop_if_interrupted();
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);
-  if (arguments.persistence || arguments.picture) report.pairs = persistence(delaunay, points, report.filtration, kind);
+  if (arguments.persistence || arguments.picture) {
+    ProgressLine line(!arguments.quiet);
+    report.pairs = persistence(delaunay, points, report.filtration, kind, line.watch("persistence"));
+  }
   return report;
 }
 
@@ -215,25 +223,24 @@ void run_alpha(const AlphaArguments& arguments) {
   Report report = examine(points, most_components, arguments, kind);
   stats.build_seconds = watch.lap();
 
-  std::optional<OutputFile> picture;
-  if (arguments.picture) {
-    write_svg(picture.emplace(*arguments.picture),
-              {report.filtration.steps, *report.pairs, report.least_covering, report.least_connected});
+  // What cannot be written is found out before anything is said on standard output.
+  OutputSet files;
+  OutputFile* picture = arguments.picture ? &files.add(*arguments.picture) : nullptr;
+  OutputFile* stats_file = arguments.stats ? &files.add(*arguments.stats) : nullptr;
+  if (picture) {
+    picture->write(svg_of({report.filtration.steps, *report.pairs, report.least_covering, report.least_connected}));
     picture->finish();
     if (!arguments.persistence) report.pairs.reset();
   }
-  OutputFile out("-");
-  write(out, report, arguments);
-  if (picture) picture->publish();
+  write(files.add("-"), report, arguments);
   stats.write_seconds = watch.lap();
-  if (arguments.stats) {
+  if (stats_file) {
     stats.points = points.size();
     stats.distinct = report.filtration.distinct;
-    OutputFile file(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
-    file.publish();
+    write_stats(*stats_file, stats);
+    stats_file->finish();
   }
+  files.publish();
   if (report.filtration.steps.empty()) {
     const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
     std::fprintf(stderr, "rbpa: the complex is empty at every alpha: %s\n", why);

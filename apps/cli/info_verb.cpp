@@ -39,7 +39,8 @@ Info examine(std::vector<Point> points) {
   info.box = box;
   // Half the width, and roots before products: nothing overflows.
   const double half_width = box.greatest.x / 2 - box.least.x / 2, half_height = box.greatest.y / 2 - box.least.y / 2;
-  const double spacing = 2 * std::sqrt(half_width) * (std::sqrt(half_height) / std::sqrt(static_cast<double>(info.distinct)));
+  const double spacing =
+      2 * std::sqrt(half_width) * (std::sqrt(half_height) / std::sqrt(static_cast<double>(info.distinct)));
   if (spacing > 0) info.spacing = spacing;
   return info;
 }
@@ -85,18 +86,18 @@ void run_info(const InfoArguments& arguments) {
   Stats stats{.read_seconds = watch.lap()};
   const Info info = examine(std::move(points));
 
-  std::optional<OutputFile> stats_file;
+  OutputSet files;
   if (arguments.stats) {
     stats.points = info.points;
     stats.distinct = info.distinct;
-    stats_file.emplace(*arguments.stats);
-    write_stats(*stats_file, stats);
-    stats_file->finish();
+    OutputFile& file = files.add(*arguments.stats);
+    write_stats(file, stats);
+    file.finish();
   }
-  OutputFile out("-");
+  OutputFile& out = files.add("-");
   out.write(arguments.json ? as_json(info) : for_people(info));
   out.finish();
-  if (stats_file) stats_file->publish();
+  files.publish();
 }
 
 }  // namespace rbpa::app

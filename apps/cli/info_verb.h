@@ -15,6 +15,7 @@ struct InfoArguments {
   PixelArguments pixels;
   std::optional<std::string> stats;
   bool json = false;
+  bool quiet = false;  ///< taken like by the other verbs; there is nothing to leave out
 };
 
 /// Prints to standard output. Throws as run_mesh() does.

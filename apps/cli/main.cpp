@@ -1,7 +1,6 @@
 // The program `rbpa`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
+#include "cli/narrow_help.h"
 #include "cli/shape_verb.h"
 #include "io/exit_code.h"
 #include "io/failure.h"
@@ -78,7 +78,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--levels", arguments.levels,
-                  "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on\n"
+                  "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on "
                   "standard output")
       ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
@@ -90,7 +90,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
-      "Vertices of a mesh file are the input points in input order, so that an index means the same in both.\n" +
+      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n" +
       std::string(exit_codes));
 }
 
@@ -110,7 +110,8 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
       ->type_name("OUT");
   verb.add_flag("-q,--quiet", arguments.quiet, "No progress");
   verb.footer(
-      "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there are\n"
+      "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
+      "are "
       "at most K solid components. Solid components hang together through edges, components through points.\n\n"
       "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
       "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n\n" +
@@ -145,6 +146,7 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
   add_point_options(verb, arguments);
   verb.add_flag("--json", arguments.json, "As JSON");
+  verb.add_flag("-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
   verb.footer("The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
 }
@@ -161,6 +163,7 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
 int main(int argc, char** argv) {
   catch_interrupts();
   CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
+  app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
   app.require_subcommand(1);
   app.footer("Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"

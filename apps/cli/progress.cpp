@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "io/interrupt.h"
 
@@ -44,17 +45,25 @@ ProgressLine::~ProgressLine() {
 
 std::function<bool(const Progress&)> ProgressLine::watch() {
   return [this](const Progress& progress) {
-    show(progress);
+    show([&](double seconds) { return progress_text(progress, seconds); });
     return !interrupted();
   };
 }
 
-void ProgressLine::show(const Progress& progress) {
+std::function<bool()> ProgressLine::watch(std::string doing) {
+  return [this, doing = std::move(doing)] {
+    show([&](double seconds) { return doing + ", " + short_number(std::floor(seconds)) + " s"; });
+    return !interrupted();
+  };
+}
+
+template <typename Text>
+void ProgressLine::show(const Text& text) {
   const Clock::time_point now = Clock::now();
   if (!shown_ || now < next_) return;
   next_ = now + std::chrono::milliseconds(200);
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stderr, "\r\x1b[Krbpa: %s", progress_text(progress, seconds).c_str());
+  std::fprintf(stderr, "\r\x1b[Krbpa: %s", text(seconds).c_str());
   std::fflush(stderr);
   written_ = true;
 }

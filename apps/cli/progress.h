@@ -20,9 +20,13 @@ class ProgressLine {
 
   /// For a run to call: shows how far it is, and says to stop after a signal. Must not outlive this line.
   std::function<bool(const Progress&)> watch();
+  /// The same for what tells no numbers: "doing, 3 s".
+  std::function<bool()> watch(std::string doing);
 
  private:
-  void show(const Progress& progress);
+  /// text(seconds), not too often.
+  template <typename Text>
+  void show(const Text& text);
 
   using Clock = std::chrono::steady_clock;
 

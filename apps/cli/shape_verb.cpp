@@ -79,6 +79,7 @@ void run_shape(const ShapeArguments& arguments) {
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
   stats.alpha = choose_alpha(choice, points, arguments.quiet);
+  if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
   // Points without such a radius have no triangle at any.
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
   const SolidAlphaComplex complex = build(points, alpha, method, arguments.quiet).complex;

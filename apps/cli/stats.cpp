@@ -49,8 +49,10 @@ void write_stats(OutputFile& file, const Stats& stats) {
     report["area"] = stats.of_polygons.area;  // beyond the range of double: null
     report["perimeter"] = stats.of_polygons.perimeter;
   }
-  report["seconds"] = {
-      {"read", stats.read_seconds}, {"build", or_null(stats.build_seconds)}, {"write", or_null(stats.write_seconds)}};
+  report["seconds"] = {{"read", stats.read_seconds},
+                       {"choose", or_null(stats.choose_seconds)},
+                       {"build", or_null(stats.build_seconds)},
+                       {"write", or_null(stats.write_seconds)}};
   report["peak_bytes"] = peak_bytes();
   file.write(report.dump(2) + "\n");
 }

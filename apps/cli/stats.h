@@ -25,6 +25,7 @@ struct Stats {
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};
   double read_seconds = 0;
+  std::optional<double> choose_seconds = std::nullopt;  ///< of the run that an alpha that is not given takes
   std::optional<double> build_seconds = std::nullopt;
   std::optional<double> write_seconds = std::nullopt;
 };

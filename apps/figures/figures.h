@@ -19,5 +19,7 @@ std::span<const Figure> defect_figures();
 std::span<const Figure> pivoting_figures();
 std::span<const Figure> shape_figures();
 std::span<const Figure> hierarchy_figures();
+std::span<const Figure> filtration_figures();
+std::span<const Figure> timing_figures();
 
 }  // namespace figures

@@ -105,6 +105,7 @@ class TextReader {
     if (header && !lines_.next_with_content()) return {};
     separator_ = separator_of(lines_.line());
     if (!header) first_line_ = lines_.number();
+    first_point_ = lines_.number();
 
     std::vector<Point> points;
     // A point takes four characters or more; room that is not used costs nothing.
@@ -138,6 +139,7 @@ class TextReader {
     }
     if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) return false;
     first_line_ = lines_.number();
+    header_ = lines_.line();
     width_ = fields.size();
     return true;
   }
@@ -225,8 +227,16 @@ class TextReader {
     if (number.fault == NumberFault::none && fields.take_up_to(number.end)) return number.value;
     const std::string_view field = without_quotes(fields.take());
     const ParsedNumber whole = parse_whole_number(field);
-    if (whole.fault != NumberFault::none) bad_input(here(), in_quotes(field), expected_instead(whole.fault));
+    if (whole.fault != NumberFault::none)
+      bad_input(here(), in_quotes(field), expected_instead(whole.fault) + hint(whole.fault));
     return whole.value;
+  }
+
+  /// The first point has text where a number should be: others of its columns may be meant.
+  std::string hint(NumberFault fault) const {
+    if (fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
+    if (split(lines_.line(), separator_).size() <= 2) return "";
+    return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
   }
 
   std::string_view text_;
@@ -238,6 +248,8 @@ class TextReader {
   std::size_t y_ = 0;
   std::size_t first_line_ = 0;         // the line that says how many columns there are
   std::optional<std::size_t> width_;  // how many
+  std::string_view header_;           // empty without one
+  std::size_t first_point_ = 0;       // its line
 };
 
 }  // namespace

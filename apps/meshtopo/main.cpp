@@ -1,9 +1,9 @@
 // The program `meshtopo`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include <memory>
 #include <string>
 
+#include "cli/narrow_help.h"
 #include "io/exit_code.h"
 #include "io/interrupt.h"
 #include "io/write_mesh.h"
@@ -17,6 +17,7 @@ constexpr const char* program = "meshtopo";
 int main(int argc, char** argv) {
   catch_interrupts();
   CLI::App app("Topology of a mesh: what it has of everything, and where it is no surface", program);
+  app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("meshtopo ") + RBPA_VERSION);
   TopologyArguments arguments;
   app.add_option("MESH", arguments.mesh, "Mesh file, or - for standard input")->required();

@@ -33,47 +33,52 @@ struct Axis {
   }
 };
 
-void line(OutputFile& file, int x1, int y1, int x2, int y2, const char* style) {
-  file.write(std::string("<path d=\"M") + std::to_string(x1) + " " + std::to_string(y1) + "L" + std::to_string(x2) +
-             " " + std::to_string(y2) + "\" " + style + "/>\n");
+void line(std::string& svg, int x1, int y1, int x2, int y2, const char* style) {
+  svg += std::string("<path d=\"M") + std::to_string(x1) + " " + std::to_string(y1) + "L" + std::to_string(x2) + " " +
+         std::to_string(y2) + "\" " + style + "/>\n";
 }
 
-void text(OutputFile& file, int x, int y, const std::string& words, const char* anchor) {
-  file.write(std::string("<text x=\"") + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\" text-anchor=\"" +
-             anchor + "\">" + words + "</text>\n");
+void text(std::string& svg, int x, int y, const std::string& words, const char* anchor) {
+  svg += std::string("<text x=\"") + std::to_string(x) + "\" y=\"" + std::to_string(y) + "\" text-anchor=\"" + anchor +
+         "\">" + words + "</text>\n";
+}
+
+/// 10 to a power that may lie beyond the range of double.
+std::string power_of_ten(double exponent) {
+  constexpr double safe = 300;
+  if (std::abs(exponent) <= safe) return number(std::pow(10, exponent));
+  const double whole = std::floor(exponent);
+  return number(std::pow(10, exponent - whole)) + (whole > 0 ? "e+" : "e") + number(whole);
 }
 
 /// Powers of ten, at most nine; the ends where fewer than two are inside.
 std::vector<std::pair<double, std::string>> ticks(const Axis& axis) {
   std::vector<std::pair<double, std::string>> all;
   const double stride = std::max(1.0, std::ceil((axis.high - axis.low) / 8));
-  for (double t = std::ceil(axis.low); t <= axis.high; t += stride) all.emplace_back(t, number(std::pow(10, t)));
-  if (all.size() < 2) {
-    const auto end = [](double t) { return std::pair(t, number(std::pow(10, std::clamp(t, -323.0, 308.0)))); };
-    all = {end(axis.low), end(axis.high)};
-  }
+  for (double t = stride * std::ceil(axis.low / stride); t <= axis.high; t += stride) all.emplace_back(t, power_of_ten(t));
+  if (all.size() < 2) all = {{axis.low, power_of_ten(axis.low)}, {axis.high, power_of_ten(axis.high)}};
   return all;
 }
 
 constexpr const char* grid = "stroke=\"#d3dbe3\" fill=\"none\"";
 
-void draw_frame(OutputFile& file, const Axis& x, int top, int bottom, const char* name) {
+void draw_frame(std::string& svg, const Axis& x, int top, int bottom, const char* name) {
   for (const auto& [t, label] : ticks(x)) {
-    line(file, x.at(t), top, x.at(t), bottom, grid);
-    text(file, x.at(t), bottom + 20, label, "middle");
+    line(svg, x.at(t), top, x.at(t), bottom, grid);
+    text(svg, x.at(t), bottom + 20, label, "middle");
   }
-  text(file, (left + right) / 2, bottom + 42, name, "middle");
-  line(file, left, bottom, right, bottom, "stroke=\"#1b2733\"");
-  line(file, left, top, left, bottom, "stroke=\"#1b2733\"");
+  text(svg, (left + right) / 2, bottom + 42, name, "middle");
+  line(svg, left, bottom, right, bottom, "stroke=\"#1b2733\"");
+  line(svg, left, top, left, bottom, "stroke=\"#1b2733\"");
 }
 
 using Count = std::size_t FiltrationStep::*;
 
 /// Per column of pixels its least, its greatest and its last value.
-void draw_curve(OutputFile& file, const FiltrationPlot& plot, const Axis& x, const Axis& y, Count count,
+void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, const Axis& y, Count count,
                 const std::string& colour) {
-  file.write(std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + colour + "\" d=\"M" +
-             std::to_string(left) + " " + std::to_string(y.from));
+  svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + colour + "\" d=\"M" + std::to_string(left) +
+         " " + std::to_string(y.from);
   const auto column = [&](std::size_t i) { return x.at(std::log10(plot.steps[i].alpha)); };
   for (std::size_t i = 0; i < plot.steps.size();) {
     const int at = column(i);
@@ -83,21 +88,21 @@ void draw_curve(OutputFile& file, const FiltrationPlot& plot, const Axis& x, con
       least = std::min(least, last);
       greatest = std::max(greatest, last);
     }
-    file.write(std::string("H") + std::to_string(at) + "V" + std::to_string(greatest) + "V" + std::to_string(least) +
-               "V" + std::to_string(last));
+    svg += std::string("H") + std::to_string(at) + "V" + std::to_string(greatest) + "V" + std::to_string(least) + "V" +
+           std::to_string(last);
   }
-  file.write(std::string("H") + std::to_string(right) + "\"/>\n");
+  svg += std::string("H") + std::to_string(right) + "\"/>\n";
 }
 
-void draw_mark(OutputFile& file, const Axis& x, const std::optional<double>& alpha, const std::string& name, int y) {
+void draw_mark(std::string& svg, const Axis& x, const std::optional<double>& alpha, const std::string& name, int y) {
   if (!alpha) return;
   const int at = x.at(std::log10(*alpha));
   // Below the labels of both marks.
-  line(file, at, curves_top - 10, at, curves_bottom, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
-  text(file, at, y, name + " = " + number(*alpha), at < 200 ? "start" : at > 700 ? "end" : "middle");
+  line(svg, at, curves_top - 10, at, curves_bottom, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
+  text(svg, at, y, name + " = " + number(*alpha), at < 200 ? "start" : at > 700 ? "end" : "middle");
 }
 
-void draw_curves(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
+void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   struct Series {
     Count count;
     const char* name;
@@ -111,46 +116,46 @@ void draw_curves(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
   for (const FiltrationStep& step : plot.steps)
     for (const Series& series : all) most = std::max(most, step.*series.count);
   const Axis y{0, std::log10(1 + static_cast<double>(most)), curves_bottom, curves_top};
-  draw_frame(file, x, curves_top, curves_bottom, "alpha");
-  text(file, left - 8, curves_bottom + 5, "0", "end");
+  draw_frame(svg, x, curves_top, curves_bottom, "alpha");
+  text(svg, left - 8, curves_bottom + 5, "0", "end");
   for (double t = 1; t <= static_cast<double>(most); t *= 10) {
     const int at = y.at(std::log10(1 + t));
-    line(file, left, at, right, at, grid);
-    text(file, left - 8, at + 5, number(t), "end");
+    line(svg, left, at, right, at, grid);
+    text(svg, left - 8, at + 5, number(t), "end");
   }
   int row = curves_top + 20;
   for (const Series& series : all) {
-    draw_curve(file, plot, x, y, series.count, series.colour);
-    line(file, right + 15, row - 5, right + 35, row - 5,
+    draw_curve(svg, plot, x, y, series.count, series.colour);
+    line(svg, right + 15, row - 5, right + 35, row - 5,
          (std::string("stroke-width=\"3\" stroke=\"") + std::string(series.colour) + "\"").c_str());
-    text(file, right + 42, row, series.name, "start");
+    text(svg, right + 42, row, series.name, "start");
     row += 24;
   }
-  draw_mark(file, x, plot.least_covering, "min", 40);
-  draw_mark(file, x, plot.least_connected, "auto", 62);
+  draw_mark(svg, x, plot.least_covering, "min", 40);
+  draw_mark(svg, x, plot.least_connected, "auto", 62);
 }
 
 /// Pairs whose dots would cover each other are one dot: whatever stands apart stays.
-void draw_diagram(OutputFile& file, const FiltrationPlot& plot, const Axis& x) {
+void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   const Axis y{x.low, x.high, diagram_bottom, last_death};
-  draw_frame(file, x, diagram_top, diagram_bottom, "birth");
-  text(file, left, diagram_top - 15, "death", "end");
-  for (const auto& [t, label] : ticks(y)) text(file, left - 8, y.at(t) + 5, label, "end");
-  line(file, left, diagram_bottom, right, last_death, grid);
-  line(file, left, never_dies, right, never_dies, "stroke=\"#7d8b98\" stroke-dasharray=\"5 4\"");
-  text(file, right + 10, never_dies + 5, "never dies", "start");
+  draw_frame(svg, x, diagram_top, diagram_bottom, "birth");
+  text(svg, left, diagram_top - 15, "death", "end");
+  for (const auto& [t, label] : ticks(y)) text(svg, left - 8, y.at(t) + 5, label, "end");
+  line(svg, left, diagram_bottom, right, last_death, grid);
+  line(svg, left, never_dies, right, never_dies, "stroke=\"#7d8b98\" stroke-dasharray=\"5 4\"");
+  text(svg, right + 10, never_dies + 5, "never dies", "start");
   std::set<std::array<int, 3>> dots;
   for (const PersistencePair& pair : plot.pairs)
     dots.insert(
         {pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : never_dies});
   for (const auto& [dimension, at, death] : dots)
-    file.write(std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
-               "\" fill=\"" + (dimension == 0 ? "#10335c" : "#d9730d") + "\"/>\n");
+    svg += std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
+           "\" fill=\"" + (dimension == 0 ? "#10335c" : "#d9730d") + "\"/>\n";
 }
 
 }  // namespace
 
-void write_svg(OutputFile& file, const FiltrationPlot& plot) {
+std::string svg_of(const FiltrationPlot& plot) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const FiltrationStep& step : plot.steps)
     if (std::isfinite(step.alpha)) {
@@ -162,12 +167,12 @@ void write_svg(OutputFile& file, const FiltrationPlot& plot) {
   const Axis x{low - margin, high + margin, left, right};
   const std::string size =
       std::string("width=\"") + std::to_string(width) + "\" height=\"" + std::to_string(height) + "\"";
-  file.write(std::string("<svg xmlns=\"http://www.w3.org/2000/svg\" ") + size +
-             " font-family=\"sans-serif\" font-size=\"14\">\n");
-  file.write("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
-  draw_curves(file, plot, x);
-  draw_diagram(file, plot, x);
-  file.write("</svg>\n");
+  std::string svg = std::string("<svg xmlns=\"http://www.w3.org/2000/svg\" ") + size +
+                    " font-family=\"sans-serif\" font-size=\"14\">\n";
+  svg += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  draw_curves(svg, plot, x);
+  draw_diagram(svg, plot, x);
+  return svg + "</svg>\n";
 }
 
 }  // namespace rbpa::app

@@ -4,8 +4,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
-#include "io/output_file.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
 
@@ -18,6 +18,7 @@ struct FiltrationPlot {
   std::optional<double> least_connected;  ///< marked "auto"
 };
 
-void write_svg(OutputFile& file, const FiltrationPlot& plot);
+/// A whole SVG file.
+std::string svg_of(const FiltrationPlot& plot);
 
 }  // namespace rbpa::app

@@ -4,14 +4,18 @@
 #include <chrono>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <type_traits>
 
 #include "meshops/core/contract.h"
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
+#include "rbpa/hierarchy/local_triangles.h"
 #include "rbpa/hierarchy/policy.h"
 #include "rbpa/hierarchy/quadtree.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
+#include "rbpa/tile/for_each_tile.h"
 
 namespace rbpa {
 namespace {
@@ -21,7 +25,9 @@ class HierarchicalRun {
  public:
   HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
                   const HierarchyOptions& options)
-      : alpha_(alpha),
+      : grid_(grid),
+        level_ended_(options.level_ended),
+        alpha_(alpha),
         ladder_(least, radius, grid.diameter_bound()),
         pivot_(grid, Radius(), grid_unit),
         apexes_(pivot_),
@@ -32,11 +38,19 @@ class HierarchicalRun {
   /// Fills in the levels.
   void advance(meshops::Front& front, Hierarchy& result) {
     std::vector<Level>& levels = result.levels;
-    std::vector<meshops::Site> free(front.sites());
-    std::iota(free.begin(), free.end(), 0);
-    Level level{.alpha = alpha(0), .transferred = free.size(), .taking_part = free.size()};
-    for (;;) {
-      const auto start = std::chrono::steady_clock::now();
+    auto start = std::chrono::steady_clock::now();
+    find_local_triangles(front);  // on the first level's account
+    std::vector<meshops::Site> carried(front.sites()), free;
+    std::iota(carried.begin(), carried.end(), 0);
+    Level level{.alpha = alpha(0), .transferred = carried.size()};
+    for (;; start = std::chrono::steady_clock::now()) {
+      level.taking_part = insert_local_triangles(level.number, front);
+      free.clear();
+      for (const meshops::Site s : carried) {
+        if (seeds_.wake(s) > level.number) continue;
+        level.taking_part += !has_local_triangle(s, level.number);
+        if (front.is_free(s)) free.push_back(s);
+      }
       policy_.begin(level.number);
       seeds_.begin(level.number, std::move(free));
       meshops::advance(front, policy_, report_);
@@ -45,43 +59,71 @@ class HierarchicalRun {
       const bool in_vain =
           !levels.empty() && front.faces() == levels.back().triangles && !ladder_.is_last(level.number);
       level.triangles = front.faces();
-      if (in_vain)
+      if (in_vain) {
         result.looked_in_vain += level.taking_part;
-      else
+      } else {
         levels.push_back(level);
+        if (level_ended_) level_ended_({levels.back(), front, grid_.input_index()});
+      }
       if (ladder_.is_last(level.number)) break;
 
       const meshops::LevelTransfer transfer = front.next_level();
-      const int next = next_level(level.number, transfer.carried);
-      level = {.alpha = alpha(next),
-               .number = next,
-               .transferred = transfer.carried.size(),
+      carried = transfer.carried;
+      level = {.alpha = 0,
+               .number = next_level(level.number, carried),
+               .transferred = carried.size(),
                .advancing = transfer.reactivated,
                .seconds = in_vain ? level.seconds : 0};
-      free.clear();
-      for (const meshops::Site s : transfer.carried) {
-        if (seeds_.wake(s) > next) continue;
-        ++level.taking_part;
-        if (front.is_free(s)) free.push_back(s);
-      }
+      level.alpha = alpha(level.number);
     }
   }
 
  private:
+  /// Extreme exponents do without tiles: there, all is found level by level.
+  static constexpr bool has_tiles = std::is_same_v<Real, double>;
+
+  void find_local_triangles(const meshops::Front& front) {
+    if constexpr (has_tiles) {
+      local_.emplace(grid_.points(), ladder_);
+      for_each_tile(grid_, Radius(), [&](const TileTriangles& tile) {
+        local_->add(tile);
+        report_.worked(front);
+      });
+      local_->sort();
+      for (meshops::Site s = 0; s < static_cast<meshops::Site>(front.sites()); ++s)
+        if (local_->is_known(s)) seeds_.leave_out(s);
+    }
+  }
+
+  /// Returns: at how many sites.
+  std::size_t insert_local_triangles(int level, meshops::Front& front) {
+    if constexpr (has_tiles) return local_->insert(level, front, apexes_, [&] { report_.worked(front); });
+    return 0;
+  }
+
+  bool has_local_triangle(meshops::Site s, int level) const {
+    if constexpr (has_tiles) return local_->has_triangle(s, level);
+    return false;
+  }
+
   double alpha(int level) const { return ladder_.is_last(level) ? alpha_ : ladder_.radius(level).value(); }
 
   /// The first level after this one on which something can happen, or the last.
   int next_level(int level, const std::vector<meshops::Site>& carried) const {
     int next = policy_.next();
+    if constexpr (has_tiles) next = std::min(next, local_->next(level + 1));
     for (const meshops::Site s : carried) next = std::min(next, seeds_.wake(s));
     return std::clamp(next, level + 1, ladder_.end());
   }
 
+  const PointGrid<Real>& grid_;
+  const std::function<void(const EndedLevel&)>& level_ended_;
   double alpha_;  // as given: a radius beyond all circumradii is infinite to the ladder
   Ladder<Real> ladder_;
   Pivot<Real> pivot_;
   Apexes<Real> apexes_;
   LevelSeeds<Real> seeds_;
+  std::optional<LocalTriangles> local_;
   Report report_;
   LevelPivoting<Real, Report> policy_;
 };

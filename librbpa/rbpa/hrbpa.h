@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "meshops/front/front.h"
 #include "rbpa/core/api.h"
 #include "rbpa/core/complex.h"
 #include "rbpa/core/point.h"
@@ -27,11 +29,24 @@ struct Level {
   double seconds = 0;           ///< with that of levels left out before it
 };
 
+/// A level that has just ended, and what the run has built so far: exactly the complex of `level.alpha`, an oriented
+/// 2-manifold whose boundary halfedges are all frozen. Good during the call only.
+struct EndedLevel {
+  const Level& level;
+  /// The first front.faces() faces of its mesh are those of the complex, with the numbers they will keep; what lies
+  /// behind them, and behind the first front.edges() edges, is not in use yet. Its vertices have no coordinates yet.
+  const meshops::Front& front;
+  std::span<const std::uint32_t> input_index;  ///< of each site of the front, the input point it is
+};
+
 struct HierarchyOptions {
   /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1.
   std::size_t leaf_capacity = 4096;
   /// Called every few milliseconds; returning false cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
+  /// Called with each level of Hierarchy::levels when it has ended, before the next one begins; its time is in no level's.
+  /// What it throws ends the run. Empty: never called.
+  std::function<void(const EndedLevel&)> level_ended = {};
 };
 
 struct Hierarchy {
@@ -43,7 +58,8 @@ struct Hierarchy {
 
 /// The solid alpha complex of `points` by hierarchical restricted ball pivoting.
 /// Requires: 0 < alpha ≤ infinity, a radius; finite points, fewer than 2³⁰ of them.
-/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
+/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled;
+///           what the functions in `options` throw.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 
 /// The level at which a face came into the complex, as a position in `levels`.

@@ -1,11 +1,16 @@
 #include "rbpa/rbpa.h"
 
+#include <type_traits>
+#include <utility>
+#include <vector>
+
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
 #include "rbpa/pivot/paper_pivot.h"
 #include "rbpa/policy.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
+#include "rbpa/tile/lay_tiles.h"
 
 namespace rbpa {
 namespace {
@@ -17,17 +22,22 @@ class Run {
       : grid_(grid), radius_(radius), pivot_(grid, radius, grid_unit), grid_unit_(grid_unit), options_(options) {}
 
   void advance(meshops::Front& front) const {
-    if (options_.search == Search::near_to_far)
-      advance(front, pivot_);
-    else
-      advance(front, PaperPivot<Real>(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_));
+    Report report(options_.progress, grid_.points().size());
+    if (options_.search == Search::near_to_far) {
+      std::vector<bool> known;
+      // Extreme exponents do without tiles.
+      if constexpr (std::is_same_v<Real, double>)
+        known = lay_tiles(grid_, radius_, front, [&] { report.worked(front); });
+      advance(front, pivot_, std::move(known), report);
+    } else {
+      advance(front, PaperPivot<Real>(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_), {}, report);
+    }
   }
 
  private:
   template <typename FrontPivot>
-  void advance(meshops::Front& front, const FrontPivot& pivot) const {
-    Seeds<Real> seeds(grid_, radius_, pivot_);
-    Report report(options_.progress, grid_.points().size());
+  void advance(meshops::Front& front, const FrontPivot& pivot, std::vector<bool> known, Report& report) const {
+    Seeds<Real> seeds(grid_, radius_, pivot_, std::move(known));
     RestrictedBallPivoting<Real, FrontPivot, Report> policy(seeds, pivot, report);
     meshops::advance(front, policy, report);
   }

@@ -2,9 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.h"
@@ -160,6 +163,53 @@ TEST_SUITE("alpha") {
     CHECK(folder.rbpa("alpha p.xy -o -").code == 2);
     CHECK(folder.rbpa("alpha p.xy -o no_folder/p.svg").code == 1);
     CHECK(folder.names() == std::vector<std::string>{"p.xy"});
+  }
+
+  TEST_CASE("ticks of a picture stand at what they say, up to the ends of the range of double and beyond") {
+    const Folder folder;
+    for (const char* points : {
+             "0 0\n5e-324 0\n0 1e-323\n1e308 0\n0 1.5e308\n1 1\n",  // all of it
+             "0 0\n5e-324 0\n0 5e-324\n",                           // one radius, below the least double
+             "-1e308 0\n1e308 1e308\n0 -1e308\n1e308 -1.1e308\n",   // near the largest
+             "0 0\n1.7e-300 0\n0 1.6e-300\n",
+             "0 0\n3 0\n0 4\n",
+         }) {
+      CAPTURE(std::string(points));
+      folder.file("p.xy", points);
+      REQUIRE(folder.rbpa("alpha p.xy -q -o p.svg").code == 0);
+      // In units of pixels per power of ten: the first two ticks tell the scale, the others must agree.
+      std::vector<std::pair<double, double>> ticks;
+      std::istringstream lines(folder.content("p.svg"));
+      for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("<text") || line.find("y=\"520\"") == std::string::npos) continue;
+        const long double value = std::strtold(line.c_str() + line.find('>') + 1, nullptr);
+        CHECK(value > 0);
+        CHECK(std::isfinite(value));
+        ticks.emplace_back(std::stod(line.substr(line.find("x=\"") + 3)), static_cast<double>(std::log10(value)));
+      }
+      REQUIRE(ticks.size() >= 2);
+      const double scale = (ticks.back().first - ticks[0].first) / (ticks.back().second - ticks[0].second);
+      CHECK(scale > 0);
+      for (const auto& [at, logarithm] : ticks)
+        CHECK(std::abs(at - ticks[0].first - scale * (logarithm - ticks[0].second)) <= 1);
+    }
+  }
+
+  TEST_CASE("all files of a run appear, or none does") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("p.svg", "before");
+    const Outcome no_folder = folder.rbpa("alpha p.xy -o p.svg --stats no_folder/s.json");
+    CHECK(no_folder.code == 1);
+    CHECK(no_folder.out.empty());
+    CHECK(folder.rbpa("alpha p.xy -o p.svg --stats s.json > /dev/full 2> /dev/null && true").code == 1);
+    CHECK(folder.rbpa("alpha p.xy -o no_folder/p.svg --stats s.json").code == 1);
+    CHECK(folder.rbpa("alpha p.xy -o p.svg --stats /dev/full").code == 1);
+    CHECK(folder.content("p.svg") == "before");
+    CHECK(folder.names() == std::vector<std::string>{"p.svg", "p.xy"});
+    CHECK(folder.rbpa("alpha p.xy -o p.svg --stats s.json").code == 0);
+    CHECK(folder.content("p.svg") != "before");
+    CHECK(folder.names() == std::vector<std::string>{"p.svg", "p.xy", "s.json"});
   }
 
   TEST_CASE("what cannot be meant is refused before anything is read") {

@@ -62,6 +62,18 @@ TEST_SUITE("bad input") {
     refuses_text("0 0\n1 0x\n", "p.xy:2: found '0x', expected a number");
   }
 
+  TEST_CASE("text in the first columns of a table with more: how to choose others") {
+    const Folder folder;
+    folder.file("p.csv", "name,lon,lat\nBerlin,13.4,52.5\n");
+    refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
+            "p.csv:2: found 'Berlin', expected a number (--columns X,Y chooses other columns of 'name,lon,lat')");
+    folder.file("p.csv", "Berlin,13.4,52.5\n");
+    refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
+            "p.csv:1: found 'Berlin', expected a number (--columns X,Y chooses other columns)");
+    folder.file("p.csv", "name,lon,lat\nBerlin,13.4,52.5\nBonn,east,50.7\n");
+    refuses(folder, "mesh p.csv --columns lon,lat --alpha 1 -o m.off", 3, "p.csv:3: found 'east', expected a number");
+  }
+
   TEST_CASE("not a number and infinity") {
     refuses_text("0 0\nnan 1\n", "p.xy:2: found 'nan', expected a finite number");
     refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number");

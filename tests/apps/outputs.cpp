@@ -1,7 +1,11 @@
 // What a run leaves behind.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "support/program.h"
 
@@ -41,6 +45,43 @@ TEST_SUITE("outputs") {
     CHECK(s["peak_bytes"] > 0);
     REQUIRE(folder.rbpa("mesh " + points + "--alpha inf -o a.off --stats s.json -q").code == 0);
     CHECK(nlohmann::json::parse(folder.content("s.json"))["alpha"] == "inf");
+  }
+
+  TEST_CASE("choosing alpha has a time of its own, beside that of building, where the points choose it") {
+    const Folder folder;
+    for (const std::string verb : {"mesh ", "shape "})
+      for (const auto& [alpha, chosen] : {std::pair{"auto", true}, {"min", true}, {"0.02", false}}) {
+        REQUIRE(folder.rbpa(verb + points + "--alpha " + alpha + " --stats s.json -q").code == 0);
+        const auto seconds = nlohmann::json::parse(folder.content("s.json"))["seconds"];
+        CHECK(seconds["choose"].is_null() == !chosen);
+        if (chosen) CHECK(seconds["choose"] > 0.0);
+        CHECK(seconds["build"] > 0.0);
+      }
+  }
+
+  TEST_CASE("no line of a help is longer than 100 columns") {
+    const Folder folder;
+    for (const std::string verb : {"", "mesh ", "shape ", "alpha ", "info ", "meshtopo"}) {
+      CAPTURE(verb);
+      const Outcome help = verb == "meshtopo" ? folder.meshtopo("--help") : folder.rbpa(verb + "--help");
+      CHECK(help.code == 0);
+      std::istringstream lines(help.out);
+      std::size_t longest = 0;
+      for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
+      CHECK(longest > 60);
+      CHECK(longest <= 100);
+    }
+  }
+
+  TEST_CASE("every verb can be told to be quiet") {
+    const Folder folder;
+    for (const std::string verb : {"mesh --alpha 0.02 -o a.off ", "shape --alpha 0.02 -o a.wkt ", "alpha ", "info "}) {
+      CAPTURE(verb);
+      const Outcome quiet = folder.rbpa(verb + points + "-q");
+      CHECK(quiet.code == 0);
+      CHECK(quiet.err.empty());
+      CHECK(quiet.out == folder.rbpa(verb + points).out);
+    }
   }
 
   TEST_CASE("compact leaves out vertices without triangles and nothing else") {

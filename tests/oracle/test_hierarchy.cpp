@@ -22,21 +22,6 @@ namespace {
 
 constexpr std::size_t most_levels = 5;  // of a set with many, those looked at
 
-/// The triangles that were there when a level ended.
-std::vector<Triangle> triangles_after(const rbpa::Hierarchy& h, std::size_t level) {
-  std::vector<Triangle> found;
-  for (const auto face : h.complex.mesh.faces()) {
-    if (rbpa::level_of(h, static_cast<std::size_t>(face.idx())) > level) continue;
-    Triangle corners{};
-    std::size_t i = 0;
-    for (const auto v : face.vertices()) corners[i++] = h.complex.input_index[static_cast<std::size_t>(v.idx())];
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    found.push_back(corners);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 void check_set(const std::string& name, const Points& points, std::vector<double> alphas, Random& random) {
   const DelaunayOracle oracle(points);
   alphas.push_back(INFINITY);

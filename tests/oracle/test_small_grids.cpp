@@ -1,10 +1,11 @@
-// rbpa() on tiny sets of integer points, where nearly everything is a tie: against brute force and CGAL.
+// rbpa() and hrbpa() on tiny sets of integer points, where nearly everything is a tie: against brute force and CGAL.
 //   --count=N    how many random sets (2,000)
 //   --first=N    the number of the first of them (0): a failure names its number
 //   --rows=N     all subsets of a grid of 4 columns and N rows (3)
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <iterator>
@@ -14,6 +15,7 @@
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
 #include "support/generate.h"
+#include "support/levels.h"
 #include "support/random.h"
 #include "support/shrink.h"
 
@@ -89,6 +91,38 @@ void check_against_cgal(const Points& points, double alpha, const rbpa::Options&
   REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha, options));
 }
 
+/// The final complex, and the mesh after every level. Returns how many there were.
+std::size_t check_hierarchy(const Points& points, double alpha, std::size_t capacity, const DelaunayOracle& oracle) {
+  INFO("leaf capacity ", capacity, ", alpha ", literal(alpha));
+  const rbpa::Hierarchy h = hierarchy(points, alpha, capacity);
+  const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
+  REQUIRE_MESSAGE(wrong.empty(), wrong);
+  const std::string wrong_levels = wrong_numbers(h, alpha);
+  REQUIRE_MESSAGE(wrong_levels.empty(), wrong_levels);
+  for (std::size_t i = 0; i < h.levels.size(); ++i) {
+    INFO("after level ", h.levels[i].number, ", alpha ", literal(h.levels[i].alpha));
+    REQUIRE(triangles_after(h, i) == oracle.triangles(h.levels[i].alpha));
+  }
+  return h.levels.size();
+}
+
+constexpr std::array<double, 4> even{0, 1, 2, 3}, stretched{0, 1, 4, 20};
+
+/// Calls check(points) for every subset of a grid with these coordinates.
+template <typename Check>
+void for_subsets(const std::array<double, 4>& coordinates, const Check& check) {
+  Points grid;
+  for (std::size_t y = 0; y < std::min<std::size_t>(argument("rows", 3), coordinates.size()); ++y)
+    for (const double x : coordinates) grid.push_back({x, coordinates[y]});
+  for (std::uint32_t subset = 0; subset < std::uint32_t{1} << grid.size(); ++subset) {
+    Points points;
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      if (subset >> i & 1U) points.push_back(grid[i]);
+    INFO(literal(points));
+    check(points);
+  }
+}
+
 template <typename Check>
 void for_random_sets(std::uint64_t seed, const Check& check) {
   const std::uint64_t first = argument("first", 0), count = argument("count", 2000);
@@ -129,6 +163,12 @@ TEST_CASE("random sets on small grids: the complex is what its definition says")
 TEST_CASE("random sets on small grids: the paper's grid finds the same complex") {
   for_random_sets(2, [](const Points& points, double alpha, Random&) {
     if (!std::isinf(alpha)) check_against_cgal(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+  });
+}
+
+TEST_CASE("random sets on small grids: after every level of hrbpa() the mesh is the complex of its radius") {
+  for_random_sets(7, [](const Points& points, double alpha, Random& random) {
+    check_hierarchy(points, alpha, random.below(5) + 1, DelaunayOracle(points));
   });
 }
 
@@ -173,21 +213,27 @@ TEST_CASE("random sets on small grids: a smaller alpha gives a subset") {
 }
 
 TEST_CASE("every subset of a small grid: the complex is what its definition says") {
-  Points grid;
-  for (int y = 0; y < static_cast<int>(argument("rows", 3)); ++y)
-    for (int x = 0; x < 4; ++x) grid.push_back({double(x), double(y)});
-  for (std::uint32_t subset = 0; subset < std::uint32_t{1} << grid.size(); ++subset) {
-    Points points;
-    for (std::size_t i = 0; i < grid.size(); ++i)
-      if (subset >> i & 1U) points.push_back(grid[i]);
+  for_subsets(even, [](const Points& points) {
     for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
-      INFO(literal(points), ", alpha ", literal(alpha));
+      INFO("alpha ", literal(alpha));
       if (points.size() <= 8)
         check_against_brute_force(points, alpha);
       else
         check_against_cgal(points, alpha);
     }
-  }
+  });
+}
+
+TEST_CASE("every subset of a small grid: after every level of hrbpa() the mesh is the complex of its radius") {
+  std::size_t most = 0;
+  for (const auto& coordinates : {even, stretched})
+    for_subsets(coordinates, [&](const Points& points) {
+      const DelaunayOracle oracle(points);
+      for (const std::size_t capacity : {1u, 2u, 5u})
+        for (const double alpha : {0.75, 1.25, 10.0, double(INFINITY)})
+          most = std::max(most, check_hierarchy(points, alpha, capacity, oracle));
+    });
+  CHECK(most >= 5);
 }
 
 }  // namespace

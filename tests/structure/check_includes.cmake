@@ -9,7 +9,7 @@ set(arrows
   meshops/topology>meshops/core meshops/topology>meshops/front meshops/topology>meshops/handle
   meshops/topology>meshops/stellar meshops/topology>meshops/graph
   rbpa/predicate>rbpa/core
-  rbpa/search>rbpa/core rbpa/search>rbpa/predicate
+  rbpa/search>rbpa/core rbpa/search>rbpa/predicate rbpa/search>meshops/core
   rbpa/pivot>rbpa/core rbpa/pivot>rbpa/predicate rbpa/pivot>rbpa/search
   rbpa/pivot>meshops/front
   rbpa/seed>rbpa/core rbpa/seed>rbpa/predicate rbpa/seed>rbpa/search rbpa/seed>rbpa/pivot
@@ -19,13 +19,15 @@ set(arrows
   rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search rbpa/run>rbpa/pivot
   rbpa/run>meshops/core rbpa/run>meshops/front
   rbpa/hierarchy>rbpa/core rbpa/hierarchy>rbpa/predicate rbpa/hierarchy>rbpa/search rbpa/hierarchy>rbpa/pivot
-  rbpa/hierarchy>rbpa/seed rbpa/hierarchy>meshops/front
+  rbpa/hierarchy>rbpa/seed rbpa/hierarchy>rbpa/tile rbpa/hierarchy>meshops/core rbpa/hierarchy>meshops/front
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed rbpa>rbpa/run rbpa>rbpa/hierarchy
+  rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>rbpa/pivot rbpa/tile>meshops/front
+  rbpa>rbpa/tile
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(hierarchy|pivot|predicate|run|search|seed)/|rbpa/policy\\.h")
+set(inside "rbpa/(hierarchy|pivot|predicate|run|search|seed|tile)/|rbpa/policy\\.h")
 
 set(checked 0)
 set(bad "")

@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rbpa/hrbpa.h"
+#include "support/triangle.h"
 
 namespace rbpa_test {
 
@@ -38,6 +41,19 @@ inline std::string wrong_numbers(const rbpa::Hierarchy& h, double alpha) {
   }
   if (triangles != h.complex.mesh.n_faces()) return "triangles of the last level";
   return "";
+}
+
+/// The triangles that were there when a level ended, in canonical order.
+inline std::vector<Triangle> triangles_after(const rbpa::Hierarchy& h, std::size_t level) {
+  std::vector<Triangle> found;
+  for (const auto face : h.complex.mesh.faces()) {
+    if (rbpa::level_of(h, static_cast<std::size_t>(face.idx())) > level) continue;
+    Triangle corners{};
+    std::size_t i = 0;
+    for (const auto v : face.vertices()) corners[i++] = h.complex.input_index[static_cast<std::size_t>(v.idx())];
+    found.push_back(corners);
+  }
+  return canonical(std::move(found));
 }
 
 /// Every face came in on the first level whose radius admits it: admits(a, b, c, alpha). Where the final mesh is the

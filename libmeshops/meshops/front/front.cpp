@@ -58,6 +58,11 @@ InsertedTriangle Front::insert(TriangleSides sides, Site a, Site b, Site c) {
     if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid()) sides.corner[i] = vertex_for_fan(on[i]);
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
   for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) release(result.left_over[i]);
+  return result;
+}
+
+InsertedTriangle Front::insert_and_activate(const TriangleSides& sides, Site a, Site b, Site c) {
+  const InsertedTriangle result = insert(sides, a, b, c);
   for (unsigned i = 0; i < 3; ++i)
     if (!sides.side[i].is_valid()) activate(mesh_.opposite_halfedge_handle(result.side[i]));
   return result;
@@ -69,7 +74,7 @@ TriangleSides Front::sides_of(Site a, Site b, Site c) const {
   return sides;
 }
 
-InsertedTriangle Front::create(Site a, Site b, Site c) { return insert(sides_of(a, b, c), a, b, c); }
+InsertedTriangle Front::create(Site a, Site b, Site c) { return insert_and_activate(sides_of(a, b, c), a, b, c); }
 
 TriangleSides Front::sides_of(Halfedge h, Site apex) const {
   TriangleSides sides;
@@ -85,7 +90,7 @@ TriangleSides Front::sides_of(Halfedge h, Site apex) const {
 
 InsertedTriangle Front::attach(Halfedge h, Site apex) {
   const Site a = from_site(h), b = to_site(h);
-  return insert(sides_of(h, apex), a, b, apex);
+  return insert_and_activate(sides_of(h, apex), a, b, apex);
 }
 
 void Front::activate(Halfedge h) {

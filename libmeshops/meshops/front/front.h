@@ -13,13 +13,10 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/front/boundary_curve.h"
+#include "meshops/front/patch.h"
 #include "meshops/handle/insert_triangle.h"
 
 namespace meshops {
-
-/// What a vertex stands on, as an index that the user chose, from 0. Where a complex touches itself in a point, several
-/// vertices stand on one site, one per fan: that keeps every front curve a simple closed curve.
-using Site = int;
 
 /// What goes on from one level to the next.
 struct LevelTransfer {
@@ -100,6 +97,12 @@ class MESHOPS_API Front {
   /// Requires: three distinct sites.
   InsertedTriangle create(Site a, Site b, Site c);
 
+  /// create() for who knows where the triangle goes. Its new boundary halfedges are neither active nor frozen: those to
+  /// which nothing is glued before the next pop() must be made one of them.
+  /// Requires: the given sides are boundary halfedges, and all that there are between these sites. `sides.corner` is not
+  ///           looked at.
+  InsertedTriangle insert(TriangleSides sides, Site a, Site b, Site c);
+
   /// Where create() and attach() would put a triangle: which of its sides are boundary halfedges already.
   TriangleSides sides_of(Site a, Site b, Site c) const;
   TriangleSides sides_of(Halfedge h, Site apex) const;
@@ -108,6 +111,19 @@ class MESHOPS_API Front {
   /// halfedges b→apex and apex→a where they exist, on whatever curve. New boundary halfedges become active.
   /// Requires: `h` is a boundary halfedge; the apex is neither of its ends.
   InsertedTriangle attach(Halfedge h, Site apex);
+
+  /// Lays many triangles at once, whose edges among each other are known: gluing in bulk. Patches are laid beside each
+  /// other, in any order; an open or frozen side is glued to the side of another patch on the same sites. join() must
+  /// follow before anything else is done.
+  /// Requires: no triangle but those of patches laid since the last join(), and none before the first; the triangles of
+  /// all patches are those of a complex.
+  /// Cost:     linear in the patch.
+  void lay(const Patch& patch);
+
+  /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
+  /// boundary halfedges, active those that were open and frozen the others. The mesh is sound again.
+  /// Cost:     linear in the sides that were not glued within their patch, and in the fans at the boundary.
+  void join();
 
   /// The next active halfedge, which is then no longer active until it is frozen or attached to; none when the front
   /// has run dry.
@@ -120,6 +136,9 @@ class MESHOPS_API Front {
     head_ = 0;
     return Halfedge();
   }
+
+  /// Makes a boundary halfedge active that is neither active nor frozen.
+  void activate(Halfedge h);
 
   /// Sets a halfedge aside: nothing can be attached to it at this level.
   void freeze(Halfedge h) { frozen_.push_back(h); }
@@ -168,6 +187,15 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
+  /// A side of a patch at whose other side nothing lies yet.
+  struct Seam {
+    Halfedge boundary;
+    int next;  // the next from the same site, or -1
+    bool frozen;
+  };
+  Halfedge take_seam(Site from, Site to);
+  Halfedge next_on_boundary(Halfedge boundary) const;
+
   bool is_first(Site s) const { return static_cast<std::size_t>(s) < first_sites_; }
   std::size_t index_of_added(Site s) const { return static_cast<std::size_t>(s) - first_sites_; }
   /// The first extra vertex on a site, as an index into extra_; −1 when there is none.
@@ -178,8 +206,7 @@ class MESHOPS_API Front {
   }
   Vertex vertex_for_fan(Site s);
   void release(Vertex v);
-  InsertedTriangle insert(TriangleSides sides, Site a, Site b, Site c);
-  void activate(Halfedge h);
+  InsertedTriangle insert_and_activate(const TriangleSides& sides, Site a, Site b, Site c);
 
   Connectivity& mesh_;
   std::size_t first_sites_;  // those the front began with: each has the vertex of its number
@@ -193,8 +220,11 @@ class MESHOPS_API Front {
   std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  std::vector<Site> carried_;       // by the last transfer
-  std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
+  std::vector<Seam> seams_;
+  std::vector<int> first_seam_;          // of each site, the first seam whose boundary halfedge leaves it, or -1
+  std::vector<Halfedge> side_of_patch_;  // of the patch being laid
+  std::vector<Site> carried_;            // by the last transfer
+  std::size_t carried_before_ = 0;       // the number of sites then; later ones have been added since
 };
 
 }  // namespace meshops

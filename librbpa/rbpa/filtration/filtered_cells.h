@@ -10,6 +10,7 @@
 #include "rbpa/core/point.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
+#include "rbpa/filtration/pulse.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa {
@@ -26,8 +27,8 @@ struct FilteredCells {
   std::uint32_t outside() const { return static_cast<std::uint32_t>(faces.size()); }
 };
 
-/// Requires and throws: as persistence().
+/// Requires and throws: as persistence(). The pulse beats with every edge.
 FilteredCells filtered_cells(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                             const Filtration& filtration, ComplexKind kind);
+                             const Filtration& filtration, ComplexKind kind, Pulse& pulse);
 
 }  // namespace rbpa

@@ -6,6 +6,7 @@
 //         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,8 +35,10 @@ struct PersistencePair {
 
 /// Sorted by dimension, birth, death, those without a death last. A function of the set of points alone.
 /// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).
-/// Throws:   ContractViolation when one is visibly of something else.
+/// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
+///           milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                                                  const Filtration& filtration, ComplexKind kind = ComplexKind::solid);
+                                                  const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
+                                                  const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

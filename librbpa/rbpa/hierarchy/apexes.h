@@ -29,6 +29,9 @@ class Apexes {
     return of_edge_[edge] == none ? std::nullopt : std::optional(of_edge_[edge]);
   }
 
+  /// Keeps the apex beyond a boundary halfedge that somebody else has found.
+  void remember(const meshops::Front& front, meshops::Halfedge h, Site apex) { at(front, h) = apex; }
+
   /// Keeps what was found for a halfedge that is frozen: the triangle left of it waits for a later level. Where its
   /// other sides are on the front as well, their apexes are known with it.
   void keep(const meshops::Front& front, meshops::Halfedge h, std::optional<Site> apex) {

@@ -23,6 +23,7 @@ class Ladder {
     while (std::ldexp(Real(least), end_) < bound) ++end_;
   }
 
+  double least() const { return least_; }
   /// The number of the last level, that of the radius `last`.
   int end() const { return end_; }
   bool is_last(int level) const { return level >= end_; }

@@ -44,6 +44,9 @@ class LevelSeeds {
   /// The level at which a site must be looked at next: before, there is no triangle at it but beyond frozen edges.
   int wake(meshops::Site s) const { return wake_[static_cast<std::size_t>(s)]; }
 
+  /// All triangles at a site are known: it is never looked at.
+  void leave_out(meshops::Site s) { wake_[static_cast<std::size_t>(s)] = Ladder<Real>::never; }
+
   /// Begins a level, at which these sites are looked at as long as they are free.
   void begin(int level, std::vector<meshops::Site> free) {
     level_ = level;

@@ -43,6 +43,7 @@ class Predicates {
     const Real area = cross(ab, ac), bound = 5 * unit * cross_size(ab, ac);
     if (area > bound) return 1;
     if (area < -bound) return -1;
+    if (bound == 0) return 0;  // both products are, and not by underflow: on a line parallel to an axis
     if constexpr (std::is_same_v<Real, double>) return exact(a, b).cross(exact(a, c)).sign();
     return exact_integer::orientation(a, b, c);
   }

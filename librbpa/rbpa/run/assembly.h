@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/large_pages.h"
 #include "meshops/front/front.h"
 #include "rbpa/core/complex.h"
 #include "rbpa/run/report.h"
@@ -50,7 +51,12 @@ class Assembly {
     for (const auto& r : grid_.repetitions()) complex.duplicates.push_back({r.index, r.stands_for});
     // A planar triangulation of n points has fewer than 3n edges and 2n faces; vertices there are a few more while fans
     // on one point wait to grow together. What is not used is never touched.
-    complex.mesh.reserve(points + points / 16 + 64, 3 * points + elements_at_a_time, 2 * points + elements_at_a_time);
+    const std::size_t vertices = points + points / 16 + 64, edges = 3 * points + elements_at_a_time,
+                      faces = 2 * points + elements_at_a_time;
+    complex.mesh.reserve(vertices, edges, faces);
+    meshops::prefer_large_pages(complex.mesh, vertices, edges, faces);
+    const auto& coordinates = complex.mesh.property(complex.mesh.points_property_handle()).data_vector();
+    meshops::prefer_large_pages(coordinates.data(), coordinates.capacity() * sizeof(coordinates[0]));
     return complex;
   }
 

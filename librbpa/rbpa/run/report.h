@@ -29,6 +29,11 @@ class Report : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
+  /// For many triangles at once.
+  void worked(const meshops::Front& front) {
+    if (progress_) ask(front);
+  }
+
   /// For the stretches in which no triangle is found.
   void searched(const meshops::Front& front) {
     if (!progress_) return;

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <numeric>
 
+#include "meshops/core/large_pages.h"
+
 namespace rbpa {
 
 template <typename Real>
 PointGrid<Real>::PointGrid(std::span<const Point> input) {
   if (input.empty()) return;
+  points_.reserve(input.size() + padding);
+  index_.reserve(input.size());
+  meshops::prefer_large_pages(points_.data(), points_.capacity() * sizeof(Point));
+  meshops::prefer_large_pages(index_.data(), index_.capacity() * sizeof(index_[0]));
   points_.resize(input.size() + padding);
   index_.resize(input.size());
   levels_.push_back(make_level(input));

@@ -47,10 +47,10 @@ class PointGrid {
     if (!levels_.empty()) scan_level(levels_[0], region, visit);
   }
 
- private:
   struct Child {
     std::uint32_t cell, level;
   };
+  /// A grid of cells; the first is over all points.
   struct Level {
     Real x, y, width, height, cell, per_unit, slack;
     int columns, rows;
@@ -74,6 +74,9 @@ class PointGrid {
     int column(Real at) const { return clamp((at - x) * per_unit, columns); }
     int row(Real at) const { return clamp((at - y) * per_unit, rows); }
   };
+  const std::vector<Level>& levels() const { return levels_; }
+
+ private:
 
   static constexpr Real points_per_cell = 2;
   static constexpr std::uint32_t most_in_cell = 24;  ///< a cell with more is a grid of its own

@@ -24,6 +24,13 @@ class Region {
   /// The whole plane.
   Region() = default;
 
+  static Region box(Interval x, Interval y) {
+    Region region;
+    region.x_ = x;
+    region.y_ = y;
+    return region;
+  }
+
   static Region disc(Vector centre, Real radius) {
     Region region;
     region.set_disc(centre, radius);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "meshops/front/front.h"
@@ -22,9 +23,9 @@ class Seeds {
  public:
   using Site = std::uint32_t;
 
-  /// Keeps references.
-  Seeds(const PointGrid<Real>& grid, const Radius& radius, const Pivot<Real>& pivot)
-      : grid_(grid), radius_(radius), pivot_(pivot) {}
+  /// Keeps references. `known`, where it is not empty, tells of each site whether all its triangles were found already.
+  Seeds(const PointGrid<Real>& grid, const Radius& radius, const Pivot<Real>& pivot, std::vector<bool> known = {})
+      : grid_(grid), radius_(radius), pivot_(pivot), known_(std::move(known)) {}
 
   /// A triangle of the complex that is not in the mesh, counter-clockwise. Calls searched() after each search.
   template <typename Searched>
@@ -36,6 +37,9 @@ class Seeds {
         // Another seed's front may have come here since.
         if (!front.boundary_into(seed[1], seed[0]).is_valid()) return seed;
       }
+      // Without a radius the complex is connected through edges: one seed, or none, is all there is.
+      if (radius_.is_infinite() && front.faces() > 0) return std::nullopt;
+      while (site_ < known_.size() && known_[site_]) ++site_;
       if (site_ == front.sites()) return std::nullopt;
       const auto s = static_cast<Site>(site_);
       if (front.is_free(meshops::Site(s))) {
@@ -46,7 +50,6 @@ class Seeds {
         ++site_;
         if (!radius_.is_infinite() && look_around_boundary(front, s)) searched();
       }
-      // Without a radius the complex is connected through edges: one seed, or none, is all there is.
       if (radius_.is_infinite()) site_ = front.sites();
     }
   }
@@ -101,6 +104,7 @@ class Seeds {
   const PointGrid<Real>& grid_;
   const Radius& radius_;
   const Pivot<Real>& pivot_;
+  std::vector<bool> known_;
   std::size_t site_ = 0;
   std::vector<std::array<meshops::Site, 3>> pending_;
   std::vector<Fan> ends_;

@@ -26,7 +26,7 @@ class Folder {
   std::string file(const std::string& name, const std::string& content) const;
   std::string content(const std::string& name) const;
   bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
-  std::vector<std::string> names() const;
+  std::vector<std::string> names() const;  ///< of its files, sorted
 
   /// Runs `rbpa ARGUMENTS`, `meshtopo ARGUMENTS` in this folder through the shell.
   Outcome rbpa(const std::string& arguments) const { return run(RBPA_PROGRAM, arguments); }

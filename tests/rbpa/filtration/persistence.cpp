@@ -9,6 +9,7 @@
 
 #include "filtration/small_sets.h"
 #include "meshops/core/contract.h"
+#include "rbpa/core/error.h"
 #include "rbpa/filtration/least_alpha.h"
 #include "rbpa/predicate/exact_integer.h"
 #include "support/generate.h"
@@ -217,6 +218,26 @@ TEST_CASE("the order of the points, and repetitions, do not matter to the pairs"
       random.shuffle(shuffled);
       CHECK(persistence_of(points, kind) == persistence_of(shuffled, kind));
     }
+}
+
+TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
+  Points line;
+  for (int i = 0; i < 20000; ++i) line.push_back({double(i * 7919 % 20000), 0});
+  for (const auto& [points, kind] : {std::pair(random_grid(300, 40000, false, 3), ComplexKind::solid),
+                                     std::pair(random_grid(300, 40000, false, 3), ComplexKind::full),
+                                     std::pair(line, ComplexKind::full)}) {
+    const auto delaunay = rbpa::rbpa(points, infinity);
+    const Filtration all = rbpa::filtration(delaunay, points);
+    std::size_t calls = 0;
+    const Pairs whole = rbpa::persistence(delaunay, points, all, kind, [&] { return ++calls > 0; });
+    CHECK(whole == rbpa::persistence(delaunay, points, all, kind));
+    REQUIRE(calls > 20);
+    for (std::size_t last = 1; last <= calls; last += calls / 10) {
+      std::size_t call = 0;
+      CHECK_THROWS_AS(rbpa::persistence(delaunay, points, all, kind, [&] { return ++call < last; }), rbpa::Cancelled);
+      CHECK(call == last);
+    }
+  }
 }
 
 TEST_CASE("a filtration of other points is refused") {

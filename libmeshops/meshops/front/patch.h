@@ -1,0 +1,28 @@
+// What: triangles that were found together, with what they know of each other: for Front::lay().
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace meshops {
+
+/// What a vertex stands on, as an index that the user chose, from 0. Where a complex touches itself in a point, several
+/// vertices stand on one site, one per fan: that keeps every front curve a simple closed curve.
+using Site = int;
+
+/// Triangles of a complex. Side i of a triangle runs from its corner i to corner i + 1; as a side of the patch it has
+/// the number 3 · triangle + i.
+struct Patch {
+  static constexpr int open = -1;    ///< what lies across is not in the patch
+  static constexpr int frozen = -2;  ///< as `open`, and nothing will ever lie there at this level
+
+  std::vector<std::array<Site, 3>> triangles;
+  std::vector<std::array<int, 3>> across;  ///< of each side, the side of the patch across the edge, or one of the above
+
+  void clear() {
+    triangles.clear();
+    across.clear();
+  }
+};
+
+}  // namespace meshops

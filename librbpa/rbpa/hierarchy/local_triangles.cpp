@@ -1,0 +1,150 @@
+#include "rbpa/hierarchy/local_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meshops/core/large_pages.h"
+#include "rbpa/hierarchy/circumradius.h"
+
+namespace rbpa {
+
+LocalTriangles::LocalTriangles(std::span<const Point> points, const Ladder<double>& ladder)
+    : points_(points), ladder_(ladder), known_(points.size(), false), first_seam_(points.size(), none) {
+  corners_.reserve(2 * points.size());
+  across_.reserve(2 * points.size());
+  level_.reserve(2 * points.size());
+  meshops::prefer_large_pages(corners_.data(), corners_.capacity() * sizeof(corners_[0]));
+  meshops::prefer_large_pages(across_.data(), across_.capacity() * sizeof(across_[0]));
+}
+
+void LocalTriangles::add(const TileTriangles& tile) {
+  const meshops::Patch& patch = tile.patch;
+  const auto base = static_cast<int>(3 * corners_.size());
+  for (const auto& corners : patch.triangles)
+    for (const meshops::Site s : corners) known_[static_cast<std::size_t>(s)] = true;
+  corners_.insert(corners_.end(), patch.triangles.begin(), patch.triangles.end());
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    level_.push_back(static_cast<std::uint16_t>(level_of(patch.triangles[t])));
+    auto& across = across_.emplace_back(patch.across[t]);
+    for (int i = 0; i < 3; ++i) {
+      int& beyond = across[static_cast<std::size_t>(i)];
+      if (beyond >= 0) {
+        beyond += base;
+        continue;
+      }
+      const int side = 3 * (static_cast<int>(across_.size()) - 1) + i;
+      beyond = take_seam(to(side), from(side));
+      if (beyond >= 0) {
+        across_[static_cast<std::size_t>(beyond) / 3][static_cast<std::size_t>(beyond) % 3] = side;
+      } else {
+        int& first = first_seam_[static_cast<std::size_t>(from(side))];
+        seams_.push_back({side, first});
+        first = static_cast<int>(seams_.size()) - 1;
+      }
+    }
+  }
+}
+
+/// The side between two sites that an earlier tile has left open, or none.
+int LocalTriangles::take_seam(meshops::Site from_site, meshops::Site to_site) {
+  for (int* link = &first_seam_[static_cast<std::size_t>(from_site)]; *link >= 0;
+       link = &seams_[static_cast<std::size_t>(*link)].next) {
+    const Seam& seam = seams_[static_cast<std::size_t>(*link)];
+    if (to(seam.side) != to_site) continue;
+    *link = seam.next;
+    return seam.side;
+  }
+  return none;
+}
+
+/// The first level whose radius admits the triangle; one behind the last when none does.
+int LocalTriangles::level_of(const std::array<meshops::Site, 3>& corners) const {
+  using P = Predicates<double>;
+  const Point &a = points_[static_cast<std::size_t>(corners[0])], &b = points_[static_cast<std::size_t>(corners[1])],
+              &c = points_[static_cast<std::size_t>(corners[2])];
+  const auto ab = P::from(a, b), bc = P::from(b, c), ca = P::from(c, a);
+  const double area = std::abs(P::cross(ab, ca));
+  const double sides = P::dot(ab, ab) * P::dot(bc, bc) * P::dot(ca, ca);
+  const double diameter = 2 * ladder_.least();
+  // (R / α₀)², and how far it is from a power of four.
+  const double ratio = sides / (area * area) / (diameter * diameter);
+  int exponent;
+  const double mantissa = std::frexp(ratio, &exponent);  // in [1/2, 1)
+  constexpr double near = 1e-5;
+  const bool is_clear = area > 1e7 * P::unit * P::cross_size(ab, ca) && mantissa > 0.5 + near && mantissa < 1 - near;
+  if (is_clear && std::isfinite(ratio) && ratio > 0) {
+    const int level = std::max(0, (exponent + 1) / 2);
+    if (level < ladder_.end()) return level;
+  }
+  int level = std::min(ladder_.first_reaching(circumradius<double>(a, b, c)), ladder_.end());
+  while (level <= ladder_.end() && !ladder_.radius(level).admits<double>(a, b, c)) {
+    if (ladder_.is_last(level)) return ladder_.end() + 1;
+    ++level;
+  }
+  return level;
+}
+
+void LocalTriangles::sort() {
+  for (const auto& across : across_)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (across[i] == none) {
+        const int side = static_cast<int>(3 * (static_cast<std::size_t>(&across - across_.data())) + i);
+        known_[static_cast<std::size_t>(from(side))] = known_[static_cast<std::size_t>(to(side))] = false;
+      }
+  seams_ = {};
+  first_seam_ = {};
+  start_.assign(static_cast<std::size_t>(ladder_.end()) + 3, 0);
+  for (const std::uint16_t level : level_) ++start_[level + 1u];
+  for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+  order_.resize(level_.size());
+  std::vector<std::uint32_t> next(start_);
+  for (std::uint32_t t = 0; t < level_.size(); ++t) order_[next[level_[t]]++] = t;
+  face_.assign(level_.size(), meshops::Face());
+  seen_.assign(points_.size(), 0);
+}
+
+std::uint32_t LocalTriangles::first_of_level(int level) const {
+  return start_[std::min(static_cast<std::size_t>(level), static_cast<std::size_t>(ladder_.end()) + 1)];
+}
+
+int LocalTriangles::next(int level) const {
+  const std::uint32_t first = first_of_level(level);
+  return first == first_of_level(ladder_.end() + 1) ? Ladder<double>::never : level_[order_[first]];
+}
+
+std::size_t LocalTriangles::insert(std::uint32_t triangle, int level, meshops::Front& front, Apexes<double>& apexes) {
+  const auto& corner = corners_[triangle];
+  const auto& mesh = front.mesh();
+  meshops::TriangleSides sides;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int beyond = across_[triangle][i];
+    if (beyond < 0) {
+      sides.side[i] = front.boundary_into(corner[i], corner[(i + 1) % 3]);
+    } else if (const meshops::Face face = face_[static_cast<std::size_t>(beyond) / 3]; face.is_valid()) {
+      meshops::Halfedge h = mesh.halfedge_handle(face);
+      for (int k = beyond % 3; k > 0; --k) h = mesh.next_halfedge_handle(h);
+      sides.side[i] = mesh.opposite_halfedge_handle(h);
+    }
+  }
+  const meshops::InsertedTriangle inserted = front.insert(sides, corner[0], corner[1], corner[2]);
+  face_[triangle] = inserted.face;
+  std::size_t sites = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::uint16_t& seen = seen_[static_cast<std::size_t>(corner[i])];
+    sites += seen != level + 1;
+    seen = static_cast<std::uint16_t>(level + 1);
+    if (sides.side[i].is_valid()) continue;
+    const meshops::Halfedge h = mesh.opposite_halfedge_handle(inserted.side[i]);
+    const int beyond = across_[triangle][i];
+    if (beyond < 0) {
+      front.activate(h);
+    } else if (level_[static_cast<std::size_t>(beyond) / 3] > level) {
+      const auto& other = corners_[static_cast<std::size_t>(beyond) / 3];
+      apexes.remember(front, h, static_cast<std::uint32_t>(other[(static_cast<std::size_t>(beyond) + 2) % 3]));
+      front.freeze(h);
+    }
+  }
+  return sites;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,85 @@
+// What: the triangles that tiles tell at once, of all sizes, handed to the front level by level.
+// Law:  after insert() of a level, every local triangle within its radius is in the mesh, if those of the levels before
+//       were.
+// How:  the tiles are run once, without a radius. What they know across each edge goes with the triangles, so that one
+//       is put beside its neighbours without a search.
+// Cost: that of the tiles; then constant per triangle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshops/front/front.h"
+#include "rbpa/hierarchy/apexes.h"
+#include "rbpa/hierarchy/ladder.h"
+#include "rbpa/search/point_grid.h"
+#include "rbpa/tile/triangulate.h"
+
+namespace rbpa {
+
+class LocalTriangles {
+ public:
+  /// Begins with no triangle. Keeps references.
+  LocalTriangles(std::span<const Point> points, const Ladder<double>& ladder);
+
+  /// Takes in what a tile knows, found without a radius.
+  void add(const TileTriangles& tile);
+  /// Ends the adding: what is left across a side is unknown, and triangles are in the order of their levels.
+  void sort();
+
+  /// Every triangle at the site is local.
+  bool is_known(meshops::Site s) const { return known_[static_cast<std::size_t>(s)]; }
+
+  /// One of the triangles that insert() of this level, the last, put into the mesh is at the site.
+  bool has_triangle(meshops::Site s, int level) const { return seen_[static_cast<std::size_t>(s)] == level + 1; }
+
+  /// The first level from `level` on that has a triangle; Ladder::never without.
+  int next(int level) const;
+
+  /// Puts the triangles of a level into the mesh. Their boundary halfedges are frozen, the apexes beyond remembered,
+  /// where these are known, and active elsewhere. Calls inserted() now and then.
+  /// Returns: at how many sites there is a triangle of the level.
+  template <typename Inserted>
+  std::size_t insert(int level, meshops::Front& front, Apexes<double>& apexes, Inserted inserted) {
+    std::size_t sites = 0;
+    for (std::uint32_t i = first_of_level(level); i < first_of_level(level + 1); ++i) {
+      sites += insert(order_[i], level, front, apexes);
+      if (i % 1024 == 0) inserted();
+    }
+    return sites;
+  }
+
+ private:
+  static constexpr int none = -1;
+
+  struct Seam {
+    int side, next;
+  };
+
+  int level_of(const std::array<meshops::Site, 3>& corners) const;
+  int take_seam(meshops::Site from, meshops::Site to);
+  meshops::Site from(int side) const {
+    return corners_[static_cast<std::size_t>(side) / 3][static_cast<std::size_t>(side) % 3];
+  }
+  meshops::Site to(int side) const {
+    return corners_[static_cast<std::size_t>(side) / 3][(static_cast<std::size_t>(side) + 1) % 3];
+  }
+  std::uint32_t first_of_level(int level) const;
+  std::size_t insert(std::uint32_t triangle, int level, meshops::Front& front, Apexes<double>& apexes);
+
+  std::span<const Point> points_;
+  const Ladder<double>& ladder_;
+  std::vector<bool> known_;
+  std::vector<std::array<meshops::Site, 3>> corners_;
+  std::vector<std::array<int, 3>> across_;  // of each side, the side beyond it, or none
+  std::vector<std::uint16_t> level_;
+  std::vector<Seam> seams_;
+  std::vector<int> first_seam_;               // of each site
+  std::vector<std::uint32_t> order_, start_;  // triangles by level; of each level the first
+  std::vector<meshops::Face> face_;           // of each triangle that is in the mesh
+  std::vector<std::uint16_t> seen_;           // of each site, one more than the last level that had a triangle there
+};
+
+}  // namespace rbpa

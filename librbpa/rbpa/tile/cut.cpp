@@ -1,0 +1,238 @@
+#include "rbpa/tile/cut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rbpa {
+namespace {
+
+using Level = PointGrid<double>::Level;
+
+constexpr double points_per_cell = 2;
+constexpr double most_contrast = 3;           // of density between the halves of a block
+constexpr std::uint32_t fewest_points = 256;  // a block of so few is not divided for it
+constexpr int margin = 3;                     // cells around a block: about four times the distance of neighbours
+
+/// Calls visit(cell, is a grid of its own) for cells of a row.
+template <typename Visit>
+void for_each_cell(const Level& level, int row, int first_column, int last_column, Visit visit) {
+  const auto first = static_cast<std::uint32_t>(row * level.columns + first_column);
+  const auto last = static_cast<std::uint32_t>(row * level.columns + last_column);
+  auto child = level.child_at(row, first);
+  for (std::uint32_t cell = first; cell < last; ++cell) {
+    const bool is_child = child != level.children.end() && child->cell == cell;
+    visit(cell, is_child);
+    if (is_child) ++child;
+  }
+}
+
+std::uint32_t points_of(const Level& level, const Block& block) {
+  std::uint32_t count = 0;
+  for (int r = block.row; r < block.row + block.rows; ++r) {
+    const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
+    const auto last = first + static_cast<std::uint32_t>(block.columns);
+    count += level.start[last] - level.start[first];
+    for (auto child = level.child_at(r, first); child != level.children.end() && child->cell < last; ++child)
+      count -= level.start[child->cell + 1] - level.start[child->cell];
+  }
+  return count;
+}
+
+std::array<Block, 2> halves(const Level& level, const Block& block) {
+  Block first = block, second = block;
+  if (block.columns > block.rows) {
+    first.columns = block.columns / 2;
+    second.columns -= first.columns;
+    second.column += first.columns;
+  } else {
+    first.rows = block.rows / 2;
+    second.rows -= first.rows;
+    second.row += first.rows;
+  }
+  first.points = points_of(level, first);
+  second.points = block.points - first.points;
+  return {first, second};
+}
+
+/// Cells of one size are to suit all of a block.
+bool is_even(const Block& a, const Block& b) {
+  const double density_a = a.points / (double(a.columns) * a.rows), density_b = b.points / (double(b.columns) * b.rows);
+  return std::max(density_a, density_b) <= most_contrast * std::min(density_a, density_b);
+}
+
+void divide(const Level& level, const Block& block, std::uint32_t most_points, std::vector<Block>& found) {
+  if (block.points == 0) return;
+  if (block.columns > 1 || block.rows > 1) {
+    const auto [first, second] = halves(level, block);
+    if (block.points > most_points || (block.points > fewest_points && !is_even(first, second))) {
+      divide(level, first, most_points, found);
+      divide(level, second, most_points, found);
+      return;
+    }
+  }
+  found.push_back(block);
+}
+
+}  // namespace
+
+std::vector<Block> blocks(const PointGrid<double>& grid, std::uint32_t most_points) {
+  std::vector<Block> found;
+  for (std::size_t i = 0; i < grid.levels().size(); ++i) {
+    const Level& level = grid.levels()[i];
+    Block all{static_cast<std::uint32_t>(i), 0, 0, level.columns, level.rows, 0};
+    all.points = points_of(level, all);
+    divide(level, all, most_points, found);
+  }
+  return found;
+}
+
+void Cutter::cut(const Block& block, Tile& tile) {
+  const Level& level = grid_.levels()[block.level];
+  tile.clear();
+  if (block.points > Tile::most_points) return;
+  lay_cells(level, block, tile);
+  gather(level, block, tile);
+  if (block.level != 0) gather_beyond(level, tile);
+  sort_into_cells(tile);
+}
+
+/// Cells that suit the block: the level's are right on average only.
+void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
+  const double width = block.columns * level.cell, height = block.rows * level.cell;
+  const double ratio = std::sqrt(points_per_cell * block.columns * block.rows / block.points);
+  tile.cell = level.cell * std::max(ratio, std::max(block.columns, block.rows) / 1024.0);
+  tile.columns = static_cast<int>(std::ceil(width / tile.cell)) + 2 * margin;
+  tile.rows = static_cast<int>(std::ceil(height / tile.cell)) + 2 * margin;
+  tile.x0 = level.x + block.column * level.cell - margin * tile.cell;
+  tile.y0 = level.y + block.row * level.cell - margin * tile.cell;
+  if (block.level == 0) {
+    tile.nothing_left = tile.x0 <= level.x;
+    tile.nothing_below = tile.y0 <= level.y;
+    tile.nothing_right = tile.x1() >= level.x + level.width;
+    tile.nothing_above = tile.y1() >= level.y + level.height;
+  }
+  sites_.clear();
+  count_.assign(tile.cells(), 0);
+  unknown_.assign(tile.cells(), 0);
+  any_unknown_ = false;
+}
+
+void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
+  const int c0 = block.column, c1 = block.column + block.columns;
+  for (int r = block.row; r < block.row + block.rows; ++r) {
+    const auto row = static_cast<std::uint32_t>(r * level.columns);
+    auto first = row + static_cast<std::uint32_t>(c0);
+    const auto last = row + static_cast<std::uint32_t>(c1);
+    for (auto child = level.child_at(r, first); child != level.children.end() && child->cell < last; ++child) {
+      add(level.start[first], level.start[child->cell], true);
+      first = child->cell + 1;
+    }
+    add(level.start[first], level.start[last], true);
+  }
+  own_ = sites_.size();
+
+  // Around the block, and the grids in it: a crowd is worth more time than the triangles along its edge.
+  const std::uint32_t crowd = std::max(64u, 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
+  const int far_c0 = level.column(tile.x0), far_c1 = level.column(tile.x1()) + 1;
+  const int far_r0 = level.row(tile.y0), far_r1 = level.row(tile.y1()) + 1;
+  const auto look = [&](int r, int from, int to, bool at_children_only) {
+    for_each_cell(level, r, from, to, [&](std::uint32_t cell, bool is_child) {
+      if (at_children_only && !is_child) return;
+      const std::uint32_t first = level.start[cell], last = level.start[cell + 1];
+      if (last - first <= crowd) return add_within(tile, first, last);
+      const double x = level.x + static_cast<int>(cell % static_cast<std::uint32_t>(level.columns)) * level.cell;
+      const double y = level.y + r * level.cell;
+      forget(tile, x - level.slack, x + level.cell + level.slack, y - level.slack, y + level.cell + level.slack);
+    });
+  };
+  for (int r = far_r0; r < far_r1; ++r) {
+    if (r < block.row || r >= block.row + block.rows) {
+      look(r, far_c0, far_c1, false);
+    } else {
+      look(r, far_c0, c0, false);
+      if (!level.children.empty()) look(r, c0, c1, true);
+      look(r, c1, far_c1, false);
+    }
+  }
+}
+
+/// Points of other levels, outside the level's box.
+void Cutter::gather_beyond(const Level& level, const Tile& tile) {
+  const std::uint32_t first_inside = level.start.front(), last_inside = level.start.back();
+  const std::size_t most = sites_.size() + 4 * own_ + 256;
+  const auto take = [&](std::uint32_t first, std::uint32_t last) {
+    if (sites_.size() < most) return add_within(tile, first, last);
+    for (std::uint32_t s = first; s < last; ++s) {
+      const Point& p = grid_.points()[s];
+      forget(tile, p.x, p.x, p.y, p.y);
+    }
+  };
+  // A range may begin or end inside.
+  grid_.scan(Region<double>::box({tile.x0, tile.x1()}, {tile.y0, tile.y1()}),
+             [&](std::uint32_t first, std::uint32_t last) {
+               if (first < first_inside) take(first, std::min(last, first_inside));
+               if (last > last_inside) take(std::max(first, last_inside), last);
+             });
+}
+
+void Cutter::add(std::uint32_t first, std::uint32_t last, bool) {
+  for (std::uint32_t s = first; s < last; ++s) sites_.push_back(s);
+}
+
+void Cutter::add_within(const Tile& tile, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t s = first; s < last; ++s) {
+    const Point& p = grid_.points()[s];
+    if (p.x >= tile.x0 && p.x <= tile.x1() && p.y >= tile.y0 && p.y <= tile.y1()) sites_.push_back(s);
+  }
+}
+
+void Cutter::forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high) {
+  if (x_high < tile.x0 || x_low > tile.x1() || y_high < tile.y0 || y_low > tile.y1()) return;
+  for (int r = tile.row(y_low); r <= tile.row(y_high); ++r)
+    for (int c = tile.column(x_low); c <= tile.column(x_high); ++c)
+      unknown_[static_cast<std::size_t>(r * tile.columns + c)] = 1;
+  any_unknown_ = true;
+}
+
+void Cutter::sort_into_cells(Tile& tile) {
+  const std::size_t cells = tile.cells();
+  const auto points = grid_.points();
+  if (sites_.size() > Tile::most_points) {  // crowds around it: what it owns is all it gets to know
+    sites_.resize(own_);
+    forget(tile, tile.x0, tile.x1(), tile.y0, tile.y1());
+  }
+  cell_of_.resize(sites_.size());
+  const double x0 = tile.x0, y0 = tile.y0, per_cell = 1 / tile.cell;
+  for (std::size_t i = 0; i < sites_.size(); ++i) {
+    const Point& p = points[sites_[i]];
+    const int c = std::clamp(static_cast<int>((p.x - x0) * per_cell), 0, tile.columns - 1);
+    const int r = std::clamp(static_cast<int>((p.y - y0) * per_cell), 0, tile.rows - 1);
+    cell_of_[i] = static_cast<std::uint32_t>(r * tile.columns + c);
+    ++count_[cell_of_[i]];
+  }
+  if (any_unknown_) {
+    tile.unknown.resize(cells + 1);
+    for (std::size_t c = 0; c < cells; ++c)
+      tile.unknown[c + 1] = static_cast<std::uint16_t>(tile.unknown[c] + unknown_[c]);
+  }
+  tile.start.resize(cells + 1);
+  std::uint32_t sum = 0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    tile.start[c] = static_cast<std::uint16_t>(sum);
+    sum += count_[c];
+    count_[c] = tile.start[c];
+  }
+  tile.start[cells] = static_cast<std::uint16_t>(sum);
+  tile.points.resize(sum);
+  tile.site.resize(sum);
+  tile.own.resize(sum);
+  for (std::size_t i = 0; i < sites_.size(); ++i) {
+    const std::uint32_t at = count_[cell_of_[i]]++;
+    tile.points[at] = points[sites_[i]];
+    tile.site[at] = sites_[i];
+    tile.own[at] = i < own_;
+  }
+}
+
+}  // namespace rbpa

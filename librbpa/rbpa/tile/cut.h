@@ -1,0 +1,55 @@
+// What: cuts the plane into tiles along the cells of the point grid.
+// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells it says it does not
+//       know.
+// Cost: linear in the points of the tile and the cells of its block.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/search/point_grid.h"
+#include "rbpa/tile/tile.h"
+
+namespace rbpa {
+
+/// Cells of a level of the point grid whose points, but for those of cells that are grids of their own, one tile owns.
+struct Block {
+  std::uint32_t level;
+  int column, row, columns, rows;
+  std::uint32_t points;
+};
+
+/// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
+/// `most_points`.
+std::vector<Block> blocks(const PointGrid<double>& grid, std::uint32_t most_points);
+
+/// Cuts tiles out of a grid, one after another with the same memory.
+class Cutter {
+ public:
+  /// Keeps a reference.
+  explicit Cutter(const PointGrid<double>& grid) : grid_(grid) {}
+
+  /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
+  /// points than a tile can have gives an empty tile.
+  void cut(const Block& block, Tile& tile);
+
+ private:
+  using Level = PointGrid<double>::Level;
+
+  void lay_cells(const Level& level, const Block& block, Tile& tile);
+  void gather(const Level& level, const Block& block, Tile& tile);
+  void gather_beyond(const Level& level, const Tile& tile);
+  void add(std::uint32_t first, std::uint32_t last, bool own);
+  void add_within(const Tile& tile, std::uint32_t first, std::uint32_t last);
+  void forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high);
+  void sort_into_cells(Tile& tile);
+
+  const PointGrid<double>& grid_;
+  std::vector<std::uint32_t> sites_;
+  std::size_t own_ = 0;  // the first so many of the sites
+  std::vector<std::uint32_t> cell_of_, count_;
+  std::vector<std::uint8_t> unknown_;
+  bool any_unknown_ = false;
+};
+
+}  // namespace rbpa

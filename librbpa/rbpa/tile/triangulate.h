@@ -1,0 +1,37 @@
+// What:   the Delaunay triangles of a tile by ball pivoting, as far as its points tell them.
+// Law:    every triangle returned is one of the solid alpha complex of all points, and none is left out whose circle
+//         lies where all points are known and to which a front of such triangles leads.
+// Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic where these
+//         leave two points in the contest. See docs/tiles.md.
+// Source: Restricted BPA, sections 3.1 and 3.2.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshops/front/patch.h"
+#include "rbpa/pivot/radius.h"
+#include "rbpa/tile/tile.h"
+
+namespace rbpa {
+
+struct TileTriangles {
+  meshops::Patch patch;  ///< on the sites; the triangles whose least corner the tile owns
+  std::vector<std::uint32_t>
+      known;  ///< sites the tile owns at which no triangle of the complex is but those of the patch
+};
+
+/// What one thread works with, from tile to tile.
+struct TileWorkspace {
+  std::vector<float> x, y, low;
+  std::vector<std::int32_t> start, unknown;
+  std::vector<std::uint16_t> base;
+  std::vector<std::uint16_t> head, corner, across, link, queue;
+  std::vector<std::uint8_t> seen;
+  std::vector<int> number;
+};
+
+/// Replaces `result`.
+void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result);
+
+}  // namespace rbpa
