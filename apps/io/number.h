@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "io/decimal.h"
-
 namespace rbpa::app {
 
 enum class NumberFault { none, not_a_number, not_finite, out_of_range };
@@ -26,8 +24,6 @@ ParsedNumber parse_extreme_number(const char* first, const char* last, const cha
 /// The number that begins at `first`, an optional sign included.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
-  if (const Decimal decimal = read_decimal(first, last); decimal.end != nullptr)
-    return {decimal.value, decimal.end, NumberFault::none};
   double value = 0;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc::invalid_argument) return {0, first, NumberFault::not_a_number};
@@ -42,13 +38,13 @@ ParsedNumber parse_whole_number(std::string_view text);
 /// What had to stand where there is a fault.
 const char* expected_instead(NumberFault fault);
 
-/// Enough for any number, 24 characters at most, and for what is put behind it on the way.
-constexpr std::size_t number_room = 40;
+/// The characters of the longest, such as -2.2250738585072014e-308.
+constexpr std::size_t number_room = 24;
 
-/// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is room. Returns its
-/// end. The bytes are those of std::to_chars().
-inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + 20, value).ptr; }
-char* put_number(char* at, double value);
+/// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is number_room.
+/// Returns its end.
+inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
+inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
 
 /// A double as the shortest text that reads back to it.
 class ShortestText {

@@ -60,17 +60,15 @@ class ObjReader {
     mesh_.face_lines.push_back(first_line_);
   }
 
-  /// Takes a corner that is a number of up to nine digits and nothing else, as nearly all are.
+  /// Takes a corner that is a number without sign and nothing else, as nearly all are.
   bool take_plain_corner(std::string_view& rest) {
     const char* const last = rest.data() + rest.size();
     const char* const first = std::find_if_not(rest.data(), last, is_blank);
     std::uint32_t number = 0;
-    const char* at = first;
-    for (; at != last && at - first < 9 && *at >= '0' && *at <= '9'; ++at)
-      number = number * 10 + static_cast<std::uint32_t>(*at - '0');
-    if (number == 0 || (at != last && !is_blank(*at))) return false;
+    const auto [end, error] = std::from_chars(first, last, number);
+    if (error != std::errc() || number == 0 || (end != last && !is_blank(*end))) return false;
     corners_.push_back(number - 1);
-    rest.remove_prefix(static_cast<std::size_t>(at - rest.data()));
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     return true;
   }
 
