@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -15,6 +16,20 @@ inline std::string_view trimmed(std::string_view text) {
   while (first != last && is_blank(*first)) ++first;
   while (first != last && is_blank(last[-1])) --last;
   return {first, static_cast<std::size_t>(last - first)};
+}
+
+/// How often a line ends in `text`.
+inline std::size_t count_line_ends(std::string_view text) {
+  constexpr std::size_t block_size = 240;  // so that a count fits into a byte, and many lie in one register
+  std::size_t count = 0;
+  while (!text.empty()) {
+    const std::string_view block = text.substr(0, block_size);
+    std::uint8_t ends = 0;
+    for (const char c : block) ends = static_cast<std::uint8_t>(ends + (c == '\n' ? 1 : 0));
+    count += ends;
+    text.remove_prefix(block.size());
+  }
+  return count;
 }
 
 /// The lines of a text one after the other, without their ends (LF or CRLF) and without blanks around them.
@@ -40,6 +55,12 @@ class Lines {
     while (next())
       if (!line_.empty() && line_.front() != '#') return true;
     return false;
+  }
+
+  /// The next line was read elsewhere, up to `behind` its last character: goes to the line after its end.
+  void pass_line(const char* behind) {
+    at_ = behind == end_ ? end_ : behind + 1;
+    ++number_;
   }
 
   std::string_view line() const { return line_; }

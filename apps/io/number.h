@@ -4,6 +4,8 @@
 
 #include <array>
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace rbpa::app {
@@ -36,15 +38,22 @@ ParsedNumber parse_whole_number(std::string_view text);
 /// What had to stand where there is a fault.
 const char* expected_instead(NumberFault fault);
 
+/// The characters of the longest, such as -2.2250738585072014e-308.
+constexpr std::size_t number_room = 24;
+
+/// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is number_room.
+/// Returns its end.
+inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
+inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
+
 /// A double as the shortest text that reads back to it.
 class ShortestText {
  public:
-  explicit ShortestText(double value)
-      : end_(std::to_chars(text_.data(), text_.data() + text_.size(), value).ptr) {}
+  explicit ShortestText(double value) : end_(put_number(text_.data(), value)) {}
   operator std::string_view() const { return {text_.data(), static_cast<std::size_t>(end_ - text_.data())}; }
 
  private:
-  std::array<char, 32> text_;  // 24 characters are the longest
+  std::array<char, number_room> text_;
   char* end_;
 };
 

@@ -1,5 +1,6 @@
 #include "io/obj_mesh.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
@@ -51,11 +52,24 @@ class ObjReader {
 
   void read_face(std::string_view rest) {
     corners_.clear();
+    while (take_plain_corner(rest)) continue;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
       corners_.push_back(corner(word));
     if (corners_.empty()) bad_input(at_line(name_, first_line_), "a face without corners", "vertex numbers behind 'f'");
     mesh_.soup.add_face(corners_);
     mesh_.face_lines.push_back(first_line_);
+  }
+
+  /// Takes a corner that is a number without sign and nothing else, as nearly all are.
+  bool take_plain_corner(std::string_view& rest) {
+    const char* const last = rest.data() + rest.size();
+    const char* const first = std::find_if_not(rest.data(), last, is_blank);
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(first, last, number);
+    if (error != std::errc() || number == 0 || (end != last && !is_blank(*end))) return false;
+    corners_.push_back(number - 1);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    return true;
   }
 
   std::uint32_t corner(std::string_view word) const {

@@ -17,6 +17,7 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   Lines lines = header.lines;
   MeshFile mesh;
   mesh.positions.reserve(header.vertices);
+  mesh.point_lines.reserve(header.vertices);
   for (std::size_t i = 0; i < header.vertices; ++i) {
     if (i % 16384 == 0) stop_if_interrupted();
     if (!lines.next_with_content())
@@ -29,6 +30,8 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   if (*faces > (lines.rest().size() + 1) / 2)
     bad_input(name, counted(lines.rest().size(), "byte") + " behind the vertices",
               announced(header, *faces, "face line"));
+  mesh.reserve_faces(*faces);
+  mesh.face_lines.reserve(*faces);
   std::vector<std::uint32_t> corners;
   for (std::size_t f = 0; f < *faces; ++f) {
     if (f % 16384 == 0) stop_if_interrupted();

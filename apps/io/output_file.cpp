@@ -4,9 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <bit>
+#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -14,12 +13,10 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {
-
-constexpr std::size_t buffer_size = std::size_t{1} << 20U;
-constexpr std::size_t number_size = 32;
 
 /// The file behind symbolic links, so that renaming does not replace a link.
 std::string behind_links(const std::string& path) {
@@ -32,11 +29,6 @@ std::string temporary_beside(const std::string& path, int attempt) {
   const std::size_t slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
   return folder + ".rbpa-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
-}
-
-template <typename Bits>
-void store_little_endian(char* at, Bits bits) {
-  for (std::size_t i = 0; i < sizeof bits; ++i) at[i] = static_cast<char>((bits >> (8 * i)) & 0xFFU);
 }
 
 }  // namespace
@@ -71,50 +63,28 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
-void OutputFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    if (used_ == buffer_size) flush();
-    const std::size_t count = std::min(bytes.size(), buffer_size - used_);
-    std::memcpy(buffer_.get() + used_, bytes.data(), count);
-    used_ += count;
-    bytes.remove_prefix(count);
-  }
+void OutputFile::write_far(std::string_view bytes) {
+  flush();
+  if (bytes.size() >= buffer_size) return write_through(bytes);
+  write(bytes);
 }
 
-char* OutputFile::room(std::size_t size) {
-  if (buffer_size - used_ < size) flush();
-  return buffer_.get() + used_;
-}
+void OutputFile::write_number(double value) { written(put_number(room(number_room), value)); }
 
-void OutputFile::write_number(double value) {
-  char* at = room(number_size);
-  used_ += static_cast<std::size_t>(std::to_chars(at, at + number_size, value).ptr - at);
-}
-
-void OutputFile::write_number(std::uint64_t value) {
-  char* at = room(number_size);
-  used_ += static_cast<std::size_t>(std::to_chars(at, at + number_size, value).ptr - at);
-}
-
-void OutputFile::write_binary(std::uint32_t value) {
-  store_little_endian(room(sizeof value), value);
-  used_ += sizeof value;
-}
-
-void OutputFile::write_binary(double value) {
-  store_little_endian(room(sizeof value), std::bit_cast<std::uint64_t>(value));
-  used_ += sizeof value;
-}
+void OutputFile::write_number(std::uint64_t value) { written(put_number(room(number_room), value)); }
 
 void OutputFile::flush() {
-  const char* at = buffer_.get();
-  while (used_ > 0) {
+  write_through({buffer_.get(), used_});
+  used_ = 0;
+}
+
+void OutputFile::write_through(std::string_view bytes) const {
+  while (!bytes.empty()) {
     stop_if_interrupted();
-    const ssize_t count = ::write(descriptor_, at, used_);
+    const ssize_t count = ::write(descriptor_, bytes.data(), std::min(bytes.size(), buffer_size));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail("cannot write");
-    at += count;
-    used_ -= static_cast<std::size_t>(count);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
 

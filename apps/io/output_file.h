@@ -2,9 +2,12 @@
 // Law:  until publish() nothing is seen under its name; without publish() nothing is left behind.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,12 +24,31 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  void write(std::string_view bytes);
+  void write(std::string_view bytes) {
+    if (bytes.size() > buffer_size - used_) return write_far(bytes);
+    std::memcpy(buffer_.get() + used_, bytes.data(), bytes.size());
+    used_ += bytes.size();
+  }
   void write_number(double value);         ///< shortest text that reads back to it
   void write_number(std::uint64_t value);  ///< decimal text
-  /// The value as it lies in memory of a little-endian machine.
-  void write_binary(std::uint32_t value);
-  void write_binary(double value);
+
+  /// Values as they lie in memory of a little-endian machine.
+  template <typename T>
+  void write_binary(std::span<const T> values) {
+    const char* at = reinterpret_cast<const char*>(values.data());
+    if constexpr (std::endian::native == std::endian::little) return write({at, values.size_bytes()});
+    for (std::size_t i = 0; i < values.size(); ++i, at += sizeof(T))
+      for (std::size_t byte = sizeof(T); byte > 0; --byte) write({at + byte - 1, 1});
+  }
+
+  /// Where the next bytes belong, with room for `size` of them, at most most_room; written() takes those before `end`.
+  /// For what is put together from pieces so small that a call for each is most of the work.
+  char* room(std::size_t size) {
+    if (buffer_size - used_ < size) flush();
+    return buffer_.get() + used_;
+  }
+  void written(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
+  static constexpr std::size_t most_room = 4096;
 
   /// Everything written is on its way to the disk, and no error came up. Call once, before publish().
   void finish();
@@ -37,8 +59,11 @@ class OutputFile {
   const std::string& name() const { return name_; }
 
  private:
-  char* room(std::size_t size);
+  static constexpr std::size_t buffer_size = std::size_t{1} << 20U;
+
   void flush();
+  void write_far(std::string_view bytes);
+  void write_through(std::string_view bytes) const;
   [[noreturn]] void fail(const std::string& doing) const;
 
   std::string name_;

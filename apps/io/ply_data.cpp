@@ -37,7 +37,7 @@ void PlyBinary::skip(const PlyElement& element) {
   at_ += element.count * element.least_size();
 }
 
-void PlyBinary::pass(const PlyProperty& property, const PlyElement& element, std::size_t index) {
+void PlyBinary::pass_any(const PlyProperty& property, const PlyElement& element, std::size_t index) {
   std::size_t values = 1;
   if (property.count_type) {
     const char* length = at_;

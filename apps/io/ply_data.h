@@ -53,7 +53,17 @@ class PlyBinary {
 
  private:
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
-  void pass(const PlyProperty& property, const PlyElement& element, std::size_t index);
+  void pass(const PlyProperty& property, const PlyElement& element, std::size_t index) {
+    if (property.count_type == Scalar::uint8 && at_ != end_) {  // as nearly all lists of corners
+      const std::size_t size = 1 + static_cast<unsigned char>(*at_) * size_of(property.type);
+      if (size <= left()) {
+        at_ += size;
+        return;
+      }
+    }
+    pass_any(property, element, index);
+  }
+  void pass_any(const PlyProperty& property, const PlyElement& element, std::size_t index);
   void take(std::size_t size, const PlyElement& element, std::size_t index);
 
   std::endian order_;

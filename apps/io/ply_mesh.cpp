@@ -40,14 +40,22 @@ Layout lay_out(const PlyHeader& header, const std::string& name) {
   return layout;
 }
 
+/// A corner of the type that nearly all files have; a negative one becomes larger than any.
+std::optional<std::uint32_t> load_corner(Scalar type, const char* at, std::endian order) {
+  if (type != Scalar::int32 && type != Scalar::uint32) return std::nullopt;
+  return load<std::uint32_t>(at, order);
+}
+
 template <typename Data, typename ReadVertex, typename ReadFace>
-void pass_all(Data& data, const PlyHeader& header, const Layout& layout, const ReadVertex& read_vertex,
+void pass_all(Data& data, const PlyHeader& header, const Layout& layout, MeshFile& mesh, const ReadVertex& read_vertex,
               const ReadFace& read_face) {
   for (const PlyElement& element : header.elements) {
     data.require_room(element);
     if (&element == layout.vertex) {
+      mesh.positions.reserve(element.count);
       data.pass(element, read_vertex);
     } else if (&element == layout.face) {
+      mesh.reserve_faces(element.count);
       data.pass(element, read_face);
     } else {
       data.skip(element);
@@ -77,6 +85,10 @@ MeshFile read_binary(const PlyHeader& header, const Layout& layout, const std::s
     at += size_of(*list.count_type);
     corners.clear();
     for (std::size_t i = 0; i < length; ++i, at += size_of(list.type)) {
+      if (const auto known = load_corner(list.type, at, order); known && *known < layout.vertex->count) {
+        corners.push_back(*known);
+        continue;
+      }
       const double corner = load_number(list.type, at, order);
       if (!(corner >= 0 && corner < static_cast<double>(layout.vertex->count) && corner == std::floor(corner)))
         bad_input(name + ": face " + std::to_string(f), in_quotes(ShortestText(corner)),
@@ -85,7 +97,7 @@ MeshFile read_binary(const PlyHeader& header, const Layout& layout, const std::s
     }
     mesh.soup.add_face(corners);
   };
-  pass_all(data, header, layout, read_vertex, read_face);
+  pass_all(data, header, layout, mesh, read_vertex, read_face);
   return mesh;
 }
 
@@ -113,7 +125,7 @@ MeshFile read_ascii(const PlyHeader& header, const Layout& layout, const std::st
     mesh.soup.add_face(corners);
     mesh.face_lines.push_back(data.lines().number());
   };
-  pass_all(data, header, layout, read_vertex, read_face);
+  pass_all(data, header, layout, mesh, read_vertex, read_face);
   return mesh;
 }
 

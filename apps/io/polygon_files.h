@@ -2,11 +2,14 @@
 // Law:  the bytes depend on the mesh alone; coordinates read back to the same doubles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string_view>
 
+#include "io/number.h"
 #include "io/output_file.h"
 
 namespace rbpa::app {
@@ -14,27 +17,34 @@ namespace rbpa::app {
 // A `Mesh` below has points() and faces(), how many; point(i), three coordinates; face(f), a range of corners, each
 // std::uint32_t from 0.
 
-inline void write_position(OutputFile& file, const std::array<double, 3>& p) {
-  file.write_number(p[0]);
-  file.write(" ");
-  file.write_number(p[1]);
-  file.write(" ");
-  file.write_number(p[2]);
-  file.write("\n");
+/// "1.5 2 0" behind `before`, and the end of the line.
+inline void write_position(OutputFile& file, std::string_view before, const std::array<double, 3>& p) {
+  char* at = file.room(before.size() + 3 * (number_room + 1));
+  at = std::copy(before.begin(), before.end(), at);
+  for (const double coordinate : p) {
+    at = put_number(at, coordinate);
+    *at++ = ' ';
+  }
+  at[-1] = '\n';
+  file.written(at);
 }
 
-inline void write_obj_vertex(OutputFile& file, const std::array<double, 3>& p) {
-  file.write("v ");
-  write_position(file, p);
-}
+inline void write_obj_vertex(OutputFile& file, const std::array<double, 3>& p) { write_position(file, "v ", p); }
 
 /// " 4 5 6" and the end of the line.
 inline void write_corners(OutputFile& file, std::span<const std::uint32_t> corners, std::uint32_t first_index) {
-  for (const std::uint32_t corner : corners) {
-    file.write(" ");
-    file.write_number(std::uint64_t{corner} + first_index);
-  }
-  file.write("\n");
+  constexpr std::size_t at_once = 64;
+  do {
+    const auto some = corners.first(std::min(at_once, corners.size()));
+    corners = corners.subspan(some.size());
+    char* at = file.room(at_once * (number_room + 1) + 1);
+    for (const std::uint32_t corner : some) {
+      *at++ = ' ';
+      at = put_number(at, std::uint64_t{corner} + first_index);
+    }
+    if (corners.empty()) *at++ = '\n';
+    file.written(at);
+  } while (!corners.empty());
 }
 
 template <typename Mesh>
@@ -44,7 +54,7 @@ void write_off(OutputFile& file, const Mesh& mesh) {
   file.write(" ");
   file.write_number(std::uint64_t{mesh.faces()});
   file.write(" 0\n");
-  for (std::size_t i = 0; i < mesh.points(); ++i) write_position(file, mesh.point(i));
+  for (std::size_t i = 0; i < mesh.points(); ++i) write_position(file, "", mesh.point(i));
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     file.write_number(std::uint64_t{mesh.face(f).size()});
     write_corners(file, mesh.face(f), 0);
@@ -72,17 +82,20 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
   file.write_number(std::uint64_t{mesh.faces()});
   file.write(long_faces ? "\nproperty list uint int vertex_indices\nend_header\n"
                         : "\nproperty list uchar int vertex_indices\nend_header\n");
-  for (std::size_t i = 0; i < mesh.points(); ++i)
-    for (const double coordinate : mesh.point(i)) file.write_binary(coordinate);
+  for (std::size_t i = 0; i < mesh.points(); ++i) {
+    const std::array<double, 3> p = mesh.point(i);
+    file.write_binary(std::span<const double>(p));
+  }
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     const std::span<const std::uint32_t> corners = mesh.face(f);
-    const char length = static_cast<char>(static_cast<std::uint8_t>(corners.size()));
+    const std::uint32_t length[] = {static_cast<std::uint32_t>(corners.size())};
+    const std::uint8_t short_length[] = {static_cast<std::uint8_t>(corners.size())};
     if (long_faces) {
-      file.write_binary(static_cast<std::uint32_t>(corners.size()));
+      file.write_binary(std::span<const std::uint32_t>(length));
     } else {
-      file.write({&length, 1});
+      file.write_binary(std::span<const std::uint8_t>(short_length));
     }
-    for (const std::uint32_t corner : corners) file.write_binary(corner);
+    file.write_binary(corners);
   }
 }
 

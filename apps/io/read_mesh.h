@@ -18,6 +18,12 @@ struct MeshFile {
   /// Where each point and face stands in a text, from 1; empty when the file is binary.
   std::vector<std::size_t> point_lines;
   std::vector<std::size_t> face_lines;
+
+  /// Room for faces as the file announces them, most of them triangles.
+  void reserve_faces(std::size_t count) {
+    soup.begin.reserve(count + 1);
+    soup.corners.reserve(3 * count);
+  }
 };
 
 struct MeshSource {

@@ -109,13 +109,13 @@ class TextReader {
 
     std::vector<Point> points;
     // A point takes four characters or more; room that is not used costs nothing.
-    points.reserve(std::min(static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) + 1,
-                            text_.size() / 4 + 1));
+    points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text_.size() / 4 + 1));
+    points.push_back(read_line());
     do {
-      if (points.size() % 16384 == 0) stop_if_interrupted();
+      read_plain_lines(points);
+      if (!lines_.next_with_content()) return points;
       points.push_back(read_line());
-    } while (lines_.next_with_content());
-    return points;
+    } while (true);
   }
 
  private:
@@ -155,6 +155,51 @@ class TextReader {
       });
     if (found == fields.end()) bad_input(here(), in_quotes(lines_.line()), "a header with a column " + in_quotes(wanted));
     return static_cast<std::size_t>(found - fields.begin());
+  }
+
+  /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
+  void read_plain_lines(std::vector<Point>& points) {
+    for (Point p; const char* behind = read_plain_line(p); lines_.pass_line(behind)) {
+      if (points.size() % 16384 == 0) stop_if_interrupted();
+      points.push_back(p);
+    }
+  }
+
+  /// Where the next line ends, when it is plain and a point; else null.
+  const char* read_plain_line(Point& p) const {
+    const char* at = lines_.rest().data();
+    const char* const end = at + lines_.rest().size();
+    const auto skip_blanks = [&](char but) {
+      while (at != end && is_blank(*at) && *at != but) ++at;
+    };
+    const char kept = separator_ == blanks ? '\0' : separator_;  // a tab may be the separator
+    skip_blanks('\0');
+    for (std::size_t column = 0; column < *width_; ++column) {
+      if (column > 0) {
+        const char* const field_end = at;
+        skip_blanks(kept);
+        if (separator_ == blanks) {
+          if (at == field_end) return nullptr;
+        } else {
+          if (at == end || *at != separator_) return nullptr;
+          ++at;
+          skip_blanks(kept);
+        }
+      }
+      if (column == x_ || column == y_) {
+        const ParsedNumber number = parse_number(at, end);
+        if (number.fault != NumberFault::none) return nullptr;
+        if (column == x_) p.x = number.value;
+        if (column == y_) p.y = number.value;
+        at = number.end;
+      } else {
+        const char* const field = at;
+        while (at != end && !is_blank(*at) && *at != separator_ && *at != '\n' && *at != '"' && *at != '#') ++at;
+        if (at == field) return nullptr;
+      }
+    }
+    skip_blanks('\0');
+    return at == end || *at == '\n' ? at : nullptr;
   }
 
   Point read_line() {

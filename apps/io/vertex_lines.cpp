@@ -7,7 +7,26 @@
 
 namespace rbpa::app {
 
+namespace {
+
+void skip_blanks(std::string_view& text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+}
+
+/// Takes what lies before `end` when it is a word of its own.
+bool take_up_to(const char* end, std::string_view& rest) {
+  const auto size = static_cast<std::size_t>(end - rest.data());
+  if (size == 0 || (size < rest.size() && !is_blank(rest[size]))) return false;
+  rest.remove_prefix(size);
+  return true;
+}
+
+}  // namespace
+
 double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name) {
+  skip_blanks(rest);
+  const ParsedNumber coordinate = parse_number(rest.data(), rest.data() + rest.size());
+  if (coordinate.fault == NumberFault::none && take_up_to(coordinate.end, rest)) return coordinate.value;
   const std::string_view word = take_word(rest);
   if (word.empty()) bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "another number");
   const ParsedNumber number = parse_whole_number(word);
@@ -31,6 +50,13 @@ void take_corner_list(std::string_view& rest, const Lines& lines, const std::str
               "the number of corners of a face");
   corners.clear();
   for (std::size_t i = 0; i < *length; ++i) {
+    skip_blanks(rest);
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (error == std::errc() && number < points && take_up_to(end, rest)) {
+      corners.push_back(number);
+      continue;
+    }
     const std::string_view word = take_word(rest);
     if (word.empty())
       bad_input(at_line(name, lines.number()), counted(i, "corner") + " (" + in_quotes(lines.line()) + ")",

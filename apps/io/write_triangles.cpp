@@ -27,8 +27,9 @@ void write_npy(OutputFile& file, const TriangleMesh& mesh) {
   const char length[2] = {static_cast<char>(header.size() & 0xFFU), static_cast<char>(header.size() >> 8U)};
   file.write({length, 2});
   file.write(header);
-  for (const Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle) file.write_binary(corner);
+  static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+  if (!mesh.triangles.empty())
+    file.write_binary(std::span<const std::uint32_t>(mesh.triangles.front().data(), 3 * mesh.triangles.size()));
 }
 
 }  // namespace

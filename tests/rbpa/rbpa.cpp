@@ -160,6 +160,27 @@ TEST_CASE("indices, points, isolated and duplicates are right on every kind of s
   }
 }
 
+TEST_CASE("triangles are the faces of the mesh from their smallest corner on, sorted") {
+  const auto by_definition = [](const SolidAlphaComplex& complex) {
+    std::vector<Triangle> faces;
+    for (const auto face : complex.mesh.faces()) {
+      Triangle corners{};
+      std::size_t count = 0;
+      for (const auto v : face.vertices()) corners[count++] = complex.input_index[static_cast<std::size_t>(v.idx())];
+      faces.push_back(corners);
+    }
+    return canonical(faces);
+  };
+  Points wheel = integer_circle(1105);
+  wheel.insert(wheel.begin(), Point{0, 0});  // the smallest corner of every triangle
+  for (const double alpha : {0.5, 1.0, infinity})
+    for (const Points& points : {uniform(300, 1), duplicates(60, 5, 2), random_grid(12, 200, true, 3), wheel}) {
+      const SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
+      CHECK(rbpa::triangles(complex) == by_definition(complex));
+    }
+  CHECK(rbpa::triangles({}).empty());
+}
+
 TEST_CASE("progress is called with numbers that grow, and an unanswered call changes nothing") {
   const Points points = jittered_grid(120, 0.8, 1);
   std::vector<rbpa::Progress> seen;
