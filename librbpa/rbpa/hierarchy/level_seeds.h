@@ -40,7 +40,8 @@ class LevelSeeds {
         ladder_(ladder),
         pivot_(pivot),
         apexes_(apexes),
-        wake_(grid.points().size(), 0) {}
+        wake_(grid.points().size(), 0),
+        reached_(grid.points().size(), false) {}
 
   /// The level at which a site must be looked at next: before, there is no triangle at it but beyond frozen edges.
   int wake(meshops::Site s) const { return wake_[static_cast<std::size_t>(s)]; }
@@ -122,6 +123,9 @@ class LevelSeeds {
     // Both other corners of a triangle at v are within twice its circumradius.
     sleep(v, std::min(std::sqrt(second), looked) / 2);
     if (second > reach * reach) return;
+    // Near others and in no triangle again: only its star tells how long it can sleep.
+    if (reached_[v]) return look_all_around(v);
+    reached_[v] = true;
     std::erase_if(near_, [&](const Near& n) { return n.distance > reach * reach; });
     if (near_.size() > most_near) return look_all_around(v);
     for (const Near& p : near_)
@@ -244,6 +248,7 @@ class LevelSeeds {
   const RemainingPivot<Real>& pivot_;
   Apexes<Real>& apexes_;
   std::vector<std::uint16_t> wake_;
+  std::vector<bool> reached_;  // looked at when two others were near enough for a triangle
   int level_ = 0;
   Radius radius_;
   std::vector<meshops::Site> due_;
