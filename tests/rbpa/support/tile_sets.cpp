@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -68,9 +69,9 @@ std::optional<Index> winner(const Points& points, Index a, Index b) {
 }  // namespace
 
 Points nearly_a_lattice(int columns, double kept, double moved, Random& random) {
-  static constexpr double nothings[] = {1e-20, 1e-9, 0x1p-30, 0x1p-45};
+  static constexpr double nothings[] = {1e-20, 1e-9, 0x1p-20, 0x1p-23, 0x1p-26, 0x1p-30, 0x1p-45};
   const double pitch = random.chance(0.7) ? std::ldexp(1.0, random.integer(-20, 20)) : 0.1;
-  const double nothing = pitch * nothings[random.below(4)];
+  const double nothing = pitch * nothings[random.below(std::size(nothings))];
   const double x0 = random.chance(0.5) ? 0 : pitch * std::ldexp(random.integer(-3, 3), random.integer(0, 25)),
                y0 = random.chance(0.5) ? 0 : pitch * std::ldexp(random.integer(-3, 3), random.integer(0, 25));
   Points points;
@@ -112,6 +113,9 @@ std::vector<TileSet> tile_sets() {
       {"random grid with repetitions", random_grid(15, 300, true, 3)},
       {"sparse grid", sparse_grid(30, 0.3, 4)},
       {"barely jittered grid", jittered_grid(17, 1e-13, 5)},
+      {"grid jittered as single precision rounds", jittered_grid(17, 1e-6, 26)},
+      {"grid jittered a little less", jittered_grid(17, 1e-7, 27)},
+      {"grid jittered still less", jittered_grid(17, 3e-8, 28)},
       {"jittered grid far out", moved(jittered_grid(17, 0.9, 6), 0x1p40, -0x1p41)},
       {"jittered grid at the end of doubles", moved(jittered_grid(17, 0.9, 7), 0x1p52, 0x1p51)},
       {"integer circle", integer_circle(32045)},
