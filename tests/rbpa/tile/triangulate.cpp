@@ -17,6 +17,7 @@
 #include "rbpa/tile/cut.h"
 #include "support/generate.h"
 #include "support/shrink.h"
+#include "support/spacing.h"
 #include "support/tile_sets.h"
 
 using namespace rbpa_test;
@@ -266,6 +267,27 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
         }
         CHECK(triangles > sites.delaunay.size() * 9 / 10);
         CHECK(known > sites.points.size() * 3 / 4);
+
+        if (name != "uniform") continue;
+        // With a radius, the sides beyond which it is exceeded: most are seen to be so.
+        const Radius radius(0.6 * mean_spacing(points));
+        std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+        for (const Triangle& t : sites.delaunay)
+          for (std::size_t i = 0; i < 3; ++i)
+            if (!radius.admits<double>(sites.points[t[0]], sites.points[t[1]], sites.points[t[2]]))
+              sides.insert({t[i], t[(i + 1) % 3]});
+        std::size_t frozen = 0, open = 0;
+        for (const TileTriangles& tile : tell(sites.grid, radius, most))
+          for (std::size_t t = 0; t < tile.patch.triangles.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i) {
+              const auto from = static_cast<std::uint32_t>(tile.patch.triangles[t][i]),
+                         to = static_cast<std::uint32_t>(tile.patch.triangles[t][(i + 1) % 3]);
+              if (!sides.contains({to, from})) continue;
+              frozen += tile.patch.across[t][i] == Patch::frozen;
+              open += tile.patch.across[t][i] == Patch::open;
+            }
+        CHECK(frozen > 100);
+        CHECK(frozen >= 2 * open);
       }
     }
   }
