@@ -1,0 +1,388 @@
+// Front::lay(), join() and insert(): triangles laid in patches are the mesh that they are one by one.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/front/engine.h"
+#include "support/meshes.h"
+#include "support/snapshot.h"
+#include "support/soups.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+using Corners = std::array<Site, 3>;
+using Arrow = std::pair<Site, Site>;
+using Cycle = std::vector<Site>;
+
+std::size_t below(std::mt19937& random, std::size_t bound) { return random() % bound; }
+
+struct Complex {
+  std::size_t sites;
+  std::vector<Corners> triangles;
+
+  Arrow side(std::size_t s) const { return {triangles[s / 3][s % 3], triangles[s / 3][(s + 1) % 3]}; }
+};
+
+/// Some of the triangles of a grid, a band or a torus, in any order, on some of the sites in any order: the fewer are
+/// kept, the more holes, pinches and components there are.
+Complex random_complex(std::mt19937& random) {
+  const auto columns = static_cast<std::uint32_t>(4 + below(random, 4)),
+             rows = static_cast<std::uint32_t>(4 + below(random, 4));
+  const bool wrap_x = below(random, 2) == 0, wrap_y = below(random, 3) == 0;
+  const PolygonSoup grid = shuffled(grid_soup(columns, rows, wrap_x, wrap_y), random, true).soup;
+  const std::size_t spare = below(random, 4);
+  std::vector<Site> site(grid.points + spare);
+  for (std::size_t i = 0; i < site.size(); ++i) site[i] = static_cast<Site>(i);
+  std::shuffle(site.begin(), site.end(), random);
+  Complex complex{site.size(), {}};
+  const std::size_t kept = 2 + below(random, 9);
+  for (std::size_t f = 0; f < grid.faces(); ++f) {
+    if (below(random, 10) >= kept) continue;
+    const auto corners = grid.face(f);
+    complex.triangles.push_back({site[corners[0]], site[corners[1]], site[corners[2]]});
+  }
+  return complex;
+}
+
+/// The least first.
+Cycle canonical(Cycle cycle) {
+  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+  return cycle;
+}
+
+/// A mesh as its sites see it: equal for fronts on which the same triangles are joined in the same way.
+struct Shape {
+  std::vector<Cycle> triangles;
+  std::size_t vertices, edges;
+  std::vector<std::pair<Site, Cycle>> fans;  ///< of each fan the sites around it
+  std::vector<Cycle> curves;
+  std::vector<Arrow> boundary;
+
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+Shape shape(const Front& front) {
+  const Connectivity& mesh = front.mesh();
+  Shape shape{{}, 0, front.edges(), {}, {}, {}};
+  REQUIRE(mesh.n_edges() >= front.edges());
+  REQUIRE(mesh.n_faces() >= front.faces());
+  for (std::size_t f = 0; f < front.faces(); ++f) {
+    Cycle corners;
+    const Halfedge first = mesh.halfedge_handle(Face(static_cast<int>(f)));
+    Halfedge h = first;
+    do {
+      REQUIRE(mesh.face_handle(h).idx() == static_cast<int>(f));
+      corners.push_back(front.from_site(h));
+      h = mesh.next_halfedge_handle(h);
+    } while (h != first && corners.size() < 4);
+    REQUIRE(corners.size() == 3);
+    shape.triangles.push_back(canonical(corners));
+  }
+  for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) shape.vertices += !mesh.is_isolated(Vertex(v));
+  for (Site s = 0; s < static_cast<Site>(front.sites()); ++s) {
+    front.for_each_fan(s, [&](Vertex v) {
+      CHECK(front.site(v) == s);
+      Cycle around;
+      const Halfedge first = mesh.halfedge_handle(v);
+      Halfedge h = first;
+      do {
+        around.push_back(front.to_site(h));
+        h = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h));
+      } while (h != first);
+      shape.fans.emplace_back(s, mesh.is_boundary(v) ? around : canonical(around));
+    });
+  }
+  for (const BoundaryCurve& curve : front.curves()) {
+    Cycle sites;
+    for (const Halfedge h : curve) {
+      sites.push_back(front.from_site(h));
+      shape.boundary.emplace_back(front.from_site(h), front.to_site(h));
+    }
+    // A curve may pass a site twice.
+    Cycle least = sites;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      std::rotate(sites.begin(), sites.begin() + 1, sites.end());
+      least = std::min(least, sites);
+    }
+    shape.curves.push_back(least);
+  }
+  std::sort(shape.triangles.begin(), shape.triangles.end());
+  std::sort(shape.fans.begin(), shape.fans.end());
+  std::sort(shape.curves.begin(), shape.curves.end());
+  std::sort(shape.boundary.begin(), shape.boundary.end());
+  return shape;
+}
+
+/// The complex built triangle by triangle.
+Shape built_singly(const Complex& complex) {
+  TestMesh mesh;
+  Front front(mesh, complex.sites);
+  for (const Corners& t : complex.triangles) front.create(t[0], t[1], t[2]);
+  check_sound(mesh);
+  return shape(front);
+}
+
+/// Which halfedges are active, which are frozen. Empties the queue.
+std::map<Arrow, bool> frozen_by_side(Front& front) {
+  std::map<Arrow, bool> found;
+  const auto note = [&](Halfedge h, bool frozen) {
+    CHECK(front.mesh().is_boundary(h));
+    CHECK(found.try_emplace({front.from_site(h), front.to_site(h)}, frozen).second);
+  };
+  for (const Halfedge h : front.frozen()) note(h, true);
+  for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) note(h, false);
+  return found;
+}
+
+/// Whether the patch is to call a side frozen at which nothing of its own lies.
+using Freeze = std::set<Arrow>;
+
+/// The triangles whose patch_of is not negative, in as many patches.
+std::vector<Patch> patches(const Complex& complex, const std::vector<int>& patch_of, int count, const Freeze& frozen) {
+  std::map<Arrow, std::pair<int, int>> side_at;  // of each side, its patch and its number there
+  std::vector<Patch> made(static_cast<std::size_t>(count));
+  for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
+    if (patch_of[t] < 0) continue;
+    Patch& patch = made[static_cast<std::size_t>(patch_of[t])];
+    for (std::size_t i = 0; i < 3; ++i)
+      side_at[complex.side(3 * t + i)] = {patch_of[t], static_cast<int>(3 * patch.triangles.size() + i)};
+    patch.triangles.push_back(complex.triangles[t]);
+  }
+  for (int p = 0; p < count; ++p) {
+    Patch& patch = made[static_cast<std::size_t>(p)];
+    for (const Corners& t : patch.triangles) {
+      auto& across = patch.across.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Site from = t[i], to = t[(i + 1) % 3];
+        const auto beyond = side_at.find({to, from});
+        if (beyond != side_at.end() && beyond->second.first == p)
+          across[i] = beyond->second.second;
+        else
+          across[i] = frozen.contains({from, to}) ? Patch::frozen : Patch::open;
+      }
+    }
+  }
+  return made;
+}
+
+Freeze some_sides(const Complex& complex, std::mt19937& random) {
+  Freeze frozen;
+  for (std::size_t s = 0; s < 3 * complex.triangles.size(); ++s)
+    if (below(random, 2) == 0) frozen.insert(complex.side(s));
+  return frozen;
+}
+
+/// Proposes the triangles of a complex.
+struct Known {
+  explicit Known(const Complex& complex) : triangles(complex.triangles) {
+    for (const Corners& t : triangles)
+      for (std::size_t i = 0; i < 3; ++i) apex[{t[i], t[(i + 1) % 3]}] = t[(i + 2) % 3];
+  }
+  std::optional<Corners> seed(const Front& front) {
+    std::set<Cycle> there;
+    for (const Cycle& t : shape(front).triangles) there.insert(t);
+    for (const Corners& t : triangles)
+      if (!there.contains(canonical({t.begin(), t.end()}))) return t;
+    return std::nullopt;
+  }
+  std::optional<Site> propose(const Front& front, Halfedge h) {
+    const auto found = apex.find({front.from_site(h), front.to_site(h)});
+    if (found == apex.end()) return std::nullopt;
+    return found->second;
+  }
+  std::vector<Corners> triangles;
+  std::map<Arrow, Site> apex;
+};
+
+/// Checks the mesh at every step.
+struct Watch : FrontVisitor {
+  void seeded(const Front& front, const InsertedTriangle&) { check_sound(front.mesh()); }
+  void attached(const Front& front, Halfedge, const InsertedTriangle&) { check_sound(front.mesh()); }
+};
+
+}  // namespace
+
+TEST_SUITE("front") {
+  TEST_CASE("patches laid and joined are the mesh of their triangles one by one, however it is cut into patches") {
+    std::mt19937 random(1);
+    for (int round = 0; round < 300; ++round) {
+      CAPTURE(round);
+      const Complex complex = random_complex(random);
+      const Shape expected = built_singly(complex);
+      const std::size_t size = complex.triangles.size();
+      for (const std::size_t most : {std::size_t{1}, std::size_t{3}, size + 1}) {
+        CAPTURE(most);
+        const auto count = static_cast<int>(1 + below(random, most));
+        std::vector<int> patch_of(size);
+        for (int& p : patch_of) p = static_cast<int>(below(random, static_cast<std::size_t>(count)));
+        const Freeze frozen = some_sides(complex, random);
+        TestMesh mesh;
+        Front front(mesh, complex.sites, below(random, 2) == 0 ? 1 : 64);
+        for (const Patch& patch : patches(complex, patch_of, count, frozen)) front.lay(patch);
+        front.join();
+        check_sound(mesh);
+        CHECK(front.faces() == size);
+        CHECK(mesh.n_faces() == size);
+        CHECK(mesh.n_edges() == front.edges());
+        REQUIRE(shape(front) == expected);
+        // What the patch beyond calls its side, or would, is of no account: nothing lies there.
+        std::map<Arrow, bool> sides;
+        for (const auto& [from, to] : expected.boundary) sides[{from, to}] = frozen.contains({to, from});
+        CHECK(frozen_by_side(front) == sides);
+      }
+    }
+  }
+
+  TEST_CASE("a side is glued to that of another patch though either calls it frozen") {
+    for (const int first : {Patch::open, Patch::frozen}) {
+      for (const int second : {Patch::open, Patch::frozen}) {
+        TestMesh mesh;
+        Front front(mesh, 4);
+        front.lay({{{0, 1, 2}}, {{first, Patch::open, Patch::frozen}}});
+        front.lay({{{3, 1, 0}}, {{Patch::frozen, second, Patch::open}}});
+        front.join();
+        check_sound(mesh);
+        CHECK(mesh.n_edges() == 5);
+        CHECK(frozen_by_side(front) ==
+              std::map<Arrow, bool>{{{2, 1}, false}, {{0, 2}, true}, {{1, 3}, true}, {{3, 0}, false}});
+      }
+    }
+  }
+
+  TEST_CASE("a front goes on from what was laid as if it had been built singly") {
+    std::mt19937 random(2);
+    for (int round = 0; round < 60; ++round) {
+      CAPTURE(round);
+      const Complex complex = random_complex(random);
+      Known policy(complex);
+      std::vector<int> patch_of;
+      for (std::size_t t = 0; t < complex.triangles.size(); ++t)
+        patch_of.push_back(static_cast<int>(below(random, 4)) - 1);
+      Freeze frozen;  // only where it is true
+      for (std::size_t s = 0; s < 3 * complex.triangles.size(); ++s) {
+        const auto [from, to] = complex.side(s);
+        if (!policy.apex.contains({to, from}) && below(random, 2) == 0) frozen.insert({from, to});
+      }
+      TestMesh mesh;
+      Front front(mesh, complex.sites, 1);
+      for (const Patch& patch : patches(complex, patch_of, 3, frozen)) front.lay(patch);
+      front.join();
+      Watch watch;
+      advance(front, policy, watch);
+      const Shape expected = built_singly(complex);
+      REQUIRE(shape(front) == expected);
+      std::set<Site> to_carry;
+      for (const auto& [from, to] : expected.boundary) to_carry.insert({from, to});
+      std::map<Arrow, bool> sides;
+      for (const Arrow& arrow : expected.boundary) sides[arrow] = true;
+      CHECK(frozen_by_side(front) == sides);
+      for (Site s = 0; s < static_cast<Site>(front.sites()); ++s)
+        if (front.is_free(s)) to_carry.insert(s);
+      const LevelTransfer transfer = front.next_level();
+      CHECK(transfer.carried == std::vector<Site>(to_carry.begin(), to_carry.end()));
+      CHECK(transfer.reactivated == expected.boundary.size());
+      const std::vector<Site> left = front.finish();
+      CHECK(left.size() == expected.vertices);
+      CHECK(mesh.n_vertices() == expected.vertices);
+      check_sound(mesh);
+    }
+  }
+
+  TEST_CASE("closed fans get vertices of their own, as those do that have a boundary") {
+    // Tetrahedra, and a triangle, that touch in site 0.
+    const std::vector<Corners> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    const std::vector<Corners> other = {{0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
+    for (const std::size_t of_other : {std::size_t{1}, std::size_t{4}}) {
+      CAPTURE(of_other);
+      Complex complex{7, tetrahedron};
+      complex.triangles.insert(complex.triangles.end(), other.begin(), other.begin() + std::ptrdiff_t(of_other));
+      const std::vector<int> patch_of(complex.triangles.size(), 0);
+      TestMesh mesh;
+      Front front(mesh, complex.sites);
+      for (const Patch& patch : patches(complex, patch_of, 1, {})) front.lay(patch);
+      front.join();
+      check_sound(mesh);
+      CHECK(shape(front) == built_singly(complex));
+    }
+  }
+
+  TEST_CASE("no patch, or an empty one, leaves the front as it began") {
+    TestMesh mesh;
+    Front front(mesh, 3);
+    front.join();
+    front.lay({});
+    front.join();
+    check_sound(mesh);
+    CHECK(mesh.n_vertices() == 3);
+    CHECK(front.faces() == 0);
+    CHECK_FALSE(front.pop().is_valid());
+    front.lay({{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}});
+    front.join();
+    CHECK(front.faces() == 1);
+  }
+
+  TEST_CASE("patches are not laid on a front that has triangles, and must tell what is across of every triangle") {
+    const Patch patch{{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}};
+    const Patch without{{{0, 1, 2}}, {}};
+    const Patch beyond{{}, {{Patch::open, Patch::open, Patch::open}}};
+    TestMesh mesh;
+    Front front(mesh, 6);
+    const auto empty = snapshot(mesh);
+    CHECK_THROWS_AS(front.lay(without), ContractViolation);
+    CHECK_THROWS_AS(front.lay(beyond), ContractViolation);
+    CHECK(snapshot(mesh) == empty);
+    front.create(3, 4, 5);
+    const auto before = snapshot(mesh);
+    CHECK_THROWS_AS(front.lay(patch), ContractViolation);
+    CHECK(snapshot(mesh) == before);
+
+    TestMesh laid_on;
+    Front laid(laid_on, 6);
+    laid.lay(patch);
+    CHECK_THROWS_AS(laid.lay(without), ContractViolation);
+    laid.join();
+    check_sound(laid_on);
+    const auto joined = snapshot(laid_on);
+    CHECK_THROWS_AS(laid.lay({{{3, 4, 5}}, {{Patch::open, Patch::open, Patch::open}}}), ContractViolation);
+    CHECK(snapshot(laid_on) == joined);
+  }
+
+  TEST_CASE("insert with the sides that are there is create, but for the queue") {
+    std::mt19937 random(3);
+    for (int round = 0; round < 60; ++round) {
+      CAPTURE(round);
+      const Complex complex = random_complex(random);
+      TestMesh created, inserted;
+      Front one(created, complex.sites), other(inserted, complex.sites);
+      for (const Corners& t : complex.triangles) {
+        one.create(t[0], t[1], t[2]);
+        TriangleSides sides;
+        for (const auto h : inserted.halfedges())
+          for (std::size_t i = 0; i < 3; ++i)
+            if (h.is_boundary() && other.from_site(h) == t[i] && other.to_site(h) == t[(i + 1) % 3]) sides.side[i] = h;
+        const InsertedTriangle triangle = other.insert(sides, t[0], t[1], t[2]);
+        CHECK_FALSE(other.pop().is_valid());
+        for (std::size_t i = 0; i < 3; ++i) {
+          CHECK(other.from_site(triangle.side[i]) == t[i]);
+          CHECK(other.to_site(triangle.side[i]) == t[(i + 1) % 3]);
+        }
+        REQUIRE(snapshot(inserted) == snapshot(created));
+      }
+      CHECK(shape(other) == shape(one));
+      for (const auto h : inserted.halfedges())
+        if (h.is_boundary()) below(random, 2) == 0 ? other.freeze(h) : other.activate(h);
+      CHECK(frozen_by_side(other).size() == frozen_by_side(one).size());
+    }
+  }
+}

@@ -1,0 +1,37 @@
+// What: point sets that are hard for tiles: crowds beside empty land, lattices and what is just off one, ties.
+// Law:  a function of the arguments alone; every set fits double.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/random.h"
+#include "support/triangle.h"
+
+namespace rbpa_test {
+
+struct TileSet {
+  std::string name;
+  Points points;
+};
+
+/// Sets of up to about 300 points each.
+std::vector<TileSet> tile_sets();
+
+/// A set of up to a few dozen points, of any kind.
+TileSet few_points(Random& random);
+
+/// Points of a lattice of at most `columns` columns and rows, some of them moved by next to nothing where doubles are
+/// fine enough to tell.
+Points nearly_a_lattice(int columns, double kept, double moved, Random& random);
+
+/// Integer points around one that is off them by so little that differences from it round to integers. It has a column
+/// of its own, or a row as well: no other point has a coordinate by which to tell.
+Points lattice_around_a_stranger(Random& random);
+
+/// The Delaunay triangles, without any two points on a circle by the perturbation, in canonical order, by the winner
+/// among all points. Requires distinct points that fit double.
+/// Cost: quadratic.
+std::vector<Triangle> delaunay_by_winners(const Points& points);
+
+}  // namespace rbpa_test
