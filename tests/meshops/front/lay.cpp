@@ -299,24 +299,6 @@ TEST_SUITE("front") {
     }
   }
 
-  TEST_CASE("closed fans get vertices of their own, as those do that have a boundary") {
-    // Tetrahedra, and a triangle, that touch in site 0.
-    const std::vector<Corners> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
-    const std::vector<Corners> other = {{0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
-    for (const std::size_t of_other : {std::size_t{1}, std::size_t{4}}) {
-      CAPTURE(of_other);
-      Complex complex{7, tetrahedron};
-      complex.triangles.insert(complex.triangles.end(), other.begin(), other.begin() + std::ptrdiff_t(of_other));
-      const std::vector<int> patch_of(complex.triangles.size(), 0);
-      TestMesh mesh;
-      Front front(mesh, complex.sites);
-      for (const Patch& patch : patches(complex, patch_of, 1, {})) front.lay(patch);
-      front.join();
-      check_sound(mesh);
-      CHECK(shape(front) == built_singly(complex));
-    }
-  }
-
   TEST_CASE("no patch, or an empty one, leaves the front as it began") {
     TestMesh mesh;
     Front front(mesh, 3);
