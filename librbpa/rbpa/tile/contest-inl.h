@@ -84,7 +84,8 @@ class Contest {
   static constexpr float first_reach_in_cells = 0.9f;
   static constexpr float first_reach_in_chords = 0.6f;
   static constexpr float most_first_reach_in_chords = 3;  // where a crowd fills a cell, the chord is the scale
-  static constexpr float most_reach = 4;                  // the whole tile, from any point of it
+  static constexpr std::size_t most_contenders = 64;
+  static constexpr float most_reach = 4;  // the whole tile, from any point of it
 
   /// Where to look first, for all edges.
   HWY_NOINLINE void look_around() {
@@ -360,7 +361,8 @@ class Contest {
           contenders_.push_back(static_cast<Index>(point));
       }
     }
-    if (contenders_.empty()) return {none, high};
+    // A circle full of points: no tile has an easier time with it than the front of the whole mesh.
+    if (contenders_.empty() || contenders_.size() > most_contenders) return {none, high};
     return {contenders_.size() == 1 && high < infinity ? contenders_[0] : decide(edge), high};
   }
 
