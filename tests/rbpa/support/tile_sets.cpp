@@ -52,6 +52,28 @@ Points ring(int points_on_it, double radius) {
   return points;
 }
 
+/// A turned grid of pairs: thin rectangles, cocircular but for the last bits.
+Points pairs_on_a_grid(int columns, double apart) {
+  Points points;
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < columns; ++j)
+      for (const double y : {static_cast<double>(j), j + apart})
+        points.push_back({0.6 * i - 0.8 * y, 0.8 * i + 0.6 * y});
+  return points;
+}
+
+/// Rows of points that are on a line but for `off`.
+Points rows_nearly_on_lines(int rows, int each, double off, std::uint64_t seed) {
+  Random random(seed);
+  Points points;
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < each; ++i) {
+      const double x = random.between(0, each), y = 2 * row + off * random.between(-1, 1);
+      points.push_back({0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y});
+    }
+  return points;
+}
+
 Points together(Points a, const Points& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
@@ -129,6 +151,11 @@ std::vector<TileSet> tile_sets() {
       {"crowds of 1e-12", crowds(4, 60, 1e-12, 60, 10)},
       {"pairs of 1e-12", crowds(120, 2, 1e-12, 40, 11)},
       {"pairs of 1e-15", crowds(120, 2, 1e-15, 40, 12)},
+      {"pairs on a grid, 0.01 apart", pairs_on_a_grid(12, 0.01)},
+      {"pairs on a grid, 0.001 apart", pairs_on_a_grid(12, 0.001)},
+      {"pairs on a grid, 0.0001 apart", pairs_on_a_grid(12, 0.0001)},
+      {"rows nearly on lines, 1e-5 off", rows_nearly_on_lines(6, 45, 1e-5, 29)},
+      {"rows nearly on lines, 1e-7 off", rows_nearly_on_lines(6, 45, 1e-7, 30)},
       {"ever denser", ever_denser(10, 30, 13)},
       {"duplicates", duplicates(100, 4, 14)},
       {"nearest doubles", nearest_doubles(100, 15)},

@@ -134,6 +134,24 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or sa
   CHECK(with_unknown > 0);
 }
 
+TEST_CASE("a tile has no more points than it can have: what is around it is unknown then") {
+  CHECK(check_tiles(uniform(39000, 4), Tile::most_points) > 0);
+}
+
+TEST_CASE("a tile in a grid of its own has what is beyond, or says where not: a crowd beside a crowd") {
+  Random random(5);
+  int with_unknown = 0;
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    Points points = scaled(uniform(400, random.bits()), 1);
+    const double x = random.between(5, 30), y = random.between(5, 30);
+    for (int i = 0; i < 60; ++i) points.push_back({x + random.unit(), y + random.unit()});
+    for (int i = 0; i < 2000; ++i) points.push_back({x + 1 + random.between(0, 0.2), y + random.unit()});
+    for (const std::uint32_t most : {30u, 2048u}) with_unknown += check_tiles(points, most);
+  }
+  CHECK(with_unknown > 0);
+}
+
 TEST_CASE("a block of more points than a tile can have gives an empty tile") {
   const Points points = jittered_grid(110, 0.9, 2);
   const PointGrid<double> grid(points);

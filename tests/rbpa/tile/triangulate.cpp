@@ -212,6 +212,18 @@ TEST_CASE("what a tile tells is true, and the same by every vector unit: a few p
   }
 }
 
+TEST_CASE("what a tile tells is true, and the same by every vector unit: beside crowds that it does not know") {
+  Random random(6);
+  for (int round = 0; round < 150; ++round) {
+    CAPTURE(round);
+    TileSet set{"beside a crowd", scaled(uniform(15 + random.below(36), random.bits()), 1)};
+    const double width = random.between(0.01, 1);
+    const Point at = {random.between(0, 14), random.between(0, 14)};
+    for (int i = 0; i < 70; ++i) set.points.push_back({at.x + width * random.unit(), at.y + width * random.unit()});
+    for (const std::uint32_t most : {1u, 3u}) check(set, most);
+  }
+}
+
 TEST_CASE("a point that is off a lattice by less than differences can tell is not of the lattice") {
   // Differences from the third point round to those from (0, 0), which would be on a circle with the others.
   const Points five = {{1, 2}, {-2, 1}, {0x1p-60, 0}, {-2, -1}, {-1, 0}};
