@@ -115,8 +115,8 @@ class MESHOPS_API Front {
   /// Lays many triangles at once, whose edges among each other are known: gluing in bulk. Patches are laid beside each
   /// other, in any order; an open or frozen side is glued to the side of another patch on the same sites. join() must
   /// follow before anything else is done.
-  /// Requires: no triangle but those of patches laid since the last join(), and none before the first; the triangles of
-  /// all patches are those of a complex; a site around which they close has no other fan, as it is in the plane.
+  /// Requires: no triangle but those of patches, none joined yet, and no added site. The triangles of all patches are
+  ///           those of a complex; a site around which they close has no other fan, as it is in the plane.
   /// Cost:     linear in the patch.
   void lay(const Patch& patch);
 

@@ -20,6 +20,7 @@ void Front::lay(const Patch& patch) {
   require(patch.across.size() == patch.triangles.size(), "lay: a patch tells what is across of each triangle");
   if (first_seam_.empty()) {
     require(faces_ == 0, "lay: there are triangles that are not of a patch");
+    require(added_.empty(), "lay: sites were added");
     first_seam_.assign(sites(), -1);
   }
   const std::size_t triangles = patch.triangles.size();
