@@ -12,13 +12,22 @@
 
 namespace rbpa {
 
-/// `FrontPivot` finds the apex of a front edge: Pivot, or PaperPivot for comparison. `Observer` has a member
-/// searched(front), which is called while seeds are searched, and may throw to end the run.
-template <typename Real, typename FrontPivot, typename Observer>
+/// Where all that is missing hangs together through edges with what is there.
+struct NoSeeds {
+  template <typename Searched>
+  std::optional<std::array<meshops::Site, 3>> next(const meshops::Front&, Searched) const {
+    return std::nullopt;
+  }
+};
+
+/// `AnySeeds` is Seeds or NoSeeds. `FrontPivot` finds the apex of a front edge: Pivot, RemainingPivot, or PaperPivot for
+/// comparison. `Observer` has a member searched(front), which is called while seeds are searched, and may throw to end
+/// the run.
+template <typename AnySeeds, typename FrontPivot, typename Observer>
 class RestrictedBallPivoting {
  public:
   /// Keeps references.
-  RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot, Observer& observer)
+  RestrictedBallPivoting(AnySeeds& seeds, const FrontPivot& pivot, Observer& observer)
       : seeds_(seeds), pivot_(pivot), observer_(observer) {}
 
   std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) {
@@ -32,7 +41,7 @@ class RestrictedBallPivoting {
   }
 
  private:
-  Seeds<Real>& seeds_;
+  AnySeeds& seeds_;
   const FrontPivot& pivot_;
   Observer& observer_;
 };

@@ -1,7 +1,5 @@
 #include "rbpa/rbpa.h"
 
-#include <array>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -18,23 +16,6 @@
 namespace rbpa {
 namespace {
 
-/// What the tiles have begun, where there is no radius: all that is missing hangs together with it through edges.
-template <typename Real>
-class Continue {
- public:
-  explicit Continue(const RemainingPivot<Real>& pivot) : pivot_(pivot) {}
-
-  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front&) const { return std::nullopt; }
-  std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
-    const auto apex = pivot_on(pivot_, front, h);
-    if (!apex) return std::nullopt;
-    return static_cast<meshops::Site>(*apex);
-  }
-
- private:
-  const RemainingPivot<Real>& pivot_;
-};
-
 template <typename Real>
 class Run {
  public:
@@ -48,25 +29,26 @@ class Run {
       known = lay_tiles(grid_, radius_, front, [&] { report_.worked(front); });
     if (radius_.is_infinite() && front.faces() > 0) {
       const RemainingPivot<Real> pivot(grid_, known, grid_unit_);
-      Continue<Real> policy(pivot);
-      meshops::advance(front, policy, report_);
+      NoSeeds seeds;  // the Delaunay triangulation hangs together through edges
+      advance(front, pivot, seeds);
     } else {
       const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-      advance(front, pivot, pivot, std::move(known));
+      Seeds<Real> seeds(grid_, radius_, pivot, std::move(known));
+      advance(front, pivot, seeds);
     }
   }
 
   void by_the_paper(meshops::Front& front) {
     const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-    advance(front, PaperPivot<Real>(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_), pivot, {});
+    const PaperPivot<Real> paper_pivot(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_);
+    Seeds<Real> seeds(grid_, radius_, pivot);
+    advance(front, paper_pivot, seeds);
   }
 
  private:
-  template <typename FrontPivot>
-  void advance(meshops::Front& front, const FrontPivot& front_pivot, const Pivot<Real>& pivot,
-               std::vector<bool> known) {
-    Seeds<Real> seeds(grid_, radius_, pivot, std::move(known));
-    RestrictedBallPivoting<Real, FrontPivot, Report> policy(seeds, front_pivot, report_);
+  template <typename FrontPivot, typename AnySeeds>
+  void advance(meshops::Front& front, const FrontPivot& pivot, AnySeeds& seeds) {
+    RestrictedBallPivoting policy(seeds, pivot, report_);
     meshops::advance(front, policy, report_);
   }
 

@@ -14,6 +14,7 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/front/patch.h"
+#include "meshops/front/seams.h"
 #include "meshops/handle/insert_triangle.h"
 
 namespace meshops {
@@ -188,12 +189,10 @@ class MESHOPS_API Front {
   void supply(std::size_t edges, std::size_t faces);
 
   /// A side of a patch at whose other side nothing lies yet.
-  struct Seam {
+  struct Rim {
     Halfedge boundary;
-    int next;  // the next from the same site, or -1
     bool frozen;
   };
-  Halfedge take_seam(Site from, Site to);
   Halfedge next_on_boundary(Halfedge boundary) const;
 
   bool is_first(Site s) const { return static_cast<std::size_t>(s) < first_sites_; }
@@ -220,8 +219,7 @@ class MESHOPS_API Front {
   std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  std::vector<Seam> seams_;
-  std::vector<int> first_seam_;          // of each site, the first seam whose boundary halfedge leaves it, or -1
+  Seams<Rim> rims_;                      // each at the site that its boundary halfedge leaves
   std::vector<Halfedge> side_of_patch_;  // of the patch being laid
   std::vector<Site> carried_;            // by the last transfer
   std::size_t carried_before_ = 0;       // the number of sites then; later ones have been added since

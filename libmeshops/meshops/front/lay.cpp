@@ -4,24 +4,12 @@
 
 namespace meshops {
 
-/// The boundary halfedge between two sites that an earlier patch has left, which is then no seam any more.
-Halfedge Front::take_seam(Site from, Site to) {
-  for (int* link = &first_seam_[static_cast<std::size_t>(from)]; *link >= 0;
-       link = &seams_[static_cast<std::size_t>(*link)].next) {
-    const Seam& seam = seams_[static_cast<std::size_t>(*link)];
-    if (mesh_.to_vertex_handle(seam.boundary).idx() != to) continue;
-    *link = seam.next;
-    return seam.boundary;
-  }
-  return Halfedge();
-}
-
 void Front::lay(const Patch& patch) {
   require(patch.across.size() == patch.triangles.size(), "lay: a patch tells what is across of each triangle");
-  if (first_seam_.empty()) {
+  if (!rims_.has_begun()) {
     require(faces_ == 0, "lay: there are triangles that are not of a patch");
     require(added_.empty(), "lay: sites were added");
-    first_seam_.assign(sites(), -1);
+    rims_.begin(sites());
   }
   const std::size_t triangles = patch.triangles.size();
   const auto needed = [](std::size_t used, std::size_t more, std::size_t there) {
@@ -45,17 +33,15 @@ void Front::lay(const Patch& patch) {
       if (across >= 0 && static_cast<std::size_t>(across) < s)
         h = mesh_.opposite_halfedge_handle(side_of_patch_[static_cast<std::size_t>(across)]);
       else if (across < 0)
-        h = take_seam(from, to);
+        h = rims_.take(from, [&](const Rim& rim) { return mesh_.to_vertex_handle(rim.boundary).idx() == to; })
+                .value_or(Rim{Halfedge(), false})
+                .boundary;
       if (!h.is_valid()) {
         h = Halfedge(static_cast<int>(2 * edges_++));
         const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
         mesh_.set_vertex_handle(h, Vertex(to));
         mesh_.set_vertex_handle(beyond, Vertex(from));
-        if (across < 0) {
-          int& first = first_seam_[static_cast<std::size_t>(to)];
-          seams_.push_back({beyond, first, across == Patch::frozen});
-          first = static_cast<int>(seams_.size()) - 1;
-        }
+        if (across < 0) rims_.add(to, {beyond, across == Patch::frozen});
       }
       side_of_patch_[s] = h;
       mesh_.set_face_handle(h, face);
@@ -75,14 +61,14 @@ Halfedge Front::next_on_boundary(Halfedge boundary) const {
 }
 
 void Front::join() {
-  for (const Seam& seam : seams_) {
-    if (!mesh_.is_boundary(seam.boundary)) continue;
-    const Halfedge in = seam.boundary, out = next_on_boundary(in);
+  rims_.for_each([&](const Rim& rim) {
+    if (!mesh_.is_boundary(rim.boundary)) return;
+    const Halfedge in = rim.boundary, out = next_on_boundary(in);
     mesh_.set_next_halfedge_handle(in, out);
     const Vertex v = mesh_.to_vertex_handle(in);
     if (!mesh_.is_boundary(mesh_.halfedge_handle(v))) {
       mesh_.set_halfedge_handle(v, out);
-      continue;
+      return;
     }
     // The site has a fan already.
     const Vertex own = vertex_for_fan(v.idx());
@@ -93,17 +79,16 @@ void Front::join() {
       mesh_.set_vertex_handle(before, own);
       h = mesh_.opposite_halfedge_handle(before);
     }
-  }
-  for (const Seam& seam : seams_) {
-    if (!mesh_.is_boundary(seam.boundary)) continue;
-    if (seam.frozen)
-      freeze(seam.boundary);
+  });
+  rims_.for_each([&](const Rim& rim) {
+    if (!mesh_.is_boundary(rim.boundary)) return;
+    if (rim.frozen)
+      freeze(rim.boundary);
     else
-      activate(seam.boundary);
-  }
+      activate(rim.boundary);
+  });
   mesh_.resize(mesh_.n_vertices(), edges_, faces_);  // what was made for seams that found their other side
-  seams_ = {};
-  first_seam_ = {};
+  rims_.end();
   side_of_patch_ = {};
 }
 

@@ -9,7 +9,8 @@
 namespace rbpa {
 
 LocalTriangles::LocalTriangles(std::span<const Point> points, const Ladder<double>& ladder)
-    : points_(points), ladder_(ladder), known_(points.size(), false), first_seam_(points.size(), none) {
+    : points_(points), ladder_(ladder), known_(points.size(), false) {
+  seams_.begin(points.size());
   corners_.reserve(2 * points.size());
   across_.reserve(2 * points.size());
   level_.reserve(2 * points.size());
@@ -34,28 +35,13 @@ void LocalTriangles::add(const TileTriangles& tile) {
         continue;
       }
       const int side = 3 * (static_cast<int>(across_.size()) - 1) + i;
-      beyond = take_seam(to(side), from(side));
-      if (beyond >= 0) {
+      beyond = seams_.take(to(side), [&](int other) { return to(other) == from(side); }).value_or(none);
+      if (beyond >= 0)
         across_[static_cast<std::size_t>(beyond) / 3][static_cast<std::size_t>(beyond) % 3] = side;
-      } else {
-        int& first = first_seam_[static_cast<std::size_t>(from(side))];
-        seams_.push_back({side, first});
-        first = static_cast<int>(seams_.size()) - 1;
-      }
+      else
+        seams_.add(from(side), side);
     }
   }
-}
-
-/// The side between two sites that an earlier tile has left open, or none.
-int LocalTriangles::take_seam(meshops::Site from_site, meshops::Site to_site) {
-  for (int* link = &first_seam_[static_cast<std::size_t>(from_site)]; *link >= 0;
-       link = &seams_[static_cast<std::size_t>(*link)].next) {
-    const Seam& seam = seams_[static_cast<std::size_t>(*link)];
-    if (to(seam.side) != to_site) continue;
-    *link = seam.next;
-    return seam.side;
-  }
-  return none;
 }
 
 /// The first level whose radius admits the triangle; one behind the last when none does.
@@ -92,8 +78,7 @@ void LocalTriangles::sort() {
         const int side = static_cast<int>(3 * (static_cast<std::size_t>(&across - across_.data())) + i);
         known_[static_cast<std::size_t>(from(side))] = known_[static_cast<std::size_t>(to(side))] = false;
       }
-  seams_ = {};
-  first_seam_ = {};
+  seams_.end();
   start_.assign(static_cast<std::size_t>(ladder_.end()) + 3, 0);
   for (const std::uint16_t level : level_) ++start_[level + 1u];
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];

@@ -72,12 +72,7 @@ class LocalTriangles {
   static constexpr std::uint32_t at_once = 8192;  // triangles of a patch
   static constexpr std::uint32_t ahead = 12;
 
-  struct Seam {
-    int side, next;
-  };
-
   int level_of(const std::array<meshops::Site, 3>& corners) const;
-  int take_seam(meshops::Site from, meshops::Site to);
   meshops::Site from(int side) const {
     return corners_[static_cast<std::size_t>(side) / 3][static_cast<std::size_t>(side) % 3];
   }
@@ -102,8 +97,7 @@ class LocalTriangles {
   std::vector<std::array<meshops::Site, 3>> corners_;
   std::vector<std::array<int, 3>> across_;  // of each side, the side beyond it, or none
   std::vector<std::uint16_t> level_;
-  std::vector<Seam> seams_;
-  std::vector<int> first_seam_;               // of each site
+  meshops::Seams<int> seams_;                 // sides, each at the site that it leaves
   std::vector<std::uint32_t> order_, start_;  // triangles by level; of each level the first
   std::vector<meshops::Face> face_;           // of each triangle that is in the mesh
   meshops::Patch patch_;

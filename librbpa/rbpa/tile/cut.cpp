@@ -125,10 +125,10 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
     auto first = row + static_cast<std::uint32_t>(c0);
     const auto last = row + static_cast<std::uint32_t>(c1);
     for (auto child = level.child_at(r, first); child != level.children.end() && child->cell < last; ++child) {
-      add(level.start[first], level.start[child->cell], true);
+      add(level.start[first], level.start[child->cell]);
       first = child->cell + 1;
     }
-    add(level.start[first], level.start[last], true);
+    add(level.start[first], level.start[last]);
   }
   own_ = sites_.size();
 
@@ -176,7 +176,7 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
              });
 }
 
-void Cutter::add(std::uint32_t first, std::uint32_t last, bool) {
+void Cutter::add(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t s = first; s < last; ++s) sites_.push_back(s);
 }
 

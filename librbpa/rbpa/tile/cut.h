@@ -39,7 +39,7 @@ class Cutter {
   void lay_cells(const Level& level, const Block& block, Tile& tile);
   void gather(const Level& level, const Block& block, Tile& tile);
   void gather_beyond(const Level& level, const Tile& tile);
-  void add(std::uint32_t first, std::uint32_t last, bool own);
+  void add(std::uint32_t first, std::uint32_t last);
   void add_within(const Tile& tile, std::uint32_t first, std::uint32_t last);
   void forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high);
   void sort_into_cells(Tile& tile);

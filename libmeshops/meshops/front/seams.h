@@ -1,0 +1,63 @@
+// What: sides of triangles whose other side has not come yet, found by the sites between which they lie.
+// Cost: a short list per site: as many as lie at the rim there.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "meshops/front/patch.h"
+
+namespace meshops {
+
+/// `Side` is what is to be remembered of a side.
+template <typename Side>
+class Seams {
+ public:
+  /// Begins without a seam.
+  void begin(std::size_t sites) { first_.assign(sites, none); }
+  bool has_begun() const { return !first_.empty(); }
+
+  void add(Site at, const Side& side) {
+    int& first = first_[static_cast<std::size_t>(at)];
+    seams_.push_back({side, first});
+    first = static_cast<int>(seams_.size()) - 1;
+  }
+
+  /// A side at the site that matches(side), which is then no seam any more.
+  template <typename Matches>
+  std::optional<Side> take(Site at, Matches matches) {
+    for (int* link = &first_[static_cast<std::size_t>(at)]; *link != none;) {
+      Seam& seam = seams_[static_cast<std::size_t>(*link)];
+      if (matches(seam.side)) {
+        *link = seam.next;
+        return seam.side;
+      }
+      link = &seam.next;
+    }
+    return std::nullopt;
+  }
+
+  /// All that were ever added, in that order.
+  template <typename Visit>
+  void for_each(Visit visit) const {
+    for (const Seam& seam : seams_) visit(seam.side);
+  }
+
+  /// Frees the memory; nothing has begun.
+  void end() {
+    seams_ = {};
+    first_ = {};
+  }
+
+ private:
+  static constexpr int none = -1;
+  struct Seam {
+    Side side;
+    int next;
+  };
+  std::vector<Seam> seams_;
+  std::vector<int> first_;  // of each site
+};
+
+}  // namespace meshops
