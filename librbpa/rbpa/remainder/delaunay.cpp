@@ -17,6 +17,8 @@ using P = Predicates<double>;
 using Side = Sides::Side;
 using Corner = Sides::Corner;
 
+constexpr std::size_t few = 16;  ///< points, which are cut along one axis only
+
 /// A point, and its position in the input.
 struct Place {
   Point at;
@@ -36,30 +38,45 @@ struct AlongY {
   }
 };
 
-/// Puts the points of one part before those of the other; returns where the second begins. Both have two points at
-/// least and an eighth of all.
-/// Requires: four points.
+/// Sorts a few points: by counting for each how many come before it, as no branch can be mispredicted then.
+template <typename Order>
+void sort_few(std::span<Place> places, Order before) {
+  std::array<Place, few> sorted;
+  for (const Place& p : places) {
+    std::size_t rank = 0;
+    for (const Place& q : places) rank += before(q, p);
+    sorted[rank] = p;
+  }
+  std::copy_n(sorted.begin(), places.size(), places.begin());
+}
+
+/// The middle one of a few points, taken at distances.
+template <typename Order>
+Place middle_of_some(std::span<const Place> places, Order before) {
+  constexpr std::size_t some = 5, many = 15;
+  const std::size_t count = places.size() < 32 * some ? some : many;
+  std::array<Place, many> sample;
+  for (std::size_t i = 0; i < count; ++i) sample[i] = places[(2 * i + 1) * places.size() / (2 * count)];
+  sort_few(std::span<Place>(sample.data(), count), before);
+  return sample[count / 2];
+}
+
+/// Puts the points of one part before those of the other; returns where the second begins. Neither is less than an
+/// eighth of all.
 template <typename Order>
 std::size_t cut(std::span<Place> places, Order before) {
-  constexpr std::size_t samples = 15;
   const std::size_t n = places.size();
-  if (n > 8 * samples) {
-    std::array<Place, samples> sample;
-    for (std::size_t i = 0; i < samples; ++i) sample[i] = places[(2 * i + 1) * n / (2 * samples)];
-    std::nth_element(sample.begin(), sample.begin() + samples / 2, sample.end(), before);
-    const Place pivot = sample[samples / 2];
-    std::size_t m = 0;
-    for (Place& p : places) {
-      const Place moved = p;
-      p = places[m];
-      places[m] = moved;
-      m += before(moved, pivot);
-    }
-    if (m >= n / 8 && n - m >= n / 8) return m;
+  const Place pivot = middle_of_some(places, before);
+  std::size_t m = 0;
+  for (Place& p : places) {
+    const Place moved = p;
+    p = places[m];
+    places[m] = moved;
+    m += before(moved, pivot);
   }
-  const std::size_t m = n / 2;
-  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(m), places.end(), before);
-  return m;
+  if (m >= n / 8 && n - m >= n / 8) return m;
+  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n / 2), places.end(), before);
+  return n / 2;
 }
 
 /// The edge above which a merge goes on, from its right end to its left one, and how points compete for it: of those
@@ -114,26 +131,39 @@ class Triangulation {
   };
 
   Extremes triangulate(std::size_t first, std::size_t last, bool along_x) {
-    if (last - first <= 3) return triangulate_few(first, last);
     const std::span<Place> places(places_.data() + first, last - first);
+    if (places.size() <= few) {
+      sort_few(places, AlongX());
+      return triangulate_sorted(first, last);
+    }
     const std::size_t middle = first + (along_x ? cut(places, AlongX()) : cut(places, AlongY()));
     const Extremes a = triangulate(first, middle, !along_x), b = triangulate(middle, last, !along_x);
     merge(along_x ? a.last_x : a.last_y, along_x ? b.first_x : b.first_y, static_cast<Corner>(middle));
-    return {first_of<AlongX>(a.first_x, b.first_x), first_of<AlongX>(b.last_x, a.last_x, true),
-            first_of<AlongY>(a.first_y, b.first_y), first_of<AlongY>(b.last_y, a.last_y, true)};
+    return {first_of<AlongX>(a.first_x, b.first_x), last_of<AlongX>(a.last_x, b.last_x),
+            first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)};
+  }
+
+  Extremes triangulate_sorted(std::size_t first, std::size_t last) {
+    if (last - first <= 3) return triangulate_three(first, last);
+    const std::size_t middle = (first + last) / 2;
+    const Extremes a = triangulate_sorted(first, middle), b = triangulate_sorted(middle, last);
+    merge(a.last_x, b.first_x, static_cast<Corner>(middle));
+    return {a.first_x, b.last_x, first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)};
   }
 
   template <typename Order>
-  Corner first_of(Corner p, Corner q, bool last = false) const {
-    return Order()(places_[p], places_[q]) != last ? p : q;
+  Corner first_of(Corner p, Corner q) const {
+    return Order()(places_[p], places_[q]) ? p : q;
+  }
+  template <typename Order>
+  Corner last_of(Corner p, Corner q) const {
+    return Order()(places_[p], places_[q]) ? q : p;
   }
 
   /// Two or three points.
-  Extremes triangulate_few(std::size_t first, std::size_t last) {
-    std::sort(places_.begin() + static_cast<std::ptrdiff_t>(first), places_.begin() + static_cast<std::ptrdiff_t>(last),
-              AlongX());
+  Extremes triangulate_three(std::size_t first, std::size_t last) {
     const auto a = static_cast<Corner>(first), c = static_cast<Corner>(last - 1);
-    Extremes extremes = {a, c, first_of<AlongY>(a, c), first_of<AlongY>(a, c, true)};
+    Extremes extremes = {a, c, first_of<AlongY>(a, c), last_of<AlongY>(a, c)};
     if (last - first == 2) {
       hull_[a] = sides_.add(a, c);
       hull_[c] = Sides::reverse(hull_[a]);
@@ -141,7 +171,7 @@ class Triangulation {
     }
     const Corner b = a + 1;
     extremes.first_y = first_of<AlongY>(extremes.first_y, b);
-    extremes.last_y = first_of<AlongY>(extremes.last_y, b, true);
+    extremes.last_y = last_of<AlongY>(extremes.last_y, b);
     const Side ab = sides_.add(a, b), bc = sides_.add(b, c);
     sides_.insert(bc, Sides::reverse(ab));
     const int turn = P::orientation(places_[a].at, places_[b].at, places_[c].at);
@@ -217,29 +247,36 @@ class Triangulation {
   }
 
   void hand_over(Corner on_hull, meshops::Patch& patch) const {
-    constexpr int unseen = -3;
-    std::vector<int> number(sides_.size(), unseen);  // of each side, in the patch
+    std::vector<int> number(sides_.size(), meshops::Patch::open);  // of each side of a triangle, in the patch
+    std::vector<bool> is_outer(sides_.size(), false);
+    std::size_t sides = 2 * sides_.edges();
     const Side first = Sides::reverse(hull_[on_hull]);
     Side outer = first;
     do {
-      number[outer] = meshops::Patch::open;
+      is_outer[outer] = true;
+      --sides;
       outer = sides_.along_left(outer);
     } while (outer != first);
+    patch.triangles.resize(sides / 3);
+    patch.across.resize(sides / 3);
+    // Each loop reads in order what the next address depends on, so that no load waits for another.
+    int next = 0;
     for (Side s = 0; s < sides_.size(); ++s) {
-      if (number[s] != unseen || !sides_.is_used(s)) continue;
-      const auto t = static_cast<int>(patch.triangles.size());
-      auto& corners = patch.triangles.emplace_back();
-      auto& across = patch.across.emplace_back();
-      Side side = s;
-      for (std::size_t i = 0; i < 3; ++i) {
-        corners[i] = static_cast<meshops::Site>(places_[sides_.from(side)].index);
-        number[side] = 3 * t + static_cast<int>(i);
-        across[i] = number[Sides::reverse(side)];
-        if (across[i] >= 0)
-          patch.across[static_cast<std::size_t>(across[i]) / 3][static_cast<std::size_t>(across[i]) % 3] = number[side];
-        side = sides_.along_left(side);
+      if (!sides_.is_used(s)) continue;
+      const Side t = sides_.along_left(s);
+      if (t < s || is_outer[s]) continue;
+      const Side u = sides_.along_left(t);
+      if (u < s) continue;
+      auto& corners = patch.triangles[static_cast<std::size_t>(next) / 3];
+      for (std::size_t i = 0; const Side side : {s, t, u}) {
+        corners[i++] = static_cast<meshops::Site>(places_[sides_.from(side)].index);
+        number[side] = next++;
       }
     }
+    for (Side s = 0; s < sides_.size(); ++s)
+      if (number[s] >= 0)
+        patch.across[static_cast<std::size_t>(number[s]) / 3][static_cast<std::size_t>(number[s]) % 3] =
+            number[Sides::reverse(s)];
   }
 
   const Point& at(Corner c) const { return places_[c].at; }

@@ -23,6 +23,7 @@ class Sides {
   /// Sides are numbered from 0 to size() − 1; some are of edges that were taken out.
   std::size_t size() const { return sides_.size(); }
   bool is_used(Side s) const { return sides_[s].cw != none; }
+  std::size_t edges() const { return edges_; }
 
   static Side reverse(Side s) { return s ^ 1; }
   Corner from(Side s) const { return sides_[s].from; }
@@ -36,6 +37,7 @@ class Sides {
 
   /// An edge that touches no other.
   Side add(Corner from, Corner to) {
+    ++edges_;
     Side s = unused_;
     if (s != none) {
       unused_ = sides_[s].ccw;
@@ -66,6 +68,7 @@ class Sides {
   }
 
   void remove(Side s) {
+    --edges_;
     unlink(s);
     unlink(reverse(s));
     s &= ~Side{1};
@@ -86,6 +89,7 @@ class Sides {
 
   std::vector<Links> sides_;
   Side unused_ = none;
+  std::size_t edges_ = 0;
 };
 
 }  // namespace rbpa
