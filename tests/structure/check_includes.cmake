@@ -24,6 +24,7 @@ set(arrows
   rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>rbpa/pivot rbpa/tile>meshops/front
   rbpa>rbpa/tile
   rbpa/remainder>rbpa/core rbpa/remainder>rbpa/predicate rbpa/remainder>meshops/front
+  rbpa/remainder>rbpa/pivot rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 

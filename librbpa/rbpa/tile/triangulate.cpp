@@ -1,5 +1,6 @@
 #include "rbpa/tile/triangulate.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -145,14 +146,18 @@ bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
   return tile.own[least] != 0;
 }
 
+/// What is known of the triangles around a point.
+enum Star : std::uint8_t { unseen, shared, known };
+
 /// The triangles of the complex that the tile owns, and what lies across them.
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   const LocalFront& front = workspace.front;
   const std::size_t triangles = front.sides() / 3;
   std::vector<int>& number = workspace.number;  // in the patch, or what its neighbours are told of a triangle
   number.assign(triangles, meshops::Patch::open);
-  std::vector<bool>& uncertain = workspace.uncertain;
-  uncertain.assign(tile.points.size(), false);
+  std::vector<std::uint16_t>& foreign =
+      workspace.foreign;  // of each point, triangles whose owners may not have found them
+  foreign.assign(tile.points.size(), 0);
   meshops::Patch& patch = result.patch;
   for (std::size_t t = 0; t < triangles; ++t) {
     const std::size_t a = front.from(3 * t), b = front.from(3 * t + 1), c = front.from(3 * t + 2);
@@ -163,7 +168,9 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       patch.triangles.push_back({static_cast<meshops::Site>(tile.site[a]), static_cast<meshops::Site>(tile.site[b]),
                                  static_cast<meshops::Site>(tile.site[c])});
     } else {
-      uncertain[a] = uncertain[b] = uncertain[c] = true;  // whether its owner has found it is not known here
+      ++foreign[a];
+      ++foreign[b];
+      ++foreign[c];
     }
   }
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -175,16 +182,37 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       across[i] = other < 0 ? other : 3 * other + s % 3;
     }
   }
-  for (std::size_t v = 0; v < tile.points.size(); ++v)
-    if (tile.own[v] && front.is_touched(v) && !front.is_on_front(v) && !uncertain[v])
+  std::vector<std::uint8_t>& star = workspace.star;
+  star.assign(tile.points.size(), Star::unseen);
+  for (std::size_t v = 0; v < tile.points.size(); ++v) {
+    if (!tile.own[v] || !front.is_touched(v) || front.is_on_front(v)) continue;
+    if (foreign[v] == 0) {
+      star[v] = Star::known;
       result.known.push_back(tile.site[v]);
+    } else {
+      star[v] = Star::shared;
+      result.shared.push_back({tile.site[v], foreign[v]});
+    }
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const std::array<std::size_t, 3> corner = {front.from(3 * t), front.from(3 * t + 1), front.from(3 * t + 2)};
+    const auto is_known = [&](std::size_t v) { return star[v] == Star::known; };
+    if (is_known(corner[0]) & is_known(corner[1]) & is_known(corner[2])) continue;
+    bool any_known = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t v = corner[i], next = corner[(i + 1) % 3];
+      any_known = any_known || is_known(v);
+      if (star[v] != Star::unseen && !is_known(next)) result.beside.push_back({tile.site[v], tile.site[next]});
+      if (number[t] >= 0 && !tile.own[v]) result.given.push_back(tile.site[v]);
+    }
+    if (number[t] >= 0 && !any_known) result.unsure.push_back(static_cast<std::uint32_t>(number[t]));
+  }
 }
 
 }  // namespace
 
 void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
-  result.patch.clear();
-  result.known.clear();
+  result.clear();
   if (tile.points.empty()) return;
   HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace);
   hand_over(tile, radius, workspace, result);
