@@ -39,6 +39,7 @@ class Triangulation {
     queue_.clear();
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
       if (!tile_.own[v] || front_.is_touched(v)) continue;
+      if (has_given_up()) return;
       seed(static_cast<Index>(v));
       advance();
     }
@@ -54,7 +55,13 @@ class Triangulation {
       front_.create(v, q, left, note);
     else if (const Index right = contest_(q, v); right != none)
       front_.create(q, v, right, note);
+    else
+      failures_ += 2;
   }
+
+  /// Edges beyond which nothing is found are few, and each costs a long search. Where they are not, points lie along
+  /// curves, and what is not told yet is left out.
+  bool has_given_up() const { return failures_ > 32 + tile_.points.size() / 4; }
 
   /// The nearest point, where it is known.
   Index nearest(Index v) const {
@@ -88,7 +95,7 @@ class Triangulation {
 
   void advance() {
     std::vector<Index>& wave = wave_;
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !has_given_up()) {
       wave.swap(queue_);
       queue_.clear();
       // Taken at distances: neighbours on the front often lead to the same triangle.
@@ -106,6 +113,7 @@ class Triangulation {
         if (size == 0) continue;
         contest_.run(size);
         for (std::size_t i = 0; i < size; ++i) {
+          failures_ += contest_.apex[i] == none;
           if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
           front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
                         [&](Index added) { activate(added); });
@@ -119,6 +127,7 @@ class Triangulation {
   LocalFront& front_;
   std::vector<Index>& queue_;
   std::vector<Index> wave_;
+  std::size_t failures_ = 0;
   Contest contest_;
 };
 
@@ -209,11 +218,29 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
   }
 }
 
+/// Points along curves, or in spots: they fill a few cells, most of which have few neighbours that are not empty. Their
+/// triangles reach across the void, where a search from near to far sees nothing for long.
+bool leaves_cells_empty(const Tile& tile) {
+  constexpr std::size_t most_per_cell = 4;   // scattered evenly, 2.3 of those that have any
+  constexpr double fewest_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
+  const auto columns = static_cast<std::size_t>(tile.columns);
+  const auto has_points = [&](std::size_t c) { return tile.start[c] < tile.start[c + 1]; };
+  std::size_t filled = 0, neighbours = 0;
+  for (std::size_t c = 0; c < tile.cells(); ++c) {
+    if (!has_points(c)) continue;
+    ++filled;
+    neighbours += (c + 1) % columns != 0 && has_points(c + 1);
+    neighbours += c + columns < tile.cells() && has_points(c + columns);
+  }
+  return tile.points.size() > most_per_cell * filled &&
+         static_cast<double>(neighbours) < fewest_neighbours * static_cast<double>(filled);
+}
+
 }  // namespace
 
 void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   result.clear();
-  if (tile.points.empty()) return;
+  if (tile.points.empty() || leaves_cells_empty(tile)) return;
   HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace);
   hand_over(tile, radius, workspace, result);
 }
