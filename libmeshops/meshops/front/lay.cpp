@@ -32,7 +32,7 @@ void Front::lay(const Patch& patch) {
       Halfedge& h = side[i];
       if (across >= 0 && static_cast<std::size_t>(across) < s)
         h = mesh_.opposite_halfedge_handle(side_of_patch_[static_cast<std::size_t>(across)]);
-      else if (across < 0)
+      else if (across < 0 && across != Patch::nothing)
         h = rims_.take(from, [&](const Rim& rim) { return mesh_.to_vertex_handle(rim.boundary).idx() == to; })
                 .value_or(Rim{Halfedge(), false})
                 .boundary;
@@ -41,7 +41,10 @@ void Front::lay(const Patch& patch) {
         const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
         mesh_.set_vertex_handle(h, Vertex(to));
         mesh_.set_vertex_handle(beyond, Vertex(from));
-        if (across < 0) rims_.add(to, {beyond, across == Patch::frozen});
+        if (across == Patch::nothing)
+          rims_.add_apart({beyond, true});
+        else if (across < 0)
+          rims_.add(to, {beyond, across == Patch::frozen});
       }
       side_of_patch_[s] = h;
       mesh_.set_face_handle(h, face);

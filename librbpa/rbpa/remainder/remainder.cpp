@@ -61,7 +61,7 @@ void Remainder::complete(meshops::Patch& patch, const std::function<void()>& wor
     for (meshops::Site& s : corners) s = static_cast<meshops::Site>(sites[static_cast<std::size_t>(s)]);
     const auto at = [&](std::size_t i) { return static_cast<std::uint32_t>(corners[i]); };
     if (!radius_.admits<double>(points_[at(0)], points_[at(1)], points_[at(2)]))
-      number[t] = meshops::Patch::frozen;
+      number[t] = meshops::Patch::nothing;
     else if (is_complete(at(0)) || is_complete(at(1)) || is_complete(at(2)) ||
              std::binary_search(told.begin(), told.end(), from_least(corners)))
       number[t] = meshops::Patch::open;
@@ -75,7 +75,7 @@ void Remainder::complete(meshops::Patch& patch, const std::function<void()>& wor
     for (std::size_t i = 0; i < 3; ++i) {
       const int across = patch.across[t][i];
       const int other =
-          across == meshops::Patch::open ? meshops::Patch::frozen : number[static_cast<std::size_t>(across) / 3];
+          across == meshops::Patch::open ? meshops::Patch::nothing : number[static_cast<std::size_t>(across) / 3];
       patch.across[to][i] = other < 0 ? other : 3 * other + across % 3;
     }
   }

@@ -61,7 +61,7 @@ class Triangulation {
 
   /// Edges beyond which nothing is found are few, and each costs a long search. Where they are not, points lie along
   /// curves, and what is not told yet is left out.
-  bool has_given_up() const { return failures_ > 32 + tile_.points.size() / 4; }
+  bool has_given_up() const { return failures_ > 16 + tile_.points.size() / 8; }
 
   /// The nearest point, where it is known.
   Index nearest(Index v) const {
