@@ -57,15 +57,21 @@ void Front::place(const Patch& patch, Placement& placement) {
   for (std::size_t k = 0; k < rim; ++k) {
     const auto s = static_cast<std::size_t>(placement.rim_[k]), t = s / 3, i = s % 3;
     const Site from = patch.triangles[t][i], to = patch.triangles[t][(i + 1) % 3];
-    Halfedge h = rims_.take(from, [&](const Rim& side) { return mesh_.to_vertex_handle(side.boundary).idx() == to; })
-                     .value_or(Rim{Halfedge(), false})
-                     .boundary;
+    const int across = patch.across[t][i];
+    Halfedge h;
+    if (across != Patch::nothing)
+      h = rims_.take(from, [&](const Rim& side) { return mesh_.to_vertex_handle(side.boundary).idx() == to; })
+              .value_or(Rim{Halfedge(), false})
+              .boundary;
     if (!h.is_valid()) {
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
       mesh_.set_vertex_handle(h, Vertex(to));
       mesh_.set_vertex_handle(beyond, Vertex(from));
-      rims_.add(to, {beyond, patch.across[t][i] == Patch::frozen});
+      if (across == Patch::nothing)
+        rims_.add_apart({beyond, true});
+      else
+        rims_.add(to, {beyond, across == Patch::frozen});
     }
     mesh_.set_halfedge_handle(Vertex(from), h);
     placement.at_rim_[k] = h;
