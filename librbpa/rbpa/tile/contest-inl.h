@@ -73,6 +73,7 @@ class Contest {
   using P = Predicates<double>;
   using D = hn::CappedTag<float, batch>;
   using I = hn::RebindToSigned<D>;
+  using U = hn::RebindToUnsigned<D>;
   using V = hn::Vec<D>;
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -91,6 +92,7 @@ class Contest {
   HWY_NOINLINE void look_around() {
     const D d;
     const I di;
+    const U du;
     const auto set = [&](float value) { return hn::Set(d, value); };
     for (std::size_t i = 0; i < batch; i += hn::Lanes(d)) {
       const auto ia = hn::Load(di, a + i), ib = hn::Load(di, b + i);
@@ -123,6 +125,10 @@ class Contest {
       auto cell = r0 * hn::Set(di, at_.columns) + c0;
       auto unknown = hn::Zero(di);
       auto fits = up < hn::Set(di, rows_at_once);
+      const auto place_of = [&](auto point, auto first) {
+        const auto place = point - first, in_row = hn::And(place, hn::Set(di, static_cast<int>(row_length) - 1));
+        return hn::IfThenElseZero(place == in_row, hn::BitCast(di, hn::Shl(hn::Set(du, 1), hn::BitCast(du, in_row))));
+      };
       for (int row = 0; row < rows_at_once; ++row) {
         const auto in_box = up > hn::Set(di, row - 1);
         const auto first = hn::GatherIndex(di, at_.start.data(), cell);
@@ -132,6 +138,7 @@ class Contest {
                                                              hn::GatherIndex(di, at_.unknown.data(), cell));
         hn::Store(first, di, first_[row] + i);
         hn::Store(count, di, count_[row] + i);
+        hn::Store(hn::Or(place_of(ia, first), place_of(ib, first)), di, ends_[row] + i);
         fits = hn::And(fits, count < hn::Set(di, static_cast<int>(row_length) + 1));
         cell = cell + hn::Set(di, at_.columns);
       }
@@ -147,17 +154,6 @@ class Contest {
       hn::Store(by, d, by_ + i);
     }
     for (std::size_t i = 0; i < batch; ++i) bound_errors(i, extent_[i]);
-    for (std::size_t i = 0; i < batch; ++i) {
-      std::uint64_t ends = 0;
-      for (unsigned row = 0; row < rows_at_once; ++row)
-        ends |= bit_of(a[i] - first_[row][i], row) | bit_of(b[i] - first_[row][i], row);
-      not_ends_[i] = ~ends;
-    }
-  }
-
-  static std::uint64_t bit_of(std::int32_t place, unsigned row) {
-    const auto at = static_cast<std::uint32_t>(place);
-    return at < row_length ? std::uint64_t{1} << (at + row_length * row) : 0;
   }
 
   /// What rounding can do to the numbers of an edge in a box of so many cells.
@@ -208,6 +204,14 @@ class Contest {
     return {k - error, k + error, hn::And(valid, cross > e.left_of), hn::And(valid, cross >= e.right_of)};
   }
 
+  /// The places of the ends of an edge among the points of three rows.
+  HWY_INLINE std::uint64_t ends_of(std::size_t edge) const {
+    std::uint64_t ends = 0;
+    for (std::size_t row = 0; row < rows_at_once; ++row)
+      ends |= static_cast<std::uint64_t>(ends_[row][edge]) << (row * row_length);
+    return ends;
+  }
+
   /// Among the points of at most three short rows; none: look again.
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
@@ -230,7 +234,7 @@ class Contest {
     }
     const V bound = hn::MinOfLanes(d, least);
     for (std::size_t j = 0; j < vectors; ++j) low_enough |= bits_of(low[j] <= bound) << (j * N);
-    std::uint64_t can_win = perhaps & (low_enough | ~left) & not_ends_[edge];
+    std::uint64_t can_win = perhaps & (low_enough | ~left) & ~ends_of(edge);
     const float high = hn::GetLane(bound);
     if (!(high <= searched)) {
       if (high < infinity) k_[edge] = high;
@@ -368,12 +372,11 @@ class Contest {
 
   const Tile& tile_;
   const TileCoordinates& at_;
-  alignas(64) std::int32_t first_[rows_at_once][batch], count_[rows_at_once][batch];
+  alignas(64) std::int32_t first_[rows_at_once][batch], count_[rows_at_once][batch], ends_[rows_at_once][batch];
   alignas(64) float ax_[batch], ay_[batch], bx_[batch], by_[batch], k_[batch], extent_[batch];
   alignas(64) float error_dot_[batch], error_cross_[batch], right_of_[batch];
   alignas(
       64) float searched_[batch];  // where all is seen up to there, how far left of the middle centres may be; else −∞
-  std::uint64_t not_ends_[batch];  // of three rows, the places of points that are not ends of the edge
   std::vector<float> low_;
   std::vector<Index> base_, contenders_;
 };

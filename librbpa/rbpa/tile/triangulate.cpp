@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
@@ -92,24 +93,33 @@ class Triangulation {
       queue_.clear();
       // Taken at distances: neighbours on the front often lead to the same triangle.
       const std::size_t stride = (wave.size() + Contest::batch - 1) / Contest::batch;
-      for (std::size_t k = 0; k < stride; ++k) {
-        std::size_t size = 0;
-        Index side[Contest::batch + 1];
+      std::size_t size = 0;
+      Index side[Contest::batch + 1];
+      for (std::size_t k = 0; k < stride; ++k)
         for (std::size_t i = k; i < wave.size(); i += stride) {
           const Index s = wave[i];
           side[size] = s;
           contest_.a[size] = front_.to(s);
           contest_.b[size] = front_.from(s);
           size += front_.across(s) == none;
+          if (size == Contest::batch) attach(side, std::exchange(size, 0));
         }
-        if (size == 0) continue;
-        contest_.run(size);
-        for (std::size_t i = 0; i < size; ++i) {
-          if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
-          front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
-                        [&](Index added) { activate(added); });
-        }
-      }
+      // A batch that is not full waits for the next wave, if there is one.
+      if (queue_.empty())
+        attach(side, size);
+      else
+        queue_.insert(queue_.end(), side, side + size);
+    }
+  }
+
+  /// What lies across the sides of a batch.
+  void attach(const Index* side, std::size_t size) {
+    if (size == 0) return;
+    contest_.run(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
+      front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
+                    [&](Index added) { activate(added); });
     }
   }
 
