@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,12 +32,15 @@ class Triangulation {
         at_(workspace.coordinates),
         front_(workspace.front),
         queue_(workspace.queue),
+        wave_(workspace.wave),
+        radius_(workspace.radius),
         contest_(tile, workspace.coordinates) {}
 
   void run() {
     at_.assign(tile_);
     front_.begin(tile_.points.size());
-    queue_.clear();
+    for (auto* sides : {&queue_, &wave_}) sides->resize(std::size_t{none} + 1);
+    radius_.resize(std::size_t{none} / 4 + 1);
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
       if (!tile_.own[v] || front_.is_touched(v)) continue;
       seed(static_cast<Index>(v));
@@ -49,7 +53,8 @@ class Triangulation {
   void seed(Index v) {
     const Index q = nearest(v);
     if (q == none) return;
-    const auto note = [&](Index side) { activate(side); };
+    radius_[front_.triangles()] = std::numeric_limits<float>::infinity();
+    const auto note = [&](Index side, bool on_front) { activate(side, on_front); };
     if (const Index left = contest_(v, q); left != none)
       front_.create(v, q, left, note);
     else if (const Index right = contest_(q, v); right != none)
@@ -82,33 +87,35 @@ class Triangulation {
   }
 
   /// Only what ends at a point of the tile is its business.
-  void activate(Index side) {
-    if (tile_.own[front_.from(side)] | tile_.own[front_.to(side)]) queue_.push_back(side);
+  void activate(Index side, bool on_front) {
+    queue_[queued_] = side;
+    const auto own = static_cast<unsigned>(tile_.own[front_.from(side)] | tile_.own[front_.to(side)]);
+    queued_ += own & static_cast<unsigned>(on_front);
   }
 
   void advance() {
-    std::vector<Index>& wave = wave_;
-    while (!queue_.empty()) {
-      wave.swap(queue_);
-      queue_.clear();
+    while (queued_ != 0) {
+      wave_.swap(queue_);
+      const std::size_t length = std::exchange(queued_, 0);
       // Taken at distances: neighbours on the front often lead to the same triangle.
-      const std::size_t stride = (wave.size() + Contest::batch - 1) / Contest::batch;
+      const std::size_t stride = (length + Contest::batch - 1) / Contest::batch;
       std::size_t size = 0;
       Index side[Contest::batch + 1];
       for (std::size_t k = 0; k < stride; ++k)
-        for (std::size_t i = k; i < wave.size(); i += stride) {
-          const Index s = wave[i];
+        for (std::size_t i = k; i < length; i += stride) {
+          const Index s = wave_[i];
           side[size] = s;
           contest_.a[size] = front_.to(s);
           contest_.b[size] = front_.from(s);
+          contest_.expected[size] = radius_[s / 4];
           size += front_.across(s) == none;
           if (size == Contest::batch) attach(side, std::exchange(size, 0));
         }
       // A batch that is not full waits for the next wave, if there is one.
-      if (queue_.empty())
+      if (queued_ == 0)
         attach(side, size);
       else
-        queue_.insert(queue_.end(), side, side + size);
+        for (std::size_t i = 0; i < size; ++i) queue_[queued_++] = side[i];
     }
   }
 
@@ -118,16 +125,18 @@ class Triangulation {
     contest_.run(size);
     for (std::size_t i = 0; i < size; ++i) {
       if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
+      radius_[front_.triangles()] = contest_.found_radius[i];
       front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
-                    [&](Index added) { activate(added); });
+                    [&](Index added, bool on_front) { activate(added, on_front); });
     }
   }
 
   const Tile& tile_;
   TileCoordinates& at_;
   LocalFront& front_;
-  std::vector<Index>& queue_;
-  std::vector<Index> wave_;
+  std::vector<Index>&queue_, &wave_;
+  std::size_t queued_ = 0;
+  std::vector<float>& radius_;  // of each triangle, that of its circle
   Contest contest_;
 };
 
@@ -158,14 +167,14 @@ bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
 /// The triangles of the complex that the tile owns, and what lies across them.
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   const LocalFront& front = workspace.front;
-  const std::size_t triangles = front.sides() / 3;
+  const std::size_t triangles = front.triangles();
   std::vector<int>& number = workspace.number;  // in the patch, or what its neighbours are told of a triangle
   number.assign(triangles, meshops::Patch::open);
   std::vector<bool>& uncertain = workspace.uncertain;
   uncertain.assign(tile.points.size(), false);
   meshops::Patch& patch = result.patch;
   for (std::size_t t = 0; t < triangles; ++t) {
-    const std::size_t a = front.from(3 * t), b = front.from(3 * t + 1), c = front.from(3 * t + 2);
+    const std::size_t a = front.from(4 * t), b = front.from(4 * t + 1), c = front.from(4 * t + 2);
     if (!radius.admits<double>(tile.points[a], tile.points[b], tile.points[c])) {
       number[t] = meshops::Patch::frozen;
     } else if (owns(tile, a, b, c)) {
@@ -180,9 +189,9 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
     if (number[t] < 0) continue;
     auto& across = patch.across.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      const LocalFront::Index s = front.across(3 * t + i);
-      const int other = s == LocalFront::none ? meshops::Patch::open : number[s / 3];
-      across[i] = other < 0 ? other : 3 * other + s % 3;
+      const LocalFront::Index s = front.across(4 * t + i);
+      const int other = s == LocalFront::none ? meshops::Patch::open : number[s / 4];
+      across[i] = other < 0 ? other : 3 * other + s % 4;
     }
   }
   for (std::size_t v = 0; v < tile.points.size(); ++v)
