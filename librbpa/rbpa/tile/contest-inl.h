@@ -90,9 +90,9 @@ class Contest {
   static constexpr int rows_at_once = 3;
   static constexpr std::size_t row_length = 16;  // points of a row that are looked at at once
   // Measured: a first look this far finds the apex of nearly all edges, and seldom has to leave three rows.
-  static constexpr float first_reach_in_cells = 0.9f;
-  static constexpr float first_reach_in_chords = 0.6f;
-  static constexpr float first_reach_in_circles = 2.5f;
+  static constexpr float first_reach_in_cells = 1;
+  static constexpr float first_reach_in_chords = 0.52f;
+  static constexpr float first_reach_in_circles = 3;
   static constexpr std::size_t most_contenders = 64;
   static constexpr float most_reach = 4;  // the whole tile, from any point of it
 

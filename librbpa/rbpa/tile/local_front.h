@@ -97,7 +97,7 @@ class LocalFront {
   std::vector<Index> head_;             // of each point, the first side on the front that ends there
   std::vector<Index> link_;             // of a side on the front, the next that ends at the same point
   std::vector<Index> corner_, across_;  // a triangle's first corner is repeated behind its last
-  std::vector<std::uint8_t> touched_;
+  std::vector<Index> touched_;  // numbers as wide as the others': bytes could be anything, which is read again then
   std::size_t triangles_ = 0;
 };
 

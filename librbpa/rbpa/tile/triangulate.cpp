@@ -168,8 +168,10 @@ bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   const LocalFront& front = workspace.front;
   const std::size_t triangles = front.triangles();
-  std::vector<int>& number = workspace.number;  // in the patch, or what its neighbours are told of a triangle
-  number.assign(triangles, meshops::Patch::open);
+  // Of each triangle, its first side in the patch, or what its neighbours are told of it; and of none.
+  std::vector<int>& number = workspace.number;
+  number.resize(LocalFront::none / 4 + 1);
+  number.back() = meshops::Patch::open;
   std::vector<bool>& uncertain = workspace.uncertain;
   uncertain.assign(tile.points.size(), false);
   meshops::Patch& patch = result.patch;
@@ -178,21 +180,22 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
     if (!radius.admits<double>(tile.points[a], tile.points[b], tile.points[c])) {
       number[t] = meshops::Patch::frozen;
     } else if (owns(tile, a, b, c)) {
-      number[t] = static_cast<int>(patch.triangles.size());
+      number[t] = 3 * static_cast<int>(patch.triangles.size());
       patch.triangles.push_back({static_cast<meshops::Site>(tile.site[a]), static_cast<meshops::Site>(tile.site[b]),
                                  static_cast<meshops::Site>(tile.site[c])});
     } else {
+      number[t] = meshops::Patch::open;
       uncertain[a] = uncertain[b] = uncertain[c] = true;  // whether its owner has found it is not known here
     }
   }
   for (std::size_t t = 0; t < triangles; ++t) {
     if (number[t] < 0) continue;
-    auto& across = patch.across.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const LocalFront::Index s = front.across(4 * t + i);
-      const int other = s == LocalFront::none ? meshops::Patch::open : number[s / 4];
-      across[i] = other < 0 ? other : 3 * other + s % 4;
-    }
+    const auto across = [&](std::size_t side) {
+      const LocalFront::Index s = front.across(side);
+      const int other = number[s / 4];
+      return other < 0 ? other : other + s % 4;
+    };
+    patch.across.push_back({across(4 * t), across(4 * t + 1), across(4 * t + 2)});
   }
   for (std::size_t v = 0; v < tile.points.size(); ++v)
     if (tile.own[v] && front.is_touched(v) && !front.is_on_front(v) && !uncertain[v])
