@@ -12,7 +12,7 @@ using Level = PointGrid<double>::Level;
 constexpr double points_per_cell = 2;
 constexpr double most_contrast = 3;           // of density between the halves of a block
 constexpr std::uint32_t fewest_points = 256;  // a block of so few is not divided for it
-constexpr int margin = 2;                     // cells around a block: about three times the distance of neighbours
+constexpr double margin = 2;                  // cells around a block: about three times the distance of neighbours
 
 /// Calls visit(cell) for the cells in a part of a row that are grids of tiles of their own, ascending.
 template <typename Visit>
@@ -50,14 +50,17 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
   return {first, second};
 }
 
+/// Points a cell.
+double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
+
 /// Cells of one size are to suit all of a block.
 bool is_even(const Block& a, const Block& b) {
-  const double density_a = a.points / (double(a.columns) * a.rows), density_b = b.points / (double(b.columns) * b.rows);
-  return std::max(density_a, density_b) <= most_contrast * std::min(density_a, density_b);
+  return std::max(density(a), density(b)) <= most_contrast * std::min(density(a), density(b));
 }
 
-/// A few cells have most of the points: the mean over points of how many share a cell is far above that over cells.
-bool has_crowd(const Level& level, const Block& block) {
+/// The mean over points of how many share a cell: one more than their density where it is the same everywhere, far more
+/// where a few cells have most of the points.
+double company(const Level& level, const Block& block) {
   double squares = 0;
   for (int r = block.row; r < block.row + block.rows; ++r) {
     const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
@@ -70,8 +73,7 @@ bool has_crowd(const Level& level, const Block& block) {
     if (!level.children.empty())
       for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) { add(cell, -1); });
   }
-  const double mean = block.points / (double(block.columns) * block.rows);
-  return squares > most_contrast * block.points * (mean + 1);
+  return squares / block.points;
 }
 
 void divide(const Level& level, const Block& block, std::uint32_t most_points, std::vector<Block>& found) {
@@ -79,7 +81,8 @@ void divide(const Level& level, const Block& block, std::uint32_t most_points, s
   if (block.columns > 1 || block.rows > 1) {
     const auto [first, second] = halves(level, block);
     if (block.points > most_points ||
-        (block.points > fewest_points && (!is_even(first, second) || has_crowd(level, block)))) {
+        (block.points > fewest_points &&
+         (!is_even(first, second) || company(level, block) > most_contrast * (density(block) + 1)))) {
       divide(level, first, most_points, found);
       divide(level, second, most_points, found);
       return;
@@ -116,12 +119,16 @@ void Cutter::cut(const Block& block, Tile& tile) {
 /// Cells that suit the block: the level's are right on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
-  const double ratio = std::sqrt(points_per_cell * block.columns * block.rows / block.points);
+  // Where density varies, points see more of it than the mean; along rows of points they seem to, but less.
+  const double mean = density(block), seen = company(level, block) - 1;
+  const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
+  const double ratio = std::sqrt(points_per_cell / mean) / finer;
   tile.cell = level.cell * std::max(ratio, std::max(block.columns, block.rows) / 1024.0);
-  tile.columns = static_cast<int>(std::ceil(width / tile.cell)) + 2 * margin;
-  tile.rows = static_cast<int>(std::ceil(height / tile.cell)) + 2 * margin;
-  tile.x0 = level.x + block.column * level.cell - margin * tile.cell;
-  tile.y0 = level.y + block.row * level.cell - margin * tile.cell;
+  const int beyond = static_cast<int>(std::ceil(margin * finer));
+  tile.columns = static_cast<int>(std::ceil(width / tile.cell)) + 2 * beyond;
+  tile.rows = static_cast<int>(std::ceil(height / tile.cell)) + 2 * beyond;
+  tile.x0 = level.x + block.column * level.cell - beyond * tile.cell;
+  tile.y0 = level.y + block.row * level.cell - beyond * tile.cell;
   if (block.level == 0) {
     tile.nothing_left = tile.x0 <= level.x;
     tile.nothing_below = tile.y0 <= level.y;
