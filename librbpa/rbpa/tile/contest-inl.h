@@ -275,21 +275,21 @@ class Contest {
     if (!fits_[edge]) return none;
     const Edge e = edge_of(edge);
     V low[vectors];
-    std::uint64_t left = 0, perhaps = 0, low_enough = 0;
+    hn::Mask<D> perhaps[vectors];
     V least = hn::Set(d, infinity);
     for (std::size_t j = 0; j < vectors; ++j) {
       const std::size_t row = j / per_row, skipped = j % per_row * N;
       const auto count = static_cast<std::size_t>(count_[row][edge]);
       const Bounds k =
           bounds(e, static_cast<std::size_t>(first_[row][edge]) + skipped, count > skipped ? count - skipped : 0);
-      low[j] = k.low;
+      low[j] = hn::IfThenElse(k.left, k.low, hn::Set(d, -infinity));
+      perhaps[j] = k.perhaps;
       least = hn::Min(least, hn::IfThenElse(k.left, k.high, hn::Set(d, infinity)));
-      left |= bits_of(k.left) << (j * N);
-      perhaps |= bits_of(k.perhaps) << (j * N);
     }
     const V bound = hn::MinOfLanes(d, least);
-    for (std::size_t j = 0; j < vectors; ++j) low_enough |= bits_of(low[j] <= bound) << (j * N);
-    std::uint64_t can_win = perhaps & (low_enough | ~left) & ~ends_of(edge);
+    std::uint64_t can_win = 0;
+    for (std::size_t j = 0; j < vectors; ++j) can_win |= bits_of(hn::And(perhaps[j], low[j] <= bound)) << (j * N);
+    can_win &= ~ends_of(edge);
     const float high = hn::GetLane(bound);
     high_[edge] = high;
     if (!(high < infinity)) return none;
