@@ -61,19 +61,19 @@ bool is_even(const Block& a, const Block& b) {
 /// The mean over points of how many share a cell: one more than their density where it is the same everywhere, far more
 /// where a few cells have most of the points.
 double company(const Level& level, const Block& block) {
-  double squares = 0;
+  std::uint64_t squares = 0;
+  const auto square = [&](std::uint32_t cell) {
+    const std::uint64_t count = level.start[cell + 1] - level.start[cell];
+    return count * count;
+  };
   for (int r = block.row; r < block.row + block.rows; ++r) {
     const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
     const auto last = first + static_cast<std::uint32_t>(block.columns);
-    const auto add = [&](std::uint32_t cell, double sign) {
-      const double count = level.start[cell + 1] - level.start[cell];
-      squares += sign * count * count;
-    };
-    for (std::uint32_t cell = first; cell < last; ++cell) add(cell, 1);
+    for (std::uint32_t cell = first; cell < last; ++cell) squares += square(cell);
     if (!level.children.empty())
-      for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) { add(cell, -1); });
+      for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) { squares -= square(cell); });
   }
-  return squares / block.points;
+  return double(squares) / block.points;
 }
 
 void divide(const Level& level, const Block& block, std::uint32_t most_points, std::vector<Block>& found) {
