@@ -13,17 +13,20 @@ namespace rbpa {
 class LocalFront {
  public:
   using Index = std::uint16_t;
-  static constexpr Index none = 0xffff;
+  static constexpr Index none = 0;  ///< no side: those of triangles begin with the fourth
 
   /// Begins without a triangle, on at most Tile::most_points points.
   void begin(std::size_t points) {
     head_.assign(points, none);
     touched_.assign(points, 0);
-    for (auto* of_side : {&corner_, &across_, &link_}) of_side->resize(std::size_t{none} + 1);
-    corner_[none] = link_[none] = none;  // of no side
-    triangles_ = 0;
+    if (const std::size_t sides = 4 * (2 * points + 2); corner_.size() < sides)
+      for (auto* of_side : {&corner_, &across_, &link_}) of_side->resize(sides);
+    corner_[none] = no_point;
+    link_[none] = none;
+    triangles_ = 1;
   }
 
+  /// One more than there are: they are numbered from 1 on.
   std::size_t triangles() const { return triangles_; }
   /// Side 4 t + i of triangle t runs from its corner i to its next.
   Index from(std::size_t side) const { return corner_[side]; }
@@ -58,6 +61,8 @@ class LocalFront {
   }
 
  private:
+  static constexpr Index no_point = 0xffff;
+
   Index next_triangle(Index a, Index b, Index c) {
     const auto s = static_cast<Index>(4 * triangles_++);
     corner_[s] = a;
@@ -78,13 +83,13 @@ class LocalFront {
     while (link_[*at] != none && corner_[*at] != to) at = &link_[*at];
     const Index f = *at;
     const bool found = corner_[f] == to;
-    const auto other = static_cast<Index>(found - 1);  // all bits when it is not found: written without a branch
+    const auto all = static_cast<Index>(-static_cast<int>(found));  // bits, or none of them: no branch is needed
     const Index head = head_[to];
-    across_[s] = f | other;
-    across_[f | other] = s;
-    *at = either(f, link_[f], other);
+    across_[s] = f & all;
+    across_[f & all] = s;
+    *at = either(link_[f], f, all);
     link_[s] = head;
-    head_[to] = either(s, head, other);
+    head_[to] = either(head, s, all);
     added(s, !found);
   }
   static Index either(Index a, Index b, Index bits_of_a) { return static_cast<Index>(b ^ ((a ^ b) & bits_of_a)); }
@@ -98,7 +103,7 @@ class LocalFront {
   std::vector<Index> link_;             // of a side on the front, the next that ends at the same point
   std::vector<Index> corner_, across_;  // a triangle's first corner is repeated behind its last
   std::vector<Index> touched_;  // numbers as wide as the others': bytes could be anything, which is read again then
-  std::size_t triangles_ = 0;
+  std::size_t triangles_ = 1;
 };
 
 }  // namespace rbpa

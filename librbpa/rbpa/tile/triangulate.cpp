@@ -25,7 +25,7 @@ namespace {
 class Triangulation {
  public:
   using Index = LocalFront::Index;
-  static constexpr Index none = LocalFront::none;
+  static constexpr Index none = Contest::none;
 
   Triangulation(const Tile& tile, TileWorkspace& workspace)
       : tile_(tile),
@@ -39,8 +39,10 @@ class Triangulation {
   void run() {
     at_.assign(tile_);
     front_.begin(tile_.points.size());
-    for (auto* sides : {&queue_, &wave_}) sides->resize(std::size_t{none} + 1);
-    radius_.resize(std::size_t{none} / 4 + 1);
+    if (const std::size_t triangles = 2 * tile_.points.size() + 2; radius_.size() < triangles) {
+      for (auto* sides : {&queue_, &wave_}) sides->resize(4 * triangles);
+      radius_.resize(triangles);
+    }
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
       if (!tile_.own[v] || front_.is_touched(v)) continue;
       seed(static_cast<Index>(v));
@@ -108,7 +110,7 @@ class Triangulation {
           contest_.a[size] = front_.to(s);
           contest_.b[size] = front_.from(s);
           contest_.expected[size] = radius_[s / 4];
-          size += front_.across(s) == none;
+          size += front_.across(s) == LocalFront::none;
           if (size == Contest::batch) attach(side, std::exchange(size, 0));
         }
       // A batch that is not full waits for the next wave, if there is one.
@@ -124,7 +126,7 @@ class Triangulation {
     if (size == 0) return;
     contest_.run(size);
     for (std::size_t i = 0; i < size; ++i) {
-      if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
+      if (contest_.apex[i] == none || front_.across(side[i]) != LocalFront::none) continue;
       radius_[front_.triangles()] = contest_.found_radius[i];
       front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
                     [&](Index added, bool on_front) { activate(added, on_front); });
@@ -168,14 +170,13 @@ bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   const LocalFront& front = workspace.front;
   const std::size_t triangles = front.triangles();
-  // Of each triangle, its first side in the patch, or what its neighbours are told of it; and of none.
-  std::vector<int>& number = workspace.number;
-  number.resize(LocalFront::none / 4 + 1);
-  number.back() = meshops::Patch::open;
+  std::vector<int>& number = workspace.number;  // of each, its first side in the patch, or what its neighbours are told
+  number.resize(triangles);
+  number[LocalFront::none] = meshops::Patch::open;
   std::vector<bool>& uncertain = workspace.uncertain;
   uncertain.assign(tile.points.size(), false);
   meshops::Patch& patch = result.patch;
-  for (std::size_t t = 0; t < triangles; ++t) {
+  for (std::size_t t = 1; t < triangles; ++t) {
     const std::size_t a = front.from(4 * t), b = front.from(4 * t + 1), c = front.from(4 * t + 2);
     if (!radius.admits<double>(tile.points[a], tile.points[b], tile.points[c])) {
       number[t] = meshops::Patch::frozen;
@@ -188,7 +189,7 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       uncertain[a] = uncertain[b] = uncertain[c] = true;  // whether its owner has found it is not known here
     }
   }
-  for (std::size_t t = 0; t < triangles; ++t) {
+  for (std::size_t t = 1; t < triangles; ++t) {
     if (number[t] < 0) continue;
     const auto across = [&](std::size_t side) {
       const LocalFront::Index s = front.across(side);
