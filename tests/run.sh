@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, clang, shared, nightly
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, nightly
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}

@@ -127,7 +127,7 @@ class MESHOPS_API Front {
   /// place(), provided that reserve() made room for all patches.
   /// Requires: what lay() does; to place, a survey of the patch; to fill, that it was placed, with the same arguments.
   /// Cost:     place() is linear in the sides at the rim of the patch, fill() in the patch.
-  void reserve(std::size_t edges, std::size_t faces) { mesh_.reserve(mesh_.n_vertices(), edges, faces); }
+  void reserve(std::size_t edges, std::size_t faces);
   void place(const Patch& patch, Placement& placement);
   void fill(const Patch& patch, Placement& placement);
 

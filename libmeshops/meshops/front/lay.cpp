@@ -1,12 +1,14 @@
 // Patches: Placement, and Front::place(), fill(), lay() and join().
 #include <algorithm>
-#include <cstdint>
+#include <array>
 
 #include "meshops/core/contract.h"
 #include "meshops/front/front.h"
 
 namespace meshops {
 namespace {
+
+constexpr std::size_t edges_at_a_time = 16;  // at the rim
 
 std::size_t slot(Site s) { return static_cast<std::size_t>(s) % 4096; }
 
@@ -37,6 +39,10 @@ inline bool Placement::is_at_rim(Site s) const {
   return near_rim_.test(slot(s)) && std::binary_search(rim_sites_.begin(), rim_sites_.end(), s);
 }
 
+void Front::reserve(std::size_t edges, std::size_t faces) {
+  mesh_.reserve(mesh_.n_vertices(), edges + edges_at_a_time, faces);
+}
+
 void Front::place(const Patch& patch, Placement& placement) {
   if (!rims_.has_begun()) {
     require(faces_ == 0, "lay: there are triangles that are not of a patch");
@@ -47,7 +53,7 @@ void Front::place(const Patch& patch, Placement& placement) {
     return used + more > there ? used + more - there : 0;
   };
   const std::size_t triangles = patch.triangles.size(), rim = placement.rim_.size();
-  supply(needed(edges_, placement.inner_edges_ + rim, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
+  supply(needed(edges_, placement.inner_edges_, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
   placement.first_face_ = static_cast<int>(faces_);
   placement.first_edge_ = static_cast<int>(edges_);
   faces_ += triangles;
@@ -64,6 +70,7 @@ void Front::place(const Patch& patch, Placement& placement) {
               .value_or(Rim{Halfedge(), false})
               .boundary;
     if (!h.is_valid()) {
+      if (edges_ == mesh_.n_edges()) supply(edges_at_a_time, 0);
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
       mesh_.set_vertex_handle(h, Vertex(to));
@@ -83,17 +90,19 @@ void Front::fill(const Patch& patch, Placement& placement) {
   int next_edge = placement.first_edge_;
   std::size_t next_rim = 0;
   placement.side_.resize(3 * triangles);
+  Halfedge* const all = placement.side_.data();
   for (std::size_t t = 0; t < triangles; ++t) {
-    const auto& corner = patch.triangles[t];
+    const auto corner = patch.triangles[t];
+    const auto across = patch.across[t];
     const Face face(placement.first_face_ + static_cast<int>(t));
-    Halfedge* const side = &placement.side_[3 * t];
+    const int first = static_cast<int>(3 * t);
+    std::array<Halfedge, 3> side;
     for (unsigned i = 0; i < 3; ++i) {
-      const int s = static_cast<int>(3 * t + i), across = patch.across[t][i];
       Halfedge& h = side[i];
-      if (across < 0) {
+      if (across[i] < 0) {
         h = placement.at_rim_[next_rim++];
-      } else if (across < s) {
-        h = mesh_.opposite_halfedge_handle(placement.side_[static_cast<std::size_t>(across)]);
+      } else if (across[i] < first) {
+        h = mesh_.opposite_halfedge_handle(all[across[i]]);
       } else {
         h = Halfedge(2 * next_edge++);
         mesh_.set_vertex_handle(h, Vertex(corner[(i + 1) % 3]));
@@ -101,9 +110,12 @@ void Front::fill(const Patch& patch, Placement& placement) {
         // The first triangle at a corner comes here: both its sides there are new.
         if (!placement.is_at_rim(corner[i])) mesh_.set_halfedge_handle(Vertex(corner[i]), h);
       }
-      mesh_.set_face_handle(h, face);
+      all[3 * t + i] = h;
     }
-    for (unsigned i = 0; i < 3; ++i) mesh_.set_next_halfedge_handle(side[i], side[(i + 1) % 3]);
+    for (unsigned i = 0; i < 3; ++i) {
+      mesh_.set_face_handle(side[i], face);
+      mesh_.set_next_halfedge_handle(side[i], side[(i + 1) % 3]);
+    }
     mesh_.set_halfedge_handle(face, side[0]);
   }
 }
