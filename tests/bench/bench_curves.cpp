@@ -1,0 +1,142 @@
+// The data of the figures of docs/performance.md: time a point against the number of points, against alpha, and against
+// how uneven the points are. Writes performance_scaling.csv, performance_alpha.csv and performance_density.csv, each
+// whole or not at all, which draw_figures draws; nanoseconds a point, medians.
+//   bench_curves [--runs=N] [--points=N] FOLDER      5 runs of each; 1,000,000 points, up to 16 times as many
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/arguments.h"
+#include "bench/machine.h"
+#include "bench/measure.h"
+
+namespace rbpa_bench {
+namespace {
+
+/// A contestant and the name of its column.
+struct Column {
+  std::string name;
+  Contestant contestant;
+};
+
+/// A file of one curve for each contestant, written beside and renamed when all is measured.
+class CurveFile {
+ public:
+  CurveFile(std::filesystem::path path, const std::string& x, std::vector<Column> columns, const std::string& what,
+            int runs)
+      : path_(std::move(path)), beside_(path_.string() + ".part"), columns_(std::move(columns)), runs_(runs) {
+    const std::chrono::year_month_day today(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+    char date[16];
+    std::snprintf(date, sizeof date, "%d-%02u-%02u", int(today.year()), unsigned(today.month()), unsigned(today.day()));
+    text_ = "# " + std::string(date) + "; " + processor() + "; " + memory() + "; " + compiler() + " " +
+            compiler_flags() + "; medians of " + std::to_string(runs) + " runs\n# " + what + "\n" + x + ",triangles";
+    for (const Column& column : columns_) text_ += "," + column.name;
+    text_ += "\n";
+  }
+
+  void measure(double x, const Task& task) {
+    std::vector<Contestant> contestants;
+    for (const Column& column : columns_) contestants.push_back(column.contestant);
+    const Contest contest = rbpa_bench::measure(task, contestants, {.runs = runs_, .check = false, .memory = false});
+    add("%.9g", x);
+    add(",%.0f", static_cast<double>(contest.outcomes[0].triangles));
+    for (const Outcome& outcome : contest.outcomes) {
+      if (!outcome.is_good()) throw std::runtime_error(outcome.contestant + ": " + outcome.failure + outcome.wrong);
+      add(",%.4g", contest.nanoseconds_a_point(outcome));
+    }
+    text_ += "\n";
+    std::fprintf(stderr, "%s: %g\n", path_.filename().c_str(), x);
+  }
+
+  void publish() const {
+    std::ofstream out(beside_, std::ios::binary);
+    out << text_;
+    out.close();
+    if (!out) throw std::runtime_error(beside_.string() + ": cannot be written");
+    std::filesystem::rename(beside_, path_);
+  }
+
+ private:
+  void add(const char* format, double value) {
+    char number[32];
+    std::snprintf(number, sizeof number, format, value);
+    text_ += number;
+  }
+
+  std::filesystem::path path_, beside_;
+  std::vector<Column> columns_;
+  int runs_;
+  std::string text_;
+};
+
+const Column rbpa_one{"rbpa", rbpa_with(1)};
+const Column plain_cgal{"cgal_points", cgal_points};
+
+void scaling(const std::filesystem::path& folder, std::size_t points, int runs) {
+  CurveFile file(folder / "performance_scaling.csv", "points", {rbpa_one, plain_cgal, {"cgal_indices", cgal_indices}},
+                 "uniform points, no radius; nanoseconds a point", runs);
+  for (const double times : {0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
+    const auto count = static_cast<std::size_t>(std::lround(times * static_cast<double>(points)));
+    file.measure(static_cast<double>(count), {uniform, count, INFINITY, "∞"});
+  }
+  file.publish();
+}
+
+void alphas(const std::filesystem::path& folder, std::size_t points, int runs) {
+  CurveFile file(folder / "performance_alpha.csv", "alpha",
+                 {rbpa_one, plain_cgal, {"cgal_points_filter", cgal_points_filtered}},
+                 std::to_string(points) + " uniform points against alpha in mean spacings; nanoseconds a point", runs);
+  for (const double alpha : {0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
+    file.measure(alpha, {uniform, points, alpha, ""});
+  file.publish();
+}
+
+/// A hundred clusters whose widths span 0, 1, … 6 decades.
+template <int span>
+Workload clusters_over() {
+  return {"clusters", [](std::size_t count) { return gaussian_clusters(count, span); }};
+}
+
+void densities(const std::filesystem::path& folder, std::size_t points, int runs) {
+  CurveFile file(folder / "performance_density.csv", "width_ratio",
+                 {rbpa_one, plain_cgal, {"cgal_indices", cgal_indices}},
+                 std::to_string(points) +
+                     " points in 100 clusters against the widest's width in that of the narrowest, no radius; "
+                     "nanoseconds a point",
+                 runs);
+  double ratio = 1;
+  for (const Workload& workload : {clusters_over<0>(), clusters_over<1>(), clusters_over<2>(), clusters_over<3>(),
+                                   clusters_over<4>(), clusters_over<5>(), clusters_over<6>()}) {
+    file.measure(ratio, {workload, points, INFINITY, "∞"});
+    ratio *= 10;
+  }
+  file.publish();
+}
+
+}  // namespace
+}  // namespace rbpa_bench
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argv[argc - 1][0] == '-') {
+    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N] FOLDER\n", argv[0]);
+    return 2;
+  }
+  const auto arguments = rbpa_bench::parse(argc - 1, argv);
+  if (!arguments) return 2;
+  try {
+    const std::filesystem::path folder = argv[argc - 1];
+    rbpa_bench::scaling(folder, arguments->points, arguments->runs);
+    rbpa_bench::alphas(folder, arguments->points, arguments->runs);
+    rbpa_bench::densities(folder, arguments->points, arguments->runs);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 1;
+  }
+  return 0;
+}
