@@ -28,14 +28,20 @@ struct Column {
 /// A file of one curve for each contestant, written beside and renamed when all is measured.
 class CurveFile {
  public:
+  /// The first column is `x`; the number of points is another one where it is not that.
   CurveFile(std::filesystem::path path, const std::string& x, std::vector<Column> columns, const std::string& what,
             int runs)
-      : path_(std::move(path)), beside_(path_.string() + ".part"), columns_(std::move(columns)), runs_(runs) {
+      : path_(std::move(path)),
+        beside_(path_.string() + ".part"),
+        columns_(std::move(columns)),
+        runs_(runs),
+        x_is_points_(x == "points") {
     const std::chrono::year_month_day today(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
     char date[16];
     std::snprintf(date, sizeof date, "%d-%02u-%02u", int(today.year()), unsigned(today.month()), unsigned(today.day()));
     text_ = "# " + std::string(date) + "; " + processor() + "; " + memory() + "; " + compiler() + " " +
-            compiler_flags() + "; medians of " + std::to_string(runs) + " runs\n# " + what + "\n" + x + ",triangles";
+            compiler_flags() + "; medians of " + std::to_string(runs) + " runs\n# " + what + "\n" + x +
+            (x_is_points_ ? "" : ",points") + ",triangles";
     for (const Column& column : columns_) text_ += "," + column.name;
     text_ += "\n";
   }
@@ -45,9 +51,12 @@ class CurveFile {
     for (const Column& column : columns_) contestants.push_back(column.contestant);
     const Contest contest = rbpa_bench::measure(task, contestants, {.runs = runs_, .check = false, .memory = false});
     add("%.9g", x);
+    if (!x_is_points_) add(",%.0f", static_cast<double>(contest.points));
     add(",%.0f", static_cast<double>(contest.outcomes[0].triangles));
     for (const Outcome& outcome : contest.outcomes) {
-      if (!outcome.is_good()) throw std::runtime_error(outcome.contestant + ": " + outcome.failure + outcome.wrong);
+      if (!outcome.failure.empty()) throw std::runtime_error(outcome.contestant + ": " + outcome.failure);
+      if (!outcome.wrong.empty())
+        std::fprintf(stderr, "%s: %s\n", outcome.contestant.c_str(), outcome.wrong.c_str());  // CGAL's filter rounds
       add(",%.4g", contest.nanoseconds_a_point(outcome));
     }
     text_ += "\n";
@@ -72,14 +81,17 @@ class CurveFile {
   std::filesystem::path path_, beside_;
   std::vector<Column> columns_;
   int runs_;
+  bool x_is_points_;
   std::string text_;
 };
 
-const Column rbpa_one{"rbpa", rbpa_with(1)};
-const Column plain_cgal{"cgal_points", cgal_points};
+/// Ours, CGAL's best case, and another.
+std::vector<Column> columns_with(const std::string& name, const Contestant& other) {
+  return {{"rbpa", rbpa_with(1)}, {"cgal_points", cgal_points}, {name, other}};
+}
 
 void scaling(const std::filesystem::path& folder, std::size_t points, int runs) {
-  CurveFile file(folder / "performance_scaling.csv", "points", {rbpa_one, plain_cgal, {"cgal_indices", cgal_indices}},
+  CurveFile file(folder / "performance_scaling.csv", "points", columns_with("cgal_indices", cgal_indices),
                  "uniform points, no radius; nanoseconds a point", runs);
   for (const double times : {0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
     const auto count = static_cast<std::size_t>(std::lround(times * static_cast<double>(points)));
@@ -89,8 +101,7 @@ void scaling(const std::filesystem::path& folder, std::size_t points, int runs) 
 }
 
 void alphas(const std::filesystem::path& folder, std::size_t points, int runs) {
-  CurveFile file(folder / "performance_alpha.csv", "alpha",
-                 {rbpa_one, plain_cgal, {"cgal_points_filter", cgal_points_filtered}},
+  CurveFile file(folder / "performance_alpha.csv", "alpha", columns_with("cgal_points_filter", cgal_points_filtered),
                  std::to_string(points) + " uniform points against alpha in mean spacings; nanoseconds a point", runs);
   for (const double alpha : {0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
     file.measure(alpha, {uniform, points, alpha, ""});
@@ -104,12 +115,8 @@ Workload clusters_over() {
 }
 
 void densities(const std::filesystem::path& folder, std::size_t points, int runs) {
-  CurveFile file(folder / "performance_density.csv", "width_ratio",
-                 {rbpa_one, plain_cgal, {"cgal_indices", cgal_indices}},
-                 std::to_string(points) +
-                     " points in 100 clusters against the widest's width in that of the narrowest, no radius; "
-                     "nanoseconds a point",
-                 runs);
+  CurveFile file(folder / "performance_density.csv", "width_ratio", columns_with("cgal_indices", cgal_indices),
+                 std::to_string(points) + " points in 100 clusters, no radius; nanoseconds a point", runs);
   double ratio = 1;
   for (const Workload& workload : {clusters_over<0>(), clusters_over<1>(), clusters_over<2>(), clusters_over<3>(),
                                    clusters_over<4>(), clusters_over<5>(), clusters_over<6>()}) {
