@@ -75,12 +75,12 @@ std::string paper_6_timing() {
 }
 
 constexpr Look rbpa_look{"rbpa", "rbpa", colour::curve},
-    rbpa_2_look{"rbpa_2_threads", "rbpa, 2 threads", colour::curve, true},
-    cgal_look{"cgal_points", "CGAL, points only", colour::touched};
+    rbpa_2_look{"rbpa_2_threads", "rbpa 2 threads", colour::curve, true},
+    cgal_look{"cgal_points", "CGAL points", colour::touched};
 
 std::string performance_scaling() {
   static constexpr std::array looks{rbpa_look, rbpa_2_look, cgal_look,
-                                    Look{"cgal_indices", "CGAL, indices", colour::inner}};
+                                    Look{"cgal_indices", "CGAL indices", colour::inner}};
   const Measured all = read_measured("performance_scaling.csv");
   return one_chart("Time a point against the number of points: rbpa and CGAL", all,
                    {"time a point", "points", thousands, seconds, curves_of(all, looks, nanosecond)});
@@ -88,7 +88,7 @@ std::string performance_scaling() {
 
 std::string performance_alpha() {
   static constexpr std::array looks{rbpa_look, rbpa_2_look,
-                                    Look{"cgal_points_filter", "CGAL, points only, filter", colour::touched}};
+                                    Look{"cgal_points_filter", "CGAL points + filter", colour::touched}};
   const Measured all = read_measured("performance_alpha.csv");
   std::vector<Curve> of_triangles = curves_of(all, looks, nanosecond, "triangles");
   // The time a point, times points a triangle.
@@ -103,7 +103,7 @@ std::string performance_alpha() {
 
 std::string performance_density() {
   static constexpr std::array looks{rbpa_look, rbpa_2_look, cgal_look,
-                                    Look{"cgal_indices", "CGAL, indices", colour::inner}};
+                                    Look{"cgal_indices", "CGAL indices", colour::inner}};
   const Measured all = read_measured("performance_density.csv");
   return one_chart(
       "Time a point against how uneven the points are: rbpa and CGAL", all,

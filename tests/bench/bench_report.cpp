@@ -28,15 +28,15 @@ class Report {
   void run() {
     print_machine(arguments_.runs);
     std::printf(
-        "Nanoseconds a point: median (least–most), and how many times the median of %s; `in N`: fewer runs, as they "
-        "took long.\n\n",
+        "Nanoseconds a point: median (least–most); how many times the median of %s. `in N`: N runs only, as they take "
+        "long.\n\n",
         ours_[0].name.c_str());
     const std::size_t points = arguments_.points;
     without_radius(points);
     with_radius(points);
     if (arguments_.trap_points > 0) traps(arguments_.trap_points);
     sweep(points);
-    std::printf("## Targets\n\n");
+    std::printf("### Targets\n\n");
     print(targets(measured_, points));
   }
 
@@ -55,7 +55,7 @@ class Report {
 
   std::vector<Contest> table(const std::string& heading, const std::vector<Task>& tasks,
                              const std::vector<Contestant>& contestants, bool memory) const {
-    std::printf("## %s\n\n", heading.c_str());
+    std::printf("### %s\n\n", heading.c_str());
     print_time_head(contestants);
     std::vector<Contest> contests;
     for (const Task& task : tasks) {
@@ -83,7 +83,7 @@ class Report {
   void with_radius(std::size_t points) {
     std::vector<Contestant> all = ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_points, cgal_indices});
     const std::vector<Task> tasks{{uniform, points, 3, "3"}, {jittered, points, 3, "3"}, {grid, points, 3, "3"}};
-    measured_.alpha = table("With a radius; α in mean spacings", tasks, all, true);
+    measured_.alpha = table("With a radius; α in mean spacings", tasks, all, false);
     all.push_back(cgal_alpha_shape);
     table("With a radius, fewer points", {{uniform, points / 10, 3, "3"}}, all, true);
   }
@@ -122,5 +122,8 @@ class Report {
 int main(int argc, char** argv) {
   const auto arguments = rbpa_bench::parse_report(argc, argv);
   if (!arguments) return 2;
+  std::printf("`bench_report");
+  for (int i = 1; i < argc; ++i) std::printf(" %s", argv[i]);
+  std::printf("`\n\n");
   rbpa_bench::Report(*arguments).run();
 }

@@ -52,36 +52,36 @@ Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) {
 }
 
 Contestant rbpa_with(unsigned threads) {
-  return {threads == 1 ? "rbpa" : "rbpa, " + (threads == 0 ? "all" : std::to_string(threads)) + " threads",
+  return {threads == 1 ? "rbpa" : "rbpa " + (threads == 0 ? "all" : std::to_string(threads)) + " threads",
           [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
             return run_rbpa(points, alpha, threads, list);
           }};
 }
 
-const Contestant rbpa_paper_grid{"rbpa, paper's grid", [](std::span<const rbpa::Point> points, double alpha,
-                                                          Triangles*) { return run_rbpa_paper_grid(points, alpha); }};
+const Contestant rbpa_paper_grid{
+    "rbpa with the paper's grid",
+    [](std::span<const rbpa::Point> points, double alpha, Triangles*) { return run_rbpa_paper_grid(points, alpha); }};
 const Contestant hrbpa{
     "hrbpa", [](std::span<const rbpa::Point> points, double alpha, Triangles*) { return run_hrbpa(points, alpha); }};
-const Contestant cgal_indices{"CGAL, indices",
+const Contestant cgal_indices{"CGAL indices",
                               [](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
                                 return run_cgal_indices(points, alpha, Filter::none, list);
                               },
                               /*takes_alpha=*/false};
-const Contestant cgal_indices_filtered{"CGAL, indices, filter",
+const Contestant cgal_indices_filtered{"CGAL indices + filter",
                                        [](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
                                          return run_cgal_indices(points, alpha, Filter::circumradius, list);
                                        }};
-const Contestant cgal_points{"CGAL, points only",
+const Contestant cgal_points{"CGAL points",
                              [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
                                return run_cgal_points(points, alpha, Filter::none);
                              },
                              /*takes_alpha=*/false};
-const Contestant cgal_points_filtered{"CGAL, points only, filter",
+const Contestant cgal_points_filtered{"CGAL points + filter",
                                       [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
                                         return run_cgal_points(points, alpha, Filter::circumradius);
                                       }};
-const Contestant cgal_alpha_shape{
-    "CGAL, Alpha_shape_2",
-    [](std::span<const rbpa::Point> points, double alpha, Triangles*) { return run_cgal_alpha_shape(points, alpha); }};
+const Contestant cgal_alpha_shape{"CGAL Alpha_shape_2", [](std::span<const rbpa::Point> points, double alpha,
+                                                           Triangles*) { return run_cgal_alpha_shape(points, alpha); }};
 
 }  // namespace rbpa_bench

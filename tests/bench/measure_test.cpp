@@ -91,10 +91,10 @@ TEST_CASE("a target is met by the ratio of medians, and without a contest by not
     FAIL("no such target: " << what);
     return Target{};
   };
-  const Target met = measured_at("uniform 1000, α = ∞, CGAL, points only against rbpa");
+  const Target met = measured_at("uniform 1000, α = ∞: CGAL points / rbpa");
   CHECK(met.measured == 2.0);
   CHECK(is_met(met));
-  CHECK_FALSE(is_met(measured_at("jittered 1000, α = ∞, CGAL, points only against rbpa")));
-  CHECK_FALSE(measured_at("uniform 1000, α = ∞, CGAL, points only against rbpa, 2 threads").measured);
-  CHECK(measured_at("uniform 100, α = ∞, CGAL, points only against rbpa").measured == 10.0);
+  CHECK_FALSE(is_met(measured_at("jittered 1000, α = ∞: CGAL points / rbpa")));
+  CHECK_FALSE(measured_at("uniform 1000, α = ∞: CGAL points / rbpa 2 threads").measured);
+  CHECK(measured_at("uniform 100, α = ∞: CGAL points / rbpa").measured == 10.0);
 }

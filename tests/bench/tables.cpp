@@ -21,6 +21,13 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
+/// Three digits.
+std::string significant(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 Timings nanoseconds_a_point(const Contest& contest, const Outcome& outcome) {
   Timings all = outcome.seconds;
   for (double& seconds : all.of) seconds *= 1e9 / static_cast<double>(contest.points);
@@ -35,7 +42,7 @@ std::string time_cell(const Contest& contest, const Outcome& outcome) {
   if (const std::size_t runs = outcome.seconds.of.size(); runs < most) time += " in " + std::to_string(runs);
   if (!outcome.wrong.empty()) return "**wrong**: " + outcome.wrong + "; " + time;
   const std::optional<double> ratio = speedup(contest, contest.outcomes[0].contestant, outcome.contestant);
-  return &outcome == &contest.outcomes[0] || !ratio ? time : time + ", " + rounded(*ratio, 2);
+  return &outcome == &contest.outcomes[0] || !ratio ? time : time + "; " + significant(*ratio) + "×";
 }
 
 void print_head(const std::vector<std::string>& text, const std::vector<std::string>& numbers) {
@@ -95,9 +102,9 @@ void print_clocks(const std::vector<Contest>& contests) {
 void print(const std::vector<Target>& targets) {
   print_head({"target"}, {"measured", ""});
   for (const Target& target : targets) {
-    const std::string measured = target.measured ? rounded(*target.measured, 2) : "–";
-    std::printf("| %s: %s %s | %s | %s |\n", target.what.c_str(), target.sense == Sense::at_least ? "≥" : "≤",
-                rounded(target.bound, 2).c_str(), measured.c_str(),
+    const std::string measured = target.measured ? significant(*target.measured) : "–";
+    std::printf("| %s %s %s | %s | %s |\n", target.what.c_str(), target.sense == Sense::at_least ? "≥" : "≤",
+                significant(target.bound).c_str(), measured.c_str(),
                 !target.measured ? "not measured" : (is_met(target) ? "met" : "**missed**"));
   }
   std::printf("\n");

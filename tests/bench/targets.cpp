@@ -53,9 +53,9 @@ std::vector<Target> targets(const Measured& measured, std::size_t points) {
   const std::string one = rbpa_with(1).name, two = rbpa_with(2).name;
   const auto faster = [&](const std::string& what, const Contest* contest, const Contestant& peer, double with_one,
                           double with_two) {
-    const std::string against = what + ", " + peer.name + " against ";
-    all.push_back({against + one, Sense::at_least, with_one, speedup_of(contest, one, peer)});
-    all.push_back({against + two, Sense::at_least, with_two, speedup_of(contest, two, peer)});
+    const std::string times = what + ": " + peer.name + " / ";
+    all.push_back({times + one, Sense::at_least, with_one, speedup_of(contest, one, peer)});
+    all.push_back({times + two, Sense::at_least, with_two, speedup_of(contest, two, peer)});
   };
   const auto of_points = [](const std::string& name, std::size_t number) {
     return name + " " + std::to_string(number);
@@ -71,17 +71,17 @@ std::vector<Target> targets(const Measured& measured, std::size_t points) {
          cgal_points_filtered, 2.2, 4);
   faster(delaunay(uniform, points / 10), find(measured.delaunay, uniform, points / 10), cgal_points, 2, 3.4);
   for (const Contest& contest : measured.traps)
-    all.push_back({of_points(contest.set, contest.points) + ", α = " + contest.alpha_text + ", " +
-                       cgal_points_filtered.name + " against " + one,
+    all.push_back({of_points(contest.set, contest.points) + ", α = " + contest.alpha_text + ": " +
+                       cgal_points_filtered.name + " / " + one,
                    Sense::at_least, 1, speedup(contest, one, cgal_points_filtered.name)});
 
-  all.push_back({of_points("uniform, time a point at", 16 * points) + " against " + std::to_string(points / 10),
+  all.push_back({of_points("uniform, α = ∞, a point: at", 16 * points) + " / at " + std::to_string(points / 10),
                  Sense::at_most, 1.35,
                  ratio(time_of(find(measured.delaunay, uniform, 16 * points), one),
                        time_of(find(measured.delaunay, uniform, points / 10), one))});
-  all.push_back({"uniform, time a triangle at α from 0.5 to 1000 spacings, worst against best", Sense::at_most, 1.5,
-                 worst_to_best(measured.sweep, one)});
-  all.push_back({of_points("time a point, grid against jittered", points) + ", α = ∞", Sense::at_most, 1.3,
+  all.push_back({of_points(uniform.name, points) + ", α from 0.5 to 1000 spacings, a triangle: worst / best",
+                 Sense::at_most, 1.5, worst_to_best(measured.sweep, one)});
+  all.push_back({of_points("even sets", points) + ", α = ∞, a point: grid / jittered", Sense::at_most, 1.3,
                  ratio(time_of(find(measured.delaunay, grid, points), one),
                        time_of(find(measured.delaunay, jittered, points), one))});
   return all;
