@@ -1,7 +1,7 @@
 // The data of the figures of docs/performance.md: time a point against the number of points, against alpha, and against
 // how uneven the points are. Writes performance_scaling.csv, performance_alpha.csv and performance_density.csv, each
 // whole or not at all, which draw_figures draws; nanoseconds a point, medians.
-//   bench_curves [--runs=N] [--points=N] FOLDER      5 runs of each; 1,000,000 points, up to 16 times as many
+//   bench_curves [--runs=N] [--points=N] [--threads=1,2] FOLDER      5 runs of each; 1,000,000 points, up to 16 times as many
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -86,25 +86,32 @@ class CurveFile {
 };
 
 /// Ours, CGAL's best case, and another.
-std::vector<Column> columns_with(const std::string& name, const Contestant& other) {
-  return {{"rbpa", rbpa_with(1)}, {"cgal_points", cgal_points}, {name, other}};
+std::vector<Column> columns_with(const std::vector<unsigned>& threads, const std::string& name,
+                                 const Contestant& other) {
+  std::vector<Column> columns;
+  for (const unsigned number : threads)
+    columns.push_back({number == 1 ? "rbpa" : "rbpa_" + std::to_string(number) + "_threads", rbpa_with(number)});
+  columns.push_back({"cgal_points", cgal_points});
+  columns.push_back({name, other});
+  return columns;
 }
 
-void scaling(const std::filesystem::path& folder, std::size_t points, int runs) {
-  CurveFile file(folder / "performance_scaling.csv", "points", columns_with("cgal_indices", cgal_indices),
-                 "uniform points, no radius; nanoseconds a point", runs);
+void scaling(const std::filesystem::path& folder, const Arguments& with) {
+  CurveFile file(folder / "performance_scaling.csv", "points", columns_with(with.threads, "cgal_indices", cgal_indices),
+                 "uniform points, no radius; nanoseconds a point", with.runs);
   for (const double times : {0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
-    const auto count = static_cast<std::size_t>(std::lround(times * static_cast<double>(points)));
+    const auto count = static_cast<std::size_t>(std::lround(times * static_cast<double>(with.points)));
     file.measure(static_cast<double>(count), {uniform, count, INFINITY, "∞"});
   }
   file.publish();
 }
 
-void alphas(const std::filesystem::path& folder, std::size_t points, int runs) {
-  CurveFile file(folder / "performance_alpha.csv", "alpha", columns_with("cgal_points_filter", cgal_points_filtered),
-                 std::to_string(points) + " uniform points against alpha in mean spacings; nanoseconds a point", runs);
+void alphas(const std::filesystem::path& folder, const Arguments& with) {
+  CurveFile file(
+      folder / "performance_alpha.csv", "alpha", columns_with(with.threads, "cgal_points_filter", cgal_points_filtered),
+      std::to_string(with.points) + " uniform points against alpha in mean spacings; nanoseconds a point", with.runs);
   for (const double alpha : {0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
-    file.measure(alpha, {uniform, points, alpha, ""});
+    file.measure(alpha, {uniform, with.points, alpha, ""});
   file.publish();
 }
 
@@ -114,13 +121,14 @@ Workload clusters_over() {
   return {"clusters", [](std::size_t count) { return gaussian_clusters(count, span); }};
 }
 
-void densities(const std::filesystem::path& folder, std::size_t points, int runs) {
-  CurveFile file(folder / "performance_density.csv", "width_ratio", columns_with("cgal_indices", cgal_indices),
-                 std::to_string(points) + " points in 100 clusters, no radius; nanoseconds a point", runs);
+void densities(const std::filesystem::path& folder, const Arguments& with) {
+  CurveFile file(
+      folder / "performance_density.csv", "width_ratio", columns_with(with.threads, "cgal_indices", cgal_indices),
+      std::to_string(with.points) + " points in 100 clusters, no radius; nanoseconds a point", with.runs);
   double ratio = 1;
   for (const Workload& workload : {clusters_over<0>(), clusters_over<1>(), clusters_over<2>(), clusters_over<3>(),
                                    clusters_over<4>(), clusters_over<5>(), clusters_over<6>()}) {
-    file.measure(ratio, {workload, points, INFINITY, "∞"});
+    file.measure(ratio, {workload, with.points, INFINITY, "∞"});
     ratio *= 10;
   }
   file.publish();
@@ -131,16 +139,16 @@ void densities(const std::filesystem::path& folder, std::size_t points, int runs
 
 int main(int argc, char** argv) {
   if (argc < 2 || argv[argc - 1][0] == '-') {
-    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N] FOLDER\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N] [--threads=1,2] FOLDER\n", argv[0]);
     return 2;
   }
-  const auto arguments = rbpa_bench::parse(argc - 1, argv);
+  const auto arguments = rbpa_bench::parse(argc - 1, argv, /*with_threads=*/true);
   if (!arguments) return 2;
   try {
     const std::filesystem::path folder = argv[argc - 1];
-    rbpa_bench::scaling(folder, arguments->points, arguments->runs);
-    rbpa_bench::alphas(folder, arguments->points, arguments->runs);
-    rbpa_bench::densities(folder, arguments->points, arguments->runs);
+    rbpa_bench::scaling(folder, *arguments);
+    rbpa_bench::alphas(folder, *arguments);
+    rbpa_bench::densities(folder, *arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
     return 1;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
@@ -10,16 +11,19 @@ namespace rbpa_bench {
 namespace {
 
 /// The one place where a number of threads is given.
-rbpa::Options options_for(rbpa::Search search, unsigned threads) {
-  rbpa::Options options{.search = search, .progress = {}};
-  const auto set = [&](auto& any) {
-    if constexpr (requires { any.threads; })
-      any.threads = threads;
-    else if (threads != 1)
-      throw std::runtime_error("one thread only");
-  };
-  set(options);
+template <typename Options>
+Options with_threads(Options options, unsigned threads) {
+  if constexpr (requires { options.threads; })
+    options.threads = threads;
+  else if (threads != 1)
+    throw std::runtime_error("one thread only");
   return options;
+}
+
+rbpa::Options options_for(rbpa::Search search, unsigned threads) {
+  rbpa::Options options;
+  options.search = search;
+  return with_threads(std::move(options), threads);
 }
 
 Run timed(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options, Triangles* list) {
@@ -41,8 +45,11 @@ Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha) {
 }
 
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
+  rbpa::HierarchyOptions options;
+  options.leaf_capacity = leaf_capacity;
+  options = with_threads(std::move(options), 1);
   const auto start = std::chrono::steady_clock::now();
-  const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
+  const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   return {seconds.count(), hierarchy.complex.mesh.n_faces()};
 }
