@@ -3,7 +3,7 @@
 # Leaves a mesh and a picture in rbpa-demo/ and says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libcli11-dev libpng-dev \
+bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
   nlohmann-json3-dev
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)"

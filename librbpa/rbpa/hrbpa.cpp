@@ -13,6 +13,7 @@
 #include "rbpa/hierarchy/local_triangles.h"
 #include "rbpa/hierarchy/policy.h"
 #include "rbpa/hierarchy/quadtree.h"
+#include "rbpa/parallel/threads.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
 #include "rbpa/tile/for_each_tile.h"
@@ -24,14 +25,14 @@ template <typename Real>
 class HierarchicalRun {
  public:
   HierarchicalRun(const PointGrid<Real>& grid, double least, double alpha, Radius radius, Real grid_unit,
-                  const HierarchyOptions& options, const meshops::Front& front)
+                  const HierarchyOptions& options, const meshops::Front& front, Threads& threads)
       : grid_(grid),
         level_ended_(options.level_ended),
         alpha_(alpha),
         ladder_(least, radius, grid.diameter_bound()),
         report_(options.progress, grid.points().size()),
         start_(std::chrono::steady_clock::now()),
-        local_(local_triangles(front)),
+        local_(local_triangles(front, threads)),
         pivot_(grid, local_ ? local_->done() : std::vector<bool>(), grid_unit),
         apexes_(pivot_),
         seeds_(grid, ladder_, pivot_, apexes_),
@@ -87,10 +88,10 @@ class HierarchicalRun {
   /// Extreme exponents do without tiles: there, all is found level by level.
   static constexpr bool has_tiles = std::is_same_v<Real, double>;
 
-  std::optional<LocalTriangles> local_triangles(const meshops::Front& front) {
+  std::optional<LocalTriangles> local_triangles(const meshops::Front& front, Threads& threads) {
     if constexpr (has_tiles) {
       LocalTriangles found(grid_.points(), ladder_);
-      for_each_tile(grid_, Radius(), [&](const TileTriangles& tile) {
+      for_each_tile(grid_, Radius(), threads, [&](const TileTriangles& tile) {
         found.add(tile);
         report_.worked(front);
       });
@@ -140,19 +141,21 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   meshops::require(options.leaf_capacity > 0, "hrbpa: leaf_capacity is 0, expected at least 1");
   check(points, alpha);
   Hierarchy result;
-  with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double below_all) {
-    Assembly<Real> assembly(points, result.complex);
+  Threads threads = threads_for(points.size(), options.threads);
+  const auto run = [&]<typename Real>(Radius radius, Real grid_unit, double below_all) {
+    Assembly<Real> assembly(points, result.complex, threads);
     const auto& grid = assembly.grid();
     if (!are_collinear(grid.points())) {
       const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
       result.least_radius =
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
                      std::numeric_limits<double>::max());
-      HierarchicalRun<Real> run(grid, result.least_radius, alpha, radius, grid_unit, options, assembly.front());
-      run.advance(assembly.front(), result);
+      HierarchicalRun<Real>(grid, result.least_radius, alpha, radius, grid_unit, options, assembly.front(), threads)
+          .advance(assembly.front(), result);
     }
     assembly.finish();
-  });
+  };
+  with_arithmetic_for(points, alpha, run);
   return result;
 }
 

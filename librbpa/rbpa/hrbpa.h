@@ -42,7 +42,11 @@ struct EndedLevel {
 struct HierarchyOptions {
   /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1.
   std::size_t leaf_capacity = 16384;
-  /// Called every few milliseconds; returning false cancels the run. Empty: never called.
+  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors. The result
+  /// is the same.
+  unsigned threads = 0;
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it.
+  /// Empty: never called.
   std::function<bool(const Progress&)> progress = {};
   /// Called with each level of Hierarchy::levels when it has ended, before the next one begins; its time is in no level's.
   /// What it throws ends the run. Empty: never called.

@@ -6,6 +6,7 @@
 
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
+#include "rbpa/parallel/threads.h"
 #include "rbpa/pivot/paper_pivot.h"
 #include "rbpa/pivot/remaining_pivot.h"
 #include "rbpa/policy.h"
@@ -19,14 +20,18 @@ namespace {
 template <typename Real>
 class Run {
  public:
-  Run(const PointGrid<Real>& grid, Radius radius, Real grid_unit, const Options& options)
-      : grid_(grid), radius_(radius), grid_unit_(grid_unit), report_(options.progress, grid.points().size()) {}
+  Run(const PointGrid<Real>& grid, Radius radius, Real grid_unit, const Options& options, Threads& threads)
+      : grid_(grid),
+        radius_(radius),
+        grid_unit_(grid_unit),
+        threads_(threads),
+        report_(options.progress, grid.points().size()) {}
 
   void by_tiles(meshops::Front& front) {
     std::vector<bool> known;
     // Extreme exponents do without tiles.
     if constexpr (std::is_same_v<Real, double>)
-      known = lay_tiles(grid_, radius_, front, [&] { report_.worked(front); });
+      known = lay_tiles(grid_, radius_, front, threads_, [&] { report_.worked(front); });
     if (radius_.is_infinite() && front.faces() > 0) {
       const RemainingPivot<Real> pivot(grid_, known, grid_unit_);
       NoSeeds seeds;  // the Delaunay triangulation hangs together through edges
@@ -55,6 +60,7 @@ class Run {
   const PointGrid<Real>& grid_;
   Radius radius_;
   Real grid_unit_;
+  Threads& threads_;
   Report report_;
 };
 
@@ -63,10 +69,11 @@ class Run {
 SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options) {
   check(points, alpha);
   SolidAlphaComplex complex;
+  Threads threads = threads_for(points.size(), options.threads);
   with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double) {
-    Assembly<Real> assembly(points, complex);
+    Assembly<Real> assembly(points, complex, threads);
     if (!are_collinear(assembly.grid().points())) {
-      Run<Real> run(assembly.grid(), radius, grid_unit, options);
+      Run<Real> run(assembly.grid(), radius, grid_unit, options, threads);
       if (options.search == Search::near_to_far)
         run.by_tiles(assembly.front());
       else

@@ -24,7 +24,11 @@ enum class Search {
 
 struct Options {
   Search search = Search::near_to_far;
-  /// Called every few milliseconds; returning false cancels the run. Empty: never called.
+  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors. The result
+  /// is the same.
+  unsigned threads = 0;
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it.
+  /// Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 

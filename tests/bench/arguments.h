@@ -16,7 +16,7 @@ namespace rbpa_bench {
 struct Arguments {
   std::size_t points = 1000000;
   int runs = 5;
-  std::vector<unsigned> threads{1};
+  std::vector<unsigned> threads{1, 2};
 };
 
 /// The number that is the whole of `text`; false when it is none.

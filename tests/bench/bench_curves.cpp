@@ -49,7 +49,7 @@ class CurveFile {
   void measure(double x, const Task& task) {
     std::vector<Contestant> contestants;
     for (const Column& column : columns_) contestants.push_back(column.contestant);
-    const Contest contest = rbpa_bench::measure(task, contestants, {.runs = runs_, .check = false, .memory = false});
+    const Contest contest = rbpa_bench::measure(task, contestants, {.runs = runs_, .check = false});
     add("%.9g", x);
     if (!x_is_points_) add(",%.0f", static_cast<double>(contest.points));
     add(",%.0f", static_cast<double>(contest.outcomes[0].triangles));
@@ -122,9 +122,9 @@ Workload clusters_over() {
 }
 
 void densities(const std::filesystem::path& folder, const Arguments& with) {
-  CurveFile file(
-      folder / "performance_density.csv", "width_ratio", columns_with(with.threads, "cgal_indices", cgal_indices),
-      std::to_string(with.points) + " points in 100 clusters, no radius; nanoseconds a point", with.runs);
+  CurveFile file(folder / "performance_density.csv", "width_ratio",
+                 columns_with(with.threads, "cgal_indices", cgal_indices),
+                 std::to_string(with.points) + " points in 100 clusters, no radius; nanoseconds a point", with.runs);
   double ratio = 1;
   for (const Workload& workload : {clusters_over<0>(), clusters_over<1>(), clusters_over<2>(), clusters_over<3>(),
                                    clusters_over<4>(), clusters_over<5>(), clusters_over<6>()}) {

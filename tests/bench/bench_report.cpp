@@ -4,7 +4,9 @@
 //                [--peer NAME=COMMAND]…
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/measure.h"
@@ -18,6 +20,15 @@ namespace {
 
 constexpr double infinity = INFINITY;
 
+/// A table of contests to be held.
+struct Plan {
+  std::string heading;
+  std::vector<Contestant> contestants;
+  std::vector<Task> tasks;
+  bool with_memory = false;
+  std::vector<std::optional<double>> bytes = {};  ///< of each contestant of each task
+};
+
 class Report {
  public:
   explicit Report(const ReportArguments& arguments) : arguments_(arguments) {
@@ -25,19 +36,25 @@ class Report {
     for (const auto& [name, command] : arguments.peers) peers_.push_back(peer(name, command));
   }
 
-  void run() {
+  void run() const {
     print_machine(arguments_.runs);
     std::printf(
         "Nanoseconds a point: median (least–most); how many times the median of %s. `in N`: N runs only, as they take "
         "long.\n\n",
         ours_[0].name.c_str());
+    std::fflush(stdout);  // or children would have it as well
     const std::size_t points = arguments_.points;
-    without_radius(points);
-    with_radius(points);
-    if (arguments_.trap_points > 0) traps(arguments_.trap_points);
-    sweep(points);
+    Plan delaunay = without_radius(points), alpha = with_radius(points), few = with_radius_and_few(points / 10);
+    for (Plan* plan : {&delaunay, &few}) weigh_all(*plan);
+
+    Measured measured;
+    measured.delaunay = hold(delaunay);
+    measured.alpha = hold(alpha);
+    hold(few);
+    if (arguments_.trap_points > 0) measured.traps = hold(traps(arguments_.trap_points));
+    measured.sweep = hold(sweep(points));
     std::printf("### Targets\n\n");
-    print(targets(measured_, points));
+    print(targets(measured, points));
   }
 
  private:
@@ -47,73 +64,81 @@ class Report {
   }
 
   /// Peers find all Delaunay triangles, so that they meet the others where there is no radius.
-  std::vector<Contestant> all_without_radius() const {
-    std::vector<Contestant> all = ours_and({cgal_points, cgal_indices});
-    all.insert(all.end(), peers_.begin(), peers_.end());
-    return all;
+  Plan without_radius(std::size_t points) const {
+    Plan plan{"Without a radius", ours_and({cgal_points, cgal_indices}), {}, true};
+    plan.contestants.insert(plan.contestants.end(), peers_.begin(), peers_.end());
+    for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
+      plan.tasks.push_back({workload, points, infinity, "∞"});
+    plan.tasks.push_back({uniform, points / 10, infinity, "∞"});
+    if (arguments_.large) plan.tasks.push_back({uniform, 16 * points, infinity, "∞"});
+    return plan;
   }
 
-  std::vector<Contest> table(const std::string& heading, const std::vector<Task>& tasks,
-                             const std::vector<Contestant>& contestants, bool memory) const {
-    std::printf("### %s\n\n", heading.c_str());
-    print_time_head(contestants);
+  Plan with_radius(std::size_t points) const {
+    return {"With a radius; α in mean spacings",
+            ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_points, cgal_indices}),
+            {{uniform, points, 3, "3"}, {jittered, points, 3, "3"}, {grid, points, 3, "3"}}};
+  }
+
+  Plan with_radius_and_few(std::size_t points) const {
+    return {"With a radius, fewer points",
+            ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_alpha_shape}),
+            {{uniform, points, 3, "3"}},
+            true};
+  }
+
+  Plan traps(std::size_t points) const {
+    const double spacing = spacing_along_curves(curves.make(points));
+    return {"Traps",
+            ours_and({cgal_points_filtered}),
+            {{circle, points, 0.99, "0.99 radii"},
+             {circle, points, 2, "2 radii"},
+             {circle_line_cluster, points, 0.99, "0.99 radii"},
+             {circle_line_cluster, points, 2, "2 radii"},
+             {curves, points, 100 * spacing, "100 spacings"},
+             {concentric, points, 0.07, "0.07 radii"},
+             {concentric, points, 2, "2 radii"}}};
+  }
+
+  Plan sweep(std::size_t points) const {
+    Plan plan{"From one radius to the next; α in mean spacings", ours_and({cgal_points_filtered}), {}};
+    for (const double alpha : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
+      char text[16];
+      std::snprintf(text, sizeof text, "%g", alpha);
+      plan.tasks.push_back({uniform, points, alpha, text});
+    }
+    return plan;
+  }
+
+  static void weigh_all(Plan& plan) {
+    for (const Task& task : plan.tasks)
+      for (const Contestant& contestant : plan.contestants) plan.bytes.push_back(weigh(task, contestant));
+  }
+
+  std::vector<Contest> hold(const Plan& plan) const {
+    std::printf("### %s\n\n", plan.heading.c_str());
+    print_time_head(plan.contestants);
     std::vector<Contest> contests;
-    for (const Task& task : tasks) {
-      contests.push_back(measure(task, contestants, {arguments_.runs, arguments_.check, memory}));
-      print_time_row(contests.back());
+    std::size_t weighed = 0;
+    for (const Task& task : plan.tasks) {
+      Contest contest = measure(task, plan.contestants, {arguments_.runs, arguments_.check});
+      for (Outcome& outcome : contest.outcomes)
+        if (plan.with_memory)
+          if (const std::optional<double> bytes = plan.bytes[weighed++]) outcome.bytes = bytes;
+      print_time_row(contest);
+      contests.push_back(std::move(contest));
     }
     std::printf("\n");
     print_clocks(contests);
-    if (memory) {
+    if (plan.with_memory) {
       std::printf("Bytes a point: peak of resident memory beyond the input, in a process of its own.\n\n");
       print_memory(contests);
     }
     return contests;
   }
 
-  void without_radius(std::size_t points) {
-    std::vector<Task> tasks;
-    for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
-      tasks.push_back({workload, points, infinity, "∞"});
-    tasks.push_back({uniform, points / 10, infinity, "∞"});
-    if (arguments_.large) tasks.push_back({uniform, 16 * points, infinity, "∞"});
-    measured_.delaunay = table("Without a radius", tasks, all_without_radius(), true);
-  }
-
-  void with_radius(std::size_t points) {
-    std::vector<Contestant> all = ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_points, cgal_indices});
-    const std::vector<Task> tasks{{uniform, points, 3, "3"}, {jittered, points, 3, "3"}, {grid, points, 3, "3"}};
-    measured_.alpha = table("With a radius; α in mean spacings", tasks, all, false);
-    all.push_back(cgal_alpha_shape);
-    table("With a radius, fewer points", {{uniform, points / 10, 3, "3"}}, all, true);
-  }
-
-  void traps(std::size_t points) {
-    const double spacing = spacing_along_curves(curves.make(points));
-    const std::vector<Task> tasks{{circle, points, 0.99, "0.99 radii"},
-                                  {circle, points, 2, "2 radii"},
-                                  {circle_line_cluster, points, 0.99, "0.99 radii"},
-                                  {circle_line_cluster, points, 2, "2 radii"},
-                                  {curves, points, 100 * spacing, "100 spacings"},
-                                  {concentric, points, 0.07, "0.07 radii"},
-                                  {concentric, points, 2, "2 radii"}};
-    measured_.traps = table("Traps", tasks, ours_and({cgal_points_filtered}), false);
-  }
-
-  void sweep(std::size_t points) {
-    std::vector<Task> tasks;
-    for (const double alpha : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
-      char text[16];
-      std::snprintf(text, sizeof text, "%g", alpha);
-      tasks.push_back({uniform, points, alpha, text});
-    }
-    measured_.sweep =
-        table("From one radius to the next; α in mean spacings", tasks, ours_and({cgal_points_filtered}), false);
-  }
-
   const ReportArguments& arguments_;
   std::vector<Contestant> ours_, peers_;
-  Measured measured_;
 };
 
 }  // namespace

@@ -24,8 +24,9 @@ Told told_by_tiles(const rbpa::PointGrid<double>& grid, double alpha) {
     told.triangles += tile.patch.triangles.size();
     told.known += tile.known.size();
   };
+  rbpa::Threads threads;
   rbpa::for_each_tile(grid, alpha < std::numeric_limits<double>::infinity() ? rbpa::Radius(alpha) : rbpa::Radius(),
-                      count);
+                      threads, count);
   return told;
 }
 

@@ -1,8 +1,6 @@
 #include "bench/contest.h"
 
 #include <chrono>
-#include <stdexcept>
-#include <utility>
 
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
@@ -10,20 +8,8 @@
 namespace rbpa_bench {
 namespace {
 
-/// The one place where a number of threads is given.
-template <typename Options>
-Options with_threads(Options options, unsigned threads) {
-  if constexpr (requires { options.threads; })
-    options.threads = threads;
-  else if (threads != 1)
-    throw std::runtime_error("one thread only");
-  return options;
-}
-
 rbpa::Options options_for(rbpa::Search search, unsigned threads) {
-  rbpa::Options options;
-  options.search = search;
-  return with_threads(std::move(options), threads);
+  return {.search = search, .threads = threads, .progress = {}};
 }
 
 Run timed(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options, Triangles* list) {
@@ -45,11 +31,9 @@ Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha) {
 }
 
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
-  rbpa::HierarchyOptions options;
-  options.leaf_capacity = leaf_capacity;
-  options = with_threads(std::move(options), 1);
   const auto start = std::chrono::steady_clock::now();
-  const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, options);
+  const rbpa::Hierarchy hierarchy =
+      rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   return {seconds.count(), hierarchy.complex.mesh.n_faces()};
 }

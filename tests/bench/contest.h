@@ -40,13 +40,13 @@ struct Contestant {
   bool is_program = false;  ///< another program, which tells of its memory by itself
 };
 
-/// rbpa::rbpa(): a halfedge mesh with input indices. No threads are all there are.
+/// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
 /// The same by the paper's grid.
 Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha);
 
-/// rbpa::hrbpa(): the same mesh, from the bottom up.
+/// rbpa::hrbpa(): the same mesh, from the bottom up, with one thread.
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
 

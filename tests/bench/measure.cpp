@@ -74,17 +74,16 @@ const Outcome* Contest::of(const std::string& contestant) const {
   return found == outcomes.end() ? nullptr : &*found;
 }
 
+std::optional<double> weigh(const Task& task, const Contestant& contestant) {
+  if (contestant.is_program) return std::nullopt;
+  rbpa_test::Points points;
+  return peak_bytes([&] { points = task.workload.make(task.count); },
+                    [&] { contestant.run(points, task.alpha, nullptr); });
+}
+
 Contest measure(const Task& task, const std::vector<Contestant>& contestants, const Settings& settings) {
   Contest contest{task.workload.name, task.alpha_text, 0, std::vector<Outcome>(contestants.size())};
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    Outcome& outcome = contest.outcomes[i];
-    outcome.contestant = contestants[i].name;
-    // First, while this process has freed little that a child could be given again. Other programs tell by themselves.
-    rbpa_test::Points points;
-    if (settings.memory && !contestants[i].is_program)
-      outcome.bytes = peak_bytes([&] { points = task.workload.make(task.count); },
-                                 [&] { contestants[i].run(points, task.alpha, nullptr); });
-  }
+  for (std::size_t i = 0; i < contestants.size(); ++i) contest.outcomes[i].contestant = contestants[i].name;
   const rbpa_test::Points points = task.workload.make(task.count);
   contest.points = points.size();
   for (int round = 0; round < settings.runs; ++round)

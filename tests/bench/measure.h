@@ -15,8 +15,7 @@ namespace rbpa_bench {
 
 struct Settings {
   int runs = 5;
-  bool check = false;  ///< compare the triangles themselves, not only their number
-  bool memory = true;
+  bool check = false;    ///< compare the triangles themselves, not only their number
   double patience = 60;  ///< seconds after which a contestant is not run again
 };
 
@@ -52,8 +51,11 @@ struct Contest {
   }
 };
 
-/// Memory in a process of its own for each contestant; then all in turn, each round beginning with another one, as long
-/// as patience lasts.
+/// By how many bytes resident memory rises at most beyond the input, in a process of its own; of another program its
+/// runs tell. That process is forked: threads that this one has had are missing there, so ask before any contest.
+std::optional<double> weigh(const Task& task, const Contestant& contestant);
+
+/// All in turn, each round beginning with another one, as long as patience lasts.
 /// The first contestant is the reference for the others: their number of triangles where they take alpha or it is
 /// infinite, and on request the triangles, for those that list them.
 Contest measure(const Task& task, const std::vector<Contestant>& contestants, const Settings& settings);

@@ -24,7 +24,7 @@ Contestant finding(const std::string& name, double seconds, Triangles triangles,
 }
 
 Contest held(const std::vector<Contestant>& contestants, bool check = false, double alpha = infinity) {
-  return measure({corner, 4, alpha, "α"}, contestants, {.runs = 3, .check = check, .memory = false});
+  return measure({corner, 4, alpha, "α"}, contestants, {.runs = 3, .check = check});
 }
 
 }  // namespace

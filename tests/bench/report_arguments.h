@@ -15,7 +15,7 @@ struct ReportArguments {
   std::size_t points = 1000000;
   std::size_t trap_points = 10000;  ///< 0 for no traps
   int runs = 5;
-  std::vector<unsigned> threads{1};  ///< the first is the reference for all others
+  std::vector<unsigned> threads{1, 2};  ///< the first is the reference for all others
   std::vector<Peer> peers;
   bool check = false;  ///< compare sets of triangles, not only their numbers
   bool large = false;  ///< sixteen times the points as well

@@ -23,11 +23,12 @@ set(arrows
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed rbpa>rbpa/run rbpa>rbpa/hierarchy
   rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>rbpa/pivot rbpa/tile>meshops/front
   rbpa>rbpa/tile
+  rbpa/tile>rbpa/parallel rbpa/search>rbpa/parallel rbpa/run>rbpa/parallel rbpa>rbpa/parallel
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(hierarchy|pivot|predicate|run|search|seed|tile)/|rbpa/policy\\.h")
+set(inside "rbpa/(hierarchy|parallel|pivot|predicate|run|search|seed|tile)/|rbpa/policy\\.h")
 
 set(checked 0)
 set(bad "")

@@ -14,6 +14,7 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/front/patch.h"
+#include "meshops/front/placement.h"
 #include "meshops/front/seams.h"
 #include "meshops/handle/insert_triangle.h"
 
@@ -121,6 +122,15 @@ class MESHOPS_API Front {
   /// Cost:     linear in the patch.
   void lay(const Patch& patch);
 
+  /// lay() in three steps, so that threads can share the work: Placement::survey(); place(), one patch after another,
+  /// in the order that is to give elements their numbers; and fill(), which may run beside other fills, surveys and
+  /// place(), provided that reserve() made room for all patches.
+  /// Requires: what lay() does; to place, a survey of the patch; to fill, that it was placed, with the same arguments.
+  /// Cost:     place() is linear in the sides at the rim of the patch, fill() in the patch.
+  void reserve(std::size_t edges, std::size_t faces) { mesh_.reserve(mesh_.n_vertices(), edges, faces); }
+  void place(const Patch& patch, Placement& placement);
+  void fill(const Patch& patch, Placement& placement);
+
   /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
   /// boundary halfedges, active those that were open and frozen the others. The mesh is sound again.
   /// Cost:     linear in the sides that were not glued within their patch, and in the fans at the boundary.
@@ -219,10 +229,10 @@ class MESHOPS_API Front {
   std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  Seams<Rim> rims_;                      // each at the site that its boundary halfedge leaves
-  std::vector<Halfedge> side_of_patch_;  // of the patch being laid
-  std::vector<Site> carried_;            // by the last transfer
-  std::size_t carried_before_ = 0;       // the number of sites then; later ones have been added since
+  Seams<Rim> rims_;                 // each at the site that its boundary halfedge leaves
+  Placement placement_;             // of the patch being laid
+  std::vector<Site> carried_;       // by the last transfer
+  std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
 };
 
 }  // namespace meshops

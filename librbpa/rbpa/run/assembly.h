@@ -18,8 +18,10 @@ template <typename Real>
 class Assembly {
  public:
   /// Keeps a reference to a complex that is empty yet.
-  Assembly(std::span<const Point> input, SolidAlphaComplex& complex)
-      : grid_(input), complex_(begin(complex)), front_(complex.mesh, grid_.points().size(), elements_at_a_time) {}
+  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads)
+      : grid_(input, threads),
+        complex_(begin(complex)),
+        front_(complex.mesh, grid_.points().size(), elements_at_a_time) {}
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rbpa/core/point.h"
+#include "rbpa/parallel/threads.h"
 #include "rbpa/pivot/radius.h"
 #include "rbpa/predicate/magnitude.h"
 
@@ -26,6 +27,9 @@ void check_number(std::size_t points);
 
 /// Requires: 0 < alpha ≤ infinity; finite points, at most `most_points`. Throws InvalidInput naming what is not.
 void check(std::span<const Point> points, double alpha);
+
+/// Threads for a run on so many points: few are done before another thread has woken.
+inline Threads threads_for(std::size_t points, unsigned wanted) { return Threads(points < 10'000 ? 1 : wanted); }
 
 /// Calls run(radius, grid_unit, below_all) with numbers of the arithmetic for which the input's products stay in range.
 /// `grid_unit` is as Candidates wants it. No circumradius is below `below_all`.

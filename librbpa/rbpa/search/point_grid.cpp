@@ -3,33 +3,39 @@
 #include <algorithm>
 #include <numeric>
 
-#include "meshops/core/large_pages.h"
+#include "rbpa/parallel/threads.h"
+#include "rbpa/search/box.h"
+#include "rbpa/search/sort_by_cell.h"
 
 namespace rbpa {
+namespace {
+
+constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
+
+}  // namespace
+
+template <typename Real>
+PointGrid<Real>::PointGrid(std::span<const Point> input, Threads& threads) {
+  if (input.empty()) return;
+  points_.resize(input.size() + padding);
+  index_.resize(input.size());
+  std::fill_n(points_.end() - padding, padding, Point());
+  levels_.push_back(make_level(input, threads));
+  sort_by_cell({input}, levels_[0], 0, points_.data(), index_.data(), threads);
+  refine(threads);
+  remove_repetitions(threads);
+}
 
 template <typename Real>
 PointGrid<Real>::PointGrid(std::span<const Point> input) {
-  if (input.empty()) return;
-  points_.reserve(input.size() + padding);
-  index_.reserve(input.size());
-  meshops::prefer_large_pages(points_.data(), points_.capacity() * sizeof(Point));
-  meshops::prefer_large_pages(index_.data(), index_.capacity() * sizeof(index_[0]));
-  points_.resize(input.size() + padding);
-  index_.resize(input.size());
-  levels_.push_back(make_level(input));
-  sort_into_cells(levels_[0], input, {}, 0);
-  for (std::size_t i = 0; i < levels_.size(); ++i) refine(i);
-  remove_repetitions();
+  Threads one;
+  *this = PointGrid(input, one);
 }
 
 /// A grid over the box of some points, its cells still empty.
 template <typename Real>
-auto PointGrid<Real>::make_level(std::span<const Point> points) -> Level {
-  Point low = points[0], high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+auto PointGrid<Real>::make_level(std::span<const Point> points, Threads& threads) -> Level {
+  const auto [low, high] = box_of(points, threads);
   Level level;
   level.x = low.x;
   level.y = low.y;
@@ -49,34 +55,62 @@ auto PointGrid<Real>::make_level(std::span<const Point> points) -> Level {
   return level;
 }
 
-/// Puts points into sites from `first` on, sorted by cell, keeping the order of those in one cell. `index` gives their
-/// input indices; empty, they are their positions.
+/// Makes a grid of every cell with too many points, unless all are one, and of the cells of these: each grid parts its
+/// points.
 template <typename Real>
-void PointGrid<Real>::sort_into_cells(Level& level, std::span<const Point> points, std::span<const std::uint32_t> index,
-                                      std::uint32_t first) {
-  const auto cells = static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows);
-  std::vector<std::uint32_t> cell_of(points.size());
-  level.start.assign(cells + 1, 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    cell_of[i] = static_cast<std::uint32_t>(level.row(Real(points[i].y))) * static_cast<std::uint32_t>(level.columns) +
-                 static_cast<std::uint32_t>(level.column(Real(points[i].x)));
-    ++level.start[cell_of[i]];
+void PointGrid<Real>::refine(Threads& threads) {
+  struct Crowd {
+    std::uint32_t level, cell, first, last;
+  };
+  for (std::size_t from = 0, to = 1; from < to; from = to, to = levels_.size()) {
+    std::vector<Crowd> crowds;
+    for (std::size_t i = from; i < to; ++i) {
+      const std::vector<std::uint32_t>& start = levels_[i].start;
+      for (std::uint32_t cell = 0; cell + 1 < start.size(); ++cell)
+        if (start[cell + 1] - start[cell] > most_in_cell)
+          crowds.push_back({static_cast<std::uint32_t>(i), cell, start[cell], start[cell + 1]});
+    }
+    std::vector<std::optional<Level>> finer(crowds.size());
+    for_each_index(threads, crowds.size(),
+                   [&](std::size_t i) { finer[i] = level_of(crowds[i].first, crowds[i].last, threads); });
+    for (std::size_t i = 0; i < crowds.size(); ++i) {
+      if (!finer[i]) continue;
+      levels_[crowds[i].level].children.push_back({crowds[i].cell, static_cast<std::uint32_t>(levels_.size())});
+      levels_.push_back(std::move(*finer[i]));
+    }
+    for (std::size_t i = from; i < to; ++i) index_children(levels_[i]);
   }
-  std::uint32_t end = first;
-  for (std::uint32_t& start : level.start) start = end += start;
-  for (std::size_t i = points.size(); i-- > 0;) {
-    const std::uint32_t site = --level.start[cell_of[i]];
-    points_[site] = points[i];
-    index_[site] = index.empty() ? static_cast<std::uint32_t>(i) : index[i];
+}
+
+/// A grid of sites, which it sorts; none when all are one point.
+template <typename Real>
+auto PointGrid<Real>::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
+  const std::vector<Point> points(points_.begin() + first, points_.begin() + last);
+  const std::vector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
+  if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; })) return std::nullopt;
+  Level level = make_level(points, threads);
+  sort_by_cell({points, index.data()}, level, first, points_.data() + first, index_.data() + first, threads);
+  return level;
+}
+
+template <typename Real>
+void PointGrid<Real>::index_children(Level& level) {
+  if (level.children.empty()) return;
+  level.child.resize(static_cast<std::size_t>(level.rows) + 1);
+  std::size_t next = 0;
+  for (int row = 0; row <= level.rows; ++row) {
+    const auto first = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(level.columns);
+    while (next < level.children.size() && level.children[next].cell < first) ++next;
+    level.child[static_cast<std::size_t>(row)] = static_cast<std::uint32_t>(next);
   }
 }
 
 /// Finds every point of [first, last) that equals one before it. The range is in input order.
 template <typename Real>
-void PointGrid<Real>::find_repetitions(std::uint32_t first, std::uint32_t last, std::vector<std::uint32_t>& repeated) {
+void PointGrid<Real>::find_repetitions(std::uint32_t first, std::uint32_t last, Repeated& found) const {
   const auto note = [&](std::uint32_t repetition, std::uint32_t original) {
-    repeated.push_back(repetition);
-    repetitions_.push_back({index_[repetition], index_[original]});
+    found.sites.push_back(repetition);
+    found.repetitions.push_back({index_[repetition], index_[original]});
   };
   if (last - first <= 8) {
     for (std::uint32_t i = first + 1; i < last; ++i)
@@ -101,24 +135,44 @@ void PointGrid<Real>::find_repetitions(std::uint32_t first, std::uint32_t last, 
   }
 }
 
+/// Those in some cells of a level, but for cells that are grids of their own.
+template <typename Real>
+void PointGrid<Real>::find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell,
+                                       Repeated& found) const {
+  auto child = std::lower_bound(level.children.begin(), level.children.end(), first_cell,
+                                [](const Child& c, std::size_t cell) { return c.cell < cell; });
+  for (std::size_t cell = first_cell; cell < last_cell; ++cell) {
+    if (child != level.children.end() && child->cell == cell)
+      ++child;
+    else if (level.start[cell + 1] - level.start[cell] > 1)
+      find_repetitions(level.start[cell], level.start[cell + 1], found);
+  }
+}
+
 /// Leaves one of all equal points, in every cell where it was. Equal points share a cell at every level.
 template <typename Real>
-void PointGrid<Real>::remove_repetitions() {
-  std::vector<std::uint32_t> repeated;  // sites
-  for (const Level& level : levels_) {
-    auto child = level.children.begin();
-    for (std::uint32_t cell = 0; cell + 1 < level.start.size(); ++cell) {
-      if (child != level.children.end() && child->cell == cell)
-        ++child;  // its own cells are looked into
-      else if (level.start[cell + 1] - level.start[cell] > 1)
-        find_repetitions(level.start[cell], level.start[cell + 1], repeated);
-    }
+void PointGrid<Real>::remove_repetitions(Threads& threads) {
+  const std::size_t cells = levels_[0].start.size() - 1, parts = (cells + cells_at_a_time - 1) / cells_at_a_time;
+  std::vector<Repeated> found(parts + levels_.size() - 1);
+  for_each_index(threads, found.size(), [&](std::size_t i) {
+    if (i < parts)
+      find_repetitions(levels_[0], i * cells_at_a_time, std::min((i + 1) * cells_at_a_time, cells), found[i]);
+    else
+      find_repetitions(levels_[i - parts + 1], 0, levels_[i - parts + 1].start.size() - 1, found[i]);
+  });
+  std::vector<std::uint32_t> repeated;
+  for (const Repeated& some : found) {
+    repeated.insert(repeated.end(), some.sites.begin(), some.sites.end());
+    repetitions_.insert(repetitions_.end(), some.repetitions.begin(), some.repetitions.end());
   }
-  if (repeated.empty()) return;
+  if (!repeated.empty()) leave_out(std::move(repeated));
+}
+
+template <typename Real>
+void PointGrid<Real>::leave_out(std::vector<std::uint32_t> repeated) {
   std::sort(repeated.begin(), repeated.end());
   std::sort(repetitions_.begin(), repetitions_.end(),
             [](const Repetition& a, const Repetition& b) { return a.index < b.index; });
-
   const auto before = [&](std::uint32_t site) {
     return static_cast<std::uint32_t>(std::lower_bound(repeated.begin(), repeated.end(), site) - repeated.begin());
   };
@@ -136,31 +190,6 @@ void PointGrid<Real>::remove_repetitions() {
   }
   points_.resize(kept + padding);
   index_.resize(kept);
-}
-
-/// Makes a grid of every cell with too many points, unless all are one: each grid parts its points.
-template <typename Real>
-void PointGrid<Real>::refine(std::size_t level) {
-  for (std::uint32_t cell = 0; cell + 1 < levels_[level].start.size(); ++cell) {
-    const std::uint32_t first = levels_[level].start[cell], last = levels_[level].start[cell + 1];
-    if (last - first <= most_in_cell) continue;
-    const std::vector<Point> points(points_.begin() + first, points_.begin() + last);
-    const std::vector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
-    if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; })) continue;
-    Level finer = make_level(points);
-    sort_into_cells(finer, points, index, first);
-    levels_[level].children.push_back({cell, static_cast<std::uint32_t>(levels_.size())});
-    levels_.push_back(std::move(finer));
-  }
-  Level& refined = levels_[level];
-  if (refined.children.empty()) return;
-  refined.child.resize(static_cast<std::size_t>(refined.rows) + 1);
-  std::size_t next = 0;
-  for (int row = 0; row <= refined.rows; ++row) {
-    const auto first = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(refined.columns);
-    while (next < refined.children.size() && refined.children[next].cell < first) ++next;
-    refined.child[static_cast<std::size_t>(row)] = static_cast<std::uint32_t>(next);
-  }
 }
 
 template class PointGrid<double>;

@@ -1,16 +1,19 @@
 // What: the distinct points, laid out in cells that hold a few each, for range searches.
 // Law:  the cells follow the points, never alpha: a cell with many points is a grid of its own, so that clusters of any
 //       density are found as fast as uniform points. scan() reaches every point of a region.
-// Cost: construction linear for bounded variation of density, one more level per √n-fold rise of it; memory 20 bytes a
+// Cost: construction, by all threads, linear for bounded variation of density, one more level per √n-fold rise of it; memory 20 bytes a
 //       point and 4 a cell; scan linear in the rows the region meets and the points in its cells.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/core/point.h"
+#include "rbpa/parallel/threads.h"
 #include "rbpa/search/region.h"
 
 namespace rbpa {
@@ -23,7 +26,8 @@ class PointGrid {
     std::uint32_t index, stands_for;
   };
 
-  /// Requires finite points, fewer than 2³⁰.
+  /// Requires finite points, fewer than 2³⁰. Without `threads`, the calling one does it.
+  PointGrid(std::span<const Point> input, Threads& threads);
   explicit PointGrid(std::span<const Point> input);
 
   /// The distinct points in the order of their cells. A position in it is called a site.
@@ -31,7 +35,7 @@ class PointGrid {
   std::span<const Point> points() const { return {points_.data(), index_.size()}; }
   static constexpr std::size_t padding = 7;
   /// The (lowest) input index of each site.
-  const std::vector<std::uint32_t>& input_index() const { return index_; }
+  std::span<const std::uint32_t> input_index() const { return index_; }
   const std::vector<Repetition>& repetitions() const { return repetitions_; }
 
   /// The side of a cell at the coarsest level: the scale at which a search does well to begin.
@@ -73,27 +77,39 @@ class PointGrid {
     // Monotone in the coordinate, rounding included: a point between two bounds is in a cell between theirs.
     int column(Real at) const { return clamp((at - x) * per_unit, columns); }
     int row(Real at) const { return clamp((at - y) * per_unit, rows); }
+    int row_of(const Point& p) const { return row(Real(p.y)); }
+    std::uint32_t cell_of(const Point& p) const {
+      return static_cast<std::uint32_t>(row_of(p)) * static_cast<std::uint32_t>(columns) +
+             static_cast<std::uint32_t>(column(Real(p.x)));
+    }
   };
   const std::vector<Level>& levels() const { return levels_; }
 
  private:
-
   static constexpr Real points_per_cell = 2;
   static constexpr std::uint32_t most_in_cell = 24;  ///< a cell with more is a grid of its own
   static constexpr int small_box = 8;                ///< rows and columns
 
-  static Level make_level(std::span<const Point> points);
-  void sort_into_cells(Level& level, std::span<const Point> points, std::span<const std::uint32_t> index,
-                       std::uint32_t first);
-  void remove_repetitions();
-  void find_repetitions(std::uint32_t first, std::uint32_t last, std::vector<std::uint32_t>& repeated);
-  void refine(std::size_t level);
+  /// Repetitions found together: the sites to be left out, and what they are.
+  struct Repeated {
+    std::vector<std::uint32_t> sites;
+    std::vector<Repetition> repetitions;
+  };
+
+  static Level make_level(std::span<const Point> points, Threads& threads);
+  void refine(Threads& threads);
+  std::optional<Level> level_of(std::uint32_t first, std::uint32_t last, Threads& threads);
+  static void index_children(Level& level);
+  void remove_repetitions(Threads& threads);
+  void find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell, Repeated& found) const;
+  void find_repetitions(std::uint32_t first, std::uint32_t last, Repeated& found) const;
+  void leave_out(std::vector<std::uint32_t> repeated);
 
   template <typename Visit>
   void scan_level(const Level& level, const Region<Real>& region, Visit& visit) const;
 
-  std::vector<Point> points_;
-  std::vector<std::uint32_t> index_;
+  meshops::FreshVector<Point> points_;  // with padding
+  meshops::FreshVector<std::uint32_t> index_;
   std::vector<Repetition> repetitions_;
   std::vector<Level> levels_;
 };
@@ -101,11 +117,9 @@ class PointGrid {
 template <typename Real>
 Real PointGrid<Real>::cell_size_at(const Point& p) const {
   for (const Level* level = &levels_[0];;) {
-    const int row = level->row(Real(p.y));
-    const auto cell = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(level->columns) +
-                      static_cast<std::uint32_t>(level->column(Real(p.x)));
+    const std::uint32_t cell = level->cell_of(p);
     if (level->start[cell + 1] - level->start[cell] <= most_in_cell) return level->cell;
-    const auto child = level->child_at(row, cell);
+    const auto child = level->child_at(level->row_of(p), cell);
     if (child == level->children.end() || child->cell != cell) return level->cell;
     level = &levels_[child->level];
   }

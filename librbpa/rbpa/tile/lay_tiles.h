@@ -13,16 +13,21 @@
 
 namespace rbpa {
 
-/// Lays every tile, calling laid() after each, which may throw to end the run.
+/// Lays every tile, calling laid() after each, one at a time and in any thread; it may throw to end the run.
 /// Returns: of each site, whether every triangle at it is on the front.
 template <typename Laid>
-std::vector<bool> lay_tiles(const PointGrid<double>& grid, const Radius& radius, meshops::Front& front, Laid laid) {
+std::vector<bool> lay_tiles(const PointGrid<double>& grid, const Radius& radius, meshops::Front& front,
+                            Threads& threads, Laid laid) {
   std::vector<bool> known(grid.points().size(), false);
-  for_each_tile(grid, radius, [&](const TileTriangles& tile) {
-    front.lay(tile.patch);
-    for (const std::uint32_t s : tile.known) known[s] = true;
-    laid();
-  });
+  front.reserve(3 * known.size(), 2 * known.size());
+  for_each_tile(
+      grid, radius, threads,
+      [&](ToldTile& tile) {
+        front.place(tile.triangles.patch, tile.placement);
+        for (const std::uint32_t s : tile.triangles.known) known[s] = true;
+        laid();
+      },
+      [&](ToldTile& tile) { front.fill(tile.triangles.patch, tile.placement); });
   front.join();
   return known;
 }

@@ -260,6 +260,31 @@ TEST_SUITE("front") {
     }
   }
 
+  TEST_CASE("the mesh is that of lay() when patches are filled later, in any order") {
+    std::mt19937 random(4);
+    for (int round = 0; round < 100; ++round) {
+      CAPTURE(round);
+      const Complex complex = random_complex(random);
+      std::vector<int> patch_of(complex.triangles.size());
+      for (int& p : patch_of) p = static_cast<int>(below(random, 6));
+      const std::vector<Patch> all = patches(complex, patch_of, 6, some_sides(complex, random));
+      TestMesh laid, filled;
+      Front front(laid, complex.sites), other(filled, complex.sites);
+      std::vector<Placement> placements(all.size());
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        front.lay(all[i]);
+        placements[i].survey(all[i]);
+        other.place(all[i], placements[i]);
+      }
+      std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5};
+      std::shuffle(order.begin(), order.end(), random);
+      for (const std::size_t i : order) other.fill(all[i], placements[i]);
+      front.join();
+      other.join();
+      CHECK(snapshot(filled) == snapshot(laid));
+    }
+  }
+
   TEST_CASE("a front goes on from what was laid as if it had been built singly") {
     std::mt19937 random(2);
     for (int round = 0; round < 60; ++round) {

@@ -56,7 +56,8 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   rbpa::Mesh mesh;
   meshops::Front front(mesh, points.size());
   int tiles = 0;
-  const std::vector<bool> known = rbpa::lay_tiles(grid, radius, front, [&] { ++tiles; });
+  rbpa::Threads threads(2);
+  const std::vector<bool> known = rbpa::lay_tiles(grid, radius, front, threads, [&] { ++tiles; });
   CHECK(tiles == std::ssize(rbpa::blocks(grid, 2048)));
   REQUIRE(meshops::validate(mesh).empty());
 

@@ -1,0 +1,82 @@
+// The number of threads changes no byte of a result.
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "rbpa/core/error.h"
+#include "rbpa/hrbpa.h"
+#include "rbpa/rbpa.h"
+#include "support/generate.h"
+#include "support/sets.h"
+
+using namespace rbpa_test;
+using rbpa::SolidAlphaComplex;
+
+TEST_SUITE_BEGIN("parallel");
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Every number of a complex, in one order.
+std::vector<double> numbers(const SolidAlphaComplex& complex) {
+  std::vector<double> all = {double(complex.distinct), double(complex.isolated.size())};
+  const auto& mesh = complex.mesh;
+  for (const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    all.insert(all.end(), {double(mesh.halfedge_handle(v).idx()), p[0], p[1], p[2]});
+  }
+  for (const auto h : mesh.halfedges())
+    all.insert(all.end(), {double(mesh.to_vertex_handle(h).idx()), double(mesh.next_halfedge_handle(h).idx()),
+                           double(mesh.prev_halfedge_handle(h).idx()), double(mesh.face_handle(h).idx())});
+  for (const auto f : mesh.faces()) all.push_back(mesh.halfedge_handle(f).idx());
+  all.insert(all.end(), complex.input_index.begin(), complex.input_index.end());
+  all.insert(all.end(), complex.isolated.begin(), complex.isolated.end());
+  for (const auto& d : complex.duplicates) all.insert(all.end(), {double(d.index), double(d.stands_for)});
+  return all;
+}
+
+void check_threads(const Points& points, double alpha) {
+  CAPTURE(alpha);
+  const auto expected = numbers(rbpa::rbpa(points, alpha, {.threads = 1}));
+  const auto by_levels = numbers(rbpa::hrbpa(points, alpha, {.threads = 1}).complex);
+  for (const unsigned threads : {0u, 2u, 5u}) {
+    CAPTURE(threads);
+    CHECK(numbers(rbpa::rbpa(points, alpha, {.threads = threads})) == expected);
+    CHECK(numbers(rbpa::hrbpa(points, alpha, {.threads = threads}).complex) == by_levels);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sets of every kind") {
+  for (const NamedSet& set : generated_sets()) {
+    CAPTURE(set.name);
+    const Points points = set.make();
+    check_threads(points, infinity);
+    for (const double alpha : set.alphas) check_threads(points, alpha);
+  }
+}
+
+TEST_CASE("as many points as many tiles have, some of them equal") {
+  Points points = uniform(60'000, 1);
+  const Points crowds = clusters(4'000, 2), again = points;
+  points.insert(points.end(), crowds.begin(), crowds.end());
+  points.insert(points.end(), again.begin(), again.begin() + 5'000);
+  for (const double alpha : {0.7, infinity}) check_threads(points, alpha);
+}
+
+TEST_CASE("any number of threads can be cancelled") {
+  const Points points = uniform(50'000, 3);
+  for (const unsigned threads : {0u, 1u, 2u, 5u}) {
+    int calls = 0;
+    CHECK_THROWS_AS(
+        rbpa::rbpa(points, infinity, {.threads = threads, .progress = [&](const auto&) { return ++calls < 3; }}),
+        rbpa::Cancelled);
+    CHECK(calls == 3);
+  }
+}
+
+TEST_SUITE_END();
