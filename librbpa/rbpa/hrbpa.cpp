@@ -14,6 +14,7 @@
 #include "rbpa/hierarchy/policy.h"
 #include "rbpa/hierarchy/quadtree.h"
 #include "rbpa/parallel/threads.h"
+#include "rbpa/remainder/remainder.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
 #include "rbpa/tile/for_each_tile.h"
@@ -33,13 +34,12 @@ class HierarchicalRun {
         report_(options.progress, grid.points().size()),
         start_(std::chrono::steady_clock::now()),
         local_(local_triangles(front, threads)),
-        pivot_(grid, local_ ? local_->done() : std::vector<bool>(), grid_unit),
+        pivot_(grid, Radius(), grid_unit),
         apexes_(pivot_),
         seeds_(grid, ladder_, pivot_, apexes_),
         policy_(grid, ladder_, apexes_, seeds_, report_) {
     if (!local_) return;
-    for (meshops::Site s = 0; s < static_cast<meshops::Site>(front.sites()); ++s)
-      if (local_->is_known(s)) seeds_.leave_out(s);
+    for (meshops::Site s = 0; s < static_cast<meshops::Site>(front.sites()); ++s) seeds_.leave_out(s);
   }
 
   /// Fills in the levels.
@@ -91,10 +91,16 @@ class HierarchicalRun {
   std::optional<LocalTriangles> local_triangles(const meshops::Front& front, Threads& threads) {
     if constexpr (has_tiles) {
       LocalTriangles found(grid_.points(), ladder_);
-      for_each_tile(grid_, Radius(), threads, [&](const TileTriangles& tile) {
-        found.add(tile);
+      const Radius infinite;
+      Remainder remainder(grid_.points(), infinite);
+      for_each_tile(grid_, infinite, threads, [&](const TileTriangles& tile) {
+        found.add(tile.patch);
+        remainder.add(tile);
         report_.worked(front);
       });
+      meshops::Patch missing;
+      remainder.complete(missing, [&] { report_.worked(front); });
+      found.add(missing);
       found.sort();
       return found;
     }
@@ -129,7 +135,7 @@ class HierarchicalRun {
   Report report_;
   std::chrono::steady_clock::time_point start_;  // tiles are on the account of the first level
   std::optional<LocalTriangles> local_;
-  RemainingPivot<Real> pivot_;
+  Pivot<Real> pivot_;
   Apexes<Real> apexes_;
   LevelSeeds<Real> seeds_;
   LevelPivoting<Real, Report> policy_;

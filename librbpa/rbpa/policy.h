@@ -12,22 +12,13 @@
 
 namespace rbpa {
 
-/// Where all that is missing hangs together through edges with what is there.
-struct NoSeeds {
-  template <typename Searched>
-  std::optional<std::array<meshops::Site, 3>> next(const meshops::Front&, Searched) const {
-    return std::nullopt;
-  }
-};
-
-/// `AnySeeds` is Seeds or NoSeeds. `FrontPivot` finds the apex of a front edge: Pivot, RemainingPivot, or PaperPivot for
-/// comparison. `Observer` has a member searched(front), which is called while seeds are searched, and may throw to end
-/// the run.
-template <typename AnySeeds, typename FrontPivot, typename Observer>
+/// `FrontPivot` finds the apex of a front edge: Pivot, or PaperPivot for comparison. `Observer` has a member
+/// searched(front), which is called while seeds are searched, and may throw to end the run.
+template <typename Real, typename FrontPivot, typename Observer>
 class RestrictedBallPivoting {
  public:
   /// Keeps references.
-  RestrictedBallPivoting(AnySeeds& seeds, const FrontPivot& pivot, Observer& observer)
+  RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot, Observer& observer)
       : seeds_(seeds), pivot_(pivot), observer_(observer) {}
 
   std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) {
@@ -41,7 +32,7 @@ class RestrictedBallPivoting {
   }
 
  private:
-  AnySeeds& seeds_;
+  Seeds<Real>& seeds_;
   const FrontPivot& pivot_;
   Observer& observer_;
 };

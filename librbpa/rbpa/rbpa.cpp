@@ -1,17 +1,17 @@
 #include "rbpa/rbpa.h"
 
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/pivot/paper_pivot.h"
-#include "rbpa/pivot/remaining_pivot.h"
+#include "rbpa/pivot/pivot.h"
 #include "rbpa/policy.h"
+#include "rbpa/remainder/remainder.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
+#include "rbpa/seed/seeds.h"
 #include "rbpa/tile/lay_tiles.h"
 
 namespace rbpa {
@@ -27,33 +27,40 @@ class Run {
         threads_(threads),
         report_(options.progress, grid.points().size()) {}
 
-  void by_tiles(meshops::Front& front) {
-    std::vector<bool> known;
-    // Extreme exponents do without tiles.
-    if constexpr (std::is_same_v<Real, double>)
-      known = lay_tiles(grid_, radius_, front, threads_, [&] { report_.worked(front); });
-    if (radius_.is_infinite() && front.faces() > 0) {
-      const RemainingPivot<Real> pivot(grid_, known, grid_unit_);
-      NoSeeds seeds;  // the Delaunay triangulation hangs together through edges
-      advance(front, pivot, seeds);
+  void near_to_far(meshops::Front& front) {
+    if constexpr (std::is_same_v<Real, double>) {
+      by_tiles(front);
     } else {
+      // Extreme exponents do without tiles.
       const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-      Seeds<Real> seeds(grid_, radius_, pivot, std::move(known));
-      advance(front, pivot, seeds);
+      advance(front, pivot);
     }
   }
 
   void by_the_paper(meshops::Front& front) {
-    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-    const PaperPivot<Real> paper_pivot(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_);
-    Seeds<Real> seeds(grid_, radius_, pivot);
-    advance(front, paper_pivot, seeds);
+    const PaperPivot<Real> pivot(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_);
+    advance(front, pivot);
   }
 
  private:
-  template <typename FrontPivot, typename AnySeeds>
-  void advance(meshops::Front& front, const FrontPivot& pivot, AnySeeds& seeds) {
-    RestrictedBallPivoting policy(seeds, pivot, report_);
+  void by_tiles(meshops::Front& front) {
+    Remainder remainder(grid_.points(), radius_);
+    lay_tiles(grid_, radius_, front, threads_, [&](const TileTriangles& tile) {
+      remainder.add(tile);
+      report_.worked(front);
+    });
+    meshops::Patch missing;
+    remainder.complete(missing, [&] { report_.worked(front); });
+    front.lay(missing);
+    front.join();
+    report_.completed(front);
+  }
+
+  template <typename FrontPivot>
+  void advance(meshops::Front& front, const FrontPivot& front_pivot) {
+    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
+    Seeds<Real> seeds(grid_, radius_, pivot);
+    RestrictedBallPivoting policy(seeds, front_pivot, report_);
     meshops::advance(front, policy, report_);
   }
 
@@ -75,7 +82,7 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
     if (!are_collinear(assembly.grid().points())) {
       Run<Real> run(assembly.grid(), radius, grid_unit, options, threads);
       if (options.search == Search::near_to_far)
-        run.by_tiles(assembly.front());
+        run.near_to_far(assembly.front());
       else
         run.by_the_paper(assembly.front());
     }

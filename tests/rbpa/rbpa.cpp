@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "rbpa/core/error.h"
+#include "rbpa/predicate/magnitude.h"
 #include "support/generate.h"
+#include "support/sets.h"
+#include "support/spacing.h"
 #include "support/triangle.h"
 
 using namespace rbpa_test;
@@ -158,6 +161,25 @@ TEST_CASE("indices, points, isolated and duplicates are right on every kind of s
     checked(far_and_tiny(10, 6), alpha);
     checked(mixed_exponents(10, 7), alpha);
   }
+}
+
+TEST_CASE("without tiles, where exponents are extreme, the front finds the same") {
+  constexpr int exponent = 850;
+  int sets = 0;
+  for (const NamedSet& set : generated_sets()) {
+    const Points points = set.make();
+    if (points.size() > 1100 || !rbpa::fits_double(rbpa::magnitude(points))) continue;
+    const Points far = scaled(points, exponent);
+    if (rbpa::fits_double(rbpa::magnitude(far))) continue;
+    ++sets;
+    const double spacing = mean_spacing(points);
+    for (const double alpha : {0.6 * spacing, 3 * spacing, infinity}) {
+      INFO(set.name, ", alpha ", alpha);
+      const SolidAlphaComplex near = checked(points, alpha);
+      CHECK(rbpa::triangles(near) == rbpa::triangles(checked(far, std::ldexp(alpha, exponent))));
+    }
+  }
+  CHECK(sets > 15);
 }
 
 TEST_CASE("triangles are the faces of the mesh from their smallest corner on, sorted") {

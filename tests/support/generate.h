@@ -100,6 +100,20 @@ Points pairs_at_distance_2(int pairs, std::uint64_t seed);
 /// radius / 2, so alpha = 0.5001 · radius keeps narrow triangles and leaves long edges dangling between them.
 Points star(int radius);
 
+// Traps (generate_traps.cpp): few neighbours, and large circles that are empty or full of points -----------------------
+
+/// Points of the unit circle, rounded: cocircular but for the last bit.
+Points rounded_circle(std::size_t count);
+
+/// Circles of radius 1, 2, 3 … around one centre, `each` points in each.
+Points many_rounded_circles(std::size_t circles, std::size_t each);
+
+/// A curve with a loop on either side, about 10 long.
+Points along_a_curve(std::size_t count);
+
+/// The unit circle, a line above it and a cluster of width 10⁻¹² within, `each` points of each.
+Points circle_line_and_cluster(std::size_t each, std::uint64_t seed);
+
 // Extreme (generate_extreme.cpp) --------------------------------------------------------------------------------------
 
 /// `points` times a power of two: exact unless it leaves the range of double.

@@ -83,6 +83,11 @@ std::vector<NamedSet> table() {
       {"nearly_collinear", [] { return collinear_run(300, 0.1, 0.3, 20); }, {1, 1e9}},
       {"crossing_runs", [] { return crossing_runs(60); }, {2.5, 5}},
 
+      {"rounded_circle", [] { return rounded_circle(4000); }, {0.5, 0.99, 1.0, 2.0}},
+      {"many_rounded_circles", [] { return many_rounded_circles(20, 150); }, {0.6, 1.0, 5.0}},
+      {"along_a_curve", [] { return along_a_curve(3000); }, {0.002, 0.1, 0.3, 0.5}},
+      {"circle_line_and_cluster", [] { return circle_line_and_cluster(1000, 32); }, {1e-12, 0.1, 0.5, 0.99, 1.0}},
+
       {"tiny_components", [] { return tiny_components(2500, 21); }, {0.4, std::sqrt(0.5), 5, 75}},
       {"chain_of_triangles", [] { return chain_of_triangles(500); }, {3}},
       {"ring_of_pinches", [] { return ring_of_pinches(300); }, {ring_of_pinches_alpha}},

@@ -18,8 +18,10 @@ void Placement::survey(const Patch& patch) {
   rim_sites_.clear();
   near_rim_.reset();
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    const auto& across = patch.across[t];
+    if ((across[0] | across[1] | across[2]) >= 0) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (patch.across[t][i] >= 0) continue;
+      if (across[i] >= 0) continue;
       const Site from = patch.triangles[t][i];
       rim_.push_back(static_cast<int>(3 * t + i));
       rim_sites_.push_back(from);
@@ -31,7 +33,7 @@ void Placement::survey(const Patch& patch) {
   std::sort(rim_sites_.begin(), rim_sites_.end());
 }
 
-bool Placement::is_at_rim(Site s) const {
+inline bool Placement::is_at_rim(Site s) const {
   return near_rim_.test(slot(s)) && std::binary_search(rim_sites_.begin(), rim_sites_.end(), s);
 }
 
@@ -55,15 +57,21 @@ void Front::place(const Patch& patch, Placement& placement) {
   for (std::size_t k = 0; k < rim; ++k) {
     const auto s = static_cast<std::size_t>(placement.rim_[k]), t = s / 3, i = s % 3;
     const Site from = patch.triangles[t][i], to = patch.triangles[t][(i + 1) % 3];
-    Halfedge h = rims_.take(from, [&](const Rim& side) { return mesh_.to_vertex_handle(side.boundary).idx() == to; })
-                     .value_or(Rim{Halfedge(), false})
-                     .boundary;
+    const int across = patch.across[t][i];
+    Halfedge h;
+    if (across != Patch::nothing)
+      h = rims_.take(from, [&](const Rim& side) { return mesh_.to_vertex_handle(side.boundary).idx() == to; })
+              .value_or(Rim{Halfedge(), false})
+              .boundary;
     if (!h.is_valid()) {
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
       mesh_.set_vertex_handle(h, Vertex(to));
       mesh_.set_vertex_handle(beyond, Vertex(from));
-      rims_.add(to, {beyond, patch.across[t][i] == Patch::frozen});
+      if (across == Patch::nothing)
+        rims_.add_apart({beyond, true});
+      else
+        rims_.add(to, {beyond, across == Patch::frozen});
     }
     mesh_.set_halfedge_handle(Vertex(from), h);
     placement.at_rim_[k] = h;
@@ -90,9 +98,10 @@ void Front::fill(const Patch& patch, Placement& placement) {
         h = Halfedge(2 * next_edge++);
         mesh_.set_vertex_handle(h, Vertex(corner[(i + 1) % 3]));
         mesh_.set_vertex_handle(mesh_.opposite_halfedge_handle(h), Vertex(corner[i]));
+        // The first triangle at a corner comes here: both its sides there are new.
+        if (!placement.is_at_rim(corner[i])) mesh_.set_halfedge_handle(Vertex(corner[i]), h);
       }
       mesh_.set_face_handle(h, face);
-      if (!placement.is_at_rim(corner[i])) mesh_.set_halfedge_handle(Vertex(corner[i]), h);
     }
     for (unsigned i = 0; i < 3; ++i) mesh_.set_next_halfedge_handle(side[i], side[(i + 1) % 3]);
     mesh_.set_halfedge_handle(face, side[0]);

@@ -13,8 +13,9 @@ using Site = int;
 /// Triangles of a complex. Side i of a triangle runs from its corner i to corner i + 1; as a side of the patch it has
 /// the number 3 · triangle + i.
 struct Patch {
-  static constexpr int open = -1;    ///< what lies across is not in the patch
-  static constexpr int frozen = -2;  ///< as `open`, and nothing will ever lie there at this level
+  static constexpr int open = -1;     ///< what lies across is not in the patch
+  static constexpr int frozen = -2;   ///< as `open`, and nothing will ever lie there at this level
+  static constexpr int nothing = -3;  ///< as `frozen`, and no other patch has a side there: none is looked for
 
   std::vector<std::array<Site, 3>> triangles;
   std::vector<std::array<int, 3>> across;  ///< of each side, the side of the patch across the edge, or one of the above

@@ -24,6 +24,9 @@ class Seams {
     first = static_cast<int>(seams_.size()) - 1;
   }
 
+  /// A side that take() need not find.
+  void add_apart(const Side& side) { seams_.push_back({side, none}); }
+
   /// A side at the site that matches(side), which is then no seam any more.
   template <typename Matches>
   std::optional<Side> take(Site at, Matches matches) {

@@ -11,7 +11,7 @@
 #include "meshops/core/large_pages.h"
 #include "meshops/front/front.h"
 #include "rbpa/pivot/front_pivot.h"
-#include "rbpa/pivot/remaining_pivot.h"
+#include "rbpa/pivot/pivot.h"
 
 namespace rbpa {
 
@@ -21,7 +21,7 @@ class Apexes {
   using Site = std::uint32_t;
 
   /// Keeps a reference.
-  explicit Apexes(const RemainingPivot<Real>& pivot) : pivot_(pivot) {}
+  explicit Apexes(const Pivot<Real>& pivot) : pivot_(pivot) {}
 
   /// The Delaunay apex left of a boundary halfedge; nothing on the convex hull.
   std::optional<Site> operator()(const meshops::Front& front, meshops::Halfedge h) const {
@@ -36,8 +36,10 @@ class Apexes {
     return edge < of_edge_.size() && of_edge_[edge] != unknown;
   }
 
-  /// Keeps the apex beyond a boundary halfedge that somebody else has found.
-  void remember(const meshops::Front& front, meshops::Halfedge h, Site apex) { at(front, h) = apex; }
+  /// Keeps the apex beyond a boundary halfedge, or that there is none, which somebody else has found.
+  void remember(const meshops::Front& front, meshops::Halfedge h, std::optional<Site> apex) {
+    at(front, h) = apex.value_or(none);
+  }
 
   /// Keeps what was found for a halfedge that is frozen: the triangle left of it waits for a later level. Where its
   /// other sides are on the front as well, their apexes are known with it.
@@ -66,7 +68,7 @@ class Apexes {
     return of_edge_[edge];
   }
 
-  const RemainingPivot<Real>& pivot_;
+  const Pivot<Real>& pivot_;
   std::vector<Site> of_edge_;
 };
 

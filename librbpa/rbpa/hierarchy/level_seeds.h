@@ -33,8 +33,7 @@ class LevelSeeds {
   using P = Predicates<Real>;
 
   /// Keeps references.
-  LevelSeeds(const PointGrid<Real>& grid, const Ladder<Real>& ladder, const RemainingPivot<Real>& pivot,
-             Apexes<Real>& apexes)
+  LevelSeeds(const PointGrid<Real>& grid, const Ladder<Real>& ladder, const Pivot<Real>& pivot, Apexes<Real>& apexes)
       : grid_(grid),
         points_(grid.points()),
         ladder_(ladder),
@@ -245,7 +244,7 @@ class LevelSeeds {
   const PointGrid<Real>& grid_;
   std::span<const Point> points_;
   const Ladder<Real>& ladder_;
-  const RemainingPivot<Real>& pivot_;
+  const Pivot<Real>& pivot_;
   Apexes<Real>& apexes_;
   std::vector<std::uint16_t> wake_;
   std::vector<bool> reached_;  // looked at when two others were near enough for a triangle

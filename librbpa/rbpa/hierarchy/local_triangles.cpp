@@ -9,7 +9,7 @@
 namespace rbpa {
 
 LocalTriangles::LocalTriangles(std::span<const Point> points, const Ladder<double>& ladder)
-    : points_(points), ladder_(ladder), known_(points.size(), false) {
+    : points_(points), ladder_(ladder) {
   seams_.begin(points.size());
   corners_.reserve(2 * points.size());
   across_.reserve(2 * points.size());
@@ -19,11 +19,8 @@ LocalTriangles::LocalTriangles(std::span<const Point> points, const Ladder<doubl
   meshops::prefer_large_pages(level_.data(), level_.capacity() * sizeof(level_[0]));
 }
 
-void LocalTriangles::add(const TileTriangles& tile) {
-  const meshops::Patch& patch = tile.patch;
+void LocalTriangles::add(const meshops::Patch& patch) {
   const auto base = static_cast<int>(3 * corners_.size());
-  for (const auto& corners : patch.triangles)
-    for (const meshops::Site s : corners) known_[static_cast<std::size_t>(s)] = true;
   corners_.insert(corners_.end(), patch.triangles.begin(), patch.triangles.end());
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     level_.push_back(static_cast<std::uint16_t>(level_of(patch.triangles[t])));
@@ -72,12 +69,6 @@ int LocalTriangles::level_of(const std::array<meshops::Site, 3>& corners) const 
 }
 
 void LocalTriangles::sort() {
-  for (const auto& across : across_)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (across[i] == none) {
-        const int side = static_cast<int>(3 * (static_cast<std::size_t>(&across - across_.data())) + i);
-        known_[static_cast<std::size_t>(from(side))] = known_[static_cast<std::size_t>(to(side))] = false;
-      }
   seams_.end();
   start_.assign(static_cast<std::size_t>(ladder_.end()) + 3, 0);
   for (const std::uint16_t level : level_) ++start_[level + 1u];
@@ -91,15 +82,6 @@ void LocalTriangles::sort() {
   for (std::uint32_t t = 0; t < level_.size(); ++t) order_[next[level_[t]]++] = t;
   face_.assign(level_.size(), meshops::Face());
   seen_.assign(points_.size(), 0);
-}
-
-std::vector<bool> LocalTriangles::done() const {
-  std::vector<bool> done = known_;
-  const auto is_known_corner = [&](meshops::Site s) { return is_known(s); };
-  for (const auto& corners : corners_)
-    if (!std::all_of(corners.begin(), corners.end(), is_known_corner))
-      for (const meshops::Site s : corners) done[static_cast<std::size_t>(s)] = false;
-  return done;
 }
 
 std::uint32_t LocalTriangles::first_of_level(int level) const {
@@ -136,7 +118,7 @@ std::size_t LocalTriangles::lay(std::span<const std::uint32_t> triangles, int le
       const int beyond = across_[t][i];
       const auto other = static_cast<std::size_t>(beyond) / 3;
       if (beyond == none)
-        across[i] = meshops::Patch::open;
+        across[i] = meshops::Patch::nothing;
       else if (level_[other] > level)
         across[i] = meshops::Patch::frozen;
       else if (other < triangles.front() || other > triangles.back())
@@ -149,6 +131,12 @@ std::size_t LocalTriangles::lay(std::span<const std::uint32_t> triangles, int le
   return sites;
 }
 
+/// Tells of the triangle beyond a boundary halfedge, given the side there, or of none.
+void LocalTriangles::remember(const meshops::Front& front, meshops::Halfedge h, int beyond,
+                              Apexes<double>& apexes) const {
+  apexes.remember(front, h, beyond == none ? std::nullopt : std::optional(apex_beyond(beyond)));
+}
+
 /// Tells of the triangles of later levels beyond the front that was laid. `first` is the number of the first face's
 /// triangle in the order of levels.
 void LocalTriangles::remember_frozen(std::uint32_t first, meshops::Front& front, Apexes<double>& apexes) const {
@@ -157,7 +145,7 @@ void LocalTriangles::remember_frozen(std::uint32_t first, meshops::Front& front,
     const std::uint32_t t = order_[first + static_cast<std::uint32_t>(front.mesh().face_handle(side).idx())];
     const auto i = static_cast<std::size_t>(std::find(corners_[t].begin(), corners_[t].end(), front.from_site(side)) -
                                             corners_[t].begin());
-    apexes.remember(front, h, apex_beyond(across_[t][i]));
+    remember(front, h, across_[t][i], apexes);
   }
 }
 
@@ -173,9 +161,8 @@ std::size_t LocalTriangles::insert(std::uint32_t triangle, int level, meshops::F
   meshops::TriangleSides sides;
   for (std::size_t i = 0; i < 3; ++i) {
     const int beyond = across_[triangle][i];
-    if (beyond < 0) {
-      sides.side[i] = front.boundary_into(corner[i], corner[(i + 1) % 3]);
-    } else if (const meshops::Face face = face_[static_cast<std::size_t>(beyond) / 3]; face.is_valid()) {
+    if (beyond == none) continue;
+    if (const meshops::Face face = face_[static_cast<std::size_t>(beyond) / 3]; face.is_valid()) {
       meshops::Halfedge h = mesh.halfedge_handle(face);
       for (int k = beyond % 3; k > 0; --k) h = mesh.next_halfedge_handle(h);
       sides.side[i] = mesh.opposite_halfedge_handle(h);
@@ -187,10 +174,8 @@ std::size_t LocalTriangles::insert(std::uint32_t triangle, int level, meshops::F
     if (sides.side[i].is_valid()) continue;
     const meshops::Halfedge h = mesh.opposite_halfedge_handle(inserted.side[i]);
     const int beyond = across_[triangle][i];
-    if (beyond < 0) {
-      front.activate(h);
-    } else if (level_[static_cast<std::size_t>(beyond) / 3] > level) {
-      apexes.remember(front, h, apex_beyond(beyond));
+    if (beyond == none || level_[static_cast<std::size_t>(beyond) / 3] > level) {
+      remember(front, h, beyond, apexes);
       front.freeze(h);
     }
   }

@@ -1,9 +1,8 @@
-// What: the triangles that tiles tell at once, of all sizes, handed to the front level by level.
-// Law:  after insert() of a level, every local triangle within its radius is in the mesh, if those of the levels before
-//       were.
-// How:  the tiles are run once, without a radius. What they know across each edge goes with the triangles, so that one
-//       is put beside its neighbours without a search.
-// Cost: that of the tiles; then constant per triangle.
+// What: all Delaunay triangles, of tiles and remainder, handed to the front level by level.
+// Law:  after insert() of a level, every triangle within its radius is in the mesh, if those of the levels before were.
+// How:  they are found once, without a radius. What is known across each edge goes with the triangles, so that one is
+//       put beside its neighbours without a search.
+// Cost: linear in the triangles, and in the levels.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +15,6 @@
 #include "rbpa/hierarchy/apexes.h"
 #include "rbpa/hierarchy/ladder.h"
 #include "rbpa/search/point_grid.h"
-#include "rbpa/tile/triangulate.h"
 
 namespace rbpa {
 
@@ -25,17 +23,10 @@ class LocalTriangles {
   /// Begins with no triangle. Keeps references.
   LocalTriangles(std::span<const Point> points, const Ladder<double>& ladder);
 
-  /// Takes in what a tile knows, found without a radius.
-  void add(const TileTriangles& tile);
-  /// Ends the adding: what is left across a side is unknown, and triangles are in the order of their levels.
+  /// Takes in some of the triangles, found without a radius.
+  void add(const meshops::Patch& patch);
+  /// Ends the adding: all triangles are there. Puts them in the order of their levels.
   void sort();
-
-  /// Every triangle at the site is local.
-  bool is_known(meshops::Site s) const { return known_[static_cast<std::size_t>(s)]; }
-
-  /// Of each site, whether it is no corner of a triangle with a corner that is not known: nothing that is still to be
-  /// found comes near it.
-  std::vector<bool> done() const;
 
   /// One of the triangles that insert() of this level, the last, put into the mesh is at the site.
   bool has_triangle(meshops::Site s, int level) const { return seen_[static_cast<std::size_t>(s)] == level + 1; }
@@ -43,8 +34,8 @@ class LocalTriangles {
   /// The first level from `level` on that has a triangle; Ladder::never without.
   int next(int level) const;
 
-  /// Puts the triangles of a level into the mesh. Their boundary halfedges are frozen, the apexes beyond remembered,
-  /// where these are known, and active elsewhere. Calls inserted() now and then.
+  /// Puts the triangles of a level into the mesh. Their boundary halfedges are frozen, and the apexes beyond remembered.
+  /// Calls inserted() now and then.
   /// Returns: at how many sites there is a triangle of the level.
   template <typename Inserted>
   std::size_t insert(int level, meshops::Front& front, Apexes<double>& apexes, Inserted inserted) {
@@ -83,6 +74,7 @@ class LocalTriangles {
   std::size_t count_sites(std::uint32_t triangle, int level);
   std::size_t lay(std::span<const std::uint32_t> triangles, int level, meshops::Front& front);
   std::uint32_t apex_beyond(int side) const;
+  void remember(const meshops::Front& front, meshops::Halfedge h, int beyond, Apexes<double>& apexes) const;
   void remember_frozen(std::uint32_t first, meshops::Front& front, Apexes<double>& apexes) const;
   void prefetch(std::uint32_t triangle) const {
     __builtin_prefetch(&across_[triangle]);
@@ -93,9 +85,8 @@ class LocalTriangles {
 
   std::span<const Point> points_;
   const Ladder<double>& ladder_;
-  std::vector<bool> known_;
   std::vector<std::array<meshops::Site, 3>> corners_;
-  std::vector<std::array<int, 3>> across_;  // of each side, the side beyond it, or none
+  std::vector<std::array<int, 3>> across_;  // of each side, the side beyond it; none on the hull
   std::vector<std::uint16_t> level_;
   meshops::Seams<int> seams_;                 // sides, each at the site that it leaves
   std::vector<std::uint32_t> order_, start_;  // triangles by level; of each level the first

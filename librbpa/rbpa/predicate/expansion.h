@@ -61,9 +61,10 @@ inline Expansion<2> difference(double a, double b) {
 }
 
 template <int N>
-Expansion<N> operator-(Expansion<N> e) {
-  for (int i = 0; i < e.size; ++i) e.component[static_cast<unsigned>(i)] = -e.component[static_cast<unsigned>(i)];
-  return e;
+Expansion<N> operator-(const Expansion<N>& e) {
+  Expansion<N> result;  // of which only what is used is touched
+  for (int i = 0; i < e.size; ++i) result.append(-e.component[static_cast<unsigned>(i)]);
+  return result;
 }
 
 /// Merges the components by size and adds them up (Shewchuk, fast expansion sum with zero elimination).

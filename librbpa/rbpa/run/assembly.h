@@ -17,9 +17,10 @@ namespace rbpa {
 template <typename Real>
 class Assembly {
  public:
-  /// Keeps a reference to a complex that is empty yet.
+  /// Keeps references; the complex is empty yet.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads)
       : grid_(input, threads),
+        threads_(threads),
         complex_(begin(complex)),
         front_(complex.mesh, grid_.points().size(), elements_at_a_time) {}
   Assembly(const Assembly&) = delete;
@@ -37,11 +38,13 @@ class Assembly {
 
     const std::vector<meshops::Site> site = front_.finish();
     complex_.input_index.resize(site.size());
-    for (std::size_t v = 0; v < site.size(); ++v) {
-      const auto s = static_cast<std::size_t>(site[v]);
-      complex_.input_index[v] = grid_.input_index()[s];
-      complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {points[s].x, points[s].y, 0.0});
-    }
+    for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        const auto s = static_cast<std::size_t>(site[v]);
+        complex_.input_index[v] = grid_.input_index()[s];
+        complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {points[s].x, points[s].y, 0.0});
+      }
+    });
   }
 
  private:
@@ -62,7 +65,10 @@ class Assembly {
     return complex;
   }
 
+  static constexpr std::size_t vertices_at_a_time = 1u << 16;
+
   PointGrid<Real> grid_;
+  Threads& threads_;
   SolidAlphaComplex& complex_;
   meshops::Front front_;
 };

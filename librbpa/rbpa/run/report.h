@@ -34,6 +34,11 @@ class Report : public meshops::FrontVisitor {
     if (progress_) ask(front);
   }
 
+  /// For a mesh that was made at once.
+  void completed(const meshops::Front& front) {
+    if (debug) validate(front);
+  }
+
   /// For the stretches in which no triangle is found.
   void searched(const meshops::Front& front) {
     if (!progress_) return;
@@ -46,11 +51,14 @@ class Report : public meshops::FrontVisitor {
  private:
   void count(const meshops::Front& front) {
     if (debug && front.faces() >= next_validation_) {
-      const auto defects = meshops::validate(front.mesh());
-      if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
+      validate(front);
       next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
     }
     if (++events_ % interval == 0 && progress_) ask(front);
+  }
+  static void validate(const meshops::Front& front) {
+    const auto defects = meshops::validate(front.mesh());
+    if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
   }
   void ask(const meshops::Front& front) {
     if (!progress_({front.faces(), points_})) throw Cancelled();

@@ -1,5 +1,6 @@
 #include "rbpa/tile/triangulate.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -38,6 +39,7 @@ class Triangulation {
     queue_.clear();
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
       if (!tile_.own[v] || front_.is_touched(v)) continue;
+      if (has_given_up()) return;
       seed(static_cast<Index>(v));
       advance();
     }
@@ -53,7 +55,13 @@ class Triangulation {
       front_.create(v, q, left, note);
     else if (const Index right = contest_(q, v); right != none)
       front_.create(q, v, right, note);
+    else
+      failures_ += 2;
   }
+
+  /// Edges beyond which nothing is found are few, and each costs a long search. Where they are not, points lie along
+  /// curves, and what is not told yet is left out.
+  bool has_given_up() const { return failures_ > 16 + tile_.points.size() / 8; }
 
   /// The nearest point, where it is known.
   Index nearest(Index v) const {
@@ -87,7 +95,7 @@ class Triangulation {
 
   void advance() {
     std::vector<Index>& wave = wave_;
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !has_given_up()) {
       wave.swap(queue_);
       queue_.clear();
       // Taken at distances: neighbours on the front often lead to the same triangle.
@@ -105,6 +113,7 @@ class Triangulation {
         if (size == 0) continue;
         contest_.run(size);
         for (std::size_t i = 0; i < size; ++i) {
+          failures_ += contest_.apex[i] == none;
           if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
           front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
                         [&](Index added) { activate(added); });
@@ -118,6 +127,7 @@ class Triangulation {
   LocalFront& front_;
   std::vector<Index>& queue_;
   std::vector<Index> wave_;
+  std::size_t failures_ = 0;
   Contest contest_;
 };
 
@@ -145,14 +155,18 @@ bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
   return tile.own[least] != 0;
 }
 
+/// What is known of the triangles around a point.
+enum Star : std::uint8_t { unseen, shared, known };
+
 /// The triangles of the complex that the tile owns, and what lies across them.
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   const LocalFront& front = workspace.front;
   const std::size_t triangles = front.sides() / 3;
   std::vector<int>& number = workspace.number;  // in the patch, or what its neighbours are told of a triangle
   number.assign(triangles, meshops::Patch::open);
-  std::vector<bool>& uncertain = workspace.uncertain;
-  uncertain.assign(tile.points.size(), false);
+  std::vector<std::uint16_t>& foreign =
+      workspace.foreign;  // of each point, triangles whose owners may not have found them
+  foreign.assign(tile.points.size(), 0);
   meshops::Patch& patch = result.patch;
   for (std::size_t t = 0; t < triangles; ++t) {
     const std::size_t a = front.from(3 * t), b = front.from(3 * t + 1), c = front.from(3 * t + 2);
@@ -163,7 +177,9 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       patch.triangles.push_back({static_cast<meshops::Site>(tile.site[a]), static_cast<meshops::Site>(tile.site[b]),
                                  static_cast<meshops::Site>(tile.site[c])});
     } else {
-      uncertain[a] = uncertain[b] = uncertain[c] = true;  // whether its owner has found it is not known here
+      ++foreign[a];
+      ++foreign[b];
+      ++foreign[c];
     }
   }
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -175,17 +191,56 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       across[i] = other < 0 ? other : 3 * other + s % 3;
     }
   }
-  for (std::size_t v = 0; v < tile.points.size(); ++v)
-    if (tile.own[v] && front.is_touched(v) && !front.is_on_front(v) && !uncertain[v])
+  std::vector<std::uint8_t>& star = workspace.star;
+  star.assign(tile.points.size(), Star::unseen);
+  for (std::size_t v = 0; v < tile.points.size(); ++v) {
+    if (!tile.own[v] || !front.is_touched(v) || front.is_on_front(v)) continue;
+    if (foreign[v] == 0) {
+      star[v] = Star::known;
       result.known.push_back(tile.site[v]);
+    } else {
+      star[v] = Star::shared;
+      result.shared.push_back({tile.site[v], foreign[v]});
+    }
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const std::array<std::size_t, 3> corner = {front.from(3 * t), front.from(3 * t + 1), front.from(3 * t + 2)};
+    const auto is_known = [&](std::size_t v) { return star[v] == Star::known; };
+    if (is_known(corner[0]) & is_known(corner[1]) & is_known(corner[2])) continue;
+    bool any_known = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t v = corner[i], next = corner[(i + 1) % 3];
+      any_known = any_known || is_known(v);
+      if (star[v] != Star::unseen && !is_known(next)) result.beside.push_back({tile.site[v], tile.site[next]});
+      if (number[t] >= 0 && !tile.own[v]) result.given.push_back(tile.site[v]);
+    }
+    if (number[t] >= 0 && !any_known) result.unsure.push_back(static_cast<std::uint32_t>(number[t]));
+  }
+}
+
+/// Points along curves, or in spots: they fill a few cells, most of which have few neighbours that are not empty. Their
+/// triangles reach across the void, where a search from near to far sees nothing for long.
+bool leaves_cells_empty(const Tile& tile) {
+  constexpr std::size_t most_per_cell = 4;   // scattered evenly, 2.3 of those that have any
+  constexpr double fewest_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
+  const auto columns = static_cast<std::size_t>(tile.columns);
+  const auto has_points = [&](std::size_t c) { return tile.start[c] < tile.start[c + 1]; };
+  std::size_t filled = 0, neighbours = 0;
+  for (std::size_t c = 0; c < tile.cells(); ++c) {
+    if (!has_points(c)) continue;
+    ++filled;
+    neighbours += (c + 1) % columns != 0 && has_points(c + 1);
+    neighbours += c + columns < tile.cells() && has_points(c + columns);
+  }
+  return tile.points.size() > most_per_cell * filled &&
+         static_cast<double>(neighbours) < fewest_neighbours * static_cast<double>(filled);
 }
 
 }  // namespace
 
 void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
-  result.patch.clear();
-  result.known.clear();
-  if (tile.points.empty()) return;
+  result.clear();
+  if (tile.points.empty() || leaves_cells_empty(tile)) return;
   HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace);
   hand_over(tile, radius, workspace, result);
 }

@@ -6,6 +6,7 @@
 // Source: Restricted BPA, sections 3.1 and 3.2.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,26 @@ struct TileTriangles {
   meshops::Patch patch;  ///< on the sites; the triangles whose least corner the tile owns
   std::vector<std::uint32_t>
       known;  ///< sites the tile owns at which no triangle of the complex is but those of the patch
+
+  // What makes more of this when all tiles have told (remainder/remainder.h). A star is seen when it is closed and the
+  // tile owns its site.
+  struct SharedStar {
+    std::uint32_t site, foreign;
+  };
+  std::vector<SharedStar> shared;     ///< other stars seen, and how many triangles of the complex other tiles own there
+  std::vector<std::uint32_t> given;   ///< corners of the patch that other tiles own, once for each triangle
+  std::vector<std::uint32_t> unsure;  ///< triangles of the patch none of whose corners is known
+  std::vector<std::array<std::uint32_t, 2>>
+      beside;  ///< sites whose stars are seen, each with a Delaunay neighbour that is not known
+
+  void clear() {
+    patch.clear();
+    known.clear();
+    shared.clear();
+    given.clear();
+    unsure.clear();
+    beside.clear();
+  }
 };
 
 /// What one thread works with, from tile to tile.
@@ -29,7 +50,8 @@ struct TileWorkspace {
   LocalFront front;
   std::vector<std::uint16_t> queue;
   std::vector<int> number;
-  std::vector<bool> uncertain;
+  std::vector<std::uint16_t> foreign;
+  std::vector<std::uint8_t> star;
 };
 
 /// Replaces `result`.

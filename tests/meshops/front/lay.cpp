@@ -244,6 +244,18 @@ TEST_SUITE("front") {
     }
   }
 
+  TEST_CASE("a side beyond which there is nothing is frozen, and others on its sites are glued as ever") {
+    TestMesh mesh;
+    Front front(mesh, 4);
+    front.lay({{{0, 1, 2}}, {{Patch::open, Patch::nothing, Patch::nothing}}});
+    front.lay({{{3, 1, 0}}, {{Patch::nothing, Patch::open, Patch::frozen}}});
+    front.join();
+    check_sound(mesh);
+    CHECK(mesh.n_edges() == 5);
+    CHECK(frozen_by_side(front) ==
+          std::map<Arrow, bool>{{{2, 1}, true}, {{0, 2}, true}, {{1, 3}, true}, {{3, 0}, true}});
+  }
+
   TEST_CASE("a side is glued to that of another patch though either calls it frozen") {
     for (const int first : {Patch::open, Patch::frozen}) {
       for (const int second : {Patch::open, Patch::frozen}) {

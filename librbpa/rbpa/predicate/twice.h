@@ -1,0 +1,33 @@
+// What:   numbers of twice the precision of double: an unevaluated sum of two.
+// Law:    let u = 2⁻⁵³. A difference of doubles is exact; a product is off by at most 9u² of it, a sum or difference of
+//         two by at most 4u² of the sum of their sizes: docs/predicates.md. Requires what expansion.h requires.
+// Cost:   about thirty operations a product.
+// Source: Dekker, A floating-point technique for extending the available precision (1971).
+#pragma once
+
+#include "rbpa/predicate/expansion.h"
+
+namespace rbpa {
+
+/// |low| ≤ u |high|.
+struct Twice {
+  double high, low;
+
+  static Twice difference(double a, double b) {
+    const auto [high, low] = detail::two_sum(a, -b);
+    return {high, low};
+  }
+  friend Twice operator+(const Twice& a, const Twice& b) {
+    const auto [high, low] = detail::two_sum(a.high, b.high);
+    const auto whole = detail::two_sum(high, low + (a.low + b.low));
+    return {whole.high, whole.low};
+  }
+  friend Twice operator-(const Twice& a, const Twice& b) { return a + Twice{-b.high, -b.low}; }
+  friend Twice operator*(const Twice& a, const Twice& b) {
+    const auto [high, low] = detail::two_product(a.high, b.high);
+    const double rest = low + (a.high * b.low + a.low * b.high), sum = high + rest;
+    return {sum, rest - (sum - high)};
+  }
+};
+
+}  // namespace rbpa

@@ -1,0 +1,58 @@
+// delaunay(), by which the remainder is completed, against CGAL.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "oracle/delaunay.h"
+#include "rbpa/predicate/magnitude.h"
+#include "rbpa/rbpa.h"
+#include "rbpa/remainder/delaunay.h"
+#include "support/generate.h"
+#include "support/sets.h"
+
+namespace rbpa_test {
+namespace {
+
+std::vector<Triangle> triangles_of(const Points& points) {
+  const std::vector<std::uint32_t> lowest = lowest_equal(points);
+  std::vector<std::uint32_t> kept;
+  Points distinct;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    if (lowest[i] == i) {
+      kept.push_back(i);
+      distinct.push_back(points[i]);
+    }
+  meshops::Patch patch;
+  rbpa::delaunay(distinct, patch);
+  std::vector<Triangle> found;
+  for (const auto& t : patch.triangles)
+    found.push_back(
+        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+  return renumbered(std::move(found), kept);
+}
+
+}  // namespace
+
+TEST_CASE("the triangles are CGAL's and those of rbpa() without a radius: generated sets") {
+  int sets = 0;
+  for (const NamedSet& set : generated_sets()) {
+    const Points points = set.make();
+    if (!rbpa::fits_double(rbpa::magnitude(points))) continue;
+    ++sets;
+    CAPTURE(set.name);
+    const std::vector<Triangle> found = triangles_of(points);
+    CHECK(difference(DelaunayOracle(points).triangles(INFINITY), found) == "");
+    CHECK(difference(rbpa::triangles(rbpa::rbpa(points, INFINITY)), found) == "");
+  }
+  CHECK(sets > 40);
+}
+
+TEST_CASE("the triangles are CGAL's: tens of thousands of points") {
+  for (const Points& points : {uniform(50000, 1), jittered_grid(200, 0.5, 2), perfect_grid(200, 1), clusters(3000, 3),
+                               along_curves(8000), rounded_concentric(10000), lidar_lines(100, 300, 4)})
+    CHECK(difference(DelaunayOracle(points).triangles(INFINITY), triangles_of(points)) == "");
+}
+
+}  // namespace rbpa_test
