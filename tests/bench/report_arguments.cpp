@@ -41,7 +41,7 @@ std::optional<ReportArguments> parse_report(int argc, char** argv) {
         "%s: found '%s'\n"
         "usage: %s [OPTIONS]\n"
         "  --points=N            1000000\n"
-        "  --trap-points=N       10000; 0 for no traps\n"
+        "  --trap-points=N       100000; 0 for no traps\n"
         "  --runs=N              5\n"
         "  --threads=1,2         of rbpa, 0 for all; the first is what others are compared with; 1,2\n"
         "  --large               sixteen times as many points as well\n"

@@ -13,7 +13,7 @@ struct ReportArguments {
     std::string name, command;
   };
   std::size_t points = 1000000;
-  std::size_t trap_points = 10000;  ///< 0 for no traps
+  std::size_t trap_points = 100000;  ///< 0 for no traps
   int runs = 5;
   std::vector<unsigned> threads{1, 2};  ///< the first is the reference for all others
   std::vector<Peer> peers;
