@@ -37,34 +37,42 @@ class Contest {
   static constexpr Index none = 0xffff;
   static constexpr std::size_t batch = 16;
 
-  /// The edges to be asked, and the answers.
-  alignas(64) std::int32_t a[batch + 1], b[batch + 1];  // one more, so that a loop may write before it looks
+  /// The edges to be asked, and how large a circle is worth a look at first: that of a triangle at the edge. One more of
+  /// each, so that a loop may write before it looks.
+  alignas(64) std::int32_t a[batch + 1], b[batch + 1];
+  alignas(64) float expected[batch + 1];
+  /// The answers, and the radii of the circles.
   Index apex[batch];
+  alignas(64) float found_radius[batch];
 
   /// Keeps references.
   Contest(const Tile& tile, const TileCoordinates& coordinates)
       : tile_(tile),
         at_(coordinates),
         low_(tile.points.size() + batch * static_cast<std::size_t>(tile.rows)),
-        base_(low_.size()) {}
+        base_(low_.size()) {
+    std::fill_n(high_, batch, infinity);
+  }
 
   /// Finds the apexes of the first `size` edges, at least one.
   void run(std::size_t size) {
     for (std::size_t i = size; i < batch; ++i) {
       a[i] = a[0];
       b[i] = b[0];
+      expected[i] = expected[0];
     }
     look_around();
-    for (std::size_t i = 0; i < size; ++i) {
-      apex[i] = among_three_rows(i);
-      if (apex[i] == none) apex[i] = search(i);
-    }
+    for (std::size_t i = 0; i < size; ++i) apex[i] = among_three_rows(i);
+    certify();
+    for (std::size_t i = 0; i < size; ++i)
+      if (!is_certain_[i]) apex[i] = search(i);
   }
 
   /// One edge.
   Index operator()(Index from, Index to) {
     a[0] = from;
     b[0] = to;
+    expected[0] = infinity;
     run(1);
     return apex[0];
   }
@@ -73,6 +81,7 @@ class Contest {
   using P = Predicates<double>;
   using D = hn::CappedTag<float, batch>;
   using I = hn::RebindToSigned<D>;
+  using U = hn::RebindToUnsigned<D>;
   using V = hn::Vec<D>;
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -81,48 +90,80 @@ class Contest {
   static constexpr int rows_at_once = 3;
   static constexpr std::size_t row_length = 16;  // points of a row that are looked at at once
   // Measured: a first look this far finds the apex of nearly all edges, and seldom has to leave three rows.
-  static constexpr float first_reach_in_cells = 0.9f;
-  static constexpr float first_reach_in_chords = 0.6f;
-  static constexpr float most_first_reach_in_chords = 3;  // where a crowd fills a cell, the chord is the scale
+  static constexpr float first_reach_in_cells = 1;
+  static constexpr float first_reach_in_chords = 0.52f;
+  static constexpr float first_reach_in_circles = 3;
   static constexpr std::size_t most_contenders = 64;
   static constexpr float most_reach = 4;  // the whole tile, from any point of it
+
+  /// A box of cells in every lane.
+  struct Box {
+    hn::Vec<I> c0, c1, r0, r1;
+    V radius;
+    hn::Mask<D> inside;  // all points are known there, but for those of unknown cells
+  };
+  /// The cells of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
+  HWY_INLINE Box box_of(V ax, V ay, V bx, V by, V k) const {
+    const D d;
+    const I di;
+    const auto set = [&](float value) { return hn::Set(d, value); };
+    const V half = set(0.5f), one = set(1), zero = hn::Zero(d), half_k = half * k;
+    const V dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy;
+    const V x = half * (ax + bx) - half_k * dy, y = half * (ay + by) + half_k * dx;
+    const V radius_of_disc = half * hn::Sqrt(squared) * hn::Sqrt(one + k * k);
+    const V wide = set(slack) * (one + radius_of_disc + hn::Abs(k));
+    const V r = radius_of_disc + wide, chord_reach = half_k * squared, left_x = r * dy, left_y = r * dx;
+    const V x_low = hn::IfThenElse(hn::Neg(left_x) <= chord_reach, x - r, hn::Min(ax, bx) - wide);
+    const V x_high = hn::IfThenElse(left_x <= chord_reach, x + r, hn::Max(ax, bx) + wide);
+    const V y_low = hn::IfThenElse(left_y <= chord_reach, y - r, hn::Min(ay, by) - wide);
+    const V y_high = hn::IfThenElse(hn::Neg(left_y) <= chord_reach, y + r, hn::Max(ay, by) + wide);
+    const auto cell_of = [&](V at, float from, int count) {
+      const V cells = (at - set(from)) * set(at_.per_cell);
+      return hn::ConvertTo(di, hn::Max(zero, hn::Min(cells, set(static_cast<float>(count - 1)))));
+    };
+    return {cell_of(x_low, at_.x0, at_.columns),
+            cell_of(x_high, at_.x0, at_.columns),
+            cell_of(y_low, at_.y0, at_.rows),
+            cell_of(y_high, at_.y0, at_.rows),
+            radius_of_disc,
+            hn::And(hn::And(x_low >= set(at_.x_low), x_high <= set(at_.x_high)),
+                    hn::And(y_low >= set(at_.y_low), y_high <= set(at_.y_high)))};
+  }
+
+  HWY_INLINE void store_cells(const Box& box, std::size_t i) {
+    const I di;
+    hn::Store(box.c0, di, c0_ + i);
+    hn::Store(box.c1, di, c1_ + i);
+    hn::Store(box.r0, di, r0_ + i);
+    hn::Store(box.r1, di, r1_ + i);
+  }
 
   /// Where to look first, for all edges.
   HWY_NOINLINE void look_around() {
     const D d;
     const I di;
+    const U du;
     const auto set = [&](float value) { return hn::Set(d, value); };
     for (std::size_t i = 0; i < batch; i += hn::Lanes(d)) {
       const auto ia = hn::Load(di, a + i), ib = hn::Load(di, b + i);
       const V ax = hn::GatherIndex(d, at_.x.data(), ia), ay = hn::GatherIndex(d, at_.y.data(), ia);
       const V bx = hn::GatherIndex(d, at_.x.data(), ib), by = hn::GatherIndex(d, at_.y.data(), ib);
-      const V half = set(0.5f), one = set(1), zero = hn::Zero(d);
-      const V dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy;
-      const V length = hn::Max(hn::Sqrt(squared), set(0x1p-60f));
-      const V reach = hn::Max(set(first_reach_in_chords) * length,
-                              hn::Min(set(most_first_reach_in_chords) * length, set(first_reach_in_cells * at_.cell)));
+      const V dx = bx - ax, dy = by - ay;
+      const V length = hn::Max(hn::Sqrt(dx * dx + dy * dy), set(0x1p-60f));
+      const V reach = hn::Max(
+          set(first_reach_in_chords) * length,
+          hn::Min(set(first_reach_in_circles) * hn::Load(d, expected + i), set(first_reach_in_cells * at_.cell)));
       const V ratio = hn::Min((reach + reach) / length, set(0x1p20f));
-      const V k = hn::Sqrt(hn::Max(zero, ratio * ratio - one)), half_k = half * k;
-      // The box of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
-      const V x = half * (ax + bx) - half_k * dy, y = half * (ay + by) + half_k * dx;
-      const V radius = half * length * hn::Sqrt(one + k * k), wide = set(slack) * (one + radius + k);
-      const V r = radius + wide, chord_reach = half_k * squared, left_x = r * dy, left_y = r * dx;
-      const V x_low = hn::IfThenElse(hn::Neg(left_x) <= chord_reach, x - r, hn::Min(ax, bx) - wide);
-      const V x_high = hn::IfThenElse(left_x <= chord_reach, x + r, hn::Max(ax, bx) + wide);
-      const V y_low = hn::IfThenElse(left_y <= chord_reach, y - r, hn::Min(ay, by) - wide);
-      const V y_high = hn::IfThenElse(hn::Neg(left_y) <= chord_reach, y + r, hn::Max(ay, by) + wide);
-      const auto inside = hn::And(hn::And(x_low >= set(at_.x_low), x_high <= set(at_.x_high)),
-                                  hn::And(y_low >= set(at_.y_low), y_high <= set(at_.y_high)));
-      const auto cell_of = [&](V at, float from, int count) {
-        const V cells = (at - set(from)) * set(at_.per_cell);
-        return hn::ConvertTo(di, hn::Max(zero, hn::Min(cells, set(static_cast<float>(count - 1)))));
-      };
-      const auto c0 = cell_of(x_low, at_.x0, at_.columns), c1 = cell_of(x_high, at_.x0, at_.columns);
-      const auto r0 = cell_of(y_low, at_.y0, at_.rows), r1 = cell_of(y_high, at_.y0, at_.rows);
-      const auto across = c1 - c0 + hn::Set(di, 1), up = r1 - r0;
-      auto cell = r0 * hn::Set(di, at_.columns) + c0;
+      const V k = hn::Sqrt(hn::Max(hn::Zero(d), ratio * ratio - set(1)));
+      const Box box = box_of(ax, ay, bx, by, k);
+      const auto across = box.c1 - box.c0 + hn::Set(di, 1), up = box.r1 - box.r0;
+      auto cell = box.r0 * hn::Set(di, at_.columns) + box.c0;
       auto unknown = hn::Zero(di);
       auto fits = up < hn::Set(di, rows_at_once);
+      const auto place_of = [&](auto point, auto first) {
+        const auto place = point - first, in_row = hn::And(place, hn::Set(di, static_cast<int>(row_length) - 1));
+        return hn::IfThenElseZero(place == in_row, hn::BitCast(di, hn::Shl(hn::Set(du, 1), hn::BitCast(du, in_row))));
+      };
       for (int row = 0; row < rows_at_once; ++row) {
         const auto in_box = up > hn::Set(di, row - 1);
         const auto first = hn::GatherIndex(di, at_.start.data(), cell);
@@ -132,14 +173,14 @@ class Contest {
                                                              hn::GatherIndex(di, at_.unknown.data(), cell));
         hn::Store(first, di, first_[row] + i);
         hn::Store(count, di, count_[row] + i);
+        hn::Store(hn::Or(place_of(ia, first), place_of(ib, first)), di, ends_[row] + i);
         fits = hn::And(fits, count < hn::Set(di, static_cast<int>(row_length) + 1));
         cell = cell + hn::Set(di, at_.columns);
       }
       fits = hn::And(fits, unknown == hn::Zero(di));
-      const auto good = hn::And(inside, hn::RebindMask(d, fits));
-      hn::Store(hn::IfThenElse(good, k, set(-infinity)), d, searched_ + i);
+      hn::Store(hn::IfThenElseZero(fits, hn::Set(di, 1)), di, fits_ + i);
       hn::Store(k, d, k_ + i);
-
+      store_cells(box, i);
       hn::Store(hn::ConvertTo(d, hn::Max(across, hn::Set(di, rows_at_once))), d, extent_ + i);
       hn::Store(ax, d, ax_ + i);
       hn::Store(ay, d, ay_ + i);
@@ -147,17 +188,27 @@ class Contest {
       hn::Store(by, d, by_ + i);
     }
     for (std::size_t i = 0; i < batch; ++i) bound_errors(i, extent_[i]);
-    for (std::size_t i = 0; i < batch; ++i) {
-      std::uint64_t ends = 0;
-      for (unsigned row = 0; row < rows_at_once; ++row)
-        ends |= bit_of(a[i] - first_[row][i], row) | bit_of(b[i] - first_[row][i], row);
-      not_ends_[i] = ~ends;
-    }
   }
 
-  static std::uint64_t bit_of(std::int32_t place, unsigned row) {
-    const auto at = static_cast<std::uint32_t>(place);
-    return at < row_length ? std::uint64_t{1} << (at + row_length * row) : 0;
+  /// Which answers are certain: the circle lies in the cells that were looked at, and where all points are known. Leaves
+  /// the cells in which to look for the others.
+  HWY_NOINLINE void certify() {
+    const D d;
+    const I di;
+    for (std::size_t i = 0; i < batch; i += hn::Lanes(d)) {
+      const V high = hn::Load(d, high_ + i), infinite = hn::Set(d, infinity);
+      const auto is_finite = high < infinite;
+      const V k = hn::IfThenElse(is_finite, high, hn::Load(d, k_ + i));
+      const Box box = box_of(hn::Load(d, ax_ + i), hn::Load(d, ay_ + i), hn::Load(d, bx_ + i), hn::Load(d, by_ + i), k);
+      const auto beyond = hn::Or(hn::Or(box.c0<hn::Load(di, c0_ + i), box.c1> hn::Load(di, c1_ + i)),
+                                 hn::Or(box.r0<hn::Load(di, r0_ + i), box.r1> hn::Load(di, r1_ + i)));
+      const auto certain = hn::And(is_finite, hn::AndNot(hn::RebindMask(d, beyond), box.inside));
+      const auto one = hn::Set(di, 1);
+      hn::Store(hn::IfThenElseZero(hn::RebindMask(di, certain), one), di, is_certain_ + i);
+      hn::Store(hn::IfThenElseZero(hn::RebindMask(di, box.inside), one), di, is_inside_ + i);
+      store_cells(box, i);
+      hn::Store(box.radius, d, found_radius + i);
+    }
   }
 
   /// What rounding can do to the numbers of an edge in a box of so many cells.
@@ -208,34 +259,40 @@ class Contest {
     return {k - error, k + error, hn::And(valid, cross > e.left_of), hn::And(valid, cross >= e.right_of)};
   }
 
+  /// The places of the ends of an edge among the points of three rows.
+  HWY_INLINE std::uint64_t ends_of(std::size_t edge) const {
+    std::uint64_t ends = 0;
+    for (std::size_t row = 0; row < rows_at_once; ++row)
+      ends |= static_cast<std::uint64_t>(ends_[row][edge]) << (row * row_length);
+    return ends;
+  }
+
   /// Among the points of at most three short rows; none: look again.
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
     constexpr std::size_t N = hn::MaxLanes(d), per_row = row_length / N, vectors = rows_at_once * per_row;
-    const float searched = searched_[edge];
-    if (!(searched >= 0)) return none;
+    high_[edge] = infinity;
+    if (!fits_[edge]) return none;
     const Edge e = edge_of(edge);
     V low[vectors];
-    std::uint64_t left = 0, perhaps = 0, low_enough = 0;
+    hn::Mask<D> perhaps[vectors];
     V least = hn::Set(d, infinity);
     for (std::size_t j = 0; j < vectors; ++j) {
       const std::size_t row = j / per_row, skipped = j % per_row * N;
       const auto count = static_cast<std::size_t>(count_[row][edge]);
       const Bounds k =
           bounds(e, static_cast<std::size_t>(first_[row][edge]) + skipped, count > skipped ? count - skipped : 0);
-      low[j] = k.low;
+      low[j] = hn::IfThenElse(k.left, k.low, hn::Set(d, -infinity));
+      perhaps[j] = k.perhaps;
       least = hn::Min(least, hn::IfThenElse(k.left, k.high, hn::Set(d, infinity)));
-      left |= bits_of(k.left) << (j * N);
-      perhaps |= bits_of(k.perhaps) << (j * N);
     }
     const V bound = hn::MinOfLanes(d, least);
-    for (std::size_t j = 0; j < vectors; ++j) low_enough |= bits_of(low[j] <= bound) << (j * N);
-    std::uint64_t can_win = perhaps & (low_enough | ~left) & not_ends_[edge];
+    std::uint64_t can_win = 0;
+    for (std::size_t j = 0; j < vectors; ++j) can_win |= bits_of(hn::And(perhaps[j], low[j] <= bound)) << (j * N);
+    can_win &= ~ends_of(edge);
     const float high = hn::GetLane(bound);
-    if (!(high <= searched)) {
-      if (high < infinity) k_[edge] = high;
-      return none;
-    }
+    high_[edge] = high;
+    if (!(high < infinity)) return none;
     const auto point = [&](std::uint64_t bits) {
       const auto at = static_cast<std::size_t>(std::countr_zero(bits));
       return static_cast<Index>(static_cast<std::size_t>(first_[at / row_length][edge]) + at % row_length);
@@ -284,11 +341,19 @@ class Contest {
     return P::perturbed_side(tile_.points[ia], tile_.points[ib], tile_.points[q], tile_.points[p]) > 0;
   }
 
-  /// Cells, and whether all points are known where a circle reaches.
+  /// Cells, and whether all points of the box for which they are, but for those of unknown cells, are in the tile.
   struct Cells {
     int c0, c1, r0, r1;
-    bool known;
+    bool inside;
+
+    bool contain(const Cells& o) const { return c0 <= o.c0 && o.c1 <= c1 && r0 <= o.r0 && o.r1 <= r1; }
+    Cells with(const Cells& o) const {
+      return {std::min(c0, o.c0), std::max(c1, o.c1), std::min(r0, o.r0), std::max(r1, o.r1), inside && o.inside};
+    }
   };
+  bool is_known(const Cells& cells) const {
+    return cells.inside && at_.is_known(cells.c0, cells.c1, cells.r0, cells.r1);
+  }
   /// The cells of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
   Cells cells_for(std::size_t edge, float k) const {
     const float ax = ax_[edge], ay = ay_[edge], bx = bx_[edge], by = by_[edge];
@@ -300,29 +365,30 @@ class Contest {
     const float x_high = -r * dy >= -reach ? x + r : std::max(ax, bx) + wide;
     const float y_low = r * dx <= reach ? y - r : std::min(ay, by) - wide;
     const float y_high = r * dx >= -reach ? y + r : std::max(ay, by) + wide;
-    Cells cells{at_.column(x_low), at_.column(x_high), at_.row(y_low), at_.row(y_high), false};
-    cells.known = x_low >= at_.x_low && x_high <= at_.x_high && y_low >= at_.y_low && y_high <= at_.y_high &&
-                  at_.is_known(cells.c0, cells.c1, cells.r0, cells.r1);
-    return cells;
+    return {at_.column(x_low), at_.column(x_high), at_.row(y_low), at_.row(y_high),
+            x_low >= at_.x_low && x_high <= at_.x_high && y_low >= at_.y_low && y_high <= at_.y_high};
   }
 
   /// From near to far, as far as it takes.
   HWY_NOINLINE Index search(std::size_t edge) {
     const float dx = bx_[edge] - ax_[edge], dy = by_[edge] - ay_[edge], length = std::sqrt(dx * dx + dy * dy);
     if (!(length > 0)) return none;
-    float k = k_[edge], reach = 0.5f * length * std::sqrt(1 + k * k);
-    for (;;) {
-      const Cells cells = cells_for(edge, k);
+    Cells cells{c0_[edge], c1_[edge], r0_[edge], r1_[edge], is_inside_[edge] != 0};
+    for (float reach = found_radius[edge];;) {
       const auto [winner, high] = among(edge, cells);
-      if (high <= k) return cells.known || cells_for(edge, high).known ? winner : none;
       if (high < infinity) {
-        k = high;
+        const Cells needed = cells_for(edge, high);
+        if (cells.contain(needed)) {
+          found_radius[edge] = 0.5f * length * std::sqrt(1 + high * high);
+          return is_known(needed) ? winner : none;
+        }
+        cells = cells.with(needed);
         continue;
       }
-      if (!cells.known || reach > most_reach) return none;
+      if (!is_known(cells) || reach > most_reach) return none;
       reach *= 2;
       const float ratio = 2 * reach / length;
-      k = std::sqrt(std::max(0.0f, ratio * ratio - 1));
+      cells = cells_for(edge, std::sqrt(std::max(0.0f, ratio * ratio - 1)));
     }
   }
 
@@ -368,12 +434,14 @@ class Contest {
 
   const Tile& tile_;
   const TileCoordinates& at_;
-  alignas(64) std::int32_t first_[rows_at_once][batch], count_[rows_at_once][batch];
-  alignas(64) float ax_[batch], ay_[batch], bx_[batch], by_[batch], k_[batch], extent_[batch];
+  // Of each edge: the cells to look at; whether they have few points, and these row by row.
+  alignas(64) std::int32_t c0_[batch], c1_[batch], r0_[batch], r1_[batch], fits_[batch];
+  alignas(64) std::int32_t first_[rows_at_once][batch], count_[rows_at_once][batch], ends_[rows_at_once][batch];
+  alignas(64) float ax_[batch], ay_[batch], bx_[batch], by_[batch], extent_[batch];
   alignas(64) float error_dot_[batch], error_cross_[batch], right_of_[batch];
-  alignas(
-      64) float searched_[batch];  // where all is seen up to there, how far left of the middle centres may be; else −∞
-  std::uint64_t not_ends_[batch];  // of three rows, the places of points that are not ends of the edge
+  // How far left of the middle centres are worth a look; how far the winner's is at most, and whether that is certain.
+  alignas(64) float k_[batch], high_[batch];
+  alignas(64) std::int32_t is_certain_[batch], is_inside_[batch];
   std::vector<float> low_;
   std::vector<Index> base_, contenders_;
 };

@@ -14,10 +14,10 @@ bool is_exact_difference(double a, double b) {
 }
 
 float lattice_extent(const Tile& tile, const Point& origin, double scale) {
-  constexpr int digits = 24;
+  constexpr int digits = 24;  // 0x1p24 units to one
   std::uint32_t all = 0;
   const auto take = [&](double at, double from) {
-    const double units = std::ldexp((at - from) * scale, digits);
+    const double units = (at - from) * scale * 0x1p24;
     const auto whole = static_cast<std::int32_t>(units);
     all |= static_cast<std::uint32_t>(std::abs(whole));
     return double(whole) == units && is_exact_difference(at, from);

@@ -12,19 +12,14 @@ using Level = PointGrid<double>::Level;
 constexpr double points_per_cell = 2;
 constexpr double most_contrast = 3;           // of density between the halves of a block
 constexpr std::uint32_t fewest_points = 256;  // a block of so few is not divided for it
-constexpr int margin = 3;                     // cells around a block: about four times the distance of neighbours
+constexpr double margin = 2;                  // cells around a block: about three times the distance of neighbours
 
-/// Calls visit(cell, is a grid of its own) for cells of a row.
+/// Calls visit(cell) for the cells in a part of a row that are grids of tiles of their own, ascending.
 template <typename Visit>
-void for_each_cell(const Level& level, int row, int first_column, int last_column, Visit visit) {
-  const auto first = static_cast<std::uint32_t>(row * level.columns + first_column);
-  const auto last = static_cast<std::uint32_t>(row * level.columns + last_column);
-  auto child = level.child_at(row, first);
-  for (std::uint32_t cell = first; cell < last; ++cell) {
-    const bool is_child = child != level.children.end() && child->cell == cell;
-    visit(cell, is_child);
-    if (is_child) ++child;
-  }
+void for_each_grid(const Level& level, std::uint32_t merged, int row, std::uint32_t first, std::uint32_t last,
+                   Visit visit) {
+  for (auto child = level.child_at(row, first); child != level.children.end() && child->cell < last; ++child)
+    if (level.start[child->cell + 1] - level.start[child->cell] > merged) visit(child->cell);
 }
 
 std::uint32_t points_of(const Level& level, const Block& block) {
@@ -33,8 +28,8 @@ std::uint32_t points_of(const Level& level, const Block& block) {
     const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
     const auto last = first + static_cast<std::uint32_t>(block.columns);
     count += level.start[last] - level.start[first];
-    for (auto child = level.child_at(r, first); child != level.children.end() && child->cell < last; ++child)
-      count -= level.start[child->cell + 1] - level.start[child->cell];
+    for_each_grid(level, block.merged, r, first, last,
+                  [&](std::uint32_t cell) { count -= level.start[cell + 1] - level.start[cell]; });
   }
   return count;
 }
@@ -55,17 +50,39 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
   return {first, second};
 }
 
+/// Points a cell.
+double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
+
 /// Cells of one size are to suit all of a block.
 bool is_even(const Block& a, const Block& b) {
-  const double density_a = a.points / (double(a.columns) * a.rows), density_b = b.points / (double(b.columns) * b.rows);
-  return std::max(density_a, density_b) <= most_contrast * std::min(density_a, density_b);
+  return std::max(density(a), density(b)) <= most_contrast * std::min(density(a), density(b));
+}
+
+/// The mean over points of how many share a cell: one more than their density where it is the same everywhere, far more
+/// where a few cells have most of the points.
+double company(const Level& level, const Block& block) {
+  std::uint64_t squares = 0;
+  const auto square = [&](std::uint32_t cell) {
+    const std::uint64_t count = level.start[cell + 1] - level.start[cell];
+    return count * count;
+  };
+  for (int r = block.row; r < block.row + block.rows; ++r) {
+    const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
+    const auto last = first + static_cast<std::uint32_t>(block.columns);
+    for (std::uint32_t cell = first; cell < last; ++cell) squares += square(cell);
+    if (!level.children.empty())
+      for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) { squares -= square(cell); });
+  }
+  return double(squares) / block.points;
 }
 
 void divide(const Level& level, const Block& block, std::uint32_t most_points, std::vector<Block>& found) {
   if (block.points == 0) return;
   if (block.columns > 1 || block.rows > 1) {
     const auto [first, second] = halves(level, block);
-    if (block.points > most_points || (block.points > fewest_points && !is_even(first, second))) {
+    if (block.points > most_points ||
+        (block.points > fewest_points &&
+         (!is_even(first, second) || company(level, block) > most_contrast * (density(block) + 1)))) {
       divide(level, first, most_points, found);
       divide(level, second, most_points, found);
       return;
@@ -77,10 +94,12 @@ void divide(const Level& level, const Block& block, std::uint32_t most_points, s
 }  // namespace
 
 std::vector<Block> blocks(const PointGrid<double>& grid, std::uint32_t most_points) {
+  const std::uint32_t merged = most_points / 4;  // measured: smaller tiles have too many points around them
   std::vector<Block> found;
   for (std::size_t i = 0; i < grid.levels().size(); ++i) {
     const Level& level = grid.levels()[i];
-    Block all{static_cast<std::uint32_t>(i), 0, 0, level.columns, level.rows, 0};
+    if (i != 0 && level.start.back() - level.start.front() <= merged) continue;
+    Block all{static_cast<std::uint32_t>(i), 0, 0, level.columns, level.rows, 0, merged};
     all.points = points_of(level, all);
     divide(level, all, most_points, found);
   }
@@ -100,12 +119,16 @@ void Cutter::cut(const Block& block, Tile& tile) {
 /// Cells that suit the block: the level's are right on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
-  const double ratio = std::sqrt(points_per_cell * block.columns * block.rows / block.points);
+  // Where density varies, points see more of it than the mean; along rows of points they seem to, but less.
+  const double mean = density(block), seen = company(level, block) - 1;
+  const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
+  const double ratio = std::sqrt(points_per_cell / mean) / finer;
   tile.cell = level.cell * std::max(ratio, std::max(block.columns, block.rows) / 1024.0);
-  tile.columns = static_cast<int>(std::ceil(width / tile.cell)) + 2 * margin;
-  tile.rows = static_cast<int>(std::ceil(height / tile.cell)) + 2 * margin;
-  tile.x0 = level.x + block.column * level.cell - margin * tile.cell;
-  tile.y0 = level.y + block.row * level.cell - margin * tile.cell;
+  const int beyond = static_cast<int>(std::ceil(margin * finer));
+  tile.columns = static_cast<int>(std::ceil(width / tile.cell)) + 2 * beyond;
+  tile.rows = static_cast<int>(std::ceil(height / tile.cell)) + 2 * beyond;
+  tile.x0 = level.x + block.column * level.cell - beyond * tile.cell;
+  tile.y0 = level.y + block.row * level.cell - beyond * tile.cell;
   if (block.level == 0) {
     tile.nothing_left = tile.x0 <= level.x;
     tile.nothing_below = tile.y0 <= level.y;
@@ -124,36 +147,34 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
     const auto row = static_cast<std::uint32_t>(r * level.columns);
     auto first = row + static_cast<std::uint32_t>(c0);
     const auto last = row + static_cast<std::uint32_t>(c1);
-    for (auto child = level.child_at(r, first); child != level.children.end() && child->cell < last; ++child) {
-      add(level.start[first], level.start[child->cell]);
-      first = child->cell + 1;
-    }
+    for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) {
+      add(level.start[first], level.start[cell]);
+      first = cell + 1;
+    });
     add(level.start[first], level.start[last]);
   }
   own_ = sites_.size();
 
   // Around the block, and the grids in it: a crowd is worth more time than the triangles along its edge.
-  const std::uint32_t crowd = std::max(64u, 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
+  const std::uint32_t crowd =
+      std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
   const int far_c0 = level.column(tile.x0), far_c1 = level.column(tile.x1()) + 1;
   const int far_r0 = level.row(tile.y0), far_r1 = level.row(tile.y1()) + 1;
-  const auto look = [&](int r, int from, int to, bool at_children_only) {
-    for_each_cell(level, r, from, to, [&](std::uint32_t cell, bool is_child) {
-      if (at_children_only && !is_child) return;
-      const std::uint32_t first = level.start[cell], last = level.start[cell + 1];
-      if (last - first <= crowd) return add_within(tile, first, last);
-      const double x = level.x + static_cast<int>(cell % static_cast<std::uint32_t>(level.columns)) * level.cell;
-      const double y = level.y + r * level.cell;
-      forget(tile, x - level.slack, x + level.cell + level.slack, y - level.slack, y + level.cell + level.slack);
-    });
+  const auto look = [&](int r, std::uint32_t cell) {
+    const std::uint32_t first = level.start[cell], last = level.start[cell + 1];
+    if (last - first <= crowd) return add_within(tile, first, last);
+    const double x = level.x + static_cast<int>(cell % static_cast<std::uint32_t>(level.columns)) * level.cell;
+    const double y = level.y + r * level.cell;
+    forget(tile, x - level.slack, x + level.cell + level.slack, y - level.slack, y + level.cell + level.slack);
   };
-  for (int r = far_r0; r < far_r1; ++r) {
-    if (r < block.row || r >= block.row + block.rows) {
-      look(r, far_c0, far_c1, false);
-    } else {
-      look(r, far_c0, c0, false);
-      if (!level.children.empty()) look(r, c0, c1, true);
-      look(r, c1, far_c1, false);
-    }
+  for (int r = far_r0; r < far_r1 && sites_.size() <= Tile::most_points; ++r) {
+    const auto cell_at = [&](int column) { return static_cast<std::uint32_t>(r * level.columns + column); };
+    const bool beside = r >= block.row && r < block.row + block.rows;
+    for (std::uint32_t cell = cell_at(far_c0), end = cell_at(beside ? c0 : far_c1); cell < end; ++cell) look(r, cell);
+    if (!beside) continue;
+    if (!level.children.empty())
+      for_each_grid(level, block.merged, r, cell_at(c0), cell_at(c1), [&](std::uint32_t cell) { look(r, cell); });
+    for (std::uint32_t cell = cell_at(c1), end = cell_at(far_c1); cell < end; ++cell) look(r, cell);
   }
 }
 

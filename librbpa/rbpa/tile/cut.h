@@ -12,11 +12,12 @@
 
 namespace rbpa {
 
-/// Cells of a level of the point grid whose points, but for those of cells that are grids of their own, one tile owns.
+/// Cells of a level of the point grid whose points, but for those of cells that are grids of more than `merged` points,
+/// one tile owns.
 struct Block {
   std::uint32_t level;
   int column, row, columns, rows;
-  std::uint32_t points;
+  std::uint32_t points, merged;
 };
 
 /// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most

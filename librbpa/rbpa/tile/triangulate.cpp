@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
@@ -24,19 +26,24 @@ namespace {
 class Triangulation {
  public:
   using Index = LocalFront::Index;
-  static constexpr Index none = LocalFront::none;
+  static constexpr Index none = Contest::none;
 
   Triangulation(const Tile& tile, TileWorkspace& workspace)
       : tile_(tile),
         at_(workspace.coordinates),
         front_(workspace.front),
         queue_(workspace.queue),
+        wave_(workspace.wave),
+        radius_(workspace.radius),
         contest_(tile, workspace.coordinates) {}
 
   void run() {
     at_.assign(tile_);
     front_.begin(tile_.points.size());
-    queue_.clear();
+    if (const std::size_t triangles = 2 * tile_.points.size() + 2; radius_.size() < triangles) {
+      for (auto* sides : {&queue_, &wave_}) sides->resize(4 * triangles);
+      radius_.resize(triangles);
+    }
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
       if (!tile_.own[v] || front_.is_touched(v)) continue;
       if (has_given_up()) return;
@@ -50,7 +57,8 @@ class Triangulation {
   void seed(Index v) {
     const Index q = nearest(v);
     if (q == none) return;
-    const auto note = [&](Index side) { activate(side); };
+    radius_[front_.triangles()] = std::numeric_limits<float>::infinity();
+    const auto note = [&](Index side, bool on_front) { activate(side, on_front); };
     if (const Index left = contest_(v, q); left != none)
       front_.create(v, q, left, note);
     else if (const Index right = contest_(q, v); right != none)
@@ -89,45 +97,57 @@ class Triangulation {
   }
 
   /// Only what ends at a point of the tile is its business.
-  void activate(Index side) {
-    if (tile_.own[front_.from(side)] | tile_.own[front_.to(side)]) queue_.push_back(side);
+  void activate(Index side, bool on_front) {
+    queue_[queued_] = side;
+    const auto own = static_cast<unsigned>(tile_.own[front_.from(side)] | tile_.own[front_.to(side)]);
+    queued_ += own & static_cast<unsigned>(on_front);
   }
 
   void advance() {
-    std::vector<Index>& wave = wave_;
-    while (!queue_.empty() && !has_given_up()) {
-      wave.swap(queue_);
-      queue_.clear();
+    while (queued_ != 0 && !has_given_up()) {
+      wave_.swap(queue_);
+      const std::size_t length = std::exchange(queued_, 0);
       // Taken at distances: neighbours on the front often lead to the same triangle.
-      const std::size_t stride = (wave.size() + Contest::batch - 1) / Contest::batch;
-      for (std::size_t k = 0; k < stride; ++k) {
-        std::size_t size = 0;
-        Index side[Contest::batch + 1];
-        for (std::size_t i = k; i < wave.size(); i += stride) {
-          const Index s = wave[i];
+      const std::size_t stride = (length + Contest::batch - 1) / Contest::batch;
+      std::size_t size = 0;
+      Index side[Contest::batch + 1];
+      for (std::size_t k = 0; k < stride; ++k)
+        for (std::size_t i = k; i < length; i += stride) {
+          const Index s = wave_[i];
           side[size] = s;
           contest_.a[size] = front_.to(s);
           contest_.b[size] = front_.from(s);
-          size += front_.across(s) == none;
+          contest_.expected[size] = radius_[s / 4];
+          size += front_.across(s) == LocalFront::none;
+          if (size == Contest::batch) attach(side, std::exchange(size, 0));
         }
-        if (size == 0) continue;
-        contest_.run(size);
-        for (std::size_t i = 0; i < size; ++i) {
-          failures_ += contest_.apex[i] == none;
-          if (contest_.apex[i] == none || front_.across(side[i]) != none) continue;
-          front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
-                        [&](Index added) { activate(added); });
-        }
-      }
+      // A batch that is not full waits for the next wave, if there is one.
+      if (queued_ == 0)
+        attach(side, size);
+      else
+        for (std::size_t i = 0; i < size; ++i) queue_[queued_++] = side[i];
+    }
+  }
+
+  /// What lies across the sides of a batch.
+  void attach(const Index* side, std::size_t size) {
+    if (size == 0) return;
+    contest_.run(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      failures_ += contest_.apex[i] == none;
+      if (contest_.apex[i] == none || front_.across(side[i]) != LocalFront::none) continue;
+      radius_[front_.triangles()] = contest_.found_radius[i];
+      front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
+                    [&](Index added, bool on_front) { activate(added, on_front); });
     }
   }
 
   const Tile& tile_;
   TileCoordinates& at_;
   LocalFront& front_;
-  std::vector<Index>& queue_;
-  std::vector<Index> wave_;
-  std::size_t failures_ = 0;
+  std::vector<Index>&queue_, &wave_;
+  std::size_t queued_ = 0, failures_ = 0;
+  std::vector<float>& radius_;  // of each triangle, that of its circle
   Contest contest_;
 };
 
@@ -161,35 +181,37 @@ enum Star : std::uint8_t { unseen, shared, known };
 /// The triangles of the complex that the tile owns, and what lies across them.
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
   const LocalFront& front = workspace.front;
-  const std::size_t triangles = front.sides() / 3;
-  std::vector<int>& number = workspace.number;  // in the patch, or what its neighbours are told of a triangle
-  number.assign(triangles, meshops::Patch::open);
+  const std::size_t triangles = front.triangles();
+  std::vector<int>& number = workspace.number;  // of each, its first side in the patch, or what its neighbours are told
+  number.resize(triangles);
+  number[LocalFront::none] = meshops::Patch::open;
   std::vector<std::uint16_t>& foreign =
       workspace.foreign;  // of each point, triangles whose owners may not have found them
   foreign.assign(tile.points.size(), 0);
   meshops::Patch& patch = result.patch;
-  for (std::size_t t = 0; t < triangles; ++t) {
-    const std::size_t a = front.from(3 * t), b = front.from(3 * t + 1), c = front.from(3 * t + 2);
+  for (std::size_t t = 1; t < triangles; ++t) {
+    const std::size_t a = front.from(4 * t), b = front.from(4 * t + 1), c = front.from(4 * t + 2);
     if (!radius.admits<double>(tile.points[a], tile.points[b], tile.points[c])) {
       number[t] = meshops::Patch::frozen;
     } else if (owns(tile, a, b, c)) {
-      number[t] = static_cast<int>(patch.triangles.size());
+      number[t] = 3 * static_cast<int>(patch.triangles.size());
       patch.triangles.push_back({static_cast<meshops::Site>(tile.site[a]), static_cast<meshops::Site>(tile.site[b]),
                                  static_cast<meshops::Site>(tile.site[c])});
     } else {
+      number[t] = meshops::Patch::open;
       ++foreign[a];
       ++foreign[b];
       ++foreign[c];
     }
   }
-  for (std::size_t t = 0; t < triangles; ++t) {
+  for (std::size_t t = 1; t < triangles; ++t) {
     if (number[t] < 0) continue;
-    auto& across = patch.across.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const LocalFront::Index s = front.across(3 * t + i);
-      const int other = s == LocalFront::none ? meshops::Patch::open : number[s / 3];
-      across[i] = other < 0 ? other : 3 * other + s % 3;
-    }
+    const auto across = [&](std::size_t side) {
+      const LocalFront::Index s = front.across(side);
+      const int other = number[s / 4];
+      return other < 0 ? other : other + s % 4;
+    };
+    patch.across.push_back({across(4 * t), across(4 * t + 1), across(4 * t + 2)});
   }
   std::vector<std::uint8_t>& star = workspace.star;
   star.assign(tile.points.size(), Star::unseen);
@@ -203,8 +225,8 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       result.shared.push_back({tile.site[v], foreign[v]});
     }
   }
-  for (std::size_t t = 0; t < triangles; ++t) {
-    const std::array<std::size_t, 3> corner = {front.from(3 * t), front.from(3 * t + 1), front.from(3 * t + 2)};
+  for (std::size_t t = 1; t < triangles; ++t) {
+    const std::array<std::size_t, 3> corner = {front.from(4 * t), front.from(4 * t + 1), front.from(4 * t + 2)};
     const auto is_known = [&](std::size_t v) { return star[v] == Star::known; };
     if (is_known(corner[0]) & is_known(corner[1]) & is_known(corner[2])) continue;
     bool any_known = false;
@@ -214,7 +236,7 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       if (star[v] != Star::unseen && !is_known(next)) result.beside.push_back({tile.site[v], tile.site[next]});
       if (number[t] >= 0 && !tile.own[v]) result.given.push_back(tile.site[v]);
     }
-    if (number[t] >= 0 && !any_known) result.unsure.push_back(static_cast<std::uint32_t>(number[t]));
+    if (number[t] >= 0 && !any_known) result.unsure.push_back(static_cast<std::uint32_t>(number[t]) / 3);
   }
 }
 

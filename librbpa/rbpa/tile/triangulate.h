@@ -48,7 +48,8 @@ struct TileTriangles {
 struct TileWorkspace {
   TileCoordinates coordinates;
   LocalFront front;
-  std::vector<std::uint16_t> queue;
+  std::vector<std::uint16_t> queue, wave;
+  std::vector<float> radius;
   std::vector<int> number;
   std::vector<std::uint16_t> foreign;
   std::vector<std::uint8_t> star;
