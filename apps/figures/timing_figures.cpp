@@ -1,96 +1,121 @@
 #include <array>
-#include <charconv>
-#include <fstream>
 #include <stdexcept>
 
+#include "figures/caption.h"
 #include "figures/figures.h"
 #include "figures/log_chart.h"
+#include "figures/measured.h"
 
 namespace figures {
 namespace {
 
-/// What bench_timing has written: the date and the machine, what was measured, and a row for every number of points.
-struct Measured {
-  std::vector<std::string> head;
-  struct Row {
-    double points, triangles, hrbpa, hrbpa_small_leaves, rbpa, paper;  // from the third on in seconds
-  };
-  std::vector<Row> rows;
+/// A column of what was measured, and how its curve looks.
+struct Look {
+  std::string_view column, name, colour;
+  bool dashed = false;
 };
 
-Measured measured(const std::string& path) {
-  std::ifstream file(path);
-  std::size_t number = 0;
-  std::string line;
-  const auto refuse = [&](const std::string& expected) {
-    throw std::runtime_error(path + ":" + std::to_string(number) + ": found '" + line + "', expected " + expected);
-  };
-  Measured result;
-  constexpr std::string_view columns = "points,triangles,hrbpa,hrbpa_small_leaves,rbpa,paper";
-  bool begun = false;
-  while (std::getline(file, line)) {
-    ++number;
-    if (line.starts_with("# ")) {
-      result.head.push_back(line.substr(2));
-    } else if (!begun) {
-      if (line != columns) refuse(std::string(columns));
-      begun = true;
-    } else {
-      std::array<double, 6> values{};
-      const char* at = line.data();
-      const char* const end = at + line.size();
-      for (double& value : values) {
-        const auto [rest, error] = std::from_chars(at, end, value);
-        const bool is_last = &value == &values.back();
-        if (error != std::errc{} || !(value > 0) || (is_last ? rest != end : rest == end || *rest != ','))
-          refuse("six numbers above 0 with commas between them");
-        at = is_last ? rest : rest + 1;
-      }
-      result.rows.push_back({values[0], values[1], values[2], values[3], values[4], values[5]});
-    }
-  }
-  if (result.head.size() != 2 || result.rows.size() < 2)
-    throw std::runtime_error(path + ": found " + std::to_string(result.head.size()) + " lines of head and " +
-                             std::to_string(result.rows.size()) + " rows, expected 2 and at least 2");
-  return result;
-}
+constexpr double nanosecond = 1e-9;
 
-/// `scale(row)` is what a second is on the y axis.
-template <typename Scale>
-std::vector<Curve> curves_of(const Measured& all, Scale scale) {
-  std::vector<Curve> curves{{"the paper's RBPA: cells of side 2α", colour::inner},
-                            {"rbpa", colour::curve},
-                            {"hrbpa, leaves of 16 points", colour::touched, true},
-                            {"hrbpa", colour::touched}};
-  for (const Measured::Row& row : all.rows) {
-    const std::array seconds{row.paper, row.rbpa, row.hrbpa_small_leaves, row.hrbpa};
-    for (std::size_t i = 0; i < curves.size(); ++i) curves[i].points.push_back({row.points, seconds[i] * scale(row)});
+/// The curves of those columns that are there, against the first one; a value is `unit` seconds.
+/// Divided by the column `by`, if it is given.
+std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks, double unit, std::string_view by = {}) {
+  std::vector<Curve> curves;
+  const auto divisor = all.column(by);
+  for (const Look& look : looks) {
+    const auto column = all.column(look.column);
+    if (!column) continue;
+    Curve curve{look.name, look.colour, look.dashed};
+    for (const std::vector<double>& row : all.rows)
+      curve.points.push_back({row[0], row[*column] * unit / (divisor ? row[*divisor] : 1)});
+    curves.push_back(std::move(curve));
   }
+  if (curves.empty()) throw std::runtime_error("found no column to draw in '" + all.head[1] + "'");
   return curves;
 }
 
-std::string paper_6_timing() {
-  const Measured all = measured(std::string(RBPA_FIGURE_DATA) + "/paper_6_timing.csv");
-  const auto count = [](double value) { return with_unit(value, ""); };
-  const auto seconds = [](double value) { return with_unit(value, "s"); };
-  const LogChart total{"(a) time", "points", count, seconds, curves_of(all, [](const auto&) { return 1.0; })};
-  const LogChart each{"(b) time a point", "points", count, seconds,
-                      curves_of(all, [](const auto& row) { return 1 / row.points; })};
-  constexpr Place size{400, 300};
-  Canvas canvas;
-  draw(canvas, total, {80, 76}, size);
-  draw(canvas, each, {580, 76}, size);
-  draw_legend(canvas, total.curves, {80, 24});
-  constexpr double middle = 510;
+std::string thousands(double value) { return with_unit(value, ""); }
+std::string seconds(double value) { return with_unit(value, "s"); }
+std::string plain(double value) { return rounded(value, "%g"); }
+
+constexpr Place one_size{560, 300}, pair_size{400, 300};
+
+/// What was measured, and where, below the charts.
+void draw_head(Canvas& canvas, const Measured& all, double middle) {
   canvas.text({middle, 452}, all.head[1], Lettering::small, Align::middle);
   canvas.text({middle, 472}, all.head[0], Lettering::small, Align::middle);
-  return canvas.svg("Time against the number of points: HRBPA, RBPA and the paper's RBPA", 1020, 490);
+}
+
+std::string one_chart(const std::string& title, const Measured& all, const LogChart& chart) {
+  Canvas canvas;
+  draw(canvas, chart, {90, 76}, one_size);
+  draw_legend(canvas, chart.curves, {60, 24});
+  draw_head(canvas, all, 370);
+  return canvas.svg(title, 740, 490);
+}
+
+std::string two_charts(const std::string& title, const Measured& all, const LogChart& left, const LogChart& right) {
+  Canvas canvas;
+  draw(canvas, left, {80, 76}, pair_size);
+  draw(canvas, right, {580, 76}, pair_size);
+  draw_legend(canvas, left.curves, {80, 24});
+  draw_head(canvas, all, 510);
+  return canvas.svg(title, 1020, 490);
+}
+
+std::string paper_6_timing() {
+  static constexpr std::array looks{Look{"paper", "the paper's RBPA: cells of side 2α", colour::inner},
+                                    Look{"rbpa", "rbpa", colour::curve},
+                                    Look{"hrbpa_small_leaves", "hrbpa, leaves of 16 points", colour::touched, true},
+                                    Look{"hrbpa", "hrbpa", colour::touched}};
+  const Measured all = read_measured("paper_6_timing.csv");
+  return two_charts("Time against the number of points: HRBPA, RBPA and the paper's RBPA", all,
+                    {"(a) time", "points", thousands, seconds, curves_of(all, looks, 1)},
+                    {"(b) time a point", "points", thousands, seconds, curves_of(all, looks, 1, "points")});
+}
+
+constexpr Look rbpa_look{"rbpa", "rbpa", colour::curve},
+    rbpa_2_look{"rbpa_2_threads", "rbpa 2 threads", colour::curve, true},
+    cgal_look{"cgal_points", "CGAL points", colour::touched};
+
+std::string performance_scaling() {
+  static constexpr std::array looks{rbpa_look, rbpa_2_look, cgal_look,
+                                    Look{"cgal_indices", "CGAL indices", colour::inner}};
+  const Measured all = read_measured("performance_scaling.csv");
+  return one_chart("Time a point against the number of points: rbpa and CGAL", all,
+                   {"time a point", "points", thousands, seconds, curves_of(all, looks, nanosecond)});
+}
+
+std::string performance_alpha() {
+  static constexpr std::array looks{rbpa_look, rbpa_2_look,
+                                    Look{"cgal_points_filter", "CGAL points + filter", colour::touched}};
+  const Measured all = read_measured("performance_alpha.csv");
+  std::vector<Curve> of_triangles = curves_of(all, looks, nanosecond, "triangles");
+  // The time a point, times points a triangle.
+  const auto points = all.column("points");
+  if (!points) throw std::runtime_error("found no column of points in '" + all.head[1] + "'");
+  for (Curve& curve : of_triangles)
+    for (std::size_t i = 0; i < curve.points.size(); ++i) curve.points[i].y *= all.rows[i][*points];
+  return two_charts("Time against alpha: rbpa and CGAL", all,
+                    {"(a) time a point", "alpha in mean spacings", plain, seconds, curves_of(all, looks, nanosecond)},
+                    {"(b) time a triangle", "alpha in mean spacings", plain, seconds, std::move(of_triangles)});
+}
+
+std::string performance_density() {
+  static constexpr std::array looks{rbpa_look, rbpa_2_look, cgal_look,
+                                    Look{"cgal_indices", "CGAL indices", colour::inner}};
+  const Measured all = read_measured("performance_density.csv");
+  return one_chart(
+      "Time a point against how uneven the points are: rbpa and CGAL", all,
+      {"time a point", "widest cluster / narrowest cluster", thousands, seconds, curves_of(all, looks, nanosecond)});
 }
 
 }  // namespace
 
 std::span<const Figure> timing_figures() {
-  static constexpr std::array figures = {Figure{"paper_6_timing", paper_6_timing}};
+  static constexpr std::array figures = {
+      Figure{"paper_6_timing", paper_6_timing}, Figure{"performance_scaling", performance_scaling},
+      Figure{"performance_alpha", performance_alpha}, Figure{"performance_density", performance_density}};
   return figures;
 }
 

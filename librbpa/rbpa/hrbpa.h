@@ -61,7 +61,8 @@ struct Hierarchy {
 };
 
 /// The solid alpha complex of `points` by hierarchical restricted ball pivoting.
-/// Requires: 0 < alpha ≤ infinity, a radius; finite points, fewer than 2³⁰ of them.
+/// Requires: 0 < alpha ≤ infinity, a radius; finite points, at most 357,913,941 of them, as
+///           OpenMesh numbers halfedges in int.
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled;
 ///           what the functions in `options` throw.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});

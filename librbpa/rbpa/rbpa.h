@@ -34,7 +34,8 @@ struct Options {
 
 /// The solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`.
 /// Cocircular points are triangulated by the symbolic perturbation that docs/predicates.md defines.
-/// Requires: 0 < alpha ≤ infinity, a radius; finite points, fewer than 2³⁰ of them.
+/// Requires: 0 < alpha ≤ infinity, a radius; finite points, at most 357,913,941 of them, as
+///           OpenMesh numbers halfedges in int.
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 

@@ -1,6 +1,7 @@
 // What: the arguments of the programs that print tables.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
@@ -15,19 +16,47 @@ namespace rbpa_bench {
 struct Arguments {
   std::size_t points = 1000000;
   int runs = 5;
+  std::vector<unsigned> threads{1, 2};
 };
 
-/// `[--runs=N] [--points=N]`; nothing, and the usage on standard error, when there is anything else.
-inline std::optional<Arguments> parse(int argc, char** argv) {
+/// The number that is the whole of `text`; false when it is none.
+template <typename Number>
+bool read_number(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+/// "1,2"; false when it is not numbers with commas between them.
+inline bool read_threads(std::string_view list, std::vector<unsigned>& threads) {
+  threads.clear();
+  for (bool more = true; more;) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    more = comma < list.size();
+    if (!read_number(list.substr(0, comma), threads.emplace_back())) return false;
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  return true;
+}
+
+/// The text behind `name` in an argument that begins with it.
+inline std::optional<std::string_view> behind(std::string_view given, std::string_view name) {
+  if (!given.starts_with(name)) return std::nullopt;
+  return given.substr(name.size());
+}
+
+/// `[--runs=N] [--points=N]`, and `[--threads=1,2]` for those who have a use for it; nothing, and the usage on standard
+/// error, when there is anything else.
+inline std::optional<Arguments> parse(int argc, char** argv, bool with_threads = false) {
   Arguments arguments;
   for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
-    const auto value = [&](std::string_view name, auto& number) {
-      if (!given.starts_with(name)) return false;
-      const auto [end, error] = std::from_chars(given.data() + name.size(), given.data() + given.size(), number);
-      return error == std::errc{} && end == given.data() + given.size() && number > 0;
+    const auto number = [&](std::string_view name, auto& into) {
+      const auto text = behind(given, name);
+      return text && read_number(*text, into) && into > 0;
     };
-    if (value("--points=", arguments.points) || value("--runs=", arguments.runs)) continue;
-    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N]\n", argv[0]);
+    if (number("--points=", arguments.points) || number("--runs=", arguments.runs)) continue;
+    if (const auto list = behind(given, "--threads="); with_threads && list && read_threads(*list, arguments.threads))
+      continue;
+    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N]%s\n", argv[0], with_threads ? " [--threads=1,2]" : "");
     return std::nullopt;
   }
   return arguments;

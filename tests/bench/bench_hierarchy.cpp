@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/arguments.h"
 #include "bench/contest.h"
 #include "bench/machine.h"
 #include "bench/timings.h"
+#include "bench/workload.h"
 #include "rbpa/hrbpa.h"
 
 namespace rbpa_bench {
@@ -18,15 +18,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::string name(const Workload& workload) { return std::string(workload.name); }
-
 /// Times of each contestant on the same points, in turn, in units of `unit` seconds.
 std::vector<Timings> contest(const rbpa_test::Points& points, double alpha, const std::vector<Contestant>& contestants,
                              int runs, double unit) {
   std::vector<Timings> timings(contestants.size());
   for (int run = 0; run < runs; ++run)
     for (std::size_t i = 0; i < contestants.size(); ++i)
-      timings[i].of.push_back(contestants[i].run(points, alpha).seconds / unit);
+      timings[i].of.push_back(contestants[i].run(points, alpha, nullptr).seconds / unit);
   return timings;
 }
 
@@ -43,9 +41,9 @@ void against_cgal(std::size_t count, int runs) {
   for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar}) {
     const rbpa_test::Points points = workload.make(count);
     const auto size = static_cast<double>(points.size());
-    const auto times = contest(points, infinity, {hrbpa, rbpa_near_to_far, cgal}, runs, 1e-9 * size);
+    const auto times = contest(points, infinity, {hrbpa, rbpa_with(1), cgal_indices}, runs, 1e-9 * size);
     const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, infinity);
-    std::printf("| %s | %zu | %s | %s | %s | %.2f | %.2f | %zu | %.2f |\n", name(workload).c_str(), points.size(),
+    std::printf("| %s | %zu | %s | %s | %s | %.2f | %.2f | %zu | %.2f |\n", workload.name.c_str(), points.size(),
                 times[0].text().c_str(), times[1].text().c_str(), times[2].text().c_str(),
                 times[0].median() / times[2].median(), times[1].median() / times[2].median(), hierarchy.levels.size(),
                 taking_part(hierarchy) / size);
@@ -72,7 +70,7 @@ void against_the_paper(int runs) {
   const double least = rbpa::hrbpa(two_scales, infinity, {.leaf_capacity = few, .progress = {}}).least_radius;
   row("two scales, as figure 9", two_scales, 2 * least, few);
   row("two scales, default leaves", two_scales, 2 * least, rbpa::HierarchyOptions().leaf_capacity);
-  row(name(decades), decades.make(20000), 100, rbpa::HierarchyOptions().leaf_capacity);
+  row(decades.name, decades.make(20000), 100, rbpa::HierarchyOptions().leaf_capacity);
 }
 
 /// A pair at a distance of 10⁻¹² spacings.
@@ -106,7 +104,7 @@ void leaf_capacities(std::size_t count, int runs) {
     for (int run = 0; run < runs; ++run)
       for (std::size_t i = 0; i < capacities.size(); ++i)
         times[i].of.push_back(1e9 * run_hrbpa_with(points, infinity, capacities[i]).seconds / size);
-    std::printf("| %s |", name(workload).c_str());
+    std::printf("| %s |", workload.name.c_str());
     for (std::size_t i = 0; i < capacities.size(); ++i)
       std::printf(" %.0f; %.2f |", times[i].median(),
                   taking_part(rbpa::hrbpa(points, infinity, {.leaf_capacity = capacities[i], .progress = {}})) / size);

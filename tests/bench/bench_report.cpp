@@ -1,83 +1,154 @@
-// A table of rbpa() against CGAL, both run in turn on the same points, as docs/performance.md shows it.
-//   bench_report [--runs=N] [--points=N]      5 runs of each, on 1,000,000 points
+// rbpa() against CGAL and any other program, in turn on the same points, as tables of docs/performance.md: times, memory,
+// and the targets. Standard output is Markdown.
+//   bench_report [--points=N] [--runs=N] [--threads=1,2] [--trap-points=N] [--large] [--check]
+//                [--peer NAME=COMMAND]…
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "bench/arguments.h"
-#include "bench/contest.h"
-#include "bench/machine.h"
-#include "bench/memory.h"
-#include "bench/timings.h"
+#include "bench/measure.h"
+#include "bench/peer.h"
+#include "bench/report_arguments.h"
+#include "bench/tables.h"
+#include "bench/targets.h"
 
 namespace rbpa_bench {
 namespace {
 
-struct Figures {
-  Timings per_point;  ///< nanoseconds
-  std::size_t triangles = 0;
-  std::string bytes_per_point = "?";
+constexpr double infinity = INFINITY;
+
+/// A table of contests to be held.
+struct Plan {
+  std::string heading;
+  std::vector<Contestant> contestants;
+  std::vector<Task> tasks;
+  bool with_memory = false;
+  std::vector<std::optional<double>> bytes = {};  ///< of each contestant of each task
 };
 
-struct Row {
-  Figures ours, peer;
-};
-
-Row contest(const Workload& workload, std::size_t count, double alpha, int runs) {
-  Row row;
-  struct Side {
-    const Contestant& contestant;
-    Figures& figures;
-  };
-  const Side sides[] = {{rbpa_near_to_far, row.ours}, {cgal, row.peer}};
-  for (const Side& side : sides) {  // first, while this process has freed little that a child could be given again
-    rbpa_test::Points points;
-    if (const auto bytes =
-            peak_bytes([&] { points = workload.make(count); }, [&] { side.contestant.run(points, alpha); }))
-      side.figures.bytes_per_point = std::to_string(std::lround(*bytes / static_cast<double>(count)));
+class Report {
+ public:
+  explicit Report(const ReportArguments& arguments) : arguments_(arguments) {
+    for (const unsigned threads : arguments.threads) ours_.push_back(rbpa_with(threads));
+    for (const auto& [name, command] : arguments.peers) peers_.push_back(peer(name, command));
   }
-  const rbpa_test::Points points = workload.make(count);
-  for (int run = 0; run < runs; ++run)
-    for (const Side& side : sides) {
-      const Run result = side.contestant.run(points, alpha);
-      side.figures.per_point.of.push_back(1e9 * result.seconds / static_cast<double>(points.size()));
-      side.figures.triangles = result.triangles;
-    }
-  std::printf("| %s | %zu | %s | %zu | %s | %s | %.2f | %s | %s |\n", std::string(workload.name).c_str(), points.size(),
-              std::isinf(alpha) ? "∞" : std::to_string(std::lround(alpha)).c_str(), row.ours.triangles,
-              row.ours.per_point.text().c_str(), row.peer.per_point.text().c_str(),
-              row.ours.per_point.median() / row.peer.per_point.median(), row.ours.bytes_per_point.c_str(),
-              row.peer.bytes_per_point.c_str());
-  if (row.ours.triangles != row.peer.triangles)
-    std::printf("\n**The triangles differ: CGAL with its rounded filter has %zu.**\n\n", row.peer.triangles);
-  std::fflush(stdout);
-  return row;
-}
 
-void report(std::size_t count, int runs) {
-  std::printf("%s; %s; %s; %s `%s`; one thread, %d runs of each in turn.\n\n", processor().c_str(), memory().c_str(),
-              system().c_str(), compiler().c_str(), compiler_flags().c_str(), runs);
-  std::printf(
-      "Nanoseconds a point: median (min–max). Alpha in mean spacings. Bytes: peak beyond the input, a point.\n\n");
-  std::printf(
-      "| points | number | alpha | triangles | rbpa, ns | CGAL and filter, ns | ratio | rbpa, bytes | CGAL, bytes |\n");
-  std::printf("|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-  for (const Workload& workload : {uniform, jittered, grid}) contest(workload, count, 3, runs);
-  for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
-    contest(workload, count, INFINITY, runs);
-  const double tenth = contest(uniform, count / 10, 3, runs).ours.per_point.median();
-  const double fourfold = contest(uniform, count * 4, 3, runs).ours.per_point.median();
-  std::printf("\nGrowth: %.2f times the time a point at %zu points compared with %zu.\n", fourfold / tenth, count * 4,
-              count / 10);
-}
+  void run() const {
+    print_machine(arguments_.runs);
+    std::printf(
+        "Nanoseconds a point: median (least–most); how many times the median of %s. `in N`: N runs only, as they take "
+        "long.\n\n",
+        ours_[0].name.c_str());
+    std::fflush(stdout);  // or children would have it as well
+    const std::size_t points = arguments_.points;
+    Plan delaunay = without_radius(points), alpha = with_radius(points), few = with_radius_and_few(points / 10);
+    for (Plan* plan : {&delaunay, &few}) weigh_all(*plan);
+
+    Measured measured;
+    measured.delaunay = hold(delaunay);
+    measured.alpha = hold(alpha);
+    hold(few);
+    if (arguments_.trap_points > 0) measured.traps = hold(traps(arguments_.trap_points));
+    measured.sweep = hold(sweep(points));
+    std::printf("### Targets\n\n");
+    print(targets(measured, points));
+  }
+
+ private:
+  std::vector<Contestant> ours_and(std::vector<Contestant> others) const {
+    others.insert(others.begin(), ours_.begin(), ours_.end());
+    return others;
+  }
+
+  /// Peers find all Delaunay triangles, so that they meet the others where there is no radius.
+  Plan without_radius(std::size_t points) const {
+    Plan plan{"Without a radius", ours_and({cgal_points, cgal_indices}), {}, true};
+    plan.contestants.insert(plan.contestants.end(), peers_.begin(), peers_.end());
+    for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
+      plan.tasks.push_back({workload, points, infinity, "∞"});
+    plan.tasks.push_back({uniform, points / 10, infinity, "∞"});
+    if (arguments_.large) plan.tasks.push_back({uniform, 16 * points, infinity, "∞"});
+    return plan;
+  }
+
+  Plan with_radius(std::size_t points) const {
+    return {"With a radius; α in mean spacings",
+            ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_points, cgal_indices}),
+            {{uniform, points, 3, "3"}, {jittered, points, 3, "3"}, {grid, points, 3, "3"}}};
+  }
+
+  Plan with_radius_and_few(std::size_t points) const {
+    return {"With a radius, fewer points",
+            ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_alpha_shape}),
+            {{uniform, points, 3, "3"}},
+            true};
+  }
+
+  Plan traps(std::size_t points) const {
+    const double spacing = spacing_along_curves(curves.make(points));
+    return {"Traps",
+            ours_and({cgal_points_filtered}),
+            {{circle, points, 0.99, "0.99 radii"},
+             {circle, points, 2, "2 radii"},
+             {circle_line_cluster, points, 0.99, "0.99 radii"},
+             {circle_line_cluster, points, 2, "2 radii"},
+             {curves, points, 100 * spacing, "100 spacings"},
+             {concentric, points, 0.07, "0.07 radii"},
+             {concentric, points, 2, "2 radii"}}};
+  }
+
+  Plan sweep(std::size_t points) const {
+    Plan plan{"From one radius to the next; α in mean spacings", ours_and({cgal_points_filtered}), {}};
+    for (const double alpha : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
+      char text[16];
+      std::snprintf(text, sizeof text, "%g", alpha);
+      plan.tasks.push_back({uniform, points, alpha, text});
+    }
+    return plan;
+  }
+
+  static void weigh_all(Plan& plan) {
+    for (const Task& task : plan.tasks)
+      for (const Contestant& contestant : plan.contestants) plan.bytes.push_back(weigh(task, contestant));
+  }
+
+  std::vector<Contest> hold(const Plan& plan) const {
+    std::printf("### %s\n\n", plan.heading.c_str());
+    print_time_head(plan.contestants);
+    std::vector<Contest> contests;
+    std::size_t weighed = 0;
+    for (const Task& task : plan.tasks) {
+      Contest contest = measure(task, plan.contestants, {arguments_.runs, arguments_.check});
+      for (Outcome& outcome : contest.outcomes)
+        if (plan.with_memory)
+          if (const std::optional<double> bytes = plan.bytes[weighed++]) outcome.bytes = bytes;
+      print_time_row(contest);
+      contests.push_back(std::move(contest));
+    }
+    std::printf("\n");
+    print_clocks(contests);
+    if (plan.with_memory) {
+      std::printf("Bytes a point: peak of resident memory beyond the input, in a process of its own.\n\n");
+      print_memory(contests);
+    }
+    return contests;
+  }
+
+  const ReportArguments& arguments_;
+  std::vector<Contestant> ours_, peers_;
+};
 
 }  // namespace
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse(argc, argv);
+  const auto arguments = rbpa_bench::parse_report(argc, argv);
   if (!arguments) return 2;
-  rbpa_bench::report(arguments->points, arguments->runs);
+  std::printf("`bench_report");
+  for (int i = 1; i < argc; ++i) std::printf(" %s", argv[i]);
+  std::printf("`\n\n");
+  rbpa_bench::Report(*arguments).run();
 }

@@ -1,61 +1,75 @@
-// What: what is measured: the contestants, and the points they run on.
-// Law:  on the same points and alpha both contestants find the same number of triangles.
+// What: the contestants: rbpa, hrbpa, CGAL, and what a run of one of them tells.
+// Law:  on the same points and alpha all contestants that take alpha find the same number of triangles.
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <span>
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "rbpa/core/point.h"
 #include "support/triangle.h"
 
 namespace rbpa_bench {
 
-/// One run: from points in memory to the finished result. Freeing the result and what led to it is not counted.
+using Triangles = std::vector<rbpa_test::Triangle>;
+
+/// Whose clock a time is from.
+enum class Clock {
+  here,     ///< this process: from points in memory to the finished result; freeing it is not counted
+  peer,     ///< another program's own
+  process,  ///< from the start to the end of another program, its files included
+};
+
 struct Run {
   double seconds;
   std::size_t triangles;
+  Clock clock = Clock::here;
+  std::optional<double> process_bytes = {};  ///< the peak of another program, all of it
 };
 
+/// Somebody who makes triangles of points.
 struct Contestant {
-  std::string_view name;
-  Run (*run)(std::span<const rbpa::Point> points, double alpha);
+  std::string name;
+  /// Where the result is a list of input indices, or can be turned into one when time is up, it is left in `list`
+  /// unless that is null. Throws std::runtime_error where there is no result.
+  std::function<Run(std::span<const rbpa::Point> points, double alpha, Triangles* list)> run;
+  bool takes_alpha = true;  ///< if not, all Delaunay triangles are found whatever alpha is
+  bool is_program = false;  ///< another program, which tells of its memory by itself
 };
 
-/// rbpa::rbpa(): a halfedge mesh with input indices.
-Run run_rbpa(std::span<const rbpa::Point> points, double alpha);
-
-/// rbpa::hrbpa(): the same mesh, from the bottom up.
-Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
-Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
+/// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
+Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
 /// The same by the paper's grid.
 Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha);
 
-/// CGAL's Delaunay triangulation with input indices, filtered by circumradius in plain double arithmetic, to a list of
-/// index triples.
-Run run_cgal(std::span<const rbpa::Point> points, double alpha);
+/// rbpa::hrbpa(): the same mesh, from the bottom up, with one thread.
+Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
+Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
 
-inline constexpr Contestant rbpa_near_to_far{"rbpa", run_rbpa};
-inline constexpr Contestant hrbpa{"hrbpa", run_hrbpa};
-inline constexpr Contestant rbpa_paper_grid{"rbpa_paper_grid", run_rbpa_paper_grid};
-inline constexpr Contestant cgal{"cgal", run_cgal};
+/// Whether triangles are left out by their circumradius, in plain double arithmetic.
+enum class Filter { none, circumradius };
 
-/// A kind of point set; of mean spacing 1 where it is even.
-struct Workload {
-  std::string_view name;
-  rbpa_test::Points (*make)(std::size_t count);
-};
+/// CGAL's Delaunay triangulation with input indices, to a list of index triples.
+Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list = nullptr);
 
-extern const Workload uniform;
-extern const Workload jittered;  ///< a grid whose points are moved by up to 0.45 of its pitch in either direction
-extern const Workload grid;
-extern const Workload clusters;  ///< a hundred Gaussian clusters of equal number whose widths span three decades
-extern const Workload kuzmin;    ///< a heavy centre: density falls with the third power of the distance
-extern const Workload lidar;     ///< scan lines at map coordinates, quantised to a hundredth
-extern const Workload decades;   ///< spacing grows with the distance from the centre, from 1 to 1000
+/// CGAL's best case: its triangulation of a range of its own points, which it sorts, without indices. The result is the
+/// triangulation itself, or with a filter a list of its faces.
+Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter filter);
 
-/// Half of the points lie twice as dense as the others, as in the paper's figure 9.
-rbpa_test::Points two_level_sampling(std::size_t count);
+/// CGAL's Alpha_shape_2: the faces that it classifies as interior at alpha.
+Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha);
+
+Contestant rbpa_with(unsigned threads);
+extern const Contestant rbpa_paper_grid;
+extern const Contestant hrbpa;
+extern const Contestant cgal_indices;  ///< without a filter
+extern const Contestant cgal_indices_filtered;
+extern const Contestant cgal_points;  ///< without a filter
+extern const Contestant cgal_points_filtered;
+extern const Contestant cgal_alpha_shape;
 
 }  // namespace rbpa_bench

@@ -1,3 +1,6 @@
+#include <CGAL/Alpha_shape_2.h>
+#include <CGAL/Alpha_shape_face_base_2.h>
+#include <CGAL/Alpha_shape_vertex_base_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -5,7 +8,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <utility>
@@ -17,45 +20,89 @@ namespace rbpa_bench {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using Storage = CGAL::Triangulation_data_structure_2<VertexBase, CGAL::Triangulation_face_base_2<Kernel>>;
-using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, Storage>;
-using IndexedPoint = std::pair<Kernel::Point_2, std::uint32_t>;
+using Point = Kernel::Point_2;
+using PlainDelaunay = CGAL::Delaunay_triangulation_2<Kernel>;
+
+using IndexedVertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+using IndexedStorage = CGAL::Triangulation_data_structure_2<IndexedVertex, CGAL::Triangulation_face_base_2<Kernel>>;
+using IndexedDelaunay = CGAL::Delaunay_triangulation_2<Kernel, IndexedStorage>;
+using IndexedPoint = std::pair<Point, std::uint32_t>;
 using SortTraits = CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<IndexedPoint>>;
 
-bool circumradius_at_most(const Kernel::Point_2& a, const Kernel::Point_2& b, const Kernel::Point_2& c, double alpha) {
+using AlphaStorage = CGAL::Triangulation_data_structure_2<CGAL::Alpha_shape_vertex_base_2<Kernel>,
+                                                          CGAL::Alpha_shape_face_base_2<Kernel>>;
+using AlphaShape = CGAL::Alpha_shape_2<CGAL::Delaunay_triangulation_2<Kernel, AlphaStorage>>;
+
+bool circumradius_at_most(const Point& a, const Point& b, const Point& c, double alpha) {
   const double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
   const double wx = vx - ux, wy = vy - uy, cross = ux * vy - uy * vx;
   return (ux * ux + uy * uy) * (vx * vx + vy * vy) * (wx * wx + wy * wy) <= 4 * alpha * alpha * cross * cross;
 }
 
+template <typename Face>
+bool passes(const Face& face, double alpha, Filter filter) {
+  return filter == Filter::none ||
+         circumradius_at_most(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(), alpha);
+}
+
+std::vector<Point> as_points(std::span<const rbpa::Point> points) {
+  std::vector<Point> all;
+  all.reserve(points.size());
+  for (const rbpa::Point& p : points) all.emplace_back(p.x, p.y);
+  return all;
+}
+
+using Time = std::chrono::steady_clock;
+double since(Time::time_point start) { return std::chrono::duration<double>(Time::now() - start).count(); }
+
 }  // namespace
 
-Run run_cgal(std::span<const rbpa::Point> points, double alpha) {
-  const auto start = std::chrono::steady_clock::now();
+Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list) {
+  const auto start = Time::now();
   std::vector<IndexedPoint> indexed;
   indexed.reserve(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) indexed.push_back({Kernel::Point_2(points[i].x, points[i].y), i});
+  for (std::uint32_t i = 0; i < points.size(); ++i) indexed.push_back({Point(points[i].x, points[i].y), i});
   // Pairs sorted in place and inserted one after the other are a quarter faster than insert(first, last), which sorts
   // indices; CGAL's other policy of the Hilbert curve is slower than this one on grids.
   CGAL::spatial_sort(indexed.begin(), indexed.end(), SortTraits());
-  Delaunay triangulation;
-  Delaunay::Face_handle near = nullptr;
+  IndexedDelaunay triangulation;
+  IndexedDelaunay::Face_handle near = nullptr;
   for (const auto& [point, index] : indexed) {
-    const Delaunay::Vertex_handle vertex = triangulation.insert(point, near);
+    const IndexedDelaunay::Vertex_handle vertex = triangulation.insert(point, near);
     vertex->info() = index;
     near = vertex->face();
   }
 
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Triangles triangles;
   triangles.reserve(triangulation.number_of_faces());
-  for (const auto face : triangulation.finite_face_handles()) {
-    const auto a = face->vertex(0), b = face->vertex(1), c = face->vertex(2);
-    if (circumradius_at_most(a->point(), b->point(), c->point(), alpha))
-      triangles.push_back({a->info(), b->info(), c->info()});
-  }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return {seconds.count(), triangles.size()};
+  for (const auto face : triangulation.finite_face_handles())
+    if (passes(face, alpha, filter))
+      triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  const Run run{since(start), triangles.size()};
+  if (list) *list = std::move(triangles);
+  return run;
+}
+
+Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter filter) {
+  const std::vector<Point> own = as_points(points);
+  const auto start = Time::now();
+  const PlainDelaunay triangulation(own.begin(), own.end());
+  if (filter == Filter::none) return {since(start), triangulation.number_of_faces()};
+  std::vector<PlainDelaunay::Face_handle> faces;
+  faces.reserve(triangulation.number_of_faces());
+  for (const auto face : triangulation.finite_face_handles())
+    if (passes(face, alpha, filter)) faces.push_back(face);
+  return {since(start), faces.size()};
+}
+
+Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha) {
+  const std::vector<Point> own = as_points(points);
+  const auto start = Time::now();
+  const AlphaShape shape(own.begin(), own.end(), alpha * alpha, AlphaShape::GENERAL);
+  std::size_t interior = 0;
+  for (const auto face : shape.finite_face_handles())
+    if (shape.classify(face) == AlphaShape::INTERIOR) ++interior;
+  return {since(start), interior};
 }
 
 }  // namespace rbpa_bench

@@ -38,6 +38,8 @@ std::optional<double> measure(const std::function<void()>& prepare, const std::f
 
 }  // namespace
 
+std::optional<double> resident_bytes() { return status_bytes("VmRSS"); }
+
 std::optional<double> peak_bytes(const std::function<void()>& prepare, const std::function<void()>& work) {
   int ends[2];
   if (pipe(ends) != 0) return std::nullopt;

@@ -10,4 +10,7 @@ namespace rbpa_bench {
 /// what it was in between. Absent where the child fails or the system does not tell.
 std::optional<double> peak_bytes(const std::function<void()>& prepare, const std::function<void()>& work);
 
+/// Resident memory of this process now. Absent where the system does not tell.
+std::optional<double> resident_bytes();
+
 }  // namespace rbpa_bench

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace rbpa_bench {
 struct Timings {
   std::vector<double> of;  ///< each run, in one unit
 
+  double sum() const { return std::accumulate(of.begin(), of.end(), 0.0); }
   double median() const {
     std::vector<double> sorted = of;
     std::sort(sorted.begin(), sorted.end());

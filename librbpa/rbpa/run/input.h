@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -16,7 +18,14 @@ namespace rbpa {
 /// The shortest text that reads back to the number.
 std::string text(double value);
 
-/// Requires: 0 < alpha ≤ infinity; finite points, fewer than 2³⁰ of them. Throws InvalidInput naming what is not.
+/// OpenMesh numbers halfedges in int, and a triangulation of n points has fewer than 6n of them.
+inline constexpr std::size_t most_points = std::numeric_limits<int>::max() / 6;
+static_assert(most_points == 357'913'941);
+
+/// Throws InvalidInput when there are more than `most_points`.
+void check_number(std::size_t points);
+
+/// Requires: 0 < alpha ≤ infinity; finite points, at most `most_points`. Throws InvalidInput naming what is not.
 void check(std::span<const Point> points, double alpha);
 
 /// Threads for a run on so many points: few are done before another thread has woken.

@@ -1,0 +1,79 @@
+// How much tiles tell: the figures of docs/tiles.md, section 6, as a Markdown table.
+//   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
+#include <cstdio>
+#include <limits>
+
+#include "bench/arguments.h"
+#include "bench/workload.h"
+#include "rbpa/pivot/radius.h"
+#include "rbpa/rbpa.h"
+#include "rbpa/search/point_grid.h"
+#include "rbpa/tile/for_each_tile.h"
+
+namespace rbpa_bench {
+namespace {
+
+struct Told {
+  std::size_t tiles = 0, triangles = 0, known = 0;
+};
+
+Told told_by_tiles(const rbpa::PointGrid<double>& grid, double alpha) {
+  Told told;
+  const auto count = [&](const rbpa::TileTriangles& tile) {
+    ++told.tiles;
+    told.triangles += tile.patch.triangles.size();
+    told.known += tile.known.size();
+  };
+  rbpa::Threads threads;
+  rbpa::for_each_tile(grid, alpha < std::numeric_limits<double>::infinity() ? rbpa::Radius(alpha) : rbpa::Radius(),
+                      threads, count);
+  return told;
+}
+
+/// Points of all tiles, those around their own included.
+std::size_t points_of_tiles(const rbpa::PointGrid<double>& grid, std::uint32_t points_per_tile) {
+  rbpa::Cutter cutter(grid);
+  rbpa::Tile tile;
+  std::size_t points = 0;
+  for (const rbpa::Block& block : rbpa::blocks(grid, points_per_tile)) {
+    cutter.cut(block, tile);
+    points += tile.points.size();
+  }
+  return points;
+}
+
+void print_row(const std::string& set, const rbpa_test::Points& points, double alpha, const char* alpha_text) {
+  const rbpa::PointGrid<double> grid(points);
+  const Told told = told_by_tiles(grid, alpha);
+  const std::size_t triangles = rbpa::rbpa(points, alpha).mesh.n_faces();
+  const auto distinct = static_cast<double>(grid.points().size());
+  std::printf("| %s | %zu | %s | %zu | %zu | %.2f | %zu | %.2f | %.2f | %.2f |\n", set.c_str(), points.size(),
+              alpha_text, triangles, told.tiles,
+              100 * static_cast<double>(told.triangles) / static_cast<double>(triangles), triangles - told.triangles,
+              100 * static_cast<double>(told.known) / distinct,
+              static_cast<double>(points_of_tiles(grid, 2048)) / distinct,
+              static_cast<double>(points_of_tiles(grid, 1024)) / distinct);
+  std::fflush(stdout);
+}
+
+void report(std::size_t count) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
+  std::printf(
+      "| points | number | α | triangles | tiles | told by tiles, %% | left over | known points, %% | of tiles, 2048 | "
+      "1024 |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
+    print_row(workload.name, workload.make(count), infinity, "∞");
+  for (const Workload& trap : {circle_line_cluster, concentric, curves})
+    print_row(trap.name, trap.make(count / 10), infinity, "∞");
+  print_row(uniform.name, uniform.make(count), 3, "3");
+}
+
+}  // namespace
+}  // namespace rbpa_bench
+
+int main(int argc, char** argv) {
+  const auto arguments = rbpa_bench::parse(argc, argv);
+  if (!arguments) return 2;
+  rbpa_bench::report(arguments->points);
+}

@@ -1,0 +1,21 @@
+// What: any program as a contestant. Its command is run by the shell with two file names behind it: points to read, as
+//       native float64 pairs x y x y …, and triangles to write, as native uint32 triples of indices into them.
+// Law:  a peer that fails is said to have failed, and how; it is never left out. It finds all Delaunay triangles.
+// Time: what it says in a line `seconds VALUE` on standard error, or else of its whole process, files included.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "bench/contest.h"
+
+namespace rbpa_bench {
+
+/// One run of a command. What it writes on standard output is dropped.
+/// Throws std::runtime_error: it ended with a code or a signal, wrote no triangles or part of one, named a point that is
+/// not there, or its line of seconds is not a number.
+Run run_peer(const std::string& command, std::span<const rbpa::Point> points, Triangles* list = nullptr);
+
+Contestant peer(const std::string& name, const std::string& command);
+
+}  // namespace rbpa_bench

@@ -1,0 +1,27 @@
+// What: what bench_report is asked for on its command line.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rbpa_bench {
+
+struct ReportArguments {
+  struct Peer {
+    std::string name, command;
+  };
+  std::size_t points = 1000000;
+  std::size_t trap_points = 100000;  ///< 0 for no traps
+  int runs = 5;
+  std::vector<unsigned> threads{1, 2};  ///< the first is the reference for all others
+  std::vector<Peer> peers;
+  bool check = false;  ///< compare sets of triangles, not only their numbers
+  bool large = false;  ///< sixteen times the points as well
+};
+
+/// Absent, and the usage on standard error, when there is anything else.
+std::optional<ReportArguments> parse_report(int argc, char** argv);
+
+}  // namespace rbpa_bench

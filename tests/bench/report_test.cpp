@@ -1,0 +1,62 @@
+#include <doctest/doctest.h>
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <string>
+
+namespace {
+
+struct Report {
+  int code;
+  std::string text;  ///< standard output and standard error
+};
+
+Report report(const std::string& arguments) {
+  FILE* const pipe = popen(("'" RBPA_BENCH_REPORT "' " + arguments + " 2>&1").c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string text;
+  char part[4096];
+  for (std::size_t size; (size = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, size);
+  return {WEXITSTATUS(pclose(pipe)), text};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+constexpr std::size_t contests = 7;  // six sets of points, and one of them smaller, without a radius
+
+}  // namespace
+
+TEST_CASE("a report has peers that are right, wrong and failing in every contest without a radius") {
+  const std::string none = "sh -c \": >\\\"\\$2\\\"\" peer";  // no triangles
+  const Report all = report(
+      "--points=200 --runs=1 --trap-points=100 --check --peer 'right=" RBPA_EXAMPLE_PEER "' --peer 'none=" + none +
+      "' --peer='failing=sh -c \"echo no memory >&2; exit 3\"'");
+  CHECK(all.code == 0);
+  CHECK(all.text.find("| CGAL indices | right | none | failing |") != std::string::npos);
+  CHECK(count(all.text, "**wrong**: 0 triangles, expected ") == contests);
+  CHECK(count(all.text, "**wrong**") == contests);
+  CHECK(count(all.text, "**failed**: ended with 3: no memory") == contests);
+  CHECK(all.text.find("right: another program; time as it says itself") != std::string::npos);
+  CHECK(all.text.find("none: another program; time of its whole process") != std::string::npos);
+}
+
+TEST_CASE("a report ends with the targets, which say what was not measured") {
+  const Report all = report("--points=200 --runs=1 --trap-points=0");
+  CHECK(all.code == 0);
+  CHECK(all.text.find("| uniform 200, α = ∞: CGAL points / rbpa ≥ 2 | ") != std::string::npos);
+  CHECK(all.text.find("| uniform, α = ∞, a point: at 3200 / at 20 ≤ 1.35 | – | not measured |") != std::string::npos);
+}
+
+TEST_CASE("an argument that is none is refused with the usage") {
+  for (const char* argument : {"--points=ten", "--points=10", "--runs=0", "--threads=1,", "--threads=", "--peer=name",
+                               "--peer", "--peer==command", "--quick"}) {
+    CAPTURE(argument);
+    const Report refused = report(argument);
+    CHECK(refused.code == 2);
+    CHECK(refused.text.find(std::string("found '") + argument + "'\nusage: ") != std::string::npos);
+  }
+}

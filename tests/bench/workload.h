@@ -1,0 +1,41 @@
+// What: the points that contests run on: even and uneven sets, and traps in which a search or a predicate can sink.
+// Law:  a function of the number of points alone; seeds are fixed.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "support/triangle.h"
+
+namespace rbpa_bench {
+
+/// A kind of point set; of mean spacing 1 where it is even.
+struct Workload {
+  std::string name;
+  rbpa_test::Points (*make)(std::size_t count);  ///< about so many points
+};
+
+extern const Workload uniform;
+extern const Workload jittered;  ///< a grid whose points are moved by up to 0.45 of its pitch in either direction
+extern const Workload grid;
+extern const Workload clusters;  ///< a hundred Gaussian clusters of equal number whose widths span three decades
+extern const Workload kuzmin;    ///< a heavy centre: density falls with the third power of the distance
+extern const Workload lidar;     ///< scan lines at map coordinates, quantised to a hundredth
+extern const Workload decades;   ///< spacing grows with the distance from the centre, from 1 to 1000
+
+/// Traps, of radius 1 where they are round.
+extern const Workload circle;               ///< rounded: cocircular but for the last bits
+extern const Workload circle_line_cluster;  ///< a third on a circle, on a line across it, in a square of side 10⁻¹²
+extern const Workload curves;               ///< along a parabola, a cubic and a rational circle
+extern const Workload concentric;           ///< ten circles around one centre
+
+/// The mean distance of neighbours along `curves`.
+double spacing_along_curves(const rbpa_test::Points& points);
+
+/// A hundred Gaussian clusters of equal number whose widths span so many decades.
+rbpa_test::Points gaussian_clusters(std::size_t count, double width_decades);
+
+/// Half of the points lie twice as dense as the others, as in the paper's figure 9.
+rbpa_test::Points two_level_sampling(std::size_t count);
+
+}  // namespace rbpa_bench
