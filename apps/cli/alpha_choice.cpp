@@ -56,10 +56,10 @@ const char* name_of(AlphaRule rule) {
   return "given";
 }
 
-std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, bool quiet) {
+std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
-  const SolidAlphaComplex delaunay = build(points, infinity, {}, quiet);
-  ProgressLine line(!quiet);
+  const SolidAlphaComplex delaunay = build(points, infinity, run);
+  ProgressLine line(!run.quiet);
   const Filtration all = filtration(delaunay, points, line.watch("choosing alpha"));
   return choice.rule == AlphaRule::least ? smallest_covering(all) : smallest_covering(all, choice.most_components);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run_options.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::app {
@@ -32,8 +33,8 @@ AlphaChoice parse_alpha(const std::string& text, std::optional<long> components)
 const char* name_of(AlphaRule rule);
 
 /// The radius that the rule chooses; nothing when none covers the points, which have no triangle then at any radius.
-/// A rule that asks the points triangulates them, with a progress line unless `quiet`. Throws Cancelled after a signal.
-std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, bool quiet);
+/// A rule that asks the points triangulates them, with a progress line unless quiet. Throws Cancelled after a signal.
+std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run);
 
 /// ", alpha auto = 0.25" for a summary, in digits that read back to the radius; "" where the command line has given it.
 std::string said(const AlphaChoice& choice, std::optional<double> alpha);

@@ -44,11 +44,11 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
 }
 
 Report examine(const std::vector<Point>& points, std::size_t most_components, const AlphaArguments& arguments,
-               ComplexKind kind) {
-  const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), {}, arguments.quiet);
+               ComplexKind kind, const RunOptions& run) {
+  const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
   Report report{.points = points.size(), .most_components = most_components};
   {
-    ProgressLine line(!arguments.quiet);
+    ProgressLine line(!run.quiet);
     const std::string doing = "radii of " + counted(delaunay.mesh.n_faces(), "triangle");
     report.filtration = filtration(delaunay, points, line.watch(doing));
   }
@@ -56,7 +56,7 @@ Report examine(const std::vector<Point>& points, std::size_t most_components, co
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);
   if (arguments.persistence || arguments.picture) {
-    ProgressLine line(!arguments.quiet);
+    ProgressLine line(!run.quiet);
     report.pairs = persistence(delaunay, points, report.filtration, kind, line.watch("persistence"));
   }
   return report;
@@ -209,6 +209,7 @@ void write(OutputFile& out, const Report& report, const AlphaArguments& argument
 void run_alpha(const AlphaArguments& arguments) {
   const ComplexKind kind = parse_complex(arguments);
   const std::size_t most_components = parse_components(arguments.components);
+  const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)
     throw WrongUsage(*arguments.picture + ": found the ending " + in_quotes(ending(*arguments.picture)) +
@@ -220,7 +221,7 @@ void run_alpha(const AlphaArguments& arguments) {
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   Stats stats{.read_seconds = watch.lap()};
-  Report report = examine(points, most_components, arguments, kind);
+  Report report = examine(points, most_components, arguments, kind, run);
   stats.build_seconds = watch.lap();
 
   // What cannot be written is found out before anything is said on standard output.
@@ -236,6 +237,7 @@ void run_alpha(const AlphaArguments& arguments) {
   stats.write_seconds = watch.lap();
   if (stats_file) {
     stats.points = points.size();
+    stats.threads = threads_used(points.size(), run.threads);
     stats.distinct = report.filtration.distinct;
     write_stats(*stats_file, stats);
     stats_file->finish();

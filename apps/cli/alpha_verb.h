@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/pixel_arguments.h"
+#include "cli/run_options.h"
 
 namespace rbpa::app {
 
@@ -20,7 +21,7 @@ struct AlphaArguments {
   bool csv = false;
   bool persistence = false;
   std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
-  bool quiet = false;
+  RunArguments run;
 };
 
 /// Prints to standard output. Throws as run_mesh() does.

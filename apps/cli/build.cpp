@@ -5,10 +5,9 @@
 
 namespace rbpa::app {
 
-SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Options options, bool quiet) {
-  ProgressLine line(!quiet);
-  options.progress = line.watch();
-  return rbpa(points, alpha, options);
+SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run, Search search) {
+  ProgressLine line(!run.quiet);
+  return rbpa(points, alpha, {.search = search, .threads = run.threads, .progress = line.watch()});
 }
 
 std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "cli/run_options.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::app {
 
-/// rbpa() with a progress line unless `quiet`. Throws Cancelled after a signal.
-SolidAlphaComplex build(const std::vector<Point>& points, double alpha, Options options, bool quiet);
+/// rbpa() with a progress line unless quiet. Throws Cancelled after a signal.
+SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run,
+                        Search search = Search::near_to_far);
 
 /// Why the complex of these points has no triangle. `alpha` as the user wrote it.
 std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha);

@@ -9,6 +9,7 @@
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
 #include "cli/narrow_help.h"
+#include "cli/run_options.h"
 #include "cli/shape_verb.h"
 #include "io/exit_code.h"
 #include "io/failure.h"
@@ -67,6 +68,13 @@ void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view f
       ->type_name("NAME");
 }
 
+void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& quiet) {
+  verb.add_option("--threads", arguments.threads,
+                  "Threads for the triangulation, at most; all processors by default; the result is the same")
+      ->type_name("N");
+  verb.add_flag("-q,--quiet", arguments.quiet, quiet);
+}
+
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_point_options(verb, arguments);
@@ -82,7 +90,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
                   "standard output")
       ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
-  verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
@@ -108,7 +116,7 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
       ->type_name("NAME");
   verb.add_option("-o,--output", arguments.picture, "Picture to write, .svg: the counts against alpha, and the persistence")
       ->type_name("OUT");
-  verb.add_flag("-q,--quiet", arguments.quiet, "No progress");
+  add_run_options(verb, arguments.run, "No progress");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
       "are "
@@ -132,7 +140,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       ->type_name("A")
       ->capture_default_str();
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
-  verb.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
       "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"

@@ -68,6 +68,7 @@ std::vector<std::string> reports(const MeshArguments& arguments) {
 void run_mesh(const MeshArguments& arguments) {
   const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
   const Method method = parse_method(arguments.method);
+  const RunOptions run = parse_run(arguments.run);
   std::optional<LevelFormat> levels;
   if (arguments.levels) levels = parse_levels(*arguments.levels, method);
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
@@ -79,11 +80,11 @@ void run_mesh(const MeshArguments& arguments) {
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
-  stats.alpha = choose_alpha(choice, points, arguments.quiet);
+  stats.alpha = choose_alpha(choice, points, run);
   if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
   // Points without such a radius have no triangle at any.
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
-  const Hierarchy hierarchy = build(points, alpha, method, arguments.quiet);
+  const Hierarchy hierarchy = build(points, alpha, method, run);
   const SolidAlphaComplex& complex = hierarchy.complex;
   stats.build_seconds = watch.lap();
 
@@ -93,6 +94,7 @@ void run_mesh(const MeshArguments& arguments) {
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
     stats.points = points.size();
+    stats.threads = threads_used(points.size(), run.threads);
     stats.distinct = complex.distinct;
     stats.isolated = complex.isolated.size();
     stats.counts = count(complex);
@@ -107,7 +109,7 @@ void run_mesh(const MeshArguments& arguments) {
     const std::string reason = reason_for_empty(points, complex.distinct, arguments.alpha);
     std::fprintf(stderr, "rbpa: the complex is empty: %s\n", reason.c_str());
   }
-  if (!arguments.quiet) {
+  if (!run.quiet) {
     const std::string chosen_alpha = said(choice, stats.alpha);
     std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, chosen_alpha, targets).c_str());
   }

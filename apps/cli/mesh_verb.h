@@ -7,6 +7,7 @@
 
 #include "cli/method.h"
 #include "cli/pixel_arguments.h"
+#include "cli/run_options.h"
 #include "io/columns.h"
 #include "io/formats.h"
 #include "rbpa/rbpa.h"
@@ -28,7 +29,7 @@ struct MeshArguments {
   MethodArguments method;
   int width = 1200;
   bool compact = false;
-  bool quiet = false;
+  RunArguments run;
 };
 
 /// Throws WrongUsage before anything is read; BadInput, Failure, Cancelled. No file is left behind then.

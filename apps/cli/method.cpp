@@ -34,11 +34,11 @@ Method parse_method(const MethodArguments& arguments) {
   return method;
 }
 
-Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, bool quiet) {
-  if (!method.leaf_capacity)
-    return {.complex = build(points, alpha, Options{.search = method.search, .progress = {}}, quiet), .levels = {}};
-  ProgressLine line(!quiet);
-  return hrbpa(points, alpha, {.leaf_capacity = *method.leaf_capacity, .progress = line.watch()});
+Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run) {
+  if (!method.leaf_capacity) return {.complex = build(points, alpha, run, method.search), .levels = {}};
+  ProgressLine line(!run.quiet);
+  return hrbpa(points, alpha,
+               {.leaf_capacity = *method.leaf_capacity, .threads = run.threads, .progress = line.watch()});
 }
 
 }  // namespace rbpa::app

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run_options.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
 
@@ -30,8 +31,7 @@ struct Method {
 /// Throws WrongUsage naming the value: one that is none, or one that is about another method.
 Method parse_method(const MethodArguments& arguments);
 
-/// The complex with a progress line unless `quiet`; with levels where the method has them. Throws Cancelled after a
-/// signal.
-Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, bool quiet);
+/// The complex with a progress line unless quiet; with levels where the method has them. Throws Cancelled after a signal.
+Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run);
 
 }  // namespace rbpa::app

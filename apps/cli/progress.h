@@ -18,7 +18,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// For a run to call: shows how far it is, and says to stop after a signal. Must not outlive this line.
+  /// For a run to call, one call at a time from any of its threads: shows how far it is, and says to stop after a
+  /// signal. Must not outlive this line.
   std::function<bool(const Progress&)> watch();
   /// The same for what tells no numbers: "doing, 3 s".
   std::function<bool()> watch(std::string doing);

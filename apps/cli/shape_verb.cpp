@@ -65,6 +65,7 @@ std::string summary(std::size_t points, const SolidAlphaComplex& complex, std::s
 void run_shape(const ShapeArguments& arguments) {
   const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
   const Method method = parse_method(arguments.method);
+  const RunOptions run = parse_run(arguments.run);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
@@ -78,11 +79,11 @@ void run_shape(const ShapeArguments& arguments) {
   Stopwatch watch;
   const std::vector<Point> points = read_points(source);
   stats.read_seconds = watch.lap();
-  stats.alpha = choose_alpha(choice, points, arguments.quiet);
+  stats.alpha = choose_alpha(choice, points, run);
   if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
   // Points without such a radius have no triangle at any.
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
-  const SolidAlphaComplex complex = build(points, alpha, method, arguments.quiet).complex;
+  const SolidAlphaComplex complex = build(points, alpha, method, run).complex;
   stop_if_interrupted();
   const std::vector<Polygon> shape = polygons(complex, filter);
   const PolygonTotals totals = total(shape);
@@ -93,6 +94,7 @@ void run_shape(const ShapeArguments& arguments) {
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
     stats.points = points.size();
+    stats.threads = threads_used(points.size(), run.threads);
     stats.distinct = complex.distinct;
     stats.isolated = complex.isolated.size();
     stats.counts = count(complex);
@@ -109,7 +111,7 @@ void run_shape(const ShapeArguments& arguments) {
     const std::string reason = reason_for_no_polygon(points, complex, arguments);
     std::fprintf(stderr, "rbpa: the shape is empty: %s\n", reason.c_str());
   }
-  if (!arguments.quiet) {
+  if (!run.quiet) {
     const std::string chosen_alpha = said(choice, stats.alpha);
     std::fprintf(stderr, "rbpa: %s\n",
                  summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets).c_str());

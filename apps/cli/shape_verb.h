@@ -7,6 +7,7 @@
 
 #include "cli/method.h"
 #include "cli/pixel_arguments.h"
+#include "cli/run_options.h"
 
 namespace rbpa::app {
 
@@ -25,7 +26,7 @@ struct ShapeArguments {
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
   int width = 1200;
-  bool quiet = false;
+  RunArguments run;
 };
 
 /// Throws WrongUsage before anything is read; BadInput, Failure, Cancelled. No file is left behind then.

@@ -42,7 +42,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
                  {"alpha", alpha},
                  {"alpha_rule", or_null(stats.alpha_rule)},
                  {"method", stats.counts ? Json(stats.method) : Json(nullptr)},
-                 {"threads", 1}};
+                 {"threads", stats.threads}};
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;
     report["polygon_holes"] = stats.of_polygons.holes;

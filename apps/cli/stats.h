@@ -15,6 +15,7 @@ namespace rbpa::app {
 struct Stats {
   std::size_t points = 0;
   std::size_t distinct = 0;
+  unsigned threads = 1;  ///< that may have worked
   /// What a verb does not compute is null in the report.
   std::optional<double> alpha = std::nullopt;
   std::optional<std::string> alpha_rule = std::nullopt;

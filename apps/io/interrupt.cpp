@@ -1,5 +1,6 @@
 #include "io/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 #include "rbpa/core/error.h"
@@ -7,13 +8,15 @@
 namespace rbpa::app {
 namespace {
 
-volatile std::sig_atomic_t signal_came = 0;
+// Set in one thread and asked in any: beyond what sig_atomic_t promises.
+std::atomic<bool> signal_came = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "else no handler may set it");
 
 }  // namespace
 
 void catch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = [](int) { signal_came = 1; };
+  action.sa_handler = [](int) { signal_came = true; };
   sigemptyset(&action.sa_mask);
   action.sa_flags = 0;  // no SA_RESTART: a read or write that waits must return
   sigaction(SIGINT, &action, nullptr);
@@ -22,7 +25,7 @@ void catch_interrupts() {
   sigaction(SIGPIPE, &action, nullptr);
 }
 
-bool interrupted() { return signal_came != 0; }
+bool interrupted() { return signal_came; }
 
 void stop_if_interrupted() {
   if (interrupted()) throw Cancelled();

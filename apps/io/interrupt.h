@@ -6,6 +6,7 @@ namespace rbpa::app {
 /// From now on SIGINT and SIGTERM only set a flag, and a pipe closed by its reader is an error of write().
 void catch_interrupts();
 
+/// In any thread.
 bool interrupted();
 
 /// Throws Cancelled once a signal has come. Cost: a load.

@@ -91,4 +91,8 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   return complex;
 }
 
+unsigned threads_used(std::size_t points, unsigned wanted) {
+  return static_cast<unsigned>(threads_for(points, wanted).count());
+}
+
 }  // namespace rbpa

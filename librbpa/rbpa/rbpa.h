@@ -6,6 +6,7 @@
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3 and 4 (Theorem 1).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 
@@ -38,5 +39,9 @@ struct Options {
 ///           OpenMesh numbers halfedges in int.
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
+
+/// Returns: how many threads a run on so many points may use that is given `wanted` of them, here or in hrbpa.h: no more
+///          than there are processors, and one for a few points.
+RBPA_API unsigned threads_used(std::size_t points, unsigned wanted);
 
 }  // namespace rbpa

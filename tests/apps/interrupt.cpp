@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -90,6 +91,37 @@ TEST_CASE("a signal while points are read, and one while triangles are made, by 
               send(pipe, chunk);
             }
           });
+}
+
+TEST_CASE("a signal while the output waits for who reads it, after several threads have worked") {
+  const Folder folder;
+  std::string points(1 << 20, '\0');
+  unsigned state = 1;
+  double* values = reinterpret_cast<double*>(points.data());
+  for (std::size_t i = 0; i < points.size() / sizeof(double); ++i) values[i] = state = state * 1664525u + 1013904223u;
+  folder.file("p.f64xy", points);
+  REQUIRE(mkfifo(folder.path("pipe.off").c_str(), 0600) == 0);
+  for (const int sig : {SIGINT, SIGTERM}) {
+    const pid_t child =
+        start({RBPA_PROGRAM, "mesh", folder.path("p.f64xy"), "--alpha", "inf", "-o", folder.path("pipe.off")});
+    const int pipe = open(folder.path("pipe.off").c_str(), O_RDONLY);
+    REQUIRE(pipe >= 0);
+    // As long as bytes come in, the pipe is not full.
+    for (int before = -1, now = 0; now != before; usleep(50'000)) {
+      before = now;
+      REQUIRE(ioctl(pipe, FIONREAD, &now) == 0);
+      if (now == 0) before = -1;
+    }
+    // Once more, should the program have been about to wait.
+    int status = 0;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+      REQUIRE(kill(child, sig) == 0);
+      usleep(50'000);
+    }
+    CHECK(WEXITSTATUS(status) == 130);
+    close(pipe);
+  }
+  CHECK(folder.names() == std::vector<std::string>{"p.f64xy", "pipe.off"});
 }
 
 TEST_CASE("a signal while a mesh is read, and one while its topology is computed") {
