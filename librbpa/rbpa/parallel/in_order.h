@@ -38,10 +38,12 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
   std::vector<std::unique_ptr<Item>> items;
   std::vector<Item*> idle;
   std::mutex mutex;
-  Handover begun, joined, ended;
+  Handover begun, taken, joined, ended;
   begun.signal();
   std::size_t next = 0;
   const auto take = [&](tbb::flow_control& control) -> Item* {
+    begun.wait();
+    taken.wait();
     if (next == count) {
       control.stop();
       return nullptr;
@@ -52,6 +54,8 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
     idle.pop_back();
     item->number = next++;
     item->handover.signal();
+    taken.signal();
+    ended.signal();
     return item;
   };
   const auto do_work = [&](Item* item) {
@@ -73,9 +77,9 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
     item->handover.wait();
     finish(item->number, item->workspace);
     item->handover.signal();
-    ended.signal();
     const std::lock_guard lock(mutex);
     idle.push_back(item);
+    ended.signal();
   };
   using tbb::filter_mode;
   threads.execute([&] {

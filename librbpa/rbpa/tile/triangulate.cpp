@@ -175,8 +175,39 @@ bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
   return tile.own[least] != 0;
 }
 
-/// What is known of the triangles around a point.
-enum Star : std::uint8_t { unseen, shared, known };
+/// What is known of the triangles around a point: it has bit 0 when they are closed, bit 1 when the point is known.
+enum Star : std::uint8_t { unseen = 0, shared = 1, known = 3 };
+
+/// Where not all is known: for the remainder. Lists are written without a branch, as none could be foreseen.
+void tell_of_unknown(const Tile& tile, TileWorkspace& workspace, TileTriangles& result) {
+  const LocalFront& front = workspace.front;
+  const std::size_t triangles = front.triangles();
+  auto& beside = workspace.beside;
+  auto& given = workspace.given;
+  if (beside.size() < 3 * triangles) {
+    beside.resize(3 * triangles);
+    given.resize(3 * triangles);
+  }
+  std::size_t pairs = 0, corners = 0;
+  for (std::size_t t = 1; t < triangles; ++t) {
+    const std::size_t corner[4] = {front.from(4 * t), front.from(4 * t + 1), front.from(4 * t + 2), front.from(4 * t)};
+    const std::uint8_t star[4] = {workspace.star[corner[0]], workspace.star[corner[1]], workspace.star[corner[2]],
+                                  workspace.star[corner[0]]};
+    const bool is_told = workspace.number[t] >= 0;
+    if ((star[0] & star[1] & star[2]) == Star::known || !((star[0] | star[1] | star[2]) != Star::unseen || is_told))
+      continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      beside[pairs] = {tile.site[corner[i]], tile.site[corner[i + 1]]};
+      pairs += std::size_t{star[i] != Star::unseen} & std::size_t{star[i + 1] != Star::known};
+      given[corners] = tile.site[corner[i]];
+      corners += std::size_t{is_told} & std::size_t{tile.own[corner[i]] == 0};
+    }
+    if (is_told && ((star[0] | star[1] | star[2]) & ~Star::shared) == 0)
+      result.unsure.push_back(static_cast<std::uint32_t>(workspace.number[t]) / 3);
+  }
+  result.beside.assign(beside.begin(), beside.begin() + static_cast<std::ptrdiff_t>(pairs));
+  result.given.assign(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(corners));
+}
 
 /// The triangles of the complex that the tile owns, and what lies across them.
 void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
@@ -225,19 +256,7 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
       result.shared.push_back({tile.site[v], foreign[v]});
     }
   }
-  for (std::size_t t = 1; t < triangles; ++t) {
-    const std::array<std::size_t, 3> corner = {front.from(4 * t), front.from(4 * t + 1), front.from(4 * t + 2)};
-    const auto is_known = [&](std::size_t v) { return star[v] == Star::known; };
-    if (is_known(corner[0]) & is_known(corner[1]) & is_known(corner[2])) continue;
-    bool any_known = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t v = corner[i], next = corner[(i + 1) % 3];
-      any_known = any_known || is_known(v);
-      if (star[v] != Star::unseen && !is_known(next)) result.beside.push_back({tile.site[v], tile.site[next]});
-      if (number[t] >= 0 && !tile.own[v]) result.given.push_back(tile.site[v]);
-    }
-    if (number[t] >= 0 && !any_known) result.unsure.push_back(static_cast<std::uint32_t>(number[t]) / 3);
-  }
+  tell_of_unknown(tile, workspace, result);
 }
 
 /// Points along curves, or in spots: they fill a few cells, most of which have few neighbours that are not empty. Their

@@ -53,6 +53,8 @@ struct TileWorkspace {
   std::vector<int> number;
   std::vector<std::uint16_t> foreign;
   std::vector<std::uint8_t> star;
+  std::vector<std::array<std::uint32_t, 2>> beside;
+  std::vector<std::uint32_t> given;
 };
 
 /// Replaces `result`.
