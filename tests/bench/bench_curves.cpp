@@ -15,6 +15,7 @@
 #include "bench/arguments.h"
 #include "bench/machine.h"
 #include "bench/measure.h"
+#include "bench/memory.h"
 
 namespace rbpa_bench {
 namespace {
@@ -49,7 +50,7 @@ class CurveFile {
   void measure(double x, const Task& task) {
     std::vector<Contestant> contestants;
     for (const Column& column : columns_) contestants.push_back(column.contestant);
-    const Contest contest = rbpa_bench::measure(task, contestants, {.runs = runs_, .check = false});
+    const Contest contest = rbpa_bench::measure(task, contestants, {.runs = runs_, .warm = true});
     add("%.9g", x);
     if (!x_is_points_) add(",%.0f", static_cast<double>(contest.points));
     add(",%.0f", static_cast<double>(contest.outcomes[0].triangles));
@@ -146,6 +147,7 @@ int main(int argc, char** argv) {
   if (!arguments) return 2;
   try {
     const std::filesystem::path folder = argv[argc - 1];
+    rbpa_bench::keep_memory();
     rbpa_bench::scaling(folder, *arguments);
     rbpa_bench::alphas(folder, *arguments);
     rbpa_bench::densities(folder, *arguments);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/measure.h"
+#include "bench/memory.h"
 #include "bench/peer.h"
 #include "bench/report_arguments.h"
 #include "bench/tables.h"
@@ -46,6 +47,7 @@ class Report {
     const std::size_t points = arguments_.points;
     Plan delaunay = without_radius(points), alpha = with_radius(points), few = with_radius_and_few(points / 10);
     for (Plan* plan : {&delaunay, &few}) weigh_all(*plan);
+    keep_memory();
 
     Measured measured;
     measured.delaunay = hold(delaunay);
@@ -121,7 +123,8 @@ class Report {
     std::vector<Contest> contests;
     std::size_t weighed = 0;
     for (const Task& task : plan.tasks) {
-      Contest contest = measure(task, plan.contestants, {arguments_.runs, arguments_.check});
+      Contest contest =
+          measure(task, plan.contestants, {.runs = arguments_.runs, .warm = true, .check = arguments_.check});
       for (Outcome& outcome : contest.outcomes)
         if (plan.with_memory)
           if (const std::optional<double> bytes = plan.bytes[weighed++]) outcome.bytes = bytes;

@@ -86,11 +86,17 @@ Contest measure(const Task& task, const std::vector<Contestant>& contestants, co
   for (std::size_t i = 0; i < contestants.size(); ++i) contest.outcomes[i].contestant = contestants[i].name;
   const rbpa_test::Points points = task.workload.make(task.count);
   contest.points = points.size();
-  for (int round = 0; round < settings.runs; ++round)
+  const auto hold_round = [&](int round) {
     for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
       const std::size_t i = (turn + static_cast<std::size_t>(round)) % contestants.size();
       if (contest.outcomes[i].failure.empty()) run(contestants[i], points, task.alpha, nullptr, contest.outcomes[i]);
     }
+  };
+  if (settings.warm) {
+    hold_round(0);
+    for (Outcome& outcome : contest.outcomes) outcome.seconds.of.clear();
+  }
+  for (int round = 0; round < settings.runs; ++round) hold_round(round);
   for (std::size_t i = 1; i < contestants.size(); ++i)
     if (contest.outcomes[i].failure.empty())
       compare_numbers(contestants[i], task.alpha, contest.outcomes[0], contest.outcomes[i]);

@@ -15,6 +15,7 @@ namespace rbpa_bench {
 
 struct Settings {
   int runs = 5;
+  bool warm = false;     ///< one more round before, which does not count
   bool check = false;    ///< compare the triangles themselves, not only their number
   double patience = 60;  ///< seconds after which a contestant is not run again
 };

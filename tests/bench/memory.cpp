@@ -63,4 +63,9 @@ std::optional<double> peak_bytes(const std::function<void()>& prepare, const std
   return told ? std::optional(bytes) : std::nullopt;
 }
 
+void keep_memory() {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+}
+
 }  // namespace rbpa_bench

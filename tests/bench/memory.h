@@ -13,4 +13,8 @@ std::optional<double> peak_bytes(const std::function<void()>& prepare, const std
 /// Resident memory of this process now. Absent where the system does not tell.
 std::optional<double> resident_bytes();
 
+/// From now on, memory that is freed stays with this process. Where a machine is a guest of another, fresh memory costs
+/// what the host makes of it, ten times more at one moment than at the next: what is measured warm does not pay that.
+void keep_memory();
+
 }  // namespace rbpa_bench

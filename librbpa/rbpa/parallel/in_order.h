@@ -10,7 +10,6 @@
 #include <mutex>
 #include <vector>
 
-#include "rbpa/parallel/sanitizer.h"
 #include "rbpa/parallel/threads.h"
 
 namespace rbpa {
@@ -30,20 +29,18 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
     }
     return;
   }
+#ifdef RBPA_PLAIN_THREADS
+  plain_threads::in_order<Workspace>(threads.count(), count, work, join, finish);
+#else
   struct Item {
     Workspace workspace;
     std::size_t number = 0;
-    Handover handover;
   };
-  std::vector<std::unique_ptr<Item>> items;
+  std::vector<std::unique_ptr<Item> > items;
   std::vector<Item*> idle;
   std::mutex mutex;
-  Handover begun, taken, joined, ended;
-  begun.signal();
   std::size_t next = 0;
   const auto take = [&](tbb::flow_control& control) -> Item* {
-    begun.wait();
-    taken.wait();
     if (next == count) {
       control.stop();
       return nullptr;
@@ -53,33 +50,20 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
     Item* const item = idle.back();
     idle.pop_back();
     item->number = next++;
-    item->handover.signal();
-    taken.signal();
-    ended.signal();
     return item;
   };
   const auto do_work = [&](Item* item) {
-    begun.wait();
-    item->handover.wait();
     work(item->number, item->workspace);
-    item->handover.signal();
     return item;
   };
   const auto do_join = [&](Item* item) {
-    joined.wait();
-    item->handover.wait();
     join(item->number, item->workspace);
-    item->handover.signal();
-    joined.signal();
     return item;
   };
   const auto do_finish = [&](Item* item) {
-    item->handover.wait();
     finish(item->number, item->workspace);
-    item->handover.signal();
     const std::lock_guard lock(mutex);
     idle.push_back(item);
-    ended.signal();
   };
   using tbb::filter_mode;
   threads.execute([&] {
@@ -89,7 +73,7 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
                                tbb::make_filter<Item*, Item*>(filter_mode::serial_in_order, do_join) &
                                tbb::make_filter<Item*, void>(filter_mode::parallel, do_finish));
   });
-  ended.wait();
+#endif
 }
 
 }  // namespace rbpa

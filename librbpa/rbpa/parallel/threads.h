@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "rbpa/parallel/sanitizer.h"
+#include "rbpa/parallel/plain_threads.h"
 
 namespace rbpa {
 
@@ -44,16 +44,11 @@ void for_each_index(Threads& threads, std::size_t count, Visit visit) {
     for (std::size_t i = 0; i < count; ++i) visit(i);
     return;
   }
-  Handover begun, ended;
-  begun.signal();
-  threads.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      begun.wait();
-      visit(i);
-      ended.signal();
-    });
-  });
-  ended.wait();
+#ifdef RBPA_PLAIN_THREADS
+  plain_threads::for_each_index(threads.count(), count, visit);
+#else
+  threads.execute([&] { tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { visit(i); }); });
+#endif
 }
 
 /// Calls visit(first, last) for parts of the range from 0 to `size` of at most `part`, in any order and thread.

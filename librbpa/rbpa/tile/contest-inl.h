@@ -337,8 +337,20 @@ class Contest {
     };
     const Ratio of_p = centre(p), of_q = centre(q);
     const double first = of_p.dot * of_q.cross, second = of_q.dot * of_p.cross;
-    if (first != second) return first < second;
-    return P::perturbed_side(tile_.points[ia], tile_.points[ib], tile_.points[q], tile_.points[p]) > 0;
+    return first < second || (first == second && wins_tie_on_lattice(ia, ib, p, q));
+  }
+
+  /// P::perturbed_side(a, b, q, p) > 0 for p and q left of a→b, without a branch: a lattice has a tie a point. Of the
+  /// four on the circle the largest decides.
+  bool wins_tie_on_lattice(std::size_t ia, std::size_t ib, std::size_t p, std::size_t q) const {
+    const auto order = [&](std::size_t i) { return double(at_.x[i]) * 0x1p27 + at_.y[i]; };  // exact, lexicographic
+    const double a_order = order(ia), b_order = order(ib), p_order = order(p), q_order = order(q);
+    const double qx = double(at_.x[q]) - at_.x[ib], qy = double(at_.y[q]) - at_.y[ib];
+    const double px = double(at_.x[p]) - at_.x[ib], py = double(at_.y[p]) - at_.y[ib];
+    const bool p_is_behind_q = qx * py - qy * px > 0;  // from b on around the circle
+    const bool end_decides = std::max(a_order, b_order) > std::max(p_order, q_order);
+    const bool by_end = p_is_behind_q == (a_order > b_order), by_apex = q_order > p_order;
+    return (end_decides & by_end) | (!end_decides & by_apex);
   }
 
   /// Cells, and whether all points of the box for which they are, but for those of unknown cells, are in the tile.
