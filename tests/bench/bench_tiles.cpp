@@ -51,7 +51,7 @@ void print_row(const std::string& set, const rbpa_test::Points& points, double a
               alpha_text, triangles, told.tiles,
               100 * static_cast<double>(told.triangles) / static_cast<double>(triangles), triangles - told.triangles,
               100 * static_cast<double>(told.known) / distinct,
-              static_cast<double>(points_of_tiles(grid, 2048)) / distinct,
+              static_cast<double>(points_of_tiles(grid, rbpa::points_per_tile)) / distinct,
               static_cast<double>(points_of_tiles(grid, 1024)) / distinct);
   std::fflush(stdout);
 }

@@ -14,6 +14,8 @@
 
 namespace rbpa {
 
+inline constexpr std::uint32_t points_per_tile = 2048;  ///< measured: fewer have more seams, more leave the cache
+
 /// What a tile tells, and what is known of its place in a mesh.
 struct ToldTile {
   TileTriangles triangles;
@@ -24,7 +26,6 @@ struct ToldTile {
 /// any thread, finish(ToldTile&). Throws what one of them throws.
 template <typename Told, typename Finish>
 void for_each_tile(const PointGrid<double>& grid, const Radius& radius, Threads& threads, Told told, Finish finish) {
-  constexpr std::uint32_t points_per_tile = 2048;  // measured: fewer have more seams, more do not fit the cache
   struct Workspace {
     Tile tile;
     TileWorkspace triangulation;
