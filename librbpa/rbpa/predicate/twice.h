@@ -14,19 +14,19 @@ struct Twice {
   double high, low;
 
   static Twice difference(double a, double b) {
-    const auto [high, low] = detail::two_sum(a, -b);
-    return {high, low};
+    const auto sum = detail::two_sum(a, -b);
+    return {sum.high, sum.low};
   }
   friend Twice operator+(const Twice& a, const Twice& b) {
-    const auto [high, low] = detail::two_sum(a.high, b.high);
-    const auto whole = detail::two_sum(high, low + (a.low + b.low));
+    const auto sum = detail::two_sum(a.high, b.high);
+    const auto whole = detail::two_sum(sum.high, sum.low + (a.low + b.low));
     return {whole.high, whole.low};
   }
   friend Twice operator-(const Twice& a, const Twice& b) { return a + Twice{-b.high, -b.low}; }
   friend Twice operator*(const Twice& a, const Twice& b) {
-    const auto [high, low] = detail::two_product(a.high, b.high);
-    const double rest = low + (a.high * b.low + a.low * b.high), sum = high + rest;
-    return {sum, rest - (sum - high)};
+    const auto product = detail::two_product(a.high, b.high);
+    const double rest = product.low + (a.high * b.low + a.low * b.high), sum = product.high + rest;
+    return {sum, rest - (sum - product.high)};
   }
 };
 
