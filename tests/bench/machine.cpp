@@ -29,7 +29,7 @@ std::string memory() {
 std::string system() {
   utsname name{};
   if (uname(&name) != 0) return "unknown";
-  return std::string(name.sysname) + " " + name.release + " " + name.machine;
+  return std::string(name.sysname) + " " + name.machine;
 }
 
 std::string compiler() {

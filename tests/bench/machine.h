@@ -7,7 +7,7 @@ namespace rbpa_bench {
 
 std::string processor();  ///< model, and the number of them
 std::string memory();     ///< in GiB
-std::string system();     ///< kernel and its release
+std::string system();     ///< kernel and architecture
 std::string compiler();
 std::string compiler_flags();
 
