@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshops/core/large_pages.h"
 #include "rbpa/hierarchy/circumradius.h"
 
 namespace rbpa {
@@ -14,9 +13,6 @@ LocalTriangles::LocalTriangles(std::span<const Point> points, const Ladder<doubl
   corners_.reserve(2 * points.size());
   across_.reserve(2 * points.size());
   level_.reserve(2 * points.size());
-  meshops::prefer_large_pages(corners_.data(), corners_.capacity() * sizeof(corners_[0]));
-  meshops::prefer_large_pages(across_.data(), across_.capacity() * sizeof(across_[0]));
-  meshops::prefer_large_pages(level_.data(), level_.capacity() * sizeof(level_[0]));
 }
 
 void LocalTriangles::add(const meshops::Patch& patch) {
@@ -73,10 +69,6 @@ void LocalTriangles::sort() {
   start_.assign(static_cast<std::size_t>(ladder_.end()) + 3, 0);
   for (const std::uint16_t level : level_) ++start_[level + 1u];
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-  order_.reserve(level_.size());
-  face_.reserve(level_.size());
-  meshops::prefer_large_pages(order_.data(), order_.capacity() * sizeof(order_[0]));
-  meshops::prefer_large_pages(face_.data(), face_.capacity() * sizeof(face_[0]));
   order_.resize(level_.size());
   std::vector<std::uint32_t> next(start_);
   for (std::uint32_t t = 0; t < level_.size(); ++t) order_[next[level_[t]]++] = t;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "meshops/front/front.h"
 #include "rbpa/hierarchy/apexes.h"
 #include "rbpa/hierarchy/ladder.h"
@@ -85,12 +86,13 @@ class LocalTriangles {
 
   std::span<const Point> points_;
   const Ladder<double>& ladder_;
-  std::vector<std::array<meshops::Site, 3>> corners_;
-  std::vector<std::array<int, 3>> across_;  // of each side, the side beyond it; none on the hull
-  std::vector<std::uint16_t> level_;
-  meshops::Seams<int> seams_;                 // sides, each at the site that it leaves
-  std::vector<std::uint32_t> order_, start_;  // triangles by level; of each level the first
-  std::vector<meshops::Face> face_;           // of each triangle that is in the mesh
+  meshops::FreshVector<std::array<meshops::Site, 3>> corners_;
+  meshops::FreshVector<std::array<int, 3>> across_;  // of each side, the side beyond it; none on the hull
+  meshops::FreshVector<std::uint16_t> level_;
+  meshops::Seams<int> seams_;                  // sides, each at the site that it leaves
+  meshops::FreshVector<std::uint32_t> order_;  // triangles by level
+  std::vector<std::uint32_t> start_;           // of each level the first of them
+  meshops::FreshVector<meshops::Face> face_;   // of each triangle that is in the mesh
   meshops::Patch patch_;
   std::vector<std::uint16_t> seen_;  // of each site, one more than the last level that had a triangle there
 };
