@@ -108,18 +108,19 @@ class Triangulation {
       wave_.swap(queue_);
       const std::size_t length = std::exchange(queued_, 0);
       // Taken at distances: neighbours on the front often lead to the same triangle.
-      const std::size_t stride = (length + Contest::batch - 1) / Contest::batch;
+      const std::size_t stride = (length + EdgeBatch::size - 1) / EdgeBatch::size;
       std::size_t size = 0;
-      Index side[Contest::batch + 1];
+      EdgeBatch& edges = contest_.edges();
+      Index side[EdgeBatch::size + 1];
       for (std::size_t k = 0; k < stride; ++k)
         for (std::size_t i = k; i < length; i += stride) {
           const Index s = wave_[i];
           side[size] = s;
-          contest_.a[size] = front_.to(s);
-          contest_.b[size] = front_.from(s);
-          contest_.expected[size] = radius_[s / 4];
+          edges.a[size] = front_.to(s);
+          edges.b[size] = front_.from(s);
+          edges.expected[size] = radius_[s / 4];
           size += front_.across(s) == LocalFront::none;
-          if (size == Contest::batch) attach(side, std::exchange(size, 0));
+          if (size == EdgeBatch::size) attach(side, std::exchange(size, 0));
         }
       // A batch that is not full waits for the next wave, if there is one.
       if (queued_ == 0)
@@ -133,11 +134,12 @@ class Triangulation {
   void attach(const Index* side, std::size_t size) {
     if (size == 0) return;
     contest_.run(size);
+    const EdgeBatch& edges = contest_.edges();
     for (std::size_t i = 0; i < size; ++i) {
-      failures_ += contest_.apex[i] == none;
-      if (contest_.apex[i] == none || front_.across(side[i]) != LocalFront::none) continue;
-      radius_[front_.triangles()] = contest_.found_radius[i];
-      front_.attach(side[i], static_cast<Index>(contest_.a[i]), static_cast<Index>(contest_.b[i]), contest_.apex[i],
+      failures_ += edges.apex[i] == none;
+      if (edges.apex[i] == none || front_.across(side[i]) != LocalFront::none) continue;
+      radius_[front_.triangles()] = edges.found_radius[i];
+      front_.attach(side[i], static_cast<Index>(edges.a[i]), static_cast<Index>(edges.b[i]), edges.apex[i],
                     [&](Index added, bool on_front) { activate(added, on_front); });
     }
   }
@@ -259,22 +261,26 @@ void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace,
   tell_of_unknown(tile, workspace, result);
 }
 
-/// Points along curves, or in spots: they fill a few cells, most of which have few neighbours that are not empty. Their
-/// triangles reach across the void, where a search from near to far sees nothing for long.
+/// Points along curves: they fill a few cells, about as many points in each, most of which have few neighbours that are
+/// not empty. Their triangles reach across the void, where a search from near to far sees nothing for long.
 bool leaves_cells_empty(const Tile& tile) {
-  constexpr std::size_t most_per_cell = 4;   // scattered evenly, 2.3 of those that have any
+  constexpr double most_per_cell = 4;        // scattered evenly, 2.3 of those that have any
   constexpr double fewest_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
-  const auto columns = static_cast<std::size_t>(tile.columns);
-  const auto has_points = [&](std::size_t c) { return tile.start[c] < tile.start[c + 1]; };
-  std::size_t filled = 0, neighbours = 0;
-  for (std::size_t c = 0; c < tile.cells(); ++c) {
-    if (!has_points(c)) continue;
-    ++filled;
-    neighbours += (c + 1) % columns != 0 && has_points(c + 1);
-    neighbours += c + columns < tile.cells() && has_points(c + columns);
+  constexpr double most_company = 2.5;       // of a point, as a multiple of the mean of cells; more in spots
+  const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
+  std::uint64_t filled = 0, neighbours = 0, squares = 0;
+  // Without a branch, as none could be foreseen. What follows a row's last cell is not its neighbour, but not far either.
+  const auto has_points = [&](std::size_t c) { return std::uint64_t{tile.start[c] < tile.start[c + 1]}; };
+  for (std::size_t c = 0; c + columns < cells; ++c) {
+    const std::uint64_t count = std::uint64_t{tile.start[c + 1]} - tile.start[c], here = has_points(c);
+    squares += count * count;
+    filled += here;
+    neighbours += here & has_points(c + 1);
+    neighbours += here & has_points(c + columns);
   }
-  return tile.points.size() > most_per_cell * filled &&
-         static_cast<double>(neighbours) < fewest_neighbours * static_cast<double>(filled);
+  const auto points = static_cast<double>(tile.start[cells - columns]), of_filled = static_cast<double>(filled);
+  return points > most_per_cell * of_filled && static_cast<double>(neighbours) < fewest_neighbours * of_filled &&
+         static_cast<double>(squares) * of_filled < most_company * points * points;
 }
 
 }  // namespace
