@@ -22,6 +22,9 @@ void for_each_grid(const Level& level, std::uint32_t merged, int row, std::uint3
     if (level.start[child->cell + 1] - level.start[child->cell] > merged) visit(child->cell);
 }
 
+/// As many points as a tile may have that owns some. Those of a tile beside crowds are left to others.
+std::size_t most_around(std::size_t own) { return std::min(Tile::most_points, 8 * own + 1024); }
+
 std::uint32_t points_of(const Level& level, const Block& block) {
   std::uint32_t count = 0;
   for (int r = block.row; r < block.row + block.rows; ++r) {
@@ -136,7 +139,8 @@ void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
     tile.nothing_above = tile.y1() >= level.y + level.height;
   }
   sites_.clear();
-  count_.assign(tile.cells(), 0);
+  all_ = 0;
+  count_.assign(tile.cells() + 1, 0);
   unknown_.assign(tile.cells(), 0);
   any_unknown_ = false;
 }
@@ -153,37 +157,58 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
     });
     add(level.start[first], level.start[last]);
   }
-  own_ = sites_.size();
+  own_ = all_;
 
   // Around the block, and the grids in it: a crowd is worth more time than the triangles along its edge.
   const std::uint32_t crowd =
       std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
-  const int far_c0 = level.column(tile.x0), far_c1 = level.column(tile.x1()) + 1;
-  const int far_r0 = level.row(tile.y0), far_r1 = level.row(tile.y1()) + 1;
-  const auto look = [&](int r, std::uint32_t cell) {
-    const std::uint32_t first = level.start[cell], last = level.start[cell + 1];
-    if (last - first <= crowd) return add_within(tile, first, last);
-    const double x = level.x + static_cast<int>(cell % static_cast<std::uint32_t>(level.columns)) * level.cell;
-    const double y = level.y + r * level.cell;
-    forget(tile, x - level.slack, x + level.cell + level.slack, y - level.slack, y + level.cell + level.slack);
-  };
-  for (int r = far_r0; r < far_r1 && sites_.size() <= Tile::most_points; ++r) {
-    const auto cell_at = [&](int column) { return static_cast<std::uint32_t>(r * level.columns + column); };
-    const bool beside = r >= block.row && r < block.row + block.rows;
-    for (std::uint32_t cell = cell_at(far_c0), end = cell_at(beside ? c0 : far_c1); cell < end; ++cell) look(r, cell);
-    if (!beside) continue;
-    if (!level.children.empty())
-      for_each_grid(level, block.merged, r, cell_at(c0), cell_at(c1), [&](std::uint32_t cell) { look(r, cell); });
-    for (std::uint32_t cell = cell_at(c1), end = cell_at(far_c1); cell < end; ++cell) look(r, cell);
+  const std::size_t most = most_around(own_);
+  for (int r = level.row(tile.y0); r <= level.row(tile.y1()); ++r) {
+    const auto row = static_cast<std::uint32_t>(r * level.columns);
+    const auto forget_cells = [&](std::uint32_t first, std::uint32_t last) {
+      const double x = level.x + static_cast<int>(first - row) * level.cell;
+      const double x_end = level.x + static_cast<int>(last - row) * level.cell, y = level.y + r * level.cell;
+      forget(tile, x - level.slack, x_end + level.slack, y - level.slack, y + level.cell + level.slack);
+    };
+    const auto take = [&](std::uint32_t first, std::uint32_t last) {
+      if (all_ + (level.start[last] - level.start[first]) <= most)
+        add(level.start[first], level.start[last]);
+      else
+        forget_cells(first, last);
+    };
+    const auto look = [&](int from, int to) {
+      std::uint32_t first = row + static_cast<std::uint32_t>(from);
+      const std::uint32_t last = row + static_cast<std::uint32_t>(to);
+      for_each_grid(level, crowd, r, first, last, [&](std::uint32_t cell) {
+        take(first, cell);
+        forget_cells(cell, cell + 1);
+        first = cell + 1;
+      });
+      take(first, last);
+    };
+    const int far_c0 = level.column(tile.x0), far_c1 = level.column(tile.x1()) + 1;
+    if (r < block.row || r >= block.row + block.rows) {
+      look(far_c0, far_c1);
+      continue;
+    }
+    look(far_c0, c0);
+    for_each_grid(level, block.merged, r, row + static_cast<std::uint32_t>(c0), row + static_cast<std::uint32_t>(c1),
+                  [&](std::uint32_t cell) {
+                    if (level.start[cell + 1] - level.start[cell] <= crowd)
+                      take(cell, cell + 1);
+                    else
+                      forget_cells(cell, cell + 1);
+                  });
+    look(c1, far_c1);
   }
 }
 
 /// Points of other levels, outside the level's box.
 void Cutter::gather_beyond(const Level& level, const Tile& tile) {
   const std::uint32_t first_inside = level.start.front(), last_inside = level.start.back();
-  const std::size_t most = sites_.size() + 4 * own_ + 256;
+  const std::size_t most = most_around(own_);
   const auto take = [&](std::uint32_t first, std::uint32_t last) {
-    if (sites_.size() < most) return add_within(tile, first, last);
+    if (all_ + (last - first) <= most) return add(first, last);
     for (std::uint32_t s = first; s < last; ++s) {
       const Point& p = grid_.points()[s];
       forget(tile, p.x, p.x, p.y, p.y);
@@ -198,14 +223,9 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
 }
 
 void Cutter::add(std::uint32_t first, std::uint32_t last) {
-  for (std::uint32_t s = first; s < last; ++s) sites_.push_back(s);
-}
-
-void Cutter::add_within(const Tile& tile, std::uint32_t first, std::uint32_t last) {
-  for (std::uint32_t s = first; s < last; ++s) {
-    const Point& p = grid_.points()[s];
-    if (p.x >= tile.x0 && p.x <= tile.x1() && p.y >= tile.y0 && p.y <= tile.y1()) sites_.push_back(s);
-  }
+  if (first == last) return;
+  sites_.push_back({first, last});
+  all_ += last - first;
 }
 
 void Cutter::forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high) {
@@ -216,22 +236,26 @@ void Cutter::forget(const Tile& tile, double x_low, double x_high, double y_low,
   any_unknown_ = true;
 }
 
+/// Points beyond the tile's box are left out.
 void Cutter::sort_into_cells(Tile& tile) {
   const std::size_t cells = tile.cells();
   const auto points = grid_.points();
-  if (sites_.size() > Tile::most_points) {  // crowds around it: what it owns is all it gets to know
-    sites_.resize(own_);
-    forget(tile, tile.x0, tile.x1(), tile.y0, tile.y1());
-  }
-  cell_of_.resize(sites_.size());
+  cell_of_.resize(all_);
   const double x0 = tile.x0, y0 = tile.y0, per_cell = 1 / tile.cell;
-  for (std::size_t i = 0; i < sites_.size(); ++i) {
-    const Point& p = points[sites_[i]];
-    const int c = std::clamp(static_cast<int>((p.x - x0) * per_cell), 0, tile.columns - 1);
-    const int r = std::clamp(static_cast<int>((p.y - y0) * per_cell), 0, tile.rows - 1);
-    cell_of_[i] = static_cast<std::uint32_t>(r * tile.columns + c);
-    ++count_[cell_of_[i]];
-  }
+  const double x1 = tile.x1(), y1 = tile.y1(), last_column = tile.columns - 1, last_row = tile.rows - 1;
+  const auto columns = static_cast<std::uint32_t>(tile.columns), beyond = static_cast<std::uint32_t>(cells);
+  std::size_t next = 0;
+  for (const auto& [first, last] : sites_)
+    for (std::uint32_t s = first; s < last; ++s) {
+      const Point& p = points[s];
+      const auto c = static_cast<std::uint32_t>(std::clamp((p.x - x0) * per_cell, 0.0, last_column));
+      const auto r = static_cast<std::uint32_t>(std::clamp((p.y - y0) * per_cell, 0.0, last_row));
+      const bool is_here = (p.x >= x0) & (p.x <= x1) & (p.y >= y0) & (p.y <= y1);
+      // Those beyond are counted in one cell more, the last.
+      const std::uint32_t cell = is_here | (next < own_) ? r * columns + c : beyond;
+      cell_of_[next++] = cell;
+      ++count_[cell];
+    }
   if (any_unknown_) {
     tile.unknown.resize(cells + 1);
     for (std::size_t c = 0; c < cells; ++c)
@@ -239,21 +263,26 @@ void Cutter::sort_into_cells(Tile& tile) {
   }
   tile.start.resize(cells + 1);
   std::uint32_t sum = 0;
-  for (std::size_t c = 0; c < cells; ++c) {
+  for (std::size_t c = 0; c <= cells; ++c) {
     tile.start[c] = static_cast<std::uint16_t>(sum);
     sum += count_[c];
     count_[c] = tile.start[c];
   }
-  tile.start[cells] = static_cast<std::uint16_t>(sum);
   tile.points.resize(sum);
   tile.site.resize(sum);
   tile.own.resize(sum);
-  for (std::size_t i = 0; i < sites_.size(); ++i) {
-    const std::uint32_t at = count_[cell_of_[i]]++;
-    tile.points[at] = points[sites_[i]];
-    tile.site[at] = sites_[i];
-    tile.own[at] = i < own_;
-  }
+  next = 0;
+  for (const auto& [first, last] : sites_)
+    for (std::uint32_t s = first; s < last; ++s) {
+      const std::uint32_t at = count_[cell_of_[next]]++;
+      tile.points[at] = points[s];
+      tile.site[at] = s;
+      tile.own[at] = next++ < own_;
+    }
+  const std::size_t here = tile.start[cells];
+  tile.points.resize(here);
+  tile.site.resize(here);
+  tile.own.resize(here);
 }
 
 }  // namespace rbpa

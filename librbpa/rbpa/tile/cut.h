@@ -41,13 +41,15 @@ class Cutter {
   void gather(const Level& level, const Block& block, Tile& tile);
   void gather_beyond(const Level& level, const Tile& tile);
   void add(std::uint32_t first, std::uint32_t last);
-  void add_within(const Tile& tile, std::uint32_t first, std::uint32_t last);
   void forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high);
   void sort_into_cells(Tile& tile);
 
   const PointGrid<double>& grid_;
-  std::vector<std::uint32_t> sites_;
-  std::size_t own_ = 0;  // the first so many of the sites
+  struct Range {
+    std::uint32_t first, last;
+  };
+  std::vector<Range> sites_;
+  std::size_t own_ = 0, all_ = 0;  // how many they are; the first are the tile's own
   std::vector<std::uint32_t> cell_of_, count_;
   std::vector<std::uint8_t> unknown_;
   bool any_unknown_ = false;
