@@ -18,11 +18,11 @@
 namespace rbpa_bench {
 namespace {
 
-enum Phase { sort, cut, triangulate, survey, place, add, fill, complete, join, finish, phases };
+enum Phase { sort, cut, triangulate, place, add, fill, complete, join, finish, phases };
 
 constexpr std::array<const char*, phases> names = {
-    "points into cells",     "cutting tiles",       "triangulating them",      "survey of patches",     "placing them",
-    "what tiles leave over", "filling in the mesh", "completing what is left", "laying and joining it", "finish"};
+    "points into cells",   "cutting tiles",           "triangulating them",    "placing them", "what tiles leave over",
+    "filling in the mesh", "completing what is left", "laying and joining it", "finish"};
 
 using Seconds = std::array<double, phases>;
 
@@ -65,13 +65,13 @@ Seconds run(const rbpa_test::Points& points) {
     watch.lap(cut);
     rbpa::triangulate(tile, infinite, workspace, told.triangles);
     watch.lap(triangulate);
-    told.placement.survey(told.triangles.patch);
-    watch.lap(survey);
-    front.place(told.triangles.patch, told.placement);
+    const meshops::Patch& patch = told.triangles.patch;
+    const meshops::Outline& outline = told.triangles.outline;
+    front.place(patch, outline, told.placement);
     watch.lap(place);
     remainder.add(told.triangles);
     watch.lap(add);
-    front.fill(told.triangles.patch, told.placement);
+    front.fill(patch, outline, told.placement);
     watch.lap(fill);
   }
   meshops::Patch missing;

@@ -13,6 +13,7 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/front/boundary_curve.h"
+#include "meshops/front/outline.h"
 #include "meshops/front/patch.h"
 #include "meshops/front/placement.h"
 #include "meshops/front/seams.h"
@@ -122,14 +123,14 @@ class MESHOPS_API Front {
   /// Cost:     linear in the patch.
   void lay(const Patch& patch);
 
-  /// lay() in three steps, so that threads can share the work: Placement::survey(); place(), one patch after another,
-  /// in the order that is to give elements their numbers; and fill(), which may run beside other fills, surveys and
-  /// place(), provided that reserve() made room for all patches.
-  /// Requires: what lay() does; to place, a survey of the patch; to fill, that it was placed, with the same arguments.
+  /// lay() in three steps, so that threads can share the work: survey(), where the outline is not known; place(), one
+  /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other
+  /// fills, surveys and place(), provided that reserve() made room for all patches.
+  /// Requires: what lay() does, and the outline of the patch; to fill, that it was placed, with the same arguments.
   /// Cost:     place() is linear in the sides at the rim of the patch, fill() in the patch.
   void reserve(std::size_t edges, std::size_t faces);
-  void place(const Patch& patch, Placement& placement);
-  void fill(const Patch& patch, Placement& placement);
+  void place(const Patch& patch, const Outline& outline, Placement& placement);
+  void fill(const Patch& patch, const Outline& outline, Placement& placement);
 
   /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
   /// boundary halfedges, active those that were open and frozen the others. The mesh is sound again.
@@ -201,6 +202,7 @@ class MESHOPS_API Front {
   /// A side of a patch at whose other side nothing lies yet.
   struct Rim {
     Halfedge boundary;
+    Site to;  // where it ends
     bool frozen;
   };
   Halfedge next_on_boundary(Halfedge boundary) const;
@@ -229,8 +231,9 @@ class MESHOPS_API Front {
   std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  Seams<Rim> rims_;                 // each at the site that its boundary halfedge leaves
-  Placement placement_;             // of the patch being laid
+  Seams<Rim> rims_;  // each at the site that its boundary halfedge leaves
+  Outline outline_;  // of the patch being laid
+  Placement placement_;
   std::vector<Site> carried_;       // by the last transfer
   std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
 };

@@ -1,6 +1,6 @@
-// Patches: Placement, and Front::place(), fill(), lay() and join().
-#include <algorithm>
+// Patches: Front::place(), fill(), lay() and join().
 #include <array>
+#include <optional>
 
 #include "meshops/core/contract.h"
 #include "meshops/front/front.h"
@@ -9,122 +9,103 @@ namespace meshops {
 namespace {
 
 constexpr std::size_t edges_at_a_time = 16;  // at the rim
+constexpr std::size_t ahead = 8;             // as many sides before, memory is asked for
 
-std::size_t slot(Site s) { return static_cast<std::size_t>(s) % 4096; }
+std::size_t index(int side) { return static_cast<std::size_t>(side); }
+
+int next_in_triangle(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+
+/// Without a branch.
+int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is_a)); }
 
 }  // namespace
-
-void Placement::survey(const Patch& patch) {
-  require(patch.across.size() == patch.triangles.size(), "lay: a patch tells what is across of each triangle");
-  rim_.clear();
-  rim_sites_.clear();
-  near_rim_.reset();
-  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-    const auto& across = patch.across[t];
-    if ((across[0] | across[1] | across[2]) >= 0) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (across[i] >= 0) continue;
-      const Site from = patch.triangles[t][i];
-      rim_.push_back(static_cast<int>(3 * t + i));
-      rim_sites_.push_back(from);
-      near_rim_.set(slot(from));
-    }
-  }
-  inner_edges_ = (3 * patch.triangles.size() - rim_.size()) / 2;
-  // Where a side of the rim ends, another begins.
-  std::sort(rim_sites_.begin(), rim_sites_.end());
-}
-
-inline bool Placement::is_at_rim(Site s) const {
-  return near_rim_.test(slot(s)) && std::binary_search(rim_sites_.begin(), rim_sites_.end(), s);
-}
 
 void Front::reserve(std::size_t edges, std::size_t faces) {
   mesh_.reserve(mesh_.n_vertices(), edges + edges_at_a_time, faces);
 }
 
-void Front::place(const Patch& patch, Placement& placement) {
+void Front::place(const Patch& patch, const Outline& outline, Placement& placement) {
+  const std::size_t triangles = patch.triangles.size(), sides = 3 * triangles, rim = outline.rim.size();
+  require(patch.across.size() == triangles && rim <= sides && (sides - rim) % 2 == 0,
+          "lay: the outline is of another patch");
   if (!rims_.has_begun()) {
     require(faces_ == 0, "lay: there are triangles that are not of a patch");
     require(added_.empty(), "lay: sites were added");
     rims_.begin(sites());
   }
+  const std::size_t inner_edges = (sides - rim) / 2;
   const auto needed = [](std::size_t used, std::size_t more, std::size_t there) {
     return used + more > there ? used + more - there : 0;
   };
-  const std::size_t triangles = patch.triangles.size(), rim = placement.rim_.size();
-  supply(needed(edges_, placement.inner_edges_, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
+  supply(needed(edges_, inner_edges, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
   placement.first_face_ = static_cast<int>(faces_);
   placement.first_edge_ = static_cast<int>(edges_);
+  placement.make_room(sides);
   faces_ += triangles;
-  edges_ += placement.inner_edges_;
+  edges_ += inner_edges;
 
-  placement.at_rim_.resize(rim);
+  const auto from = [&](int side) { return patch.triangles[index(side) / 3][index(side) % 3]; };
   for (std::size_t k = 0; k < rim; ++k) {
-    const auto s = static_cast<std::size_t>(placement.rim_[k]), t = s / 3, i = s % 3;
-    const Site from = patch.triangles[t][i], to = patch.triangles[t][(i + 1) % 3];
-    const int across = patch.across[t][i];
+    if (k + ahead < rim) rims_.prepare(from(outline.rim[k + ahead]));
+    const int side = outline.rim[k];
+    const Site a = from(side), b = from(next_in_triangle(side));
+    const int across = patch.across[index(side) / 3][index(side) % 3];
+    std::optional<Rim> other;
+    if (across != Patch::nothing) other = rims_.take(a, [b](const Rim& seam) { return seam.to == b; });
     Halfedge h;
-    if (across != Patch::nothing)
-      h = rims_.take(from, [&](const Rim& side) { return mesh_.to_vertex_handle(side.boundary).idx() == to; })
-              .value_or(Rim{Halfedge(), false})
-              .boundary;
-    if (!h.is_valid()) {
+    if (other) {
+      h = other->boundary;
+    } else {
       if (edges_ == mesh_.n_edges()) supply(edges_at_a_time, 0);
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
-      mesh_.set_vertex_handle(h, Vertex(to));
-      mesh_.set_vertex_handle(beyond, Vertex(from));
+      mesh_.set_vertex_handle(beyond, Vertex(a));
+      const Rim opposite = {beyond, a, across != Patch::open};
       if (across == Patch::nothing)
-        rims_.add_apart({beyond, true});
+        rims_.add_apart(opposite);
       else
-        rims_.add(to, {beyond, across == Patch::frozen});
+        rims_.add(b, opposite);
     }
-    mesh_.set_halfedge_handle(Vertex(from), h);
-    placement.at_rim_[k] = h;
+    mesh_.set_halfedge_handle(Vertex(a), h);
+    placement.at(side) = h;
   }
 }
 
-void Front::fill(const Patch& patch, Placement& placement) {
+void Front::fill(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t triangles = patch.triangles.size();
-  int next_edge = placement.first_edge_;
-  std::size_t next_rim = 0;
-  placement.side_.resize(3 * triangles);
-  Halfedge* const all = placement.side_.data();
+  int next = 2 * placement.first_edge_;
+  int side = 0;
   for (std::size_t t = 0; t < triangles; ++t) {
     const auto corner = patch.triangles[t];
     const auto across = patch.across[t];
     const Face face(placement.first_face_ + static_cast<int>(t));
-    const int first = static_cast<int>(3 * t);
-    std::array<Halfedge, 3> side;
-    for (unsigned i = 0; i < 3; ++i) {
-      Halfedge& h = side[i];
-      if (across[i] < 0) {
-        h = placement.at_rim_[next_rim++];
-      } else if (across[i] < first) {
-        h = mesh_.opposite_halfedge_handle(all[across[i]]);
-      } else {
-        h = Halfedge(2 * next_edge++);
-        mesh_.set_vertex_handle(h, Vertex(corner[(i + 1) % 3]));
-        mesh_.set_vertex_handle(mesh_.opposite_halfedge_handle(h), Vertex(corner[i]));
-        // The first triangle at a corner comes here: both its sides there are new.
-        if (!placement.is_at_rim(corner[i])) mesh_.set_halfedge_handle(Vertex(corner[i]), h);
-      }
-      all[3 * t + i] = h;
+    std::array<Halfedge, 3> h;
+    // Whether a side comes before the one across is a toss of a coin, so both write the same. At the rim, what is across
+    // is written to no purpose.
+    for (unsigned i = 0; i < 3; ++i, ++side) {
+      const bool comes_first = side < across[i];
+      h[i] = Halfedge(either(next, placement.at(side).idx(), comes_first));
+      next += 2 * comes_first;
+      placement.at(side) = h[i];
+      placement.at(across[i]) = mesh_.opposite_halfedge_handle(h[i]);
     }
     for (unsigned i = 0; i < 3; ++i) {
-      mesh_.set_face_handle(side[i], face);
-      mesh_.set_next_halfedge_handle(side[i], side[(i + 1) % 3]);
+      mesh_.set_face_handle(h[i], face);
+      mesh_.set_vertex_handle(h[i], Vertex(corner[(i + 1) % 3]));
+      mesh_.set_next_halfedge_handle(h[i], h[(i + 1) % 3]);
     }
-    mesh_.set_halfedge_handle(face, side[0]);
+    mesh_.set_halfedge_handle(face, h[0]);
   }
+  for (const int out : outline.inside)
+    mesh_.set_halfedge_handle(Vertex(patch.triangles[index(out) / 3][index(out) % 3]), placement.at(out));
 }
 
 void Front::lay(const Patch& patch) {
-  placement_.survey(patch);
-  place(patch, placement_);
-  fill(patch, placement_);
+  survey(patch, outline_);
+  place(patch, outline_, placement_);
+  fill(patch, outline_, placement_);
 }
+
 /// The boundary halfedge that follows one whose end has a single vertex yet, within the fan at its end.
 Halfedge Front::next_on_boundary(Halfedge boundary) const {
   Halfedge out = mesh_.opposite_halfedge_handle(boundary);
@@ -162,6 +143,7 @@ void Front::join() {
   });
   mesh_.resize(mesh_.n_vertices(), edges_, faces_);  // what was made for seams that found their other side
   rims_.end();
+  outline_ = {};
   placement_ = {};
 }
 

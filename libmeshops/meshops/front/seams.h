@@ -24,6 +24,9 @@ class Seams {
     first = static_cast<int>(seams_.size()) - 1;
   }
 
+  /// Before take() or add() at a site, when its memory may be far.
+  void prepare(Site at) const { __builtin_prefetch(&first_[static_cast<std::size_t>(at)]); }
+
   /// A side that take() need not find.
   void add_apart(const Side& side) { seams_.push_back({side, none}); }
 

@@ -22,7 +22,7 @@ struct ToldTile {
   meshops::Placement placement;
 };
 
-/// Calls told(ToldTile&) with what each tile tells, surveyed, in the same order on every run and one at a time; then, in
+/// Calls told(ToldTile&) with what each tile tells, in the same order on every run and one at a time; then, in
 /// any thread, finish(ToldTile&). Throws what one of them throws.
 template <typename Told, typename Finish>
 void for_each_tile(const PointGrid<double>& grid, const Radius& radius, Threads& threads, Told told, Finish finish) {
@@ -39,7 +39,6 @@ void for_each_tile(const PointGrid<double>& grid, const Radius& radius, Threads&
         if (!workspace.cutter) workspace.cutter.emplace(grid);
         workspace.cutter->cut(all[i], workspace.tile);
         triangulate(workspace.tile, radius, workspace.triangulation, workspace.result.triangles);
-        workspace.result.placement.survey(workspace.result.triangles.patch);
       },
       [&](std::size_t, Workspace& workspace) { told(workspace.result); },
       [&](std::size_t, Workspace& workspace) { finish(workspace.result); });

@@ -19,10 +19,10 @@ void lay_tiles(const PointGrid<double>& grid, const Radius& radius, meshops::Fro
   for_each_tile(
       grid, radius, threads,
       [&](ToldTile& tile) {
-        front.place(tile.triangles.patch, tile.placement);
+        front.place(tile.triangles.patch, tile.triangles.outline, tile.placement);
         laid(tile.triangles);
       },
-      [&](ToldTile& tile) { front.fill(tile.triangles.patch, tile.placement); });
+      [&](ToldTile& tile) { front.fill(tile.triangles.patch, tile.triangles.outline, tile.placement); });
 }
 
 }  // namespace rbpa

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
+#include "rbpa/tile/hand_over.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/tile/triangulate.cpp"
@@ -167,100 +168,6 @@ namespace {
 
 HWY_EXPORT(advance_on);
 
-/// The least corner is the tile's own.
-bool owns(const Tile& tile, std::size_t a, std::size_t b, std::size_t c) {
-  if (tile.own[a] & tile.own[b] & tile.own[c]) return true;
-  if (!(tile.own[a] | tile.own[b] | tile.own[c])) return false;
-  std::size_t least = a;
-  if (tile.points[b] < tile.points[least]) least = b;
-  if (tile.points[c] < tile.points[least]) least = c;
-  return tile.own[least] != 0;
-}
-
-/// What is known of the triangles around a point: it has bit 0 when they are closed, bit 1 when the point is known.
-enum Star : std::uint8_t { unseen = 0, shared = 1, known = 3 };
-
-/// Where not all is known: for the remainder. Lists are written without a branch, as none could be foreseen.
-void tell_of_unknown(const Tile& tile, TileWorkspace& workspace, TileTriangles& result) {
-  const LocalFront& front = workspace.front;
-  const std::size_t triangles = front.triangles();
-  auto& beside = workspace.beside;
-  auto& given = workspace.given;
-  if (beside.size() < 3 * triangles) {
-    beside.resize(3 * triangles);
-    given.resize(3 * triangles);
-  }
-  std::size_t pairs = 0, corners = 0;
-  for (std::size_t t = 1; t < triangles; ++t) {
-    const std::size_t corner[4] = {front.from(4 * t), front.from(4 * t + 1), front.from(4 * t + 2), front.from(4 * t)};
-    const std::uint8_t star[4] = {workspace.star[corner[0]], workspace.star[corner[1]], workspace.star[corner[2]],
-                                  workspace.star[corner[0]]};
-    const bool is_told = workspace.number[t] >= 0;
-    if ((star[0] & star[1] & star[2]) == Star::known || !((star[0] | star[1] | star[2]) != Star::unseen || is_told))
-      continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      beside[pairs] = {tile.site[corner[i]], tile.site[corner[i + 1]]};
-      pairs += std::size_t{star[i] != Star::unseen} & std::size_t{star[i + 1] != Star::known};
-      given[corners] = tile.site[corner[i]];
-      corners += std::size_t{is_told} & std::size_t{tile.own[corner[i]] == 0};
-    }
-    if (is_told && ((star[0] | star[1] | star[2]) & ~Star::shared) == 0)
-      result.unsure.push_back(static_cast<std::uint32_t>(workspace.number[t]) / 3);
-  }
-  result.beside.assign(beside.begin(), beside.begin() + static_cast<std::ptrdiff_t>(pairs));
-  result.given.assign(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(corners));
-}
-
-/// The triangles of the complex that the tile owns, and what lies across them.
-void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
-  const LocalFront& front = workspace.front;
-  const std::size_t triangles = front.triangles();
-  std::vector<int>& number = workspace.number;  // of each, its first side in the patch, or what its neighbours are told
-  number.resize(triangles);
-  number[LocalFront::none] = meshops::Patch::open;
-  std::vector<std::uint16_t>& foreign =
-      workspace.foreign;  // of each point, triangles whose owners may not have found them
-  foreign.assign(tile.points.size(), 0);
-  meshops::Patch& patch = result.patch;
-  for (std::size_t t = 1; t < triangles; ++t) {
-    const std::size_t a = front.from(4 * t), b = front.from(4 * t + 1), c = front.from(4 * t + 2);
-    if (!radius.admits<double>(tile.points[a], tile.points[b], tile.points[c])) {
-      number[t] = meshops::Patch::frozen;
-    } else if (owns(tile, a, b, c)) {
-      number[t] = 3 * static_cast<int>(patch.triangles.size());
-      patch.triangles.push_back({static_cast<meshops::Site>(tile.site[a]), static_cast<meshops::Site>(tile.site[b]),
-                                 static_cast<meshops::Site>(tile.site[c])});
-    } else {
-      number[t] = meshops::Patch::open;
-      ++foreign[a];
-      ++foreign[b];
-      ++foreign[c];
-    }
-  }
-  for (std::size_t t = 1; t < triangles; ++t) {
-    if (number[t] < 0) continue;
-    const auto across = [&](std::size_t side) {
-      const LocalFront::Index s = front.across(side);
-      const int other = number[s / 4];
-      return other < 0 ? other : other + s % 4;
-    };
-    patch.across.push_back({across(4 * t), across(4 * t + 1), across(4 * t + 2)});
-  }
-  std::vector<std::uint8_t>& star = workspace.star;
-  star.assign(tile.points.size(), Star::unseen);
-  for (std::size_t v = 0; v < tile.points.size(); ++v) {
-    if (!tile.own[v] || !front.is_touched(v) || front.is_on_front(v)) continue;
-    if (foreign[v] == 0) {
-      star[v] = Star::known;
-      result.known.push_back(tile.site[v]);
-    } else {
-      star[v] = Star::shared;
-      result.shared.push_back({tile.site[v], foreign[v]});
-    }
-  }
-  tell_of_unknown(tile, workspace, result);
-}
-
 /// Points along curves: they fill a few cells, about as many points in each, most of which have few neighbours that are
 /// not empty. Their triangles reach across the void, where a search from near to far sees nothing for long.
 bool leaves_cells_empty(const Tile& tile) {
@@ -286,8 +193,10 @@ bool leaves_cells_empty(const Tile& tile) {
 }  // namespace
 
 void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
-  result.clear();
-  if (tile.points.empty() || leaves_cells_empty(tile)) return;
+  if (tile.points.empty() || leaves_cells_empty(tile)) {
+    result.clear();
+    return;
+  }
   HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace);
   hand_over(tile, radius, workspace, result);
 }

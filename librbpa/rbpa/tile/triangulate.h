@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "meshops/front/outline.h"
 #include "meshops/front/patch.h"
 #include "rbpa/pivot/radius.h"
 #include "rbpa/tile/coordinates.h"
@@ -20,6 +21,7 @@ namespace rbpa {
 
 struct TileTriangles {
   meshops::Patch patch;  ///< on the sites; the triangles whose least corner the tile owns
+  meshops::Outline outline;
   std::vector<std::uint32_t>
       known;  ///< sites the tile owns at which no triangle of the complex is but those of the patch
 
@@ -36,6 +38,7 @@ struct TileTriangles {
 
   void clear() {
     patch.clear();
+    outline.clear();
     known.clear();
     shared.clear();
     given.clear();
@@ -50,11 +53,18 @@ struct TileWorkspace {
   LocalFront front;
   std::vector<std::uint16_t> queue, wave;
   std::vector<float> radius;
-  std::vector<int> number;
-  std::vector<std::uint16_t> foreign;
+  // For hand_over(). Numbers of triangles:
+  std::vector<std::uint16_t> told, others, marginal;
+  // Of each triangle: it has an owner here. Of each side: what others are told of it. Of each point: triangles whose
+  // owners may not have found them, and the side that leaves it in an outline.
+  std::vector<std::uint16_t> owned, number, foreign;
+  std::vector<int> last;
   std::vector<std::uint8_t> star;
+  // Lists of the result, before their length is known.
+  std::vector<TileTriangles::SharedStar> shared;
   std::vector<std::array<std::uint32_t, 2>> beside;
   std::vector<std::uint32_t> given;
+  std::vector<int> rim;
 };
 
 /// Replaces `result`.

@@ -282,15 +282,16 @@ TEST_SUITE("front") {
       const std::vector<Patch> all = patches(complex, patch_of, 6, some_sides(complex, random));
       TestMesh laid, filled;
       Front front(laid, complex.sites), other(filled, complex.sites);
+      std::vector<Outline> outlines(all.size());
       std::vector<Placement> placements(all.size());
       for (std::size_t i = 0; i < all.size(); ++i) {
         front.lay(all[i]);
-        placements[i].survey(all[i]);
-        other.place(all[i], placements[i]);
+        survey(all[i], outlines[i]);
+        other.place(all[i], outlines[i], placements[i]);
       }
       std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5};
       std::shuffle(order.begin(), order.end(), random);
-      for (const std::size_t i : order) other.fill(all[i], placements[i]);
+      for (const std::size_t i : order) other.fill(all[i], outlines[i], placements[i]);
       front.join();
       other.join();
       CHECK(snapshot(filled) == snapshot(laid));
@@ -375,6 +376,22 @@ TEST_SUITE("front") {
     const auto joined = snapshot(laid_on);
     CHECK_THROWS_AS(laid.lay({{{3, 4, 5}}, {{Patch::open, Patch::open, Patch::open}}}), ContractViolation);
     CHECK(snapshot(laid_on) == joined);
+  }
+
+  TEST_CASE("a patch is not placed by the outline of another one") {
+    const Patch patch{{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}};
+    TestMesh mesh;
+    Front front(mesh, 3);
+    const auto empty = snapshot(mesh);
+    Placement placement;
+    CHECK_THROWS_AS(front.place(patch, {}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1, 2, 3, 4}, {}}, placement), ContractViolation);
+    CHECK(snapshot(mesh) == empty);
+    front.place(patch, {{0, 1, 2}, {}}, placement);
+    front.fill(patch, {{0, 1, 2}, {}}, placement);
+    front.join();
+    check_sound(mesh);
   }
 
   TEST_CASE("insert with the sides that are there is create, but for the queue") {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshops/front/outline.h"
 #include "meshops/front/patch.h"
 #include "rbpa/predicate/predicates.h"
 #include "rbpa/tile/cut.h"
@@ -63,6 +64,14 @@ bool same(const TileTriangles& a, const TileTriangles& b) {
   return a.patch.triangles == b.patch.triangles && a.patch.across == b.patch.across && a.known == b.known;
 }
 
+bool is_outlined(const TileTriangles& told) {
+  meshops::Outline expected;
+  survey(told.patch, expected);
+  std::vector<int> inside = told.outline.inside;
+  std::sort(inside.begin(), inside.end());
+  return told.outline.rim == expected.rim && inside == expected.inside;
+}
+
 /// How large two patches are.
 std::string unlike(const TileTriangles& a, const TileTriangles& b) {
   return "triangles " + std::to_string(a.patch.triangles.size()) + " and " + std::to_string(b.patch.triangles.size()) +
@@ -107,6 +116,7 @@ std::string wrong_with(const std::vector<TileTriangles>& told, const std::vector
   for (const TileTriangles& tile : told) {
     const Patch& patch = tile.patch;
     if (patch.across.size() != patch.triangles.size()) return "sizes of a patch";
+    if (!is_outlined(tile)) return "the outline of a patch is that of another one";
     std::set<Triangle> of_tile;
     for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
       const Triangle triangle = corners(patch.triangles[t]);

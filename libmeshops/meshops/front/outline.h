@@ -1,0 +1,29 @@
+// What: what of a patch has to do with the mesh around it, in terms of the patch alone.
+// Why:  only the rim of a patch depends on other patches; who made the patch often knows it, and need not search again.
+#pragma once
+
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/front/patch.h"
+
+namespace meshops {
+
+struct Outline {
+  std::vector<int> rim;  ///< the sides at which nothing of the patch lies, ascending
+  /// One side out of each site that lies inside, where triangles of the patch close: of those that come before the side
+  /// across, the last. In any order.
+  std::vector<int> inside;
+
+  void clear() {
+    rim.clear();
+    inside.clear();
+  }
+};
+
+/// Replaces `outline` by that of the patch.
+/// Requires: `across` for each triangle, of each side a side that is across of it in turn, or none.
+/// Throws:   ContractViolation. Cost: linear in the patch.
+MESHOPS_API void survey(const Patch& patch, Outline& outline);
+
+}  // namespace meshops

@@ -1,0 +1,244 @@
+#include "rbpa/tile/hand_over.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace rbpa {
+namespace {
+
+using meshops::Patch;
+using meshops::Site;
+
+/// What is known of the triangles around a point: it has bit 0 when they are closed, bit 1 when the point is known.
+enum Star : std::uint8_t { unseen = 0, shared = 1, known = 3 };
+
+constexpr int none = -1;
+
+/// A number of a Patch, of a side or of what lies across where none does, in 16 bits.
+using Across = std::uint16_t;
+constexpr Across packed(int across) { return static_cast<Across>(across - Patch::nothing); }
+constexpr int unpacked(Across across) { return across + Patch::nothing; }
+constexpr int most_sides = 3 * (2 * static_cast<int>(Tile::most_points) + 2);
+static_assert(unpacked(packed(most_sides)) == most_sides);
+
+/// Memory for lists of unknown length: never less than before.
+template <typename Element>
+Element* room_for(std::vector<Element>& list, std::size_t most) {
+  if (list.size() < most) list.resize(most);
+  return list.data();
+}
+
+/// Without a branch.
+template <typename Number>
+Number either(Number a, Number b, bool is_a) {
+  return static_cast<Number>(b ^ ((a ^ b) & (0 - std::size_t{is_a})));
+}
+
+class Telling {
+ public:
+  Telling(const Tile& tile, TileWorkspace& workspace, TileTriangles& result)
+      : tile_(tile), front_(workspace.front), workspace_(workspace), result_(result) {}
+
+  void run(const Radius& radius) {
+    find_owned();
+    if (radius.is_infinite())
+      tell_apart([](const Corners&) { return true; });
+    else
+      tell_apart([&](const Corners& c) {
+        return radius.admits<double>(tile_.points[c[0]], tile_.points[c[1]], tile_.points[c[2]]);
+      });
+    tell_of_points();
+    connect();
+    outline();
+    tell_of_unknown();
+  }
+
+ private:
+  using Corners = std::array<std::size_t, 3>;
+  Corners corners(std::size_t t) const { return {front_.from(4 * t), front_.from(4 * t + 1), front_.from(4 * t + 2)}; }
+
+  bool is_before(std::size_t p, std::size_t q) const {
+    const Point &a = tile_.points[p], &b = tile_.points[q];
+    return (a.x < b.x) | ((a.x == b.x) & (a.y < b.y));
+  }
+
+  /// The tile owns triangles whose least corner is its own. Of few, the corners must be compared: these come by
+  /// themselves, as none could be foreseen among the others.
+  void find_owned() {
+    const std::size_t triangles = front_.triangles();
+    std::uint16_t* const owned = room_for(workspace_.owned, triangles);
+    std::uint16_t* const some = room_for(workspace_.others, triangles);
+    const std::uint8_t* const own = tile_.own.data();
+    std::size_t count = 0;
+    for (std::size_t t = 1; t < triangles; ++t) {
+      const auto [a, b, c] = corners(t);
+      const int corners_owned = own[a] + own[b] + own[c];
+      owned[t] = corners_owned == 3;
+      some[count] = static_cast<std::uint16_t>(t);
+      count += (corners_owned == 1) | (corners_owned == 2);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto [a, b, c] = corners(some[k]);
+      const std::size_t lesser = either(a, b, is_before(a, b));
+      owned[some[k]] = own[either(lesser, c, is_before(lesser, c))];
+    }
+  }
+
+  /// The triangles of the patch, and of all others what those of the patch are to know.
+  template <typename IsSmall>
+  void tell_apart(IsSmall is_small) {
+    const std::size_t triangles = front_.triangles();
+    Across* const number = room_for(workspace_.number, 4 * triangles);
+    const std::uint16_t* const owned = workspace_.owned.data();
+    std::uint16_t* const told = room_for(workspace_.told, triangles);
+    std::uint16_t* const others = room_for(workspace_.others, triangles);
+    result_.patch.triangles.resize(triangles);
+    auto* const patch = result_.patch.triangles.data();
+    const std::uint32_t* const site = tile_.site.data();
+    std::size_t own = 0, other = 0;
+    number[LocalFront::none] = packed(Patch::open);
+    for (std::size_t t = 1; t < triangles; ++t) {
+      const Corners corner = corners(t);
+      const bool small = is_small(corner), is_told = small & (owned[t] != 0);
+      const Across apart = packed(small ? Patch::open : Patch::frozen);
+      patch[own] = {static_cast<Site>(site[corner[0]]), static_cast<Site>(site[corner[1]]),
+                    static_cast<Site>(site[corner[2]])};
+      told[own] = others[other] = static_cast<std::uint16_t>(t);
+      const auto first = either(packed(static_cast<int>(3 * own)), apart, is_told);
+      number[4 * t] = first;
+      number[4 * t + 1] = static_cast<Across>(first + is_told);
+      number[4 * t + 2] = static_cast<Across>(first + 2 * is_told);
+      own += is_told;
+      other += !is_told;
+    }
+    told_ = own;
+    others_ = other;
+    result_.patch.triangles.resize(told_);
+  }
+
+  /// Which points are known, and of which that is for other tiles to say.
+  void tell_of_points() {
+    const std::size_t points = tile_.points.size();
+    workspace_.foreign.assign(points, 0);
+    std::uint16_t* const foreign = workspace_.foreign.data();
+    for (std::size_t k = 0; k < others_; ++k) {
+      const std::size_t t = workspace_.others[k];
+      for (const std::size_t v : corners(t)) foreign[v] += workspace_.number[4 * t] == packed(Patch::open);
+    }
+    std::uint8_t* const star = room_for(workspace_.star, points);
+    auto* const shared = room_for(workspace_.shared, points);
+    result_.known.resize(points);
+    std::uint32_t* const done = result_.known.data();
+    const std::uint32_t* const site = tile_.site.data();
+    const std::uint8_t* const own = tile_.own.data();
+    std::size_t known_points = 0, shared_points = 0;
+    for (std::size_t v = 0; v < points; ++v) {
+      const bool is_closed = (own[v] != 0) & front_.is_touched(v) & !front_.is_on_front(v);
+      const bool is_known = is_closed & (foreign[v] == 0);
+      done[known_points] = site[v];
+      known_points += is_known;
+      shared[shared_points] = {site[v], foreign[v]};
+      shared_points += is_closed ^ is_known;
+      star[v] = static_cast<std::uint8_t>(is_closed * Star::shared + is_known * (Star::known - Star::shared));
+    }
+    result_.known.resize(known_points);
+    result_.shared.assign(shared, shared + shared_points);
+  }
+
+  /// What lies across of sides; which triangles are marginal: something lies at their sides or corners that is not told.
+  void connect() {
+    const std::size_t points = tile_.points.size();
+    result_.patch.across.resize(told_);
+    workspace_.last.assign(points + 1, none);
+    auto* const across = result_.patch.across.data();
+    std::uint16_t* const marginal = room_for(workspace_.marginal, told_);
+    int* const last = workspace_.last.data();
+    const std::uint16_t* const told = workspace_.told.data();
+    const Across* const number = workspace_.number.data();
+    const std::uint8_t* const star = workspace_.star.data();
+    std::size_t count = 0;
+    int side = 0;
+    for (std::size_t k = 0; k < told_; ++k) {
+      const std::size_t t = told[k];
+      const Corners corner = corners(t);
+      std::array<int, 3> beyond;
+      for (std::size_t i = 0; i < 3; ++i, ++side) {
+        beyond[i] = unpacked(number[front_.across(4 * t + i)]);
+        last[either<std::size_t>(corner[i] + 1, 0, side < beyond[i])] = side;
+      }
+      across[k] = beyond;
+      marginal[count] = static_cast<std::uint16_t>(k);
+      const bool is_known = (star[corner[0]] & star[corner[1]] & star[corner[2]]) == Star::known;
+      const bool is_at_rim = (beyond[0] | beyond[1] | beyond[2]) < 0;
+      count += !is_known | is_at_rim;
+    }
+    marginal_ = count;
+  }
+
+  void outline() {
+    int* const rim = room_for(workspace_.rim, 3 * marginal_);
+    std::size_t at_rim = 0, inside = 0;
+    for (std::size_t m = 0; m < marginal_; ++m) {
+      const std::size_t k = workspace_.marginal[m], t = workspace_.told[k];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_at_rim = result_.patch.across[k][i] < 0;
+        rim[at_rim] = static_cast<int>(3 * k + i);
+        at_rim += is_at_rim;
+        workspace_.last[either<std::size_t>(front_.from(4 * t + i) + 1, 0, is_at_rim)] = none;
+      }
+    }
+    result_.outline.rim.assign(rim, rim + at_rim);
+    const int* const last = workspace_.last.data();
+    result_.outline.inside.resize(workspace_.last.size());
+    for (std::size_t v = 1; v < workspace_.last.size(); ++v) {
+      result_.outline.inside[inside] = last[v];
+      inside += last[v] != none;
+    }
+    result_.outline.inside.resize(inside);
+  }
+
+  /// Where not all is known: for the remainder.
+  void tell_of_unknown() {
+    const std::uint8_t* const star = workspace_.star.data();
+    auto* const beside = room_for(workspace_.beside, 3 * (marginal_ + others_));
+    auto* const given = room_for(workspace_.given, 3 * marginal_);
+    std::size_t pairs = 0, corners_given = 0;
+    const auto tell_neighbours = [&](const Corners& corner) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t p = corner[i], q = corner[(i + 1) % 3];
+        beside[pairs] = {tile_.site[p], tile_.site[q]};
+        pairs += (star[p] != Star::unseen) & (star[q] != Star::known);
+      }
+    };
+    result_.unsure.clear();
+    for (std::size_t m = 0; m < marginal_; ++m) {
+      const std::size_t k = workspace_.marginal[m];
+      const Corners corner = corners(workspace_.told[k]);
+      tell_neighbours(corner);
+      for (const std::size_t p : corner) {
+        given[corners_given] = tile_.site[p];
+        corners_given += tile_.own[p] == 0;
+      }
+      if (((star[corner[0]] | star[corner[1]] | star[corner[2]]) & ~Star::shared) == 0)
+        result_.unsure.push_back(static_cast<std::uint32_t>(k));
+    }
+    for (std::size_t k = 0; k < others_; ++k) tell_neighbours(corners(workspace_.others[k]));
+    result_.beside.assign(beside, beside + pairs);
+    result_.given.assign(given, given + corners_given);
+  }
+
+  const Tile& tile_;
+  const LocalFront& front_;
+  TileWorkspace& workspace_;
+  TileTriangles& result_;
+  std::size_t told_ = 0, others_ = 0, marginal_ = 0;
+};
+
+}  // namespace
+
+void hand_over(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
+  Telling(tile, workspace, result).run(radius);
+}
+
+}  // namespace rbpa

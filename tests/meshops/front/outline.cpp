@@ -1,0 +1,95 @@
+// survey(): what of a patch has to do with the mesh around it.
+#include "meshops/front/outline.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "support/soups.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+/// Some of the triangles of a grid, a band or a torus, in any order.
+Patch random_patch(std::mt19937& random) {
+  const auto columns = static_cast<std::uint32_t>(4 + random() % 4),
+             rows = static_cast<std::uint32_t>(4 + random() % 4);
+  const PolygonSoup grid = shuffled(grid_soup(columns, rows, random() % 2 == 0, random() % 3 == 0), random, true).soup;
+  const std::size_t kept = 2 + random() % 9;
+  Patch patch;
+  std::map<std::pair<Site, Site>, int> side_at;
+  for (std::size_t f = 0; f < grid.faces(); ++f) {
+    if (random() % 10 >= kept) continue;
+    const auto corners = grid.face(f);
+    auto& triangle = patch.triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = static_cast<Site>(corners[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      side_at[{triangle[i], triangle[(i + 1) % 3]}] = static_cast<int>(3 * patch.triangles.size() - 3 + i);
+  }
+  for (const auto& t : patch.triangles) {
+    auto& across = patch.across.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto beyond = side_at.find({t[(i + 1) % 3], t[i]});
+      across[i] = beyond != side_at.end() ? beyond->second : -1 - static_cast<int>(random() % 3);
+    }
+  }
+  return patch;
+}
+
+}  // namespace
+
+TEST_SUITE("front") {
+  TEST_CASE("an outline has each side at the rim, and of each site inside the last side that comes first") {
+    std::mt19937 random(5);
+    Outline outline;
+    for (int round = 0; round < 300; ++round) {
+      CAPTURE(round);
+      const Patch patch = random_patch(random);
+      std::vector<int> rim;
+      std::set<Site> at_rim;
+      std::map<Site, int> last;
+      for (int s = 0; s < static_cast<int>(3 * patch.triangles.size()); ++s) {
+        const auto t = static_cast<std::size_t>(s) / 3, i = static_cast<std::size_t>(s) % 3;
+        if (patch.across[t][i] < 0) {
+          rim.push_back(s);
+          at_rim.insert({patch.triangles[t][i], patch.triangles[t][(i + 1) % 3]});
+        } else if (s < patch.across[t][i]) {
+          last[patch.triangles[t][i]] = s;
+        }
+      }
+      std::vector<int> inside;
+      for (const auto& [site, side] : last)
+        if (!at_rim.contains(site)) inside.push_back(side);
+      std::sort(inside.begin(), inside.end());
+      survey(patch, outline);
+      std::sort(outline.inside.begin(), outline.inside.end());
+      CHECK(outline.rim == rim);
+      CHECK(outline.inside == inside);
+    }
+  }
+
+  TEST_CASE("a patch is not surveyed whose sides do not lie across of each other in pairs") {
+    Outline outline;
+    const auto refused = [&](const Patch& patch) { CHECK_THROWS_AS(survey(patch, outline), ContractViolation); };
+    const std::vector<std::array<Site, 3>> two = {{0, 1, 2}, {2, 1, 3}};
+    survey({two, {{-1, 3, -2}, {1, -3, -1}}}, outline);
+    CHECK(outline.rim == std::vector<int>{0, 2, 4, 5});
+    CHECK(outline.inside.empty());
+    refused({two, {{-1, 3, -2}}});
+    refused({two, {{-1, 3, -2}, {1, -3, -1}, {-1, -1, -1}}});
+    refused({two, {{-1, 3, -2}, {-1, -3, -1}}});
+    refused({two, {{-1, 3, -2}, {0, -3, -1}}});
+    refused({two, {{-1, 6, -2}, {1, -3, -1}}});
+    refused({two, {{-1, 3, -2}, {1, 4, -1}}});
+    refused({two, {{-1, 3, -4}, {1, -3, -1}}});
+  }
+}
