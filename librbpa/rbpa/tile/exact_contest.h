@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/predicate/chord.h"
 #include "rbpa/tile/coordinates.h"
 #include "rbpa/tile/tile.h"
 
@@ -22,11 +22,14 @@ class ExactContest {
 
   /// Among points that may lie on either side of the chord; `none` when all lie right of it or on it.
   Index winner(std::size_t a, std::size_t b, std::span<const Index> contenders, Index none) const {
-    const Point &pa = tile_.points[a], &pb = tile_.points[b];
+    const Chord chord(tile_.points[a], tile_.points[b]);
     Index best = none;
+    Chord::Candidate least{};
     for (const Index i : contenders) {
-      if (P::orientation(pa, pb, tile_.points[i]) <= 0) continue;
-      if (best == none || P::in_perturbed_circle(pa, pb, tile_.points[best], tile_.points[i]) > 0) best = i;
+      const Chord::Candidate candidate = chord.candidate(tile_.points[i]);
+      if (!chord.is_left(candidate) || (best != none && !chord.is_inside(candidate, least))) continue;
+      best = i;
+      least = candidate;
     }
     return best;
   }
@@ -40,8 +43,6 @@ class ExactContest {
   }
 
  private:
-  using P = Predicates<double>;
-
   /// p is in the circle of a, b, q. In double precision products of four differences are exact.
   bool beats_on_lattice(std::size_t a, std::size_t b, std::size_t p, std::size_t q) const {
     struct Ratio {

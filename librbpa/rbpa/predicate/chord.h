@@ -1,0 +1,48 @@
+// What: points that compete for a circle through the ends of a chord: of those left of it, the one with the least circle
+//       has the least k = dot / cross, as in pivot/candidate.h.
+// Law:  the answers are those of the predicates.
+// Why:  what a point and a chord have in common is computed once for each point, not for each pair of them.
+#pragma once
+
+#include <cmath>
+
+#include "rbpa/predicate/predicates.h"
+
+namespace rbpa {
+
+class Chord {
+ public:
+  Chord(const Point& from, const Point& to) : a_(from), b_(to), ab_(P::from(from, to)) {}
+
+  struct Candidate {
+    Point at;
+    double dot, cross, dot_size, cross_size;
+  };
+  Candidate candidate(const Point& p) const {
+    const auto ap = P::from(a_, p), bp = P::from(b_, p);
+    return {p, P::dot(ap, bp), P::cross(ab_, ap), P::dot_size(ap, bp), P::cross_size(ab_, ap)};
+  }
+
+  bool is_left(const Candidate& p) const {
+    if (std::abs(p.cross) <= 5 * P::unit * p.cross_size) [[unlikely]]
+      return P::orientation(a_, b_, p.at) > 0;
+    return p.cross > 0;
+  }
+
+  /// q is inside the circle through the chord and p, ties perturbed. Requires p to be left, and q another point.
+  bool is_inside(const Candidate& q, const Candidate& p) const {
+    const double difference = p.dot * q.cross - q.dot * p.cross;
+    const double bound = 11 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
+    if (std::abs(difference) <= bound) [[unlikely]]
+      return P::in_perturbed_circle(a_, b_, p.at, q.at) > 0;
+    return difference > 0;
+  }
+
+ private:
+  using P = Predicates<double>;
+
+  Point a_, b_;
+  P::Vector ab_;
+};
+
+}  // namespace rbpa
