@@ -80,13 +80,11 @@ void Front::fill(const Patch& patch, const Outline& outline, Placement& placemen
     const auto across = patch.across[t];
     const Face face(placement.first_face_ + static_cast<int>(t));
     std::array<Halfedge, 3> h;
-    // Whether a side comes before the one across is a toss of a coin, so both write the same. At the rim, what is across
-    // is written to no purpose.
+    // A side tells the one across its halfedge. Only the first of two need do so, but which it is, is a toss of a coin.
     for (unsigned i = 0; i < 3; ++i, ++side) {
       const bool comes_first = side < across[i];
       h[i] = Halfedge(either(next, placement.at(side).idx(), comes_first));
       next += 2 * comes_first;
-      placement.at(side) = h[i];
       placement.at(across[i]) = mesh_.opposite_halfedge_handle(h[i]);
     }
     for (unsigned i = 0; i < 3; ++i) {
@@ -96,8 +94,11 @@ void Front::fill(const Patch& patch, const Outline& outline, Placement& placemen
     }
     mesh_.set_halfedge_handle(face, h[0]);
   }
-  for (const int out : outline.inside)
-    mesh_.set_halfedge_handle(Vertex(patch.triangles[index(out) / 3][index(out) % 3]), placement.at(out));
+  for (const int out : outline.inside) {
+    const std::size_t t = index(out) / 3, i = index(out) % 3;
+    const Halfedge back = placement.at(patch.across[t][i]);
+    mesh_.set_halfedge_handle(Vertex(patch.triangles[t][i]), mesh_.opposite_halfedge_handle(back));
+  }
 }
 
 void Front::lay(const Patch& patch) {

@@ -11,8 +11,8 @@ namespace meshops {
 
 struct Outline {
   std::vector<int> rim;  ///< the sides at which nothing of the patch lies, ascending
-  /// One side out of each site that lies inside, where triangles of the patch close: of those that come before the side
-  /// across, the last. In any order.
+  /// For each site inside, around which triangles of the patch close, a side out of it: the last of those whose number is
+  /// less than that of the side across. In any order.
   std::vector<int> inside;
 
   void clear() {

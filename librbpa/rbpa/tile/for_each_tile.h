@@ -22,8 +22,8 @@ struct ToldTile {
   meshops::Placement placement;
 };
 
-/// Calls told(ToldTile&) with what each tile tells, in the same order on every run and one at a time; then, in
-/// any thread, finish(ToldTile&). Throws what one of them throws.
+/// Calls told(ToldTile&) with what each tile tells, in the same order on every run and one at a time; then, in any thread,
+/// finish(ToldTile&). Throws what one of them throws.
 template <typename Told, typename Finish>
 void for_each_tile(const PointGrid<double>& grid, const Radius& radius, Threads& threads, Told told, Finish finish) {
   struct Workspace {
