@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "meshops/core/contract.h"
 
@@ -151,32 +152,36 @@ LevelTransfer Front::next_level() {
   return transfer;
 }
 
-std::vector<Site> Front::finish() {
-  std::vector<Site> site_of;
-  site_of.reserve(mesh_.n_vertices());
-  std::vector<Vertex> renumbered;
-  for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
-    const Vertex v(i);
-    if (mesh_.is_isolated(v)) {
-      if (renumbered.empty()) {
-        // The first gap: up to here every vertex stays where it is.
-        renumbered.resize(mesh_.n_vertices());
-        for (int k = 0; k < i; ++k) renumbered[static_cast<std::size_t>(k)] = Vertex(k);
-      }
-      continue;
-    }
-    const Vertex target(static_cast<int>(site_of.size()));
-    site_of.push_back(site(v));
-    if (renumbered.empty()) continue;
-    renumbered[static_cast<std::size_t>(i)] = target;
-    mesh_.copy_all_properties(v, target, true);
-    mesh_.set_halfedge_handle(target, mesh_.halfedge_handle(v));
+/// Moves the vertices from `first` on to their new numbers. One without triangles has that of the next, which then
+/// overwrites it: no branch is needed where it could not be foreseen.
+void Front::renumber(std::size_t first, const std::vector<int>& number) {
+  for (auto property = mesh_.vprops_begin(); property != mesh_.vprops_end(); ++property) {
+    if (*property == nullptr) continue;
+    for (std::size_t i = first; i < number.size(); ++i) (*property)->copy(i, static_cast<std::size_t>(number[i]));
   }
-  if (!renumbered.empty()) {
-    for (int i = 0; i < static_cast<int>(2 * edges_); ++i) {
-      const Halfedge h(i);
-      mesh_.set_vertex_handle(h, renumbered[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]);
+  for (std::size_t i = first; i < number.size(); ++i)
+    mesh_.set_halfedge_handle(Vertex(number[i]), mesh_.halfedge_handle(Vertex(static_cast<int>(i))));
+  for (int i = 0; i < static_cast<int>(2 * edges_); ++i) {
+    const Halfedge h(i);
+    mesh_.set_vertex_handle(h, Vertex(number[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]));
+  }
+}
+
+std::vector<Site> Front::finish() {
+  std::vector<Site> site_of(mesh_.n_vertices());
+  const auto is_unused = [&](std::size_t i) { return mesh_.is_isolated(Vertex(static_cast<int>(i))); };
+  std::size_t left = 0;
+  for (; left < site_of.size() && !is_unused(left); ++left) site_of[left] = site(Vertex(static_cast<int>(left)));
+  if (const std::size_t first = left; first < site_of.size()) {
+    std::vector<int> number(site_of.size());
+    std::iota(number.begin(), number.begin() + static_cast<std::ptrdiff_t>(first), 0);
+    for (std::size_t i = first; i < site_of.size(); ++i) {
+      site_of[left] = site(Vertex(static_cast<int>(i)));
+      number[i] = static_cast<int>(left);
+      left += !is_unused(i);
     }
+    renumber(first, number);
+    site_of.resize(left);
   }
   mesh_.resize(site_of.size(), edges_, faces_);
   extra_ = {};

@@ -217,6 +217,7 @@ class MESHOPS_API Front {
   }
   Vertex vertex_for_fan(Site s);
   void release(Vertex v);
+  void renumber(std::size_t first, const std::vector<int>& number);
   InsertedTriangle insert_and_activate(const TriangleSides& sides, Site a, Site b, Site c);
 
   Connectivity& mesh_;
