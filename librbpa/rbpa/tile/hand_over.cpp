@@ -101,7 +101,7 @@ class Telling {
     for (std::size_t t = 1; t < triangles; ++t) {
       const Corners corner = corners(t);
       const bool small = is_small(corner), is_told = small & (owned[t] != 0);
-      const Across apart = packed(small ? Patch::open : Patch::frozen);
+      const Across apart = packed(small ? Patch::open : Patch::nothing);
       patch[own] = {static_cast<Site>(site[corner[0]]), static_cast<Site>(site[corner[1]]),
                     static_cast<Site>(site[corner[2]])};
       told[own] = others[other] = static_cast<std::uint16_t>(t);
