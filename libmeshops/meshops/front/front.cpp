@@ -35,21 +35,25 @@ Vertex Front::vertex_for_fan(Site s) {
     index = unused_.back().idx() - static_cast<int>(first_sites_);
     unused_.pop_back();
   }
-  int& first = is_first(s) ? first_extra_.try_emplace(s, -1).first->second : added_[index_of_added(s)];
+  chain(s, index);
+  return Vertex(static_cast<int>(first_sites_) + index);
+}
+
+/// Puts an extra vertex on a site.
+void Front::chain(Site s, int index) {
+  if (is_first(s) && first_extra_.empty()) first_extra_.assign(first_sites_, -1);
+  int& first = first_on(s);
   extra_[static_cast<std::size_t>(index)] = {s, first};
   first = index;
-  return Vertex(static_cast<int>(first_sites_) + index);
 }
 
 void Front::release(Vertex v) {
   // Of two merged vertices the lower handle stays, so the one left over is always an extra one.
   const int index = v.idx() - static_cast<int>(first_sites_);
   const Site s = site(v);
-  int& first = is_first(s) ? first_extra_.find(s)->second : added_[index_of_added(s)];
-  int* link = &first;
+  int* link = &first_on(s);
   while (*link != index) link = &extra_[static_cast<std::size_t>(*link)].next;
   *link = extra_[static_cast<std::size_t>(index)].next;
-  if (first < 0) first_extra_.erase(s);  // never an added site's: another of its fans has survived
   unused_.push_back(v);
 }
 
