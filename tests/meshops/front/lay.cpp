@@ -369,11 +369,12 @@ TEST_SUITE("front") {
     const auto empty = snapshot(mesh);
     Placement placement;
     CHECK_THROWS_AS(front.place(patch, {}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {}}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1, 2, 3, 4}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1, 2, 3, 4}, {}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {2}, {}, {}}, placement), ContractViolation);
     CHECK(snapshot(mesh) == empty);
-    front.place(patch, {{0, 1, 2}, {}}, placement);
-    front.fill(patch, {{0, 1, 2}, {}}, placement);
+    front.place(patch, {{0, 1, 2}, {}, {}, {}}, placement);
+    front.fill(patch, {{0, 1, 2}, {}, {}, {}}, placement);
     front.join();
     check_sound(mesh);
   }

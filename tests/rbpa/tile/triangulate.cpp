@@ -61,7 +61,8 @@ bool is_outlined(const TileTriangles& told) {
   survey(told.patch, expected);
   std::vector<int> inside = told.outline.inside;
   std::sort(inside.begin(), inside.end());
-  return told.outline.rim == expected.rim && inside == expected.inside;
+  return told.outline.rim == expected.rim && told.outline.holes == expected.holes &&
+         told.outline.next_hole == expected.next_hole && inside == expected.inside;
 }
 
 /// How large two patches are.
