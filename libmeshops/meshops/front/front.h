@@ -126,7 +126,7 @@ class MESHOPS_API Front {
   /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other
   /// fills, surveys and place(), provided that reserve() made room for all patches.
   /// Requires: what lay() does, and the outline of the patch; to fill, that it was placed, with the same arguments.
-  /// Cost:     place() is linear in the sides at the rim of the patch, fill() in the patch.
+  /// Cost:     place() is linear in the sides at the rim of the patch and its holes, fill() in the patch.
   void reserve(std::size_t edges, std::size_t faces);
   void place(const Patch& patch, const Outline& outline, Placement& placement);
   void fill(const Patch& patch, const Outline& outline, Placement& placement);
