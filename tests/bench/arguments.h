@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,12 @@ struct Arguments {
   std::size_t points = 1000000;
   int runs = 5;
   std::vector<unsigned> threads{1, 2};
+  double alpha = std::numeric_limits<double>::infinity();  // in mean spacings
+};
+
+/// What a program takes beside the number of points and of runs.
+struct Takes {
+  bool threads = false, alpha = false;
 };
 
 /// The number that is the whole of `text`; false when it is none.
@@ -44,9 +51,9 @@ inline std::optional<std::string_view> behind(std::string_view given, std::strin
   return given.substr(name.size());
 }
 
-/// `[--runs=N] [--points=N]`, and `[--threads=1,2]` for those who have a use for it; nothing, and the usage on standard
-/// error, when there is anything else.
-inline std::optional<Arguments> parse(int argc, char** argv, bool with_threads = false) {
+/// `[--runs=N] [--points=N]`, and `[--threads=1,2]` and `[--alpha=SPACINGS]` for those who take them; nothing, and the
+/// usage on standard error, when there is anything else.
+inline std::optional<Arguments> parse(int argc, char** argv, Takes takes = {}) {
   Arguments arguments;
   for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
     const auto number = [&](std::string_view name, auto& into) {
@@ -54,9 +61,11 @@ inline std::optional<Arguments> parse(int argc, char** argv, bool with_threads =
       return text && read_number(*text, into) && into > 0;
     };
     if (number("--points=", arguments.points) || number("--runs=", arguments.runs)) continue;
-    if (const auto list = behind(given, "--threads="); with_threads && list && read_threads(*list, arguments.threads))
+    if (takes.alpha && number("--alpha=", arguments.alpha)) continue;
+    if (const auto list = behind(given, "--threads="); takes.threads && list && read_threads(*list, arguments.threads))
       continue;
-    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N]%s\n", argv[0], with_threads ? " [--threads=1,2]" : "");
+    std::fprintf(stderr, "usage: %s [--runs=N] [--points=N]%s%s\n", argv[0], takes.threads ? " [--threads=1,2]" : "",
+                 takes.alpha ? " [--alpha=SPACINGS]" : "");
     return std::nullopt;
   }
   return arguments;

@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s [--runs=N] [--points=N] [--threads=1,2] FOLDER\n", argv[0]);
     return 2;
   }
-  const auto arguments = rbpa_bench::parse(argc - 1, argv, /*with_threads=*/true);
+  const auto arguments = rbpa_bench::parse(argc - 1, argv, {.threads = true});
   if (!arguments) return 2;
   try {
     const std::filesystem::path folder = argv[argc - 1];

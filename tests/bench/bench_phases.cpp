@@ -1,8 +1,10 @@
-// Where the time of rbpa() goes, in one thread without a radius: the table of docs/performance.md.
-//   bench_phases [--runs=N] [--points=N]      the least of 5 runs, 1,000,000 points
+// Where the time of rbpa() goes, in one thread: the tables of docs/performance.md.
+//   bench_phases [--runs=N] [--points=N] [--alpha=SPACINGS]
+//                the least of 5 runs, 1,000,000 points, no radius; alpha in mean spacings of each set
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "rbpa/remainder/remainder.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/tile/for_each_tile.h"
+#include "support/spacing.h"
 
 namespace rbpa_bench {
 namespace {
@@ -42,16 +45,15 @@ class Stopwatch {
 };
 
 /// rbpa() step by step.
-Seconds run(const rbpa_test::Points& points) {
+Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   Seconds seconds{};
   rbpa::SolidAlphaComplex complex;
   rbpa::Threads threads;
-  const rbpa::Radius infinite;
   Stopwatch watch(seconds);
   rbpa::Assembly<double> assembly(points, complex, threads);
   const rbpa::PointGrid<double>& grid = assembly.grid();
   meshops::Front& front = assembly.front();
-  rbpa::Remainder remainder(grid.points(), infinite);
+  rbpa::Remainder remainder(grid.points(), radius);
   front.reserve(3 * grid.points().size(), 2 * grid.points().size());
   watch.lap(sort);
   rbpa::Cutter cutter(grid);
@@ -63,7 +65,7 @@ Seconds run(const rbpa_test::Points& points) {
   for (const rbpa::Block& block : blocks) {
     cutter.cut(block, tile);
     watch.lap(cut);
-    rbpa::triangulate(tile, infinite, workspace, told.triangles);
+    rbpa::triangulate(tile, radius, workspace, told.triangles);
     watch.lap(triangulate);
     const meshops::Patch& patch = told.triangles.patch;
     const meshops::Outline& outline = told.triangles.outline;
@@ -91,10 +93,13 @@ void report(const Arguments& arguments) {
   std::printf("|");
   for (const Workload& workload : workloads) {
     const rbpa_test::Points points = workload.make(arguments.points);
+    const rbpa::Radius radius = std::isfinite(arguments.alpha)
+                                    ? rbpa::Radius(arguments.alpha * rbpa_test::mean_spacing(points))
+                                    : rbpa::Radius();
     Seconds& least = best.emplace_back();
     least.fill(std::numeric_limits<double>::infinity());
     for (int i = 0; i < arguments.runs; ++i) {
-      const Seconds seconds = run(points);
+      const Seconds seconds = run(points, radius);
       for (std::size_t phase = 0; phase < phases; ++phase)
         least[phase] = std::min(least[phase], 1e9 * seconds[phase] / static_cast<double>(points.size()));
     }
@@ -114,7 +119,7 @@ void report(const Arguments& arguments) {
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse(argc, argv);
+  const auto arguments = rbpa_bench::parse(argc, argv, {.alpha = true});
   if (!arguments) return 2;
   rbpa_bench::keep_memory();
   rbpa_bench::report(*arguments);

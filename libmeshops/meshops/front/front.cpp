@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "meshops/core/contract.h"
 
@@ -34,21 +35,25 @@ Vertex Front::vertex_for_fan(Site s) {
     index = unused_.back().idx() - static_cast<int>(first_sites_);
     unused_.pop_back();
   }
-  int& first = is_first(s) ? first_extra_.try_emplace(s, -1).first->second : added_[index_of_added(s)];
+  chain(s, index);
+  return Vertex(static_cast<int>(first_sites_) + index);
+}
+
+/// Puts an extra vertex on a site.
+void Front::chain(Site s, int index) {
+  if (is_first(s) && first_extra_.empty()) first_extra_.assign(first_sites_, -1);
+  int& first = first_on(s);
   extra_[static_cast<std::size_t>(index)] = {s, first};
   first = index;
-  return Vertex(static_cast<int>(first_sites_) + index);
 }
 
 void Front::release(Vertex v) {
   // Of two merged vertices the lower handle stays, so the one left over is always an extra one.
   const int index = v.idx() - static_cast<int>(first_sites_);
   const Site s = site(v);
-  int& first = is_first(s) ? first_extra_.find(s)->second : added_[index_of_added(s)];
-  int* link = &first;
+  int* link = &first_on(s);
   while (*link != index) link = &extra_[static_cast<std::size_t>(*link)].next;
   *link = extra_[static_cast<std::size_t>(index)].next;
-  if (first < 0) first_extra_.erase(s);  // never an added site's: another of its fans has survived
   unused_.push_back(v);
 }
 
@@ -151,32 +156,36 @@ LevelTransfer Front::next_level() {
   return transfer;
 }
 
-std::vector<Site> Front::finish() {
-  std::vector<Site> site_of;
-  site_of.reserve(mesh_.n_vertices());
-  std::vector<Vertex> renumbered;
-  for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
-    const Vertex v(i);
-    if (mesh_.is_isolated(v)) {
-      if (renumbered.empty()) {
-        // The first gap: up to here every vertex stays where it is.
-        renumbered.resize(mesh_.n_vertices());
-        for (int k = 0; k < i; ++k) renumbered[static_cast<std::size_t>(k)] = Vertex(k);
-      }
-      continue;
-    }
-    const Vertex target(static_cast<int>(site_of.size()));
-    site_of.push_back(site(v));
-    if (renumbered.empty()) continue;
-    renumbered[static_cast<std::size_t>(i)] = target;
-    mesh_.copy_all_properties(v, target, true);
-    mesh_.set_halfedge_handle(target, mesh_.halfedge_handle(v));
+/// Moves the vertices from `first` on to their new numbers. One without triangles has that of the next, which then
+/// overwrites it: no branch is needed where it could not be foreseen.
+void Front::renumber(std::size_t first, const std::vector<int>& number) {
+  for (auto property = mesh_.vprops_begin(); property != mesh_.vprops_end(); ++property) {
+    if (*property == nullptr) continue;
+    for (std::size_t i = first; i < number.size(); ++i) (*property)->copy(i, static_cast<std::size_t>(number[i]));
   }
-  if (!renumbered.empty()) {
-    for (int i = 0; i < static_cast<int>(2 * edges_); ++i) {
-      const Halfedge h(i);
-      mesh_.set_vertex_handle(h, renumbered[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]);
+  for (std::size_t i = first; i < number.size(); ++i)
+    mesh_.set_halfedge_handle(Vertex(number[i]), mesh_.halfedge_handle(Vertex(static_cast<int>(i))));
+  for (int i = 0; i < static_cast<int>(2 * edges_); ++i) {
+    const Halfedge h(i);
+    mesh_.set_vertex_handle(h, Vertex(number[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]));
+  }
+}
+
+std::vector<Site> Front::finish() {
+  std::vector<Site> site_of(mesh_.n_vertices());
+  const auto is_unused = [&](std::size_t i) { return mesh_.is_isolated(Vertex(static_cast<int>(i))); };
+  std::size_t left = 0;
+  for (; left < site_of.size() && !is_unused(left); ++left) site_of[left] = site(Vertex(static_cast<int>(left)));
+  if (const std::size_t first = left; first < site_of.size()) {
+    std::vector<int> number(site_of.size());
+    std::iota(number.begin(), number.begin() + static_cast<std::ptrdiff_t>(first), 0);
+    for (std::size_t i = first; i < site_of.size(); ++i) {
+      site_of[left] = site(Vertex(static_cast<int>(i)));
+      number[i] = static_cast<int>(left);
+      left += !is_unused(i);
     }
+    renumber(first, number);
+    site_of.resize(left);
   }
   mesh_.resize(site_of.size(), edges_, faces_);
   extra_ = {};

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "meshops/core/api.h"
@@ -116,7 +115,7 @@ class MESHOPS_API Front {
   InsertedTriangle attach(Halfedge h, Site apex);
 
   /// Lays many triangles at once, whose edges among each other are known: gluing in bulk. Patches are laid beside each
-  /// other, in any order; an open or frozen side is glued to the side of another patch on the same sites. join() must
+  /// other, in any order; an open side is glued to the side of another patch on the same sites. join() must
   /// follow before anything else is done.
   /// Requires: no triangle but those of patches, none joined yet, and no added site. The triangles of all patches are
   ///           those of a complex; a site around which they close has no other fan, as it is in the plane.
@@ -127,14 +126,14 @@ class MESHOPS_API Front {
   /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other
   /// fills, surveys and place(), provided that reserve() made room for all patches.
   /// Requires: what lay() does, and the outline of the patch; to fill, that it was placed, with the same arguments.
-  /// Cost:     place() is linear in the sides at the rim of the patch, fill() in the patch.
+  /// Cost:     place() is linear in the sides at the rim of the patch and its holes, fill() in the patch.
   void reserve(std::size_t edges, std::size_t faces);
   void place(const Patch& patch, const Outline& outline, Placement& placement);
   void fill(const Patch& patch, const Outline& outline, Placement& placement);
 
   /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
   /// boundary halfedges, active those that were open and frozen the others. The mesh is sound again.
-  /// Cost:     linear in the sides that were not glued within their patch, and in the fans at the boundary.
+  /// Cost:     linear in the open sides of all patches, the fans at them, and all other fans but one at each site.
   void join();
 
   /// The next active halfedge, which is then no longer active until it is frozen or attached to; none when the front
@@ -203,20 +202,32 @@ class MESHOPS_API Front {
   struct Rim {
     Halfedge boundary;
     Site to;  // where it ends
-    bool frozen;
   };
+  /// Of sides of patches beyond which there is nothing.
+  struct Holes {
+    std::vector<std::array<int, 2>> edges;  // the first, and one behind the last
+    std::vector<bool> has_vertex;           // of each site: a fan between holes has it for its vertex
+    std::vector<Halfedge> into;             // of each extra vertex, a boundary halfedge that ends there
+    std::vector<Halfedge> loose;            // boundary halfedges that end where another patch has a say in what follows
+  };
+  void place_holes(const Patch& patch, const Outline& outline, Placement& placement);
+  void fill_holes(const Patch& patch, const Outline& outline, Placement& placement);
   Halfedge next_on_boundary(Halfedge boundary) const;
+  void close_fan(Halfedge boundary);
+  Vertex extra_vertex(Site s, Halfedge into);
 
   bool is_first(Site s) const { return static_cast<std::size_t>(s) < first_sites_; }
   std::size_t index_of_added(Site s) const { return static_cast<std::size_t>(s) - first_sites_; }
   /// The first extra vertex on a site, as an index into extra_; −1 when there is none.
   int chain(Site s) const {
     if (!is_first(s)) return added_[index_of_added(s)];
-    const auto found = first_extra_.find(s);
-    return found == first_extra_.end() ? -1 : found->second;
+    return first_extra_.empty() ? -1 : first_extra_[static_cast<std::size_t>(s)];
   }
+  int& first_on(Site s) { return is_first(s) ? first_extra_[static_cast<std::size_t>(s)] : added_[index_of_added(s)]; }
+  void chain(Site s, int index);
   Vertex vertex_for_fan(Site s);
   void release(Vertex v);
+  void renumber(std::size_t first, const std::vector<int>& number);
   InsertedTriangle insert_and_activate(const TriangleSides& sides, Site a, Site b, Site c);
 
   Connectivity& mesh_;
@@ -224,14 +235,15 @@ class MESHOPS_API Front {
   std::size_t supply_;
   std::size_t edges_ = 0;
   std::size_t faces_ = 0;
-  std::vector<Extra> extra_;                   // of vertex first_sites_ + i: a further fan, or one on an added site
-  std::unordered_map<Site, int> first_extra_;  // pinches are few
-  std::vector<int> added_;                     // of added site i: its first fan as an index into extra_, or −1
-  std::vector<Vertex> unused_;                 // extra vertices merged away, to be used again
-  std::vector<Halfedge> active_;               // a queue from head_ on; halfedges that turned inner are passed over
+  std::vector<Extra> extra_;      // of vertex first_sites_ + i: a further fan, or one on an added site
+  std::vector<int> first_extra_;  // of each first site, an index into extra_, or −1; empty while there is no pinch
+  std::vector<int> added_;        // of added site i: its first fan as an index into extra_, or −1
+  std::vector<Vertex> unused_;    // extra vertices merged away, to be used again
+  std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that turned inner are passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
   Seams<Rim> rims_;  // each at the site that its boundary halfedge leaves
+  Holes holes_;
   Outline outline_;  // of the patch being laid
   Placement placement_;
   std::vector<Site> carried_;       // by the last transfer

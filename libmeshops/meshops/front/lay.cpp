@@ -1,6 +1,6 @@
 // Patches: Front::place(), fill(), lay() and join().
+#include <algorithm>
 #include <array>
-#include <optional>
 
 #include "meshops/core/contract.h"
 #include "meshops/front/front.h"
@@ -14,6 +14,8 @@ constexpr std::size_t ahead = 8;             // as many sides before, memory is 
 std::size_t index(int side) { return static_cast<std::size_t>(side); }
 
 int next_in_triangle(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+int last_in_triangle(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
+Site from(const Patch& patch, int side) { return patch.triangles[index(side) / 3][index(side) % 3]; }
 
 /// Without a branch.
 int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is_a)); }
@@ -25,54 +27,86 @@ void Front::reserve(std::size_t edges, std::size_t faces) {
 }
 
 void Front::place(const Patch& patch, const Outline& outline, Placement& placement) {
-  const std::size_t triangles = patch.triangles.size(), sides = 3 * triangles, rim = outline.rim.size();
-  require(patch.across.size() == triangles && rim <= sides && (sides - rim) % 2 == 0,
+  const std::size_t triangles = patch.triangles.size(), sides = 3 * triangles, rim = outline.rim.size(),
+                    holes = outline.holes.size();
+  require(patch.across.size() == triangles && rim + holes <= sides && (sides - rim - holes) % 2 == 0 &&
+              outline.next_hole.size() == holes,
           "lay: the outline is of another patch");
   if (!rims_.has_begun()) {
     require(faces_ == 0, "lay: there are triangles that are not of a patch");
     require(added_.empty(), "lay: sites were added");
     rims_.begin(sites());
+    holes_.has_vertex.assign(sites(), false);
   }
-  const std::size_t inner_edges = (sides - rim) / 2;
+  const std::size_t inner_edges = (sides - rim - holes) / 2;
   const auto needed = [](std::size_t used, std::size_t more, std::size_t there) {
     return used + more > there ? used + more - there : 0;
   };
-  supply(needed(edges_, inner_edges, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
+  supply(needed(edges_, inner_edges + holes, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
   placement.first_face_ = static_cast<int>(faces_);
   placement.first_edge_ = static_cast<int>(edges_);
   placement.make_room(sides);
   faces_ += triangles;
   edges_ += inner_edges;
+  place_holes(patch, outline, placement);
 
-  const auto from = [&](int side) { return patch.triangles[index(side) / 3][index(side) % 3]; };
   for (std::size_t k = 0; k < rim; ++k) {
-    if (k + ahead < rim) rims_.prepare(from(outline.rim[k + ahead]));
+    if (k + ahead < rim) rims_.prepare(from(patch, outline.rim[k + ahead]));
     const int side = outline.rim[k];
-    const Site a = from(side), b = from(next_in_triangle(side));
-    const int across = patch.across[index(side) / 3][index(side) % 3];
-    std::optional<Rim> other;
-    if (across != Patch::nothing) other = rims_.take(a, [b](const Rim& seam) { return seam.to == b; });
+    const Site a = from(patch, side), b = from(patch, next_in_triangle(side));
     Halfedge h;
-    if (other) {
+    if (const auto other = rims_.take(a, [b](const Rim& seam) { return seam.to == b; })) {
       h = other->boundary;
     } else {
       if (edges_ == mesh_.n_edges()) supply(edges_at_a_time, 0);
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
       mesh_.set_vertex_handle(beyond, Vertex(a));
-      const Rim opposite = {beyond, a, across != Patch::open};
-      if (across == Patch::nothing)
-        rims_.add_apart(opposite);
-      else
-        rims_.add(b, opposite);
+      rims_.add(b, {beyond, a});
     }
-    mesh_.set_halfedge_handle(Vertex(a), h);
+    if (!holes_.has_vertex[static_cast<std::size_t>(a)]) mesh_.set_halfedge_handle(Vertex(a), h);
     placement.at(side) = h;
+  }
+}
+
+/// A further fan on a site. The vertex comes with join().
+Vertex Front::extra_vertex(Site s, Halfedge into) {
+  extra_.push_back({s, -1});
+  holes_.into.push_back(into);
+  return Vertex(static_cast<int>(first_sites_ + extra_.size()) - 1);
+}
+
+/// Gives the edges of holes their numbers, and the fans between them their vertices: the first on a site that of the site.
+void Front::place_holes(const Patch& patch, const Outline& outline, Placement& placement) {
+  const std::size_t count = outline.holes.size();
+  const auto first = static_cast<int>(edges_);
+  placement.first_hole_ = first;
+  placement.of_fan_.resize(count);
+  if (count == 0) return;
+  edges_ += count;
+  holes_.edges.push_back({first, static_cast<int>(edges_)});
+  for (std::size_t k = 0; k < count; ++k) {
+    const Halfedge h(2 * (first + static_cast<int>(k)));
+    const Site s = from(patch, outline.holes[k]);
+    auto has_vertex = holes_.has_vertex[static_cast<std::size_t>(s)];
+    Vertex& v = placement.of_fan_[k];
+    if (outline.next_hole[k] < 0) {
+      v = Vertex();
+      holes_.loose.push_back(mesh_.opposite_halfedge_handle(h));
+      if (!has_vertex) mesh_.set_halfedge_handle(Vertex(s), h);
+    } else if (!has_vertex) {
+      v = Vertex(s);
+      has_vertex = true;
+    } else {
+      v = extra_vertex(s, mesh_.opposite_halfedge_handle(h));
+    }
   }
 }
 
 void Front::fill(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t triangles = patch.triangles.size();
+  for (std::size_t k = 0; k < outline.holes.size(); ++k)
+    placement.at(outline.holes[k]) = Halfedge(2 * (placement.first_hole_ + static_cast<int>(k)));
   int next = 2 * placement.first_edge_;
   int side = 0;
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -99,6 +133,28 @@ void Front::fill(const Patch& patch, const Outline& outline, Placement& placemen
     const Halfedge back = placement.at(patch.across[t][i]);
     mesh_.set_halfedge_handle(Vertex(patch.triangles[t][i]), mesh_.opposite_halfedge_handle(back));
   }
+  fill_holes(patch, outline, placement);
+}
+
+void Front::fill_holes(const Patch& patch, const Outline& outline, Placement& placement) {
+  for (std::size_t k = 0; k < outline.holes.size(); ++k) {
+    const int hole = outline.holes[k], next = outline.next_hole[k];
+    const Halfedge boundary = mesh_.opposite_halfedge_handle(placement.at(hole));
+    const Vertex site(from(patch, hole)), v = placement.of_fan_[k];
+    mesh_.set_vertex_handle(boundary, next < 0 ? site : v);
+    if (next < 0) continue;
+    const Halfedge out = mesh_.opposite_halfedge_handle(placement.at(next));
+    mesh_.set_next_halfedge_handle(boundary, out);
+    if (v == site) {
+      mesh_.set_halfedge_handle(v, out);
+      continue;
+    }
+    for (int side = hole; side >= 0;) {
+      const int before = last_in_triangle(side);
+      mesh_.set_vertex_handle(placement.at(before), v);
+      side = patch.across[index(before) / 3][index(before) % 3];
+    }
+  }
 }
 
 void Front::lay(const Patch& patch) {
@@ -115,35 +171,43 @@ Halfedge Front::next_on_boundary(Halfedge boundary) const {
   return out;
 }
 
+/// Ends a fan whose halfedges end at the site yet.
+void Front::close_fan(Halfedge boundary) {
+  const Halfedge out = next_on_boundary(boundary);
+  mesh_.set_next_halfedge_handle(boundary, out);
+  const Vertex site = mesh_.to_vertex_handle(boundary);
+  if (!mesh_.is_boundary(mesh_.halfedge_handle(site))) {
+    mesh_.set_halfedge_handle(site, out);
+    return;
+  }
+  // The site has a fan already.
+  const Vertex own = extra_vertex(site.idx(), boundary);
+  mesh_.set_vertex_handle(boundary, own);
+  for (Halfedge h = mesh_.opposite_halfedge_handle(boundary); h != out;) {
+    const Halfedge before = mesh_.prev_halfedge_handle(h);
+    mesh_.set_vertex_handle(before, own);
+    h = mesh_.opposite_halfedge_handle(before);
+  }
+}
+
 void Front::join() {
+  for (const Halfedge boundary : holes_.loose) close_fan(boundary);
   rims_.for_each([&](const Rim& rim) {
     if (!mesh_.is_boundary(rim.boundary)) return;
-    const Halfedge in = rim.boundary, out = next_on_boundary(in);
-    mesh_.set_next_halfedge_handle(in, out);
-    const Vertex v = mesh_.to_vertex_handle(in);
-    if (!mesh_.is_boundary(mesh_.halfedge_handle(v))) {
-      mesh_.set_halfedge_handle(v, out);
-      return;
-    }
-    // The site has a fan already.
-    const Vertex own = vertex_for_fan(v.idx());
-    mesh_.set_halfedge_handle(own, out);
-    mesh_.set_vertex_handle(in, own);
-    for (Halfedge h = mesh_.opposite_halfedge_handle(in); h != out;) {
-      const Halfedge before = mesh_.prev_halfedge_handle(h);
-      mesh_.set_vertex_handle(before, own);
-      h = mesh_.opposite_halfedge_handle(before);
-    }
+    close_fan(rim.boundary);
+    activate(rim.boundary);
   });
-  rims_.for_each([&](const Rim& rim) {
-    if (!mesh_.is_boundary(rim.boundary)) return;
-    if (rim.frozen)
-      freeze(rim.boundary);
-    else
-      activate(rim.boundary);
-  });
-  mesh_.resize(mesh_.n_vertices(), edges_, faces_);  // what was made for seams that found their other side
   rims_.end();
+  // Edges were made for seams that found their other side, too.
+  mesh_.resize(first_sites_ + extra_.size(), edges_, faces_);
+  for (std::size_t i = 0; i < holes_.into.size(); ++i) {
+    const Vertex v(static_cast<int>(first_sites_ + i));
+    mesh_.set_halfedge_handle(v, mesh_.next_halfedge_handle(holes_.into[i]));
+    chain(extra_[i].site, static_cast<int>(i));
+  }
+  for (const auto& [first, end] : holes_.edges)
+    for (int e = first; e < end; ++e) freeze(Halfedge(2 * e + 1));
+  holes_ = {};
   outline_ = {};
   placement_ = {};
 }

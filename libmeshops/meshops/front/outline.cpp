@@ -7,6 +7,9 @@
 namespace meshops {
 namespace {
 
+/// The side of the same triangle that ends where this one begins.
+int last(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
 class Surveyor {
  public:
   explicit Surveyor(const Patch& patch) : patch_(patch), sides_(static_cast<int>(3 * patch.triangles.size())) {}
@@ -18,7 +21,9 @@ class Surveyor {
               "survey: a side is not across of what is across of it");
     }
     for (int s = 0; s < sides_; ++s)
-      if (across(s) < 0)
+      if (across(s) == Patch::nothing)
+        outline.holes.push_back(s);
+      else if (across(s) < 0)
         outline.rim.push_back(s);
       else if (comes_first(s) && is_last_inside(s))
         outline.inside.push_back(s);
@@ -38,7 +43,7 @@ class Surveyor {
     return true;
   }
   /// The next side out of the same site; negative beyond the last.
-  int next_out(int side) const { return across(side % 3 == 0 ? side + 2 : side - 1); }
+  int next_out(int side) const { return across(last(side)); }
 
   const Patch& patch_;
   int sides_;
@@ -50,6 +55,16 @@ void survey(const Patch& patch, Outline& outline) {
   require(patch.across.size() == patch.triangles.size(), "survey: a patch tells what is across of each triangle");
   outline.clear();
   Surveyor(patch).survey(outline);
+  for (const int hole : outline.holes) outline.next_hole.push_back(next_hole(patch, hole));
+}
+
+int next_hole(const Patch& patch, int hole) {
+  for (int side = hole;;) {
+    const int before = last(side),
+              across = patch.across[static_cast<std::size_t>(before) / 3][static_cast<std::size_t>(before) % 3];
+    if (across < 0) return across == Patch::nothing ? before : -1;
+    side = across;
+  }
 }
 
 }  // namespace meshops

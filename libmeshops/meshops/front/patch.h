@@ -14,8 +14,7 @@ using Site = int;
 /// the number 3 · triangle + i.
 struct Patch {
   static constexpr int open = -1;     ///< what lies across is not in the patch
-  static constexpr int frozen = -2;   ///< as `open`, and nothing will ever lie there at this level
-  static constexpr int nothing = -3;  ///< as `frozen`, and no other patch has a side there: none is looked for
+  static constexpr int nothing = -2;  ///< nothing lies across at this level: the side is frozen
 
   std::vector<std::array<Site, 3>> triangles;
   std::vector<std::array<int, 3>> across;  ///< of each side, the side of the patch across the edge, or one of the above

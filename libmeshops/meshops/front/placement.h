@@ -18,11 +18,12 @@ class Placement {
     sides += static_cast<std::size_t>(-Patch::nothing);
     if (of_side_.size() < sides) of_side_.resize(sides);
   }
-  /// Of a side that is told by others: at the rim by place(), across of a side that came first by that. What is across at
-  /// the rim is told to no purpose.
+  /// Of a side, as others tell it: at the rim place(), of a hole the number of its place, else the side across. What is
+  /// across at the rim is told to no purpose.
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
-  int first_face_ = 0, first_edge_ = 0;
+  int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;
+  std::vector<Vertex> of_fan_;     // of each hole, the vertex between it and the next; invalid where that is not known
   std::vector<Halfedge> of_side_;  // behind those that stand for no side
 };
 

@@ -27,9 +27,6 @@ class Seams {
   /// Before take() or add() at a site, when its memory may be far.
   void prepare(Site at) const { __builtin_prefetch(&first_[static_cast<std::size_t>(at)]); }
 
-  /// A side that take() need not find.
-  void add_apart(const Side& side) { seams_.push_back({side, none}); }
-
   /// A side at the site that matches(side), which is then no seam any more.
   template <typename Matches>
   std::optional<Side> take(Site at, Matches matches) {

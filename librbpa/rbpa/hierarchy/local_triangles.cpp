@@ -109,10 +109,8 @@ std::size_t LocalTriangles::lay(std::span<const std::uint32_t> triangles, int le
     for (std::size_t i = 0; i < 3; ++i) {
       const int beyond = across_[t][i];
       const auto other = static_cast<std::size_t>(beyond) / 3;
-      if (beyond == none)
+      if (beyond == none || level_[other] > level)
         across[i] = meshops::Patch::nothing;
-      else if (level_[other] > level)
-        across[i] = meshops::Patch::frozen;
       else if (other < triangles.front() || other > triangles.back())
         across[i] = meshops::Patch::open;
       else

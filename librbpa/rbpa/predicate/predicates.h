@@ -97,8 +97,9 @@ class Predicates {
     const Real factor = 4 * Real(alpha) * Real(alpha);
     const Real difference = sides - factor * area * area;
     const Real bound = unit * (32 * sides + factor * area_size * (24 * area + 64 * unit * area_size));
-    if (difference > bound) return 1;
-    if (difference < -bound) return -1;
+    // Which of the two is a toss of a coin at a radius like that of many triangles: no branch but for what is undecided.
+    if (std::abs(difference) > bound) [[likely]]
+      return difference > 0 ? 1 : -1;
     return exact_integer::compare_circumradius(a, b, c, alpha);
   }
 

@@ -1,7 +1,8 @@
 // What: what every run has in common: points to sites and an empty front, and a front that has run dry to a complex.
 #pragma once
 
-#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,10 +33,7 @@ class Assembly {
   /// Makes the complex of what the front has built. Once.
   void finish() {
     const auto points = grid_.points();
-    for (std::size_t s = 0; s < points.size(); ++s)
-      if (front_.is_free(static_cast<meshops::Site>(s))) complex_.isolated.push_back(grid_.input_index()[s]);
-    std::sort(complex_.isolated.begin(), complex_.isolated.end());
-
+    complex_.isolated = isolated();
     const std::vector<meshops::Site> site = front_.finish();
     complex_.input_index.resize(site.size());
     for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
@@ -48,6 +46,32 @@ class Assembly {
   }
 
  private:
+  /// The input indices of sites without a triangle, ascending: not sorted but marked, as they may be most.
+  std::vector<std::uint32_t> isolated() const {
+    const auto index = grid_.input_index();
+    const auto is_isolated = [&](std::size_t s) -> std::size_t {
+      return front_.is_free(static_cast<meshops::Site>(s)) ? 1 : 0;
+    };
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < index.size(); ++s) count += is_isolated(s);
+    if (count == 0) return {};
+    std::vector<std::uint32_t> found(count + 1);
+    count = 0;
+    for (std::size_t s = 0; s < index.size(); ++s) {
+      found[count] = index[s];
+      count += is_isolated(s);
+    }
+    found.resize(count);
+    constexpr std::size_t bits = 64;
+    std::vector<std::uint64_t> marked((index.size() + grid_.repetitions().size()) / bits + 1);
+    for (const std::uint32_t i : found) marked[i / bits] |= std::uint64_t{1} << i % bits;
+    count = 0;
+    for (std::size_t word = 0; word < marked.size(); ++word)
+      for (std::uint64_t left = marked[word]; left != 0; left &= left - 1)
+        found[count++] = static_cast<std::uint32_t>(bits * word + static_cast<std::size_t>(std::countr_zero(left)));
+    return found;
+  }
+
   static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;  // 1: what is validated has no spare elements
 
   SolidAlphaComplex& begin(SolidAlphaComplex& complex) const {

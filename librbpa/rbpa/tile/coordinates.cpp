@@ -36,7 +36,7 @@ void TileCoordinates::assign(const Tile& tile) {
   const Point origin = tile.points[n / 2];
   int exponent;
   std::frexp(std::max(tile.columns, tile.rows) * tile.cell, &exponent);
-  const double scale = std::ldexp(1.0, -exponent);
+  scale = std::ldexp(1.0, -exponent);
   x.assign(n + padding, 0);
   y.assign(n + padding, 0);
   for (std::size_t i = 0; i < n; ++i) {

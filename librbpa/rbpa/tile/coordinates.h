@@ -17,6 +17,7 @@ struct TileCoordinates {
   static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and what is lost before
   static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
 
+  double scale = 1;  ///< a power of two
   std::vector<float> x, y;
   std::vector<std::int32_t> start, unknown;  ///< as the tile's; behind the last, three rows that are empty
   int columns = 0, rows = 0;

@@ -42,12 +42,17 @@ class Telling {
 
   void run(const Radius& radius) {
     find_owned();
-    if (radius.is_infinite())
-      tell_apart([](const Corners&) { return true; });
-    else
-      tell_apart([&](const Corners& c) {
+    if (radius.is_infinite()) {
+      tell_apart([](std::size_t) { return true; });
+    } else {
+      within_alpha(workspace_.coordinates, front_, radius.value(), workspace_.within);
+      tell_apart([&, within = workspace_.within.data()](std::size_t t) {
+        if (within[t] != Within::perhaps) [[likely]]
+          return within[t] == Within::yes;
+        const Corners c = corners(t);
         return radius.admits<double>(tile_.points[c[0]], tile_.points[c[1]], tile_.points[c[2]]);
       });
+    }
     tell_of_points();
     connect();
     outline();
@@ -100,8 +105,8 @@ class Telling {
     number[LocalFront::none] = packed(Patch::open);
     for (std::size_t t = 1; t < triangles; ++t) {
       const Corners corner = corners(t);
-      const bool small = is_small(corner), is_told = small & (owned[t] != 0);
-      const Across apart = packed(small ? Patch::open : Patch::frozen);
+      const bool small = is_small(t), is_told = small & (owned[t] != 0);
+      const Across apart = packed(small ? Patch::open : Patch::nothing);
       patch[own] = {static_cast<Site>(site[corner[0]]), static_cast<Site>(site[corner[1]]),
                     static_cast<Site>(site[corner[2]])};
       told[own] = others[other] = static_cast<std::uint16_t>(t);
@@ -177,18 +182,18 @@ class Telling {
   }
 
   void outline() {
-    int* const rim = room_for(workspace_.rim, 3 * marginal_);
-    std::size_t at_rim = 0, inside = 0;
+    int* const outer = room_for(workspace_.outer, 3 * marginal_);
+    std::size_t count = 0, inside = 0;
     for (std::size_t m = 0; m < marginal_; ++m) {
       const std::size_t k = workspace_.marginal[m], t = workspace_.told[k];
       for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_at_rim = result_.patch.across[k][i] < 0;
-        rim[at_rim] = static_cast<int>(3 * k + i);
-        at_rim += is_at_rim;
-        workspace_.last[either<std::size_t>(front_.from(4 * t + i) + 1, 0, is_at_rim)] = none;
+        const bool is_outer = result_.patch.across[k][i] < 0;
+        outer[count] = static_cast<int>(3 * k + i);
+        count += is_outer;
+        workspace_.last[either<std::size_t>(front_.from(4 * t + i) + 1, 0, is_outer)] = none;
       }
     }
-    result_.outline.rim.assign(rim, rim + at_rim);
+    find_holes(outer, count);
     const int* const last = workspace_.last.data();
     result_.outline.inside.resize(workspace_.last.size());
     for (std::size_t v = 1; v < workspace_.last.size(); ++v) {
@@ -196,6 +201,44 @@ class Telling {
       inside += last[v] != none;
     }
     result_.outline.inside.resize(inside);
+  }
+
+  /// Tells holes from other sides at which nothing of the patch lies. Most often a single one of them ends at a site, and
+  /// if that is a hole, it is the next of the one that begins there.
+  void find_holes(const int* outer, std::size_t count) {
+    constexpr int several = -2;
+    meshops::Outline& outline = result_.outline;
+    outline.rim.resize(count + 1);
+    outline.holes.resize(count + 1);
+    workspace_.ending.assign(tile_.points.size(), none);
+    int* const ending = workspace_.ending.data();
+    std::size_t open_sides = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      int& at_end = ending[front_.to(on_front(outer[k]))];
+      at_end = at_end == none ? outer[k] : several;
+      outline.rim[open_sides] = outline.holes[k - open_sides] = outer[k];
+      open_sides += across(outer[k]) == Patch::open;
+    }
+    outline.rim.resize(open_sides);
+    outline.holes.resize(count - open_sides);
+    outline.next_hole.resize(count - open_sides);
+    for (std::size_t k = 0; k < outline.holes.size(); ++k) {
+      const int hole = outline.holes[k], only = ending[front_.from(on_front(hole))];
+      if (only == several) [[unlikely]]
+        outline.next_hole[k] = meshops::next_hole(result_.patch, hole);
+      else
+        outline.next_hole[k] = across(only) == Patch::nothing ? only : none;
+    }
+  }
+
+  /// A side of the patch as one of the tile's front.
+  std::size_t on_front(int side) const {
+    const auto s = static_cast<std::size_t>(side);
+    return 4 * std::size_t{workspace_.told[s / 3]} + s % 3;
+  }
+  int across(int side) const {
+    const auto s = static_cast<std::size_t>(side);
+    return result_.patch.across[s / 3][s % 3];
   }
 
   /// Where not all is known: for the remainder.

@@ -13,13 +13,14 @@ namespace rbpa {
 class LocalFront {
  public:
   using Index = std::uint16_t;
-  static constexpr Index none = 0;  ///< no side: those of triangles begin with the fourth
+  static constexpr Index none = 0;            ///< no side: those of triangles begin with the fourth
+  static constexpr std::size_t padding = 16;  ///< triangles that can be read behind the last
 
   /// Begins without a triangle, on at most Tile::most_points points.
   void begin(std::size_t points) {
     head_.assign(points, none);
     touched_.assign(points, 0);
-    if (const std::size_t sides = 4 * (2 * points + 2); corner_.size() < sides)
+    if (const std::size_t sides = 4 * (2 * points + 2 + padding); corner_.size() < sides)
       for (auto* of_side : {&corner_, &across_, &link_}) of_side->resize(sides);
     corner_[none] = no_point;
     link_[none] = none;
@@ -31,6 +32,8 @@ class LocalFront {
   /// Side 4 t + i of triangle t runs from its corner i to its next.
   Index from(std::size_t side) const { return corner_[side]; }
   Index to(std::size_t side) const { return corner_[side + 1]; }
+  /// from() of all sides.
+  const Index* corners() const { return corner_.data(); }
   /// The side beyond, or none when it is on the front.
   Index across(std::size_t side) const { return across_[side]; }
 

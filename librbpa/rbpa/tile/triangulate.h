@@ -16,6 +16,7 @@
 #include "rbpa/tile/coordinates.h"
 #include "rbpa/tile/local_front.h"
 #include "rbpa/tile/tile.h"
+#include "rbpa/tile/within_alpha.h"
 
 namespace rbpa {
 
@@ -56,15 +57,16 @@ struct TileWorkspace {
   // For hand_over(). Numbers of triangles:
   std::vector<std::uint16_t> told, others, marginal;
   // Of each triangle: it has an owner here. Of each side: what others are told of it. Of each point: triangles whose
-  // owners may not have found them, and the side that leaves it in an outline.
+  // owners may not have found them, the side that leaves it in an outline, and one of those at the rim that end there.
   std::vector<std::uint16_t> owned, number, foreign;
-  std::vector<int> last;
+  std::vector<int> last, ending;
+  std::vector<Within> within;  // of each triangle, alpha
   std::vector<std::uint8_t> star;
   // Lists of the result, before their length is known.
   std::vector<TileTriangles::SharedStar> shared;
   std::vector<std::array<std::uint32_t, 2>> beside;
   std::vector<std::uint32_t> given;
-  std::vector<int> rim;
+  std::vector<int> outer;
 };
 
 /// Replaces `result`.

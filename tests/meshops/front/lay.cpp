@@ -145,11 +145,11 @@ std::map<Arrow, bool> frozen_by_side(Front& front) {
   return found;
 }
 
-/// Whether the patch is to call a side frozen at which nothing of its own lies.
-using Freeze = std::set<Arrow>;
+/// Sides beyond which patches are to say that there is nothing, if so.
+using Holes = std::set<Arrow>;
 
 /// The triangles whose patch_of is not negative, in as many patches.
-std::vector<Patch> patches(const Complex& complex, const std::vector<int>& patch_of, int count, const Freeze& frozen) {
+std::vector<Patch> patches(const Complex& complex, const std::vector<int>& patch_of, int count, const Holes& holes) {
   std::map<Arrow, std::pair<int, int>> side_at;  // of each side, its patch and its number there
   std::vector<Patch> made(static_cast<std::size_t>(count));
   for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
@@ -169,18 +169,18 @@ std::vector<Patch> patches(const Complex& complex, const std::vector<int>& patch
         if (beyond != side_at.end() && beyond->second.first == p)
           across[i] = beyond->second.second;
         else
-          across[i] = frozen.contains({from, to}) ? Patch::frozen : Patch::open;
+          across[i] = beyond == side_at.end() && holes.contains({from, to}) ? Patch::nothing : Patch::open;
       }
     }
   }
   return made;
 }
 
-Freeze some_sides(const Complex& complex, std::mt19937& random) {
-  Freeze frozen;
+Holes some_sides(const Complex& complex, std::mt19937& random) {
+  Holes holes;
   for (std::size_t s = 0; s < 3 * complex.triangles.size(); ++s)
-    if (below(random, 2) == 0) frozen.insert(complex.side(s));
-  return frozen;
+    if (below(random, 2) == 0) holes.insert(complex.side(s));
+  return holes;
 }
 
 /// Proposes the triangles of a complex.
@@ -226,10 +226,10 @@ TEST_SUITE("front") {
         const auto count = static_cast<int>(1 + below(random, most));
         std::vector<int> patch_of(size);
         for (int& p : patch_of) p = static_cast<int>(below(random, static_cast<std::size_t>(count)));
-        const Freeze frozen = some_sides(complex, random);
+        const Holes holes = some_sides(complex, random);
         TestMesh mesh;
         Front front(mesh, complex.sites, below(random, 2) == 0 ? 1 : 64);
-        for (const Patch& patch : patches(complex, patch_of, count, frozen)) front.lay(patch);
+        for (const Patch& patch : patches(complex, patch_of, count, holes)) front.lay(patch);
         front.join();
         check_sound(mesh);
         CHECK(front.faces() == size);
@@ -238,7 +238,7 @@ TEST_SUITE("front") {
         REQUIRE(shape(front) == expected);
         // What the patch beyond calls its side, or would, is of no account: nothing lies there.
         std::map<Arrow, bool> sides;
-        for (const auto& [from, to] : expected.boundary) sides[{from, to}] = frozen.contains({to, from});
+        for (const auto& [from, to] : expected.boundary) sides[{from, to}] = holes.contains({to, from});
         CHECK(frozen_by_side(front) == sides);
       }
     }
@@ -248,28 +248,12 @@ TEST_SUITE("front") {
     TestMesh mesh;
     Front front(mesh, 4);
     front.lay({{{0, 1, 2}}, {{Patch::open, Patch::nothing, Patch::nothing}}});
-    front.lay({{{3, 1, 0}}, {{Patch::nothing, Patch::open, Patch::frozen}}});
+    front.lay({{{3, 1, 0}}, {{Patch::nothing, Patch::open, Patch::nothing}}});
     front.join();
     check_sound(mesh);
     CHECK(mesh.n_edges() == 5);
     CHECK(frozen_by_side(front) ==
           std::map<Arrow, bool>{{{2, 1}, true}, {{0, 2}, true}, {{1, 3}, true}, {{3, 0}, true}});
-  }
-
-  TEST_CASE("a side is glued to that of another patch though either calls it frozen") {
-    for (const int first : {Patch::open, Patch::frozen}) {
-      for (const int second : {Patch::open, Patch::frozen}) {
-        TestMesh mesh;
-        Front front(mesh, 4);
-        front.lay({{{0, 1, 2}}, {{first, Patch::open, Patch::frozen}}});
-        front.lay({{{3, 1, 0}}, {{Patch::frozen, second, Patch::open}}});
-        front.join();
-        check_sound(mesh);
-        CHECK(mesh.n_edges() == 5);
-        CHECK(frozen_by_side(front) ==
-              std::map<Arrow, bool>{{{2, 1}, false}, {{0, 2}, true}, {{1, 3}, true}, {{3, 0}, false}});
-      }
-    }
   }
 
   TEST_CASE("the mesh is that of lay() when patches are filled later, in any order") {
@@ -307,14 +291,14 @@ TEST_SUITE("front") {
       std::vector<int> patch_of;
       for (std::size_t t = 0; t < complex.triangles.size(); ++t)
         patch_of.push_back(static_cast<int>(below(random, 4)) - 1);
-      Freeze frozen;  // only where it is true
+      Holes holes;  // only where it is true
       for (std::size_t s = 0; s < 3 * complex.triangles.size(); ++s) {
         const auto [from, to] = complex.side(s);
-        if (!policy.apex.contains({to, from}) && below(random, 2) == 0) frozen.insert({from, to});
+        if (!policy.apex.contains({to, from}) && below(random, 2) == 0) holes.insert({from, to});
       }
       TestMesh mesh;
       Front front(mesh, complex.sites, 1);
-      for (const Patch& patch : patches(complex, patch_of, 3, frozen)) front.lay(patch);
+      for (const Patch& patch : patches(complex, patch_of, 3, holes)) front.lay(patch);
       front.join();
       Watch watch;
       advance(front, policy, watch);
@@ -385,11 +369,12 @@ TEST_SUITE("front") {
     const auto empty = snapshot(mesh);
     Placement placement;
     CHECK_THROWS_AS(front.place(patch, {}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {}}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1, 2, 3, 4}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1, 2, 3, 4}, {}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {2}, {}, {}}, placement), ContractViolation);
     CHECK(snapshot(mesh) == empty);
-    front.place(patch, {{0, 1, 2}, {}}, placement);
-    front.fill(patch, {{0, 1, 2}, {}}, placement);
+    front.place(patch, {{0, 1, 2}, {}, {}, {}}, placement);
+    front.fill(patch, {{0, 1, 2}, {}, {}, {}}, placement);
     front.join();
     check_sound(mesh);
   }

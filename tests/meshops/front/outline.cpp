@@ -39,28 +39,44 @@ Patch random_patch(std::mt19937& random) {
     auto& across = patch.across.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       const auto beyond = side_at.find({t[(i + 1) % 3], t[i]});
-      across[i] = beyond != side_at.end() ? beyond->second : -1 - static_cast<int>(random() % 3);
+      across[i] = beyond != side_at.end() ? beyond->second : random() % 2 == 0 ? Patch::open : Patch::nothing;
     }
   }
   return patch;
 }
 
+/// The side at which nothing of the patch lies that ends at a site, of the triangles there that hang together with one.
+int end_of_fan(const Patch& patch, std::size_t triangle, Site site) {
+  std::set<std::size_t> fan = {triangle};
+  for (std::size_t before = 0; before != fan.size();) {
+    before = fan.size();
+    for (const std::size_t t : std::set<std::size_t>(fan))
+      for (std::size_t i = 0; i < 3; ++i)
+        if (patch.across[t][i] >= 0 && (patch.triangles[t][i] == site || patch.triangles[t][(i + 1) % 3] == site))
+          fan.insert(static_cast<std::size_t>(patch.across[t][i]) / 3);
+  }
+  for (const std::size_t t : fan)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (patch.across[t][i] < 0 && patch.triangles[t][(i + 1) % 3] == site) return static_cast<int>(3 * t + i);
+  return -1;
+}
+
 }  // namespace
 
 TEST_SUITE("front") {
-  TEST_CASE("an outline has each side at the rim, and of each site inside the last side that comes first") {
+  TEST_CASE("an outline has the sides at the rim, the holes, and of each site inside the last side that comes first") {
     std::mt19937 random(5);
     Outline outline;
     for (int round = 0; round < 300; ++round) {
       CAPTURE(round);
       const Patch patch = random_patch(random);
-      std::vector<int> rim;
+      std::vector<int> rim, holes, next_hole;
       std::set<Site> at_rim;
       std::map<Site, int> last;
       for (int s = 0; s < static_cast<int>(3 * patch.triangles.size()); ++s) {
         const auto t = static_cast<std::size_t>(s) / 3, i = static_cast<std::size_t>(s) % 3;
         if (patch.across[t][i] < 0) {
-          rim.push_back(s);
+          (patch.across[t][i] == Patch::open ? rim : holes).push_back(s);
           at_rim.insert({patch.triangles[t][i], patch.triangles[t][(i + 1) % 3]});
         } else if (s < patch.across[t][i]) {
           last[patch.triangles[t][i]] = s;
@@ -72,7 +88,16 @@ TEST_SUITE("front") {
       std::sort(inside.begin(), inside.end());
       survey(patch, outline);
       std::sort(outline.inside.begin(), outline.inside.end());
+      for (const int hole : holes) {
+        const auto t = static_cast<std::size_t>(hole) / 3;
+        const int next = end_of_fan(patch, t, patch.triangles[t][static_cast<std::size_t>(hole) % 3]);
+        REQUIRE(next >= 0);
+        const bool is_hole = std::find(holes.begin(), holes.end(), next) != holes.end();
+        next_hole.push_back(is_hole ? next : -1);
+      }
       CHECK(outline.rim == rim);
+      CHECK(outline.holes == holes);
+      CHECK(outline.next_hole == next_hole);
       CHECK(outline.inside == inside);
     }
   }
@@ -81,15 +106,17 @@ TEST_SUITE("front") {
     Outline outline;
     const auto refused = [&](const Patch& patch) { CHECK_THROWS_AS(survey(patch, outline), ContractViolation); };
     const std::vector<std::array<Site, 3>> two = {{0, 1, 2}, {2, 1, 3}};
-    survey({two, {{-1, 3, -2}, {1, -3, -1}}}, outline);
-    CHECK(outline.rim == std::vector<int>{0, 2, 4, 5});
+    survey({two, {{-1, 3, -2}, {1, -2, -1}}}, outline);
+    CHECK(outline.rim == std::vector<int>{0, 5});
+    CHECK(outline.holes == std::vector<int>{2, 4});
+    CHECK(outline.next_hole == std::vector<int>{-1, -1});
     CHECK(outline.inside.empty());
     refused({two, {{-1, 3, -2}}});
-    refused({two, {{-1, 3, -2}, {1, -3, -1}, {-1, -1, -1}}});
-    refused({two, {{-1, 3, -2}, {-1, -3, -1}}});
-    refused({two, {{-1, 3, -2}, {0, -3, -1}}});
-    refused({two, {{-1, 6, -2}, {1, -3, -1}}});
+    refused({two, {{-1, 3, -2}, {1, -2, -1}, {-1, -1, -1}}});
+    refused({two, {{-1, 3, -2}, {-1, -2, -1}}});
+    refused({two, {{-1, 3, -2}, {0, -2, -1}}});
+    refused({two, {{-1, 6, -2}, {1, -2, -1}}});
     refused({two, {{-1, 3, -2}, {1, 4, -1}}});
-    refused({two, {{-1, 3, -4}, {1, -3, -1}}});
+    refused({two, {{-1, 3, -3}, {1, -2, -1}}});
   }
 }
