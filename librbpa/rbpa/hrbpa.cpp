@@ -95,7 +95,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
         levels.run(ladder, growth);
       } else {
         // Extreme exponents do without tiles.
-        GrowthByPivots<Real> growth(grid, ladder, grid_unit, report);
+        GrowthByPivots growth(grid, ladder, grid_unit, report);
         levels.run(ladder, growth);
       }
     }

@@ -16,16 +16,17 @@
 
 namespace rbpa {
 
-template <typename Real>
 class GrowthByPivots {
  public:
+  using Real = LevelSeeds::Real;
+
   /// Keeps references.
   GrowthByPivots(const PointGrid<Real>& grid, const Ladder<Real>& ladder, Real grid_unit, Report& report)
       : report_(report),
         pivot_(grid, Radius(), grid_unit),
         apexes_(pivot_),
-        seeds_(grid, ladder, pivot_, apexes_),
-        policy_(grid, ladder, apexes_, seeds_, report),
+        seeds_(grid, ladder, pivot_, apexes_, report),
+        policy_(grid, ladder, apexes_, seeds_),
         carried_(grid.points().size()) {
     std::iota(carried_.begin(), carried_.end(), 0);
   }
@@ -59,9 +60,9 @@ class GrowthByPivots {
  private:
   Report& report_;
   Pivot<Real> pivot_;
-  Apexes<Real> apexes_;
-  LevelSeeds<Real> seeds_;
-  LevelPivoting<Real, Report> policy_;
+  Apexes apexes_;
+  LevelSeeds seeds_;
+  LevelPivoting policy_;
   std::vector<meshops::Site> carried_;
 };
 
