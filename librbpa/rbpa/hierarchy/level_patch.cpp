@@ -37,7 +37,6 @@ void take_out(meshops::Patch& patch, std::size_t triangle) {
 }  // namespace
 
 void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points, const Ladder<double>& ladder) {
-  first = patch;
   later.clear();
   waiting.clear();
   const Radius least = ladder.radius(0);
@@ -49,6 +48,8 @@ void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points
     later.push_back({corners, later_level(a, b, c, ladder)});
     waiting.push_back(t);
   }
+  if (waiting.empty()) return;
+  first = patch;
   // From the last on, so that no triangle which waits is put in the place of another.
   for (auto t = waiting.rbegin(); t != waiting.rend(); ++t) take_out(first, *t);
 }

@@ -1,6 +1,6 @@
 // What:   triangles parted by level: those of the first as a patch of their own, the others to wait for theirs.
 // Law:    each triangle is of the first level whose radius admits it.
-// Cost:   a comparison of the circumradius and a copy for each triangle; a little more for each that waits.
+// Cost:   a comparison of the circumradius for each triangle; where some of the patch wait, a copy of it.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ struct LevelPatch {
   std::vector<WaitingTriangle> later;  ///< in the order of the patch that was parted
   std::vector<std::size_t> waiting;    ///< their numbers there
 
-  /// Replaces all. Requires: triangles within the last radius of the ladder.
+  /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then.
+  /// Requires: triangles within the last radius of the ladder.
   void part(const meshops::Patch& patch, std::span<const Point> points, const Ladder<double>& ladder);
 };
 

