@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/core/point.h"
 
 namespace rbpa {
@@ -57,7 +58,7 @@ class EqualSquares {
       end[i] = size;
       if (held_[i] > few) size += held_[i];
     }
-    std::vector<Point> sorted(size);
+    meshops::FreshVector<Point> sorted(size);
     for (const Point& p : points)
       if (const std::size_t i = number(p); held_[i] > few) sorted[end[i]++] = p;
     for (std::size_t i = 0; i < held_.size(); ++i) {
