@@ -23,7 +23,7 @@ struct Level {
   double alpha = 0;             ///< the radius: 2^number α₀, or that of the whole run on the last level
   int number = 0;               ///< levels between the first and the last that have no triangle are left out
   std::size_t transferred = 0;  ///< points carried on from the level before: isolated or on the boundary
-  std::size_t taking_part = 0;  ///< of those, how many were looked at; the others sleep
+  std::size_t taking_part = 0;  ///< of those, how many got a triangle or were looked at; the others sleep
   std::size_t advancing = 0;    ///< halfedges on the front when the level began
   std::size_t triangles = 0;    ///< of the mesh when the level ended; those added are the last
   double seconds = 0;           ///< with that of levels left out before it

@@ -19,14 +19,16 @@ struct Told {
 
 Told told_by_tiles(const rbpa::PointGrid<double>& grid, double alpha) {
   Told told;
-  const auto count = [&](const rbpa::TileTriangles& tile) {
+  struct Nothing {};
+  const auto nothing = [](const rbpa::TileTriangles&, Nothing&) {};
+  const auto count = [&](const rbpa::TileTriangles& tile, Nothing&) {
     ++told.tiles;
     told.triangles += tile.patch.triangles.size();
     told.known += tile.known.size();
   };
   rbpa::Threads threads;
-  rbpa::for_each_tile(grid, alpha < std::numeric_limits<double>::infinity() ? rbpa::Radius(alpha) : rbpa::Radius(),
-                      threads, count);
+  const auto radius = std::isinf(alpha) ? rbpa::Radius() : rbpa::Radius(alpha);
+  rbpa::for_each_tile<Nothing>(grid, radius, threads, nothing, count, nothing);
   return told;
 }
 

@@ -19,7 +19,8 @@ set(arrows
   rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search rbpa/run>rbpa/pivot
   rbpa/run>meshops/core rbpa/run>meshops/front
   rbpa/hierarchy>rbpa/core rbpa/hierarchy>rbpa/predicate rbpa/hierarchy>rbpa/search rbpa/hierarchy>rbpa/pivot
-  rbpa/hierarchy>rbpa/seed rbpa/hierarchy>rbpa/tile rbpa/hierarchy>meshops/core rbpa/hierarchy>meshops/front
+  rbpa/hierarchy>rbpa/seed rbpa/hierarchy>rbpa/tile rbpa/hierarchy>rbpa/remainder rbpa/hierarchy>rbpa/parallel
+  rbpa/hierarchy>rbpa/run rbpa/hierarchy>meshops/core rbpa/hierarchy>meshops/front
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed rbpa>rbpa/run rbpa>rbpa/hierarchy
   rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>rbpa/pivot rbpa/tile>meshops/front
   rbpa>rbpa/tile

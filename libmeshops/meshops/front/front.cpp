@@ -172,9 +172,11 @@ void Front::renumber(std::size_t first, const std::vector<int>& number) {
 }
 
 std::vector<Site> Front::finish() {
-  std::vector<Site> site_of(mesh_.n_vertices());
   const auto is_unused = [&](std::size_t i) { return mesh_.is_isolated(Vertex(static_cast<int>(i))); };
-  std::size_t left = 0;
+  // Vertices of fans that have grown together are at the end: where no others are unused, none needs a new number.
+  std::size_t end = mesh_.n_vertices(), left = 0;
+  while (end > 0 && is_unused(end - 1)) --end;
+  std::vector<Site> site_of(end);
   for (; left < site_of.size() && !is_unused(left); ++left) site_of[left] = site(Vertex(static_cast<int>(left)));
   if (const std::size_t first = left; first < site_of.size()) {
     std::vector<int> number(site_of.size());

@@ -5,23 +5,24 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
+#include <span>
 
 #include "meshops/front/policy.h"
+#include "rbpa/hierarchy/circumradius.h"
 #include "rbpa/hierarchy/level_seeds.h"
 
 namespace rbpa {
 
-/// `Observer` has a member searched(front), which is called while seeds are searched, and may throw to end the run.
-template <typename Real, typename Observer>
 class LevelPivoting {
  public:
-  using Site = std::uint32_t;
+  using Real = LevelSeeds::Real;
+  using Site = LevelSeeds::Site;
 
   /// Keeps references.
-  LevelPivoting(const PointGrid<Real>& grid, const Ladder<Real>& ladder, Apexes<Real>& apexes, LevelSeeds<Real>& seeds,
-                Observer& observer)
-      : points_(grid.points()), ladder_(ladder), apexes_(apexes), seeds_(seeds), observer_(observer) {}
+  LevelPivoting(const PointGrid<Real>& grid, const Ladder<Real>& ladder, Apexes& apexes, LevelSeeds& seeds)
+      : points_(grid.points()), ladder_(ladder), apexes_(apexes), seeds_(seeds) {}
 
   void begin(int level) {
     radius_ = ladder_.radius(level);
@@ -31,9 +32,7 @@ class LevelPivoting {
   /// The first level at which a frozen edge may advance.
   int next() const { return ladder_.first_reaching(least_frozen_); }
 
-  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) {
-    return seeds_.next(front, [&] { observer_.searched(front); });
-  }
+  std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) { return seeds_.next(front); }
 
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) {
     const bool is_kept = apexes_.is_kept(h);
@@ -41,7 +40,7 @@ class LevelPivoting {
     if (apex) {
       const Point &a = points_[static_cast<Site>(front.from_site(h))],
                   &b = points_[static_cast<Site>(front.to_site(h))];
-      if (radius_.template admits<Real>(a, b, points_[*apex])) return meshops::Site(*apex);
+      if (radius_.admits<Real>(a, b, points_[*apex])) return meshops::Site(*apex);
       least_frozen_ = std::min(least_frozen_, circumradius<Real>(a, b, points_[*apex]));
     }
     if (!is_kept) apexes_.keep(front, h, apex);
@@ -51,9 +50,8 @@ class LevelPivoting {
  private:
   std::span<const Point> points_;
   const Ladder<Real>& ladder_;
-  Apexes<Real>& apexes_;
-  LevelSeeds<Real>& seeds_;
-  Observer& observer_;
+  Apexes& apexes_;
+  LevelSeeds& seeds_;
   Radius radius_;
   Real least_frozen_ = 0;
 };

@@ -1,55 +1,43 @@
 // What:   the leaves of a quadtree over points, which tell how dense they lie.
 // Law:    a square with more than `capacity` distinct points is cut in four, the first is the least square that begins
 //         at the lower left corner of the points' box and covers it. A function of the set of points.
-// Cost:   linear in points times depth; a square whose points all lie in one small part of it costs no more than one.
+// Cost:   linear in the points where these lie evenly; otherwise at most in points times depth. A square whose points
+//         all lie in one small part of it costs no more than one.
 // Source: Restricted BPA, section 6, "Minimal radius estimation".
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "rbpa/core/point.h"
+#include "rbpa/hierarchy/equal_squares.h"
 
 namespace rbpa {
 
 template <typename Real>
 class Quadtree {
  public:
-  struct Square {
-    Real x, y;  ///< the lower left corner
-    Real side;
-  };
-
-  /// Requires: finite, distinct points.
+  /// Keeps a reference. Requires: finite, distinct points.
   Quadtree(std::span<const Point> points, std::size_t capacity)
-      : points_(points.begin(), points.end()), capacity_(std::max<std::size_t>(capacity, 1)) {
-    if (points.empty()) return;
-    const Box box = box_of(points_);
-    root_ = {box.x, box.y, std::max(box.width, box.height)};
-  }
+      : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 
   /// The side of the smallest leaf; of the root when that is the only one.
-  Real smallest_side() {
-    Real least = root_.side;
-    for_each_cut([&](const Square& parent) { least = std::min(least, parent.side / 2); });
-    return least;
-  }
-
-  /// Calls visit(Square) for every square that is cut. A square that holds points in one quarter only is not visited
-  /// for itself: what is cut there lies in that quarter. The last of them is, where the numbers end before the points
-  /// part.
-  template <typename Visit>
-  void for_each_cut(Visit visit) {
-    cut(points_, root_, visit);
+  Real smallest_side() const {
+    if (points_.empty()) return 0;
+    const Box box = box_of(points_);
+    const Square<Real> root{box.x, box.y, std::max(box.width, box.height)};
+    if (points_.size() > many) return smallest_in(points_, root);
+    std::vector<Point> points(points_.begin(), points_.end());
+    return smallest_one_by_one(points, root);
   }
 
  private:
   struct Box {
     Real x, y, width, height;
   };
+  static constexpr std::size_t many = 4096;  ///< so many points are worth being counted
 
   static Box box_of(std::span<const Point> points) {
     Point low = points[0], high = low;
@@ -60,43 +48,68 @@ class Quadtree {
     return {Real(low.x), Real(low.y), Real(high.x) - Real(low.x), Real(high.y) - Real(low.y)};
   }
 
-  template <typename Visit>
-  void cut(std::span<Point> points, Square square, Visit visit) {
-    if (points.size() <= capacity_) return;
-    // Down to the last square that holds all the points, without touching them.
+  /// Down from a square to be cut to the last that holds all its points, without touching them.
+  Square<Real> around(std::span<const Point> points, Square<Real> square) const {
     const Box box = box_of(points);
     const Real right = box.x + box.width, top = box.y + box.height;
-    Real x, y;  // where the square is cut
-    for (Square parent = square;;) {
-      x = square.x + square.side / 2;
-      y = square.y + square.side / 2;
-      if (!(x > square.x && y > square.y)) {  // too small for its place: the numbers end here
-        if (square.side < parent.side) visit(parent);
-        return;
-      }
+    while (square.can_be_cut()) {
+      const Real x = square.middle_x(), y = square.middle_y();
       const bool in_right = box.x >= x, in_left = right < x, in_top = box.y >= y, in_bottom = top < y;
       if (!(in_right || in_left) || !(in_top || in_bottom)) break;
-      parent = square;
       square = {in_right ? x : square.x, in_top ? y : square.y, square.side / 2};
     }
-    visit(square);
-    const auto half = [&](std::span<Point> part, auto in_first) {
-      const auto end = std::partition(part.begin(), part.end(), in_first);
-      return static_cast<std::size_t>(end - part.begin());
-    };
-    const std::size_t middle = half(points, [&](const Point& p) { return Real(p.y) < y; });
-    for (const bool above : {false, true}) {
-      const auto row = above ? points.subspan(middle) : points.first(middle);
-      const std::size_t left = half(row, [&](const Point& p) { return Real(p.x) < x; });
-      const Real low = above ? y : square.y;
-      cut(row.first(left), {square.x, low, square.side / 2}, visit);
-      cut(row.subspan(left), {x, low, square.side / 2}, visit);
-    }
+    return square;
   }
 
-  std::vector<Point> points_;
+  /// The side of the smallest leaf in a square.
+  Real smallest_in(std::span<const Point> points, Square<Real> square) const {
+    if (points.size() <= capacity_) return square.side;
+    square = around(points, square);
+    // So deep that where all is even nothing is left to be cut; and that the counts stay in a cache.
+    int depth = 1;
+    while (depth < 8 && (capacity_ << 2 * depth) < 16 * points.size()) ++depth;
+    EqualSquares<Real> squares(square, depth);
+    if (!squares.are_apart()) {
+      std::vector<Point> copy(points.begin(), points.end());
+      return smallest_one_by_one(copy, square);
+    }
+    squares.count(points);
+    Real least = square.side;
+    if (squares.most_held() > capacity_) {
+      squares.for_each_above(capacity_, points, [&](std::span<Point> held, const Square<Real>& s) {
+        least = std::min(least, held.size() > many ? smallest_in(held, s) : smallest_one_by_one(held, s));
+      });
+      return least;
+    }
+    for (; squares.most_held() <= capacity_; --depth) squares.merge();
+    for (; depth >= 0; --depth) least /= 2;
+    return least;
+  }
+
+  /// The same, one square after another.
+  Real smallest_one_by_one(std::span<Point> points, Square<Real> square) const {
+    if (points.size() <= capacity_) return square.side;
+    square = around(points, square);
+    if (!square.can_be_cut()) return square.side;
+    const Real x = square.middle_x(), y = square.middle_y(), half = square.side / 2;
+    const auto part = [&](std::span<Point> all, auto in_first) {
+      const auto end = std::partition(all.begin(), all.end(), in_first);
+      return static_cast<std::size_t>(end - all.begin());
+    };
+    Real least = half;
+    const std::size_t middle = part(points, [&](const Point& p) { return Real(p.y) < y; });
+    for (const bool above : {false, true}) {
+      const auto row = above ? points.subspan(middle) : points.first(middle);
+      const std::size_t left = part(row, [&](const Point& p) { return Real(p.x) < x; });
+      const Real low = above ? y : square.y;
+      least = std::min(least, smallest_one_by_one(row.first(left), {square.x, low, half}));
+      least = std::min(least, smallest_one_by_one(row.subspan(left), {x, low, half}));
+    }
+    return least;
+  }
+
+  std::span<const Point> points_;
   std::size_t capacity_;
-  Square root_{0, 0, 0};
 };
 
 }  // namespace rbpa

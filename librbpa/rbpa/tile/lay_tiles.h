@@ -16,13 +16,15 @@ template <typename Laid>
 void lay_tiles(const PointGrid<double>& grid, const Radius& radius, meshops::Front& front, Threads& threads,
                Laid laid) {
   front.reserve(3 * grid.points().size(), 2 * grid.points().size());
-  for_each_tile(
-      grid, radius, threads,
-      [&](ToldTile& tile) {
-        front.place(tile.triangles.patch, tile.triangles.outline, tile.placement);
-        laid(tile.triangles);
+  for_each_tile<meshops::Placement>(
+      grid, radius, threads, [](const TileTriangles&, meshops::Placement&) {},
+      [&](const TileTriangles& tile, meshops::Placement& placement) {
+        front.place(tile.patch, tile.outline, placement);
+        laid(tile);
       },
-      [&](ToldTile& tile) { front.fill(tile.triangles.patch, tile.triangles.outline, tile.placement); });
+      [&](const TileTriangles& tile, meshops::Placement& placement) {
+        front.fill(tile.patch, tile.outline, placement);
+      });
 }
 
 }  // namespace rbpa

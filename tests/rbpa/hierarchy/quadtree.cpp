@@ -54,7 +54,7 @@ Real textbook(const Points& points, std::size_t capacity) {
 
 void check(const Points& all, bool fits_double = true) {
   const Points points = distinct(all);
-  for (const std::size_t k : {1u, 2u, 3u, 7u, 64u}) {
+  for (const std::size_t k : {1u, 2u, 3u, 7u, 64u, 1024u}) {
     CAPTURE(k);
     if (fits_double) CHECK(Quadtree<double>(points, k).smallest_side() == textbook<double>(points, k));
     CHECK(Quadtree<long double>(points, k).smallest_side() == textbook<long double>(points, k));
@@ -116,15 +116,15 @@ TEST_CASE("a tree of no capacity is one of capacity 1, and order does not matter
   CHECK(Quadtree<double>(points, 1).smallest_side() == side);
 }
 
-TEST_CASE("every square that is cut holds more than its share of points") {
-  const Points points = distinct(clusters(30, 15));
-  for (const std::size_t k : {1u, 4u, 20u})
-    Quadtree<double>(points, k).for_each_cut([&](const Quadtree<double>::Square& s) {
-      const auto held = std::count_if(points.begin(), points.end(), [&](const Point& p) {
-        return p.x >= s.x && p.y >= s.y && p.x <= s.x + s.side && p.y <= s.y + s.side;
-      });
-      CHECK(static_cast<std::size_t>(held) > k);
-    });
+TEST_CASE("many points, which are counted in equal squares, have the same smallest leaf") {
+  Points crowds = uniform(4500, 16), tenths = moved(perfect_grid(65, 0.1), 0.7, -0.3);
+  for (const Point& p : uniform(5000, 17)) crowds.push_back({3 + 1e-3 * p.x, 5 + 1e-3 * p.y});
+  for (const Point& p : uniform(5000, 18)) crowds.push_back({3 + 1e-6 * p.x, 5 + 1e-9 * p.y});
+  for (const Points& points :
+       {uniform(9000, 19), clusters(900, 20), perfect_grid(65, 1), perfect_grid(65, 0.3), tenths, crowds,
+        nearest_doubles(2500, 21), lidar_lines(50, 200, 22), collinear_run(5000, 0, 1, 23),
+        moved(perfect_grid(70, 1), 0x1p47, -0x1p50), moved(uniform(5000, 24), 0x1p48, 0x1p44)})
+    check(points);
 }
 
 TEST_SUITE_END();

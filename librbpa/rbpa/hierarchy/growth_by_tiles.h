@@ -1,0 +1,48 @@
+// What:   the complex from level to level where tiles tell all triangles at once.
+// Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every boundary
+//         halfedge is frozen.
+// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and
+//         are put beside what is there when their level comes.
+// Cost:   that of rbpa(), and one insertion for each triangle of a later level.
+// Source: docs/hrbpa.md.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/front/front.h"
+#include "rbpa/hierarchy/ladder.h"
+#include "rbpa/hierarchy/waiting_triangles.h"
+#include "rbpa/parallel/threads.h"
+#include "rbpa/run/report.h"
+#include "rbpa/search/point_grid.h"
+
+namespace rbpa {
+
+class GrowthByTiles {
+ public:
+  /// Keeps references.
+  GrowthByTiles(const PointGrid<double>& grid, const Ladder<double>& ladder, Threads& threads, Report& report)
+      : grid_(grid), ladder_(ladder), threads_(threads), report_(report) {}
+
+  /// Puts the triangles of a level into the mesh, levels being taken in ascending order from 0 on.
+  /// Returns: how many sites have one of them.
+  std::size_t grow(int level, meshops::Front& front);
+
+  /// The first level after this one on which there is anything to do.
+  int next(int level, std::vector<meshops::Site>) const { return waiting_.after(level); }
+
+ private:
+  void lay(meshops::Front& front);
+  std::size_t insert(int level, meshops::Front& front);
+
+  const PointGrid<double>& grid_;
+  const Ladder<double>& ladder_;
+  Threads& threads_;
+  Report& report_;
+  WaitingTriangles waiting_;
+  std::vector<std::uint16_t> seen_;  // of each site, the last level but the first that had a triangle there
+};
+
+}  // namespace rbpa
