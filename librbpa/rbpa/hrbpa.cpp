@@ -99,7 +99,7 @@ class HierarchicalRun {
         report_.worked(front);
       });
       meshops::Patch missing;
-      remainder.complete(missing, [&] { report_.worked(front); });
+      remainder.complete(missing, threads, [&] { report_.worked(front); });
       found.add(missing);
       found.sort();
       return found;

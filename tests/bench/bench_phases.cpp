@@ -75,7 +75,7 @@ Seconds run(const rbpa_test::Points& points) {
     watch.lap(fill);
   }
   meshops::Patch missing;
-  remainder.complete(missing, [] {});
+  remainder.complete(missing, threads, [] {});
   watch.lap(complete);
   front.lay(missing);
   front.join();
