@@ -41,7 +41,7 @@ class Base {
   /// q is inside the circle through the edge and p. Requires p to be above, and q another point.
   bool is_inside(const Candidate& q, const Candidate& p) const {
     const double difference = p.dot * q.cross - q.dot * p.cross;
-    const double bound = 16 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
+    const double bound = 11 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
     if (std::abs(difference) <= bound) [[unlikely]]
       return P::in_perturbed_circle(a_, b_, p.at, q.at) > 0;
     return difference > 0;
