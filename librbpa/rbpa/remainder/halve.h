@@ -20,15 +20,26 @@ struct Place {
   std::uint32_t site;
 };
 
-/// The order along x is lexicographic; the one along y is the same after a quarter turn.
+/// The order along x is lexicographic; the one along y is the same after a quarter turn. By branches with_rare_ties(),
+/// and else without.
 struct AlongX {
   bool operator()(const Place& p, const Place& q) const {
     return (p.at.x < q.at.x) | ((p.at.x == q.at.x) & (p.at.y < q.at.y));
+  }
+  bool with_rare_ties(const Place& p, const Place& q) const {
+    if (p.at.x == q.at.x) [[unlikely]]
+      return p.at.y < q.at.y;
+    return p.at.x < q.at.x;
   }
 };
 struct AlongY {
   bool operator()(const Place& p, const Place& q) const {
     return (p.at.y < q.at.y) | ((p.at.y == q.at.y) & (p.at.x > q.at.x));
+  }
+  bool with_rare_ties(const Place& p, const Place& q) const {
+    if (p.at.y == q.at.y) [[unlikely]]
+      return p.at.x > q.at.x;
+    return p.at.y < q.at.y;
   }
 };
 
@@ -37,12 +48,18 @@ inline constexpr std::size_t few = 16;
 /// Sorts up to `few` points: by counting for each how many come before it, as no branch can be mispredicted then.
 template <typename Order>
 void sort_few(std::span<Place> places, Order before) {
-  std::array<Place, few> sorted;
-  for (const Place& p : places) {
-    std::size_t rank = 0;
-    for (const Place& q : places) rank += before(q, p);
-    sorted[rank] = p;
+  std::array<std::size_t, few> rank;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    std::size_t before_it = 0;
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool comes_first = before(places[j], places[i]);
+      before_it += comes_first;
+      rank[j] += !comes_first;
+    }
+    rank[i] = before_it;
   }
+  std::array<Place, few> sorted;
+  for (std::size_t i = 0; i < places.size(); ++i) sorted[rank[i]] = places[i];
   std::copy_n(sorted.begin(), places.size(), places.begin());
 }
 
@@ -87,7 +104,7 @@ std::size_t cut(std::span<Place> places, const Sample& sample, Order before) {
     const Place moved = p;
     p = places[m];
     places[m] = moved;
-    m += before(moved, pivot);
+    m += before.with_rare_ties(moved, pivot);
   }
   if (m >= n / 8 && n - m >= n / 8) return m;
   std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n / 2), places.end(), before);

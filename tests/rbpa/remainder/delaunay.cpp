@@ -232,7 +232,7 @@ TEST_CASE("the number of threads changes no triangle, nor their order") {
 TEST_CASE("what is not kept is what those beside it are told") {
   const Points points = uniform(2000, 14);
   const Patch all = triangulated(points);
-  const auto by_sum = [](unsigned sum) { return sum % 4 == 0 ? Patch::open : sum % 4 == 1 ? Patch::frozen : 0; };
+  const auto by_sum = [](unsigned sum) { return sum % 4 == 0 ? Patch::open : sum % 4 == 1 ? Patch::nothing : 0; };
   std::vector<int> number;  // of each in the patch
   std::vector<std::array<meshops::Site, 3>> kept;
   for (const auto& t : all.triangles) {
