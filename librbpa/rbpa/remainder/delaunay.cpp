@@ -9,6 +9,7 @@
 #include <mutex>
 #include <vector>
 
+#include "rbpa/parallel/in_order.h"
 #include "rbpa/predicate/predicates.h"
 #include "rbpa/remainder/sides.h"
 
@@ -242,44 +243,74 @@ class Triangulation {
     } while (outer != first);
   }
 
-  /// Each triangle at its least side. Sides are read a block at a time, so that they are still at hand when those of
-  /// triangles are written, and by loops without a branch that could not be foreseen.
+  /// Triangles that have their least sides among some, and are kept.
+  struct Found {
+    std::vector<Side> least;
+    std::vector<std::array<Side, 3>> sides;
+    std::vector<std::array<meshops::Site, 3>> corners;
+    std::size_t size = 0, first = 0;  // how many; where in the patch
+  };
+
+  /// Loops have no branch that could not be foreseen, and read what is still at hand.
   void hand_over(Corner on_hull, const Fate& fate, meshops::Patch& patch) {
     open_hull(on_hull);
-    // First `across` are a triangle's own sides, then what lies there.
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
     std::size_t kept = 0;
-    std::array<Side, sides_at_once> found;  // of each triangle, its least
-    for (std::size_t first = 0; first < sides_.size(); first += sides_at_once) {
-      const auto last = static_cast<Side>(std::min(first + sides_at_once, sides_.size()));
-      std::size_t size = 0;
-      for (auto s = static_cast<Side>(first); s < last; ++s) {
-        const Side t = sides_.along_left(s), u = sides_.along_left(t);
-        found[size] = s;
-        size += static_cast<std::size_t>(s < t) & static_cast<std::size_t>(s < u);
-      }
-      for (std::size_t k = 0; k < size; ++k) {
-        const Side s = found[k], t = sides_.along_left(s), u = sides_.along_left(t);
-        const std::array<Side, 3> side = {s, t, u};
-        const Place &a = places_[sides_.from(s)], &b = places_[sides_.from(t)], &c = places_[sides_.from(u)];
-        patch.triangles[kept] = {static_cast<meshops::Site>(a.site), static_cast<meshops::Site>(b.site),
-                                 static_cast<meshops::Site>(c.site)};
-        patch.across[kept] = {static_cast<int>(s), static_cast<int>(t), static_cast<int>(u)};
-        const int told = fate(a, b, c);
-        for (std::size_t i = 0; i < 3; ++i) sides_.number(side[i], told < 0 ? told : static_cast<int>(3 * kept + i));
-        kept += told >= 0;
-      }
-    }
+    in_order<Found>(
+        threads_, (sides_.size() + sides_at_once - 1) / sides_at_once,
+        [&](std::size_t part, Found& found) { find(part * sides_at_once, fate, found); },
+        [&](std::size_t, Found& found) {
+          found.first = kept;
+          kept += found.size;
+        },
+        [&](std::size_t, const Found& found) { enter(found, patch); });
     patch.triangles.resize(kept);
     patch.across.resize(kept);
-    for (auto& across : patch.across)
-      for (int& side : across) side = sides_.number(Sides::reverse(static_cast<Side>(side)));
+    for_each_part(threads_, kept, triangles_at_once, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        for (int& side : patch.across[t]) side = sides_.number(Sides::reverse(static_cast<Side>(side)));
+    });
+  }
+
+  void find(std::size_t first, const Fate& fate, Found& found) {
+    found.least.resize(sides_at_once);
+    found.sides.resize(sides_at_once);
+    found.corners.resize(sides_at_once);
+    std::size_t triangles = 0;
+    for (auto s = static_cast<Side>(first); s < std::min(first + sides_at_once, sides_.size()); ++s) {
+      const Side t = sides_.along_left(s), u = sides_.along_left(t);
+      found.least[triangles] = s;
+      triangles += static_cast<std::size_t>(s < t) & static_cast<std::size_t>(s < u);
+    }
+    found.size = 0;
+    for (std::size_t k = 0; k < triangles; ++k) {
+      const Side s = found.least[k], t = sides_.along_left(s), u = sides_.along_left(t);
+      const Place &a = places_[sides_.from(s)], &b = places_[sides_.from(t)], &c = places_[sides_.from(u)];
+      found.sides[found.size] = {s, t, u};
+      found.corners[found.size] = {static_cast<meshops::Site>(a.site), static_cast<meshops::Site>(b.site),
+                                   static_cast<meshops::Site>(c.site)};
+      const int told = fate(a, b, c);
+      for (const Side side : {s, t, u}) sides_.number(side, told);
+      found.size += told >= 0;
+    }
+  }
+
+  /// As `across` the sides of each triangle, until all have their numbers.
+  void enter(const Found& found, meshops::Patch& patch) {
+    for (std::size_t k = 0; k < found.size; ++k) {
+      const std::size_t t = found.first + k;
+      patch.triangles[t] = found.corners[k];
+      for (std::size_t i = 0; i < 3; ++i) {
+        patch.across[t][i] = static_cast<int>(found.sides[k][i]);
+        sides_.number(found.sides[k][i], static_cast<int>(3 * t + i));
+      }
+    }
   }
 
   const Point& at(Corner c) const { return places_[c].at; }
 
-  static constexpr std::size_t sides_at_once = 1024;
+  static constexpr std::size_t sides_at_once = 1u << 13, triangles_at_once = 1u << 14;
   static constexpr std::size_t fewest_for_threads = 10000;  // a millisecond or two
   std::span<Place> places_;
   Sides sides_;

@@ -15,7 +15,8 @@
 
 namespace rbpa {
 
-/// What becomes of a triangle: 0 when it is kept; else what the patch is to tell those beside it.
+/// What becomes of a triangle: 0 when it is kept; else what the patch is to tell those beside it. Called in any thread,
+/// several at a time.
 using Fate = std::function<int(const Place&, const Place&, const Place&)>;
 
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
