@@ -50,7 +50,7 @@ class Run {
       report_.worked(front);
     });
     meshops::Patch missing;
-    remainder.complete(missing, [&] { report_.worked(front); });
+    remainder.complete(missing, threads_, [&] { report_.worked(front); });
     front.lay(missing);
     front.join();
     report_.completed(front);

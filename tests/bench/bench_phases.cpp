@@ -59,25 +59,26 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
   rbpa::TileWorkspace workspace;
-  rbpa::ToldTile told;
+  rbpa::TileTriangles triangles;
+  meshops::Placement placement;
   const std::vector<rbpa::Block> blocks = rbpa::blocks(grid, rbpa::points_per_tile);
   watch.lap(cut);
   for (const rbpa::Block& block : blocks) {
     cutter.cut(block, tile);
     watch.lap(cut);
-    rbpa::triangulate(tile, radius, workspace, told.triangles);
+    rbpa::triangulate(tile, radius, workspace, triangles);
     watch.lap(triangulate);
-    const meshops::Patch& patch = told.triangles.patch;
-    const meshops::Outline& outline = told.triangles.outline;
-    front.place(patch, outline, told.placement);
+    const meshops::Patch& patch = triangles.patch;
+    const meshops::Outline& outline = triangles.outline;
+    front.place(patch, outline, placement);
     watch.lap(place);
-    remainder.add(told.triangles);
+    remainder.add(triangles);
     watch.lap(add);
-    front.fill(patch, outline, told.placement);
+    front.fill(patch, outline, placement);
     watch.lap(fill);
   }
   meshops::Patch missing;
-  remainder.complete(missing, [] {});
+  remainder.complete(missing, threads, [] {});
   watch.lap(complete);
   front.lay(missing);
   front.join();

@@ -17,20 +17,18 @@ namespace {
 
 std::vector<Triangle> triangles_of(const Points& points) {
   const std::vector<std::uint32_t> lowest = lowest_equal(points);
-  std::vector<std::uint32_t> kept;
-  Points distinct;
+  std::vector<rbpa::Place> places;
   for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (lowest[i] == i) {
-      kept.push_back(i);
-      distinct.push_back(points[i]);
-    }
+    if (lowest[i] == i) places.push_back({points[i], i});
   meshops::Patch patch;
-  rbpa::delaunay(distinct, patch);
+  rbpa::Threads threads;
+  rbpa::delaunay(
+      places, [](const auto&...) { return 0; }, threads, patch);
   std::vector<Triangle> found;
   for (const auto& t : patch.triangles)
     found.push_back(
         {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
-  return renumbered(std::move(found), kept);
+  return canonical(std::move(found));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ set(arrows
   rbpa>rbpa/tile
   rbpa/tile>rbpa/parallel rbpa/search>rbpa/parallel rbpa/run>rbpa/parallel rbpa>rbpa/parallel
   rbpa/remainder>rbpa/core rbpa/remainder>rbpa/predicate rbpa/remainder>meshops/front
-  rbpa/remainder>rbpa/pivot rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
+  rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/pivot rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 

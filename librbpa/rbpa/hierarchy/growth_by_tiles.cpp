@@ -56,7 +56,7 @@ void GrowthByTiles::lay(meshops::Front& front) {
         front.fill(share.patch(tile), share.outline_of(tile), share.placement);
       });
   meshops::Patch missing;
-  remainder.complete(missing, [&] { report_.worked(front); });
+  remainder.complete(missing, threads_, [&] { report_.worked(front); });
   LevelPatch levels;
   levels.part(missing, points, ladder_);
   front.lay(levels.later.empty() ? missing : levels.first);

@@ -51,17 +51,18 @@ class Predicates {
 
   /// Requires (a, b, p) to turn left. 1 when q is inside their circle, −1 when outside, 0 when on it.
   static int in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
-    const Vector ab = from(a, b), ap = from(a, p), bp = from(b, p), aq = from(a, q), bq = from(b, q);
-    const Real difference = dot(ap, bp) * cross(ab, aq) - dot(aq, bq) * cross(ab, ap);
-    const Real size = dot_size(ap, bp) * cross_size(ab, aq) + dot_size(aq, bq) * cross_size(ab, ap);
-    if (difference > 16 * unit * size) return 1;
-    if (difference < -16 * unit * size) return -1;
+    const CircleTest<Real> test(a, b, p, q);
+    if (test.is_sure()) return test.sign();
     if constexpr (std::is_same_v<Real, double>) {
-      // Cocircular but for rounding: twice the precision tells nearly always.
+      // Cocircular but for rounding. What has a few bits more tells nearly always.
+      if constexpr (has_extended) {
+        const CircleTest<long double> finer(a, b, p, q);
+        if (finer.is_sure()) return finer.sign();
+      }
       const auto twice_ab = twice(a, b), twice_ap = twice(a, p), twice_aq = twice(a, q);
       const Twice finer =
           twice_ap.dot(twice(b, p)) * twice_ab.cross(twice_aq) - twice_aq.dot(twice(b, q)) * twice_ab.cross(twice_ap);
-      const double bound = 64 * unit * unit * size;
+      const double bound = 64 * unit * unit * test.size;
       if (finer.high > bound) return 1;
       if (finer.high < -bound) return -1;
       const auto exact_ab = exact(a, b), exact_ap = exact(a, p), exact_aq = exact(a, q);
@@ -133,6 +134,24 @@ class Predicates {
   }
 
  private:
+  /// long double has 64 bits, in the processor: on x86. Where it has 113, these are computed in software, and slowly.
+  static constexpr bool has_extended = std::numeric_limits<long double>::digits == 64;
+
+  /// in_circle() as far as numbers of one kind can tell.
+  template <typename Number>
+  struct CircleTest {
+    CircleTest(const Point& a, const Point& b, const Point& p, const Point& q) {
+      using N = Predicates<Number>;
+      const auto ab = N::from(a, b), ap = N::from(a, p), bp = N::from(b, p), aq = N::from(a, q), bq = N::from(b, q);
+      difference = N::dot(ap, bp) * N::cross(ab, aq) - N::dot(aq, bq) * N::cross(ab, ap);
+      size = N::dot_size(ap, bp) * N::cross_size(ab, aq) + N::dot_size(aq, bq) * N::cross_size(ab, ap);
+    }
+    bool is_sure() const { return std::abs(difference) > 11 * Predicates<Number>::unit * size; }
+    int sign() const { return difference > 0 ? 1 : -1; }
+
+    Number difference, size;
+  };
+
   struct TwiceVector {
     Twice x, y;
     Twice dot(const TwiceVector& v) const { return x * v.x + y * v.y; }

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <exception>
+#include <mutex>
 #include <vector>
 
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/parallel/in_order.h"
+#include "rbpa/predicate/chord.h"
 #include "rbpa/remainder/sides.h"
 
 namespace rbpa {
@@ -17,111 +20,39 @@ using P = Predicates<double>;
 using Side = Sides::Side;
 using Corner = Sides::Corner;
 
-constexpr std::size_t few = 16;  ///< points, which are cut along one axis only
-
-/// A point, and its position in the input.
-struct Place {
-  Point at;
-  std::uint32_t index;
-};
-
-/// The order along x is lexicographic; the one along y is the same after a quarter turn. Two sets of which one comes
-/// before the other have a line between them.
-struct AlongX {
-  bool operator()(const Place& p, const Place& q) const {
-    return (p.at.x < q.at.x) | ((p.at.x == q.at.x) & (p.at.y < q.at.y));
-  }
-};
-struct AlongY {
-  bool operator()(const Place& p, const Place& q) const {
-    return (p.at.y < q.at.y) | ((p.at.y == q.at.y) & (p.at.x > q.at.x));
-  }
-};
-
-/// Sorts a few points: by counting for each how many come before it, as no branch can be mispredicted then.
-template <typename Order>
-void sort_few(std::span<Place> places, Order before) {
-  std::array<Place, few> sorted;
-  for (const Place& p : places) {
-    std::size_t rank = 0;
-    for (const Place& q : places) rank += before(q, p);
-    sorted[rank] = p;
-  }
-  std::copy_n(sorted.begin(), places.size(), places.begin());
-}
-
-/// The middle one of a few points, taken at distances.
-template <typename Order>
-Place middle_of_some(std::span<const Place> places, Order before) {
-  constexpr std::size_t some = 5, many = 15;
-  const std::size_t count = places.size() < 32 * some ? some : many;
-  std::array<Place, many> sample;
-  for (std::size_t i = 0; i < count; ++i) sample[i] = places[(2 * i + 1) * places.size() / (2 * count)];
-  sort_few(std::span<Place>(sample.data(), count), before);
-  return sample[count / 2];
-}
-
-/// Puts the points of one part before those of the other; returns where the second begins. Neither is less than an
-/// eighth of all.
-template <typename Order>
-std::size_t cut(std::span<Place> places, Order before) {
-  const std::size_t n = places.size();
-  const Place pivot = middle_of_some(places, before);
-  std::size_t m = 0;
-  for (Place& p : places) {
-    const Place moved = p;
-    p = places[m];
-    places[m] = moved;
-    m += before(moved, pivot);
-  }
-  if (m >= n / 8 && n - m >= n / 8) return m;
-  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n / 2), places.end(), before);
-  return n / 2;
-}
-
-/// The edge above which a merge goes on, from its right end to its left one, and how points compete for it: of those
-/// above, the one with the least circle has the least k = dot / cross, as in pivot/candidate.h.
-class Base {
+/// Calls working() once in many steps, in one thread at a time; none is called after one that has thrown.
+class Steps {
  public:
-  Base(const Point& left, const Point& right) : a_(left), b_(right), ab_(P::from(left, right)) {}
+  explicit Steps(const std::function<void()>& working) : working_(working) {}
 
-  struct Candidate {
-    Point at;
-    double dot, cross, dot_size, cross_size;
-  };
-  Candidate candidate(const Point& p) const {
-    const auto ap = P::from(a_, p), bp = P::from(b_, p);
-    return {p, P::dot(ap, bp), P::cross(ab_, ap), P::dot_size(ap, bp), P::cross_size(ab_, ap)};
-  }
-  bool is_above(const Candidate& p) const {
-    const double bound = 5 * P::unit * p.cross_size;
-    if (p.cross > bound) return true;
-    return p.cross >= -bound && P::orientation(a_, b_, p.at) > 0;
-  }
-  /// q is inside the circle through the edge and p. Requires p to be above, and q another point.
-  bool is_inside(const Candidate& q, const Candidate& p) const {
-    const double difference = p.dot * q.cross - q.dot * p.cross;
-    const double bound = 16 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
-    if (difference > bound) return true;
-    return difference >= -bound && P::in_perturbed_circle(a_, b_, p.at, q.at) > 0;
+  void step(std::size_t& taken) {
+    if (++taken < at_once) return;
+    taken -= at_once;
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    try {
+      working_();
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
   }
 
  private:
-  Point a_, b_;
-  P::Vector ab_;
+  static constexpr std::size_t at_once = 4096;
+  const std::function<void()>& working_;
+  std::exception_ptr failure_;
+  std::mutex mutex_;
 };
 
 class Triangulation {
  public:
-  Triangulation(std::span<const Point> points, const std::function<void()>& working)
-      : sides_(points.size()), hull_(points.size()), working_(working) {
-    places_.reserve(points.size());
-    for (const Point& p : points) places_.push_back({p, static_cast<std::uint32_t>(places_.size())});
-  }
+  Triangulation(std::span<Place> places, Threads& threads, const std::function<void()>& working)
+      : places_(places), sides_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
 
-  void run(meshops::Patch& patch) {
-    const Extremes extremes = triangulate(0, places_.size(), true);
-    hand_over(extremes.first_x, patch);
+  void run(const Fate& fate, meshops::Patch& patch) {
+    const Part all = triangulate(0, places_.size());
+    hand_over(all.first_x, fate, patch);
   }
 
  private:
@@ -129,25 +60,46 @@ class Triangulation {
   struct Extremes {
     Corner first_x, last_x, first_y, last_y;
   };
+  /// What a part of the points has for itself, so that another thread can work on another part.
+  struct Own {
+    Sides::Unused unused;
+    std::size_t steps;  // since the last time that `working` was called
+  };
+  struct Part : Extremes, Own {};
 
-  Extremes triangulate(std::size_t first, std::size_t last, bool along_x) {
-    const std::span<Place> places(places_.data() + first, last - first);
+  Part triangulate(std::size_t first, std::size_t last) {
+    const std::span<Place> places = places_.subspan(first, last - first);
     if (places.size() <= few) {
       sort_few(places, AlongX());
-      return triangulate_sorted(first, last);
+      Own own = {sides_.unused_for(first, last), 0};
+      const Extremes extremes = triangulate_sorted(first, last, own);
+      return {extremes, own};
     }
-    const std::size_t middle = first + (along_x ? cut(places, AlongX()) : cut(places, AlongY()));
-    const Extremes a = triangulate(first, middle, !along_x), b = triangulate(middle, last, !along_x);
-    merge(along_x ? a.last_x : a.last_y, along_x ? b.first_x : b.first_y, static_cast<Corner>(middle));
-    return {first_of<AlongX>(a.first_x, b.first_x), last_of<AlongX>(a.last_x, b.last_x),
-            first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)};
+    const Sample sample(places);
+    const bool along_x = sample.is_wide();
+    const std::size_t middle = first + (along_x ? cut(places, sample, AlongX()) : cut(places, sample, AlongY()));
+    Part a, b;
+    const auto triangulate_half = [&](std::size_t half) {
+      (half == 0 ? a : b) = half == 0 ? triangulate(first, middle) : triangulate(middle, last);
+    };
+    if (places.size() >= fewest_for_threads) {
+      for_each_index(threads_, 2, triangulate_half);
+    } else {
+      triangulate_half(0);
+      triangulate_half(1);
+    }
+    Own own = {sides_.joined(a.unused, b.unused), a.steps + b.steps};
+    merge(along_x ? a.last_x : a.last_y, along_x ? b.first_x : b.first_y, static_cast<Corner>(middle), own);
+    return {{first_of<AlongX>(a.first_x, b.first_x), last_of<AlongX>(a.last_x, b.last_x),
+             first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)},
+            own};
   }
 
-  Extremes triangulate_sorted(std::size_t first, std::size_t last) {
-    if (last - first <= 3) return triangulate_three(first, last);
+  Extremes triangulate_sorted(std::size_t first, std::size_t last, Own& own) {
+    if (last - first <= 3) return triangulate_three(first, last, own.unused);
     const std::size_t middle = (first + last) / 2;
-    const Extremes a = triangulate_sorted(first, middle), b = triangulate_sorted(middle, last);
-    merge(a.last_x, b.first_x, static_cast<Corner>(middle));
+    const Extremes a = triangulate_sorted(first, middle, own), b = triangulate_sorted(middle, last, own);
+    merge(a.last_x, b.first_x, static_cast<Corner>(middle), own);
     return {a.first_x, b.last_x, first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)};
   }
 
@@ -161,25 +113,25 @@ class Triangulation {
   }
 
   /// Two or three points.
-  Extremes triangulate_three(std::size_t first, std::size_t last) {
+  Extremes triangulate_three(std::size_t first, std::size_t last, Sides::Unused& unused) {
     const auto a = static_cast<Corner>(first), c = static_cast<Corner>(last - 1);
     Extremes extremes = {a, c, first_of<AlongY>(a, c), last_of<AlongY>(a, c)};
     if (last - first == 2) {
-      hull_[a] = sides_.add(a, c);
+      hull_[a] = sides_.add(a, c, unused);
       hull_[c] = Sides::reverse(hull_[a]);
       return extremes;
     }
     const Corner b = a + 1;
     extremes.first_y = first_of<AlongY>(extremes.first_y, b);
     extremes.last_y = last_of<AlongY>(extremes.last_y, b);
-    const Side ab = sides_.add(a, b), bc = sides_.add(b, c);
+    const Side ab = sides_.add(a, b, unused), bc = sides_.add(b, c, unused);
     sides_.insert(bc, Sides::reverse(ab));
-    const int turn = P::orientation(places_[a].at, places_[b].at, places_[c].at);
+    const int turn = P::orientation(at(a), at(b), at(c));
     hull_[a] = ab;
     hull_[b] = bc;
     hull_[c] = Sides::reverse(bc);
     if (turn == 0) return extremes;
-    const Side ca = sides_.add_after(Sides::reverse(bc), ab);
+    const Side ca = sides_.add_after(Sides::reverse(bc), ab, unused);
     if (turn > 0) {
       hull_[c] = ca;
     } else {
@@ -191,17 +143,17 @@ class Triangulation {
 
   /// Joins two triangulations with a line between them, which pass it at the given corners of their hulls. Seen along
   /// the line, with the first to the left, new edges come from below to above. Points from `middle` on are right.
-  void merge(Corner left_corner, Corner right_corner, Corner middle) {
-    const Side lowest = lower_tangent(left_corner, right_corner);
-    hull_[sides_.to(lowest)] = Sides::reverse(lowest);
-    Side edge = lowest;
+  void merge(Corner left_corner, Corner right_corner, Corner middle, Own& own) {
+    Side edge = lower_tangent(left_corner, right_corner, own.unused);
+    hull_[sides_.to(edge)] = Sides::reverse(edge);
     for (;;) {
-      if (++steps_ % steps_at_once == 0) working_();
-      const Base base(at(sides_.to(edge)), at(sides_.from(edge)));
+      steps_.step(own.steps);
+      const Chord base(at(sides_.to(edge)), at(sides_.from(edge)));
       // The first edge above at either end, and whatever it cuts off.
-      Side left = sides_.ccw(Sides::reverse(edge)), right = sides_.cw(edge);
+      const Side back = Sides::reverse(edge);
+      Side left = sides_.ccw(back), right = sides_.cw(edge);
       auto of_left = base.candidate(at(sides_.to(left))), of_right = base.candidate(at(sides_.to(right)));
-      const bool is_left = base.is_above(of_left), is_right = base.is_above(of_right);
+      const bool is_left = base.is_left(of_left), is_right = base.is_left(of_right);
       if (!is_left && !is_right) break;
       if (is_left)
         for (;;) {
@@ -210,7 +162,7 @@ class Triangulation {
           if (beyond >= middle) break;
           const auto of_next = base.candidate(at(beyond));
           if (!base.is_inside(of_next, of_left)) break;
-          sides_.remove(left);
+          sides_.remove(left, own.unused);
           left = next;
           of_left = of_next;
         }
@@ -221,19 +173,19 @@ class Triangulation {
           if (beyond < middle) break;
           const auto of_next = base.candidate(at(beyond));
           if (!base.is_inside(of_next, of_right)) break;
-          sides_.remove(right);
+          sides_.remove(right, own.unused);
           right = next;
           of_right = of_next;
         }
       edge = !is_left || (is_right && base.is_inside(of_right, of_left))
-                 ? sides_.add_after(sides_.along_left(right), Sides::reverse(edge))
-                 : sides_.add_after(sides_.cw(edge), Sides::reverse(left));
+                 ? sides_.add_after(sides_.along_left(right), back, own.unused)
+                 : sides_.add_after(sides_.cw(edge), Sides::reverse(left), own.unused);
     }
     hull_[sides_.from(edge)] = edge;
   }
 
   /// The edge below both hulls, from right to left.
-  Side lower_tangent(Corner left_corner, Corner right_corner) {
+  Side lower_tangent(Corner left_corner, Corner right_corner, Sides::Unused& unused) {
     Side left = sides_.cw(hull_[left_corner]), right = hull_[right_corner];
     for (;;) {
       const Point &l = at(sides_.from(left)), &r = at(sides_.from(right));
@@ -242,59 +194,105 @@ class Triangulation {
       else if (P::orientation(r, at(sides_.to(right)), l) < 0)
         right = sides_.along_right(right);
       else
-        return sides_.add_after(sides_.cw(right), left);
+        return sides_.add_after(sides_.cw(right), left, unused);
     }
   }
 
-  void hand_over(Corner on_hull, meshops::Patch& patch) const {
-    std::vector<int> number(sides_.size(), meshops::Patch::open);  // of each side of a triangle, in the patch
-    std::vector<bool> is_outer(sides_.size(), false);
-    std::size_t sides = 2 * sides_.edges();
+  /// What lies beyond the hull is no triangle: from now on its sides lead nowhere.
+  void open_hull(Corner on_hull) {
     const Side first = Sides::reverse(hull_[on_hull]);
     Side outer = first;
     do {
-      is_outer[outer] = true;
-      --sides;
-      outer = sides_.along_left(outer);
+      const Side next = sides_.along_left(outer);
+      sides_.open(outer);
+      sides_.number(outer, meshops::Patch::nothing);
+      outer = next;
     } while (outer != first);
-    patch.triangles.resize(sides / 3);
-    patch.across.resize(sides / 3);
-    // Each loop reads in order what the next address depends on, so that no load waits for another.
-    int next = 0;
-    for (Side s = 0; s < sides_.size(); ++s) {
-      if (!sides_.is_used(s)) continue;
-      const Side t = sides_.along_left(s);
-      if (t < s || is_outer[s]) continue;
-      const Side u = sides_.along_left(t);
-      if (u < s) continue;
-      auto& corners = patch.triangles[static_cast<std::size_t>(next) / 3];
-      for (std::size_t i = 0; const Side side : {s, t, u}) {
-        corners[i++] = static_cast<meshops::Site>(places_[sides_.from(side)].index);
-        number[side] = next++;
+  }
+
+  /// Triangles that have their least sides among some, and are kept.
+  struct Found {
+    std::vector<Side> least;
+    std::vector<std::array<Side, 3>> sides;
+    std::vector<std::array<meshops::Site, 3>> corners;
+    std::size_t size = 0, first = 0;  // how many; where in the patch
+  };
+
+  /// Loops have no branch that could not be foreseen, and read what is still at hand.
+  void hand_over(Corner on_hull, const Fate& fate, meshops::Patch& patch) {
+    open_hull(on_hull);
+    patch.triangles.resize(2 * places_.size());
+    patch.across.resize(2 * places_.size());
+    std::size_t kept = 0;
+    in_order<Found>(
+        threads_, (sides_.size() + sides_at_once - 1) / sides_at_once,
+        [&](std::size_t part, Found& found) { find(part * sides_at_once, fate, found); },
+        [&](std::size_t, Found& found) {
+          found.first = kept;
+          kept += found.size;
+        },
+        [&](std::size_t, const Found& found) { enter(found, patch); });
+    patch.triangles.resize(kept);
+    patch.across.resize(kept);
+    for_each_part(threads_, kept, triangles_at_once, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        for (int& side : patch.across[t]) side = sides_.number(Sides::reverse(static_cast<Side>(side)));
+    });
+  }
+
+  void find(std::size_t first, const Fate& fate, Found& found) {
+    found.least.resize(sides_at_once);
+    found.sides.resize(sides_at_once);
+    found.corners.resize(sides_at_once);
+    std::size_t triangles = 0;
+    for (auto s = static_cast<Side>(first); s < std::min(first + sides_at_once, sides_.size()); ++s) {
+      const Side t = sides_.along_left(s), u = sides_.along_left(t);
+      found.least[triangles] = s;
+      triangles += static_cast<std::size_t>(s < t) & static_cast<std::size_t>(s < u);
+    }
+    found.size = 0;
+    for (std::size_t k = 0; k < triangles; ++k) {
+      const Side s = found.least[k], t = sides_.along_left(s), u = sides_.along_left(t);
+      const Place &a = places_[sides_.from(s)], &b = places_[sides_.from(t)], &c = places_[sides_.from(u)];
+      found.sides[found.size] = {s, t, u};
+      found.corners[found.size] = {static_cast<meshops::Site>(a.site), static_cast<meshops::Site>(b.site),
+                                   static_cast<meshops::Site>(c.site)};
+      const int told = fate(a, b, c);
+      for (const Side side : {s, t, u}) sides_.number(side, told);
+      found.size += told >= 0;
+    }
+  }
+
+  /// As `across` the sides of each triangle, until all have their numbers.
+  void enter(const Found& found, meshops::Patch& patch) {
+    for (std::size_t k = 0; k < found.size; ++k) {
+      const std::size_t t = found.first + k;
+      patch.triangles[t] = found.corners[k];
+      for (std::size_t i = 0; i < 3; ++i) {
+        patch.across[t][i] = static_cast<int>(found.sides[k][i]);
+        sides_.number(found.sides[k][i], static_cast<int>(3 * t + i));
       }
     }
-    for (Side s = 0; s < sides_.size(); ++s)
-      if (number[s] >= 0)
-        patch.across[static_cast<std::size_t>(number[s]) / 3][static_cast<std::size_t>(number[s]) % 3] =
-            number[Sides::reverse(s)];
   }
 
   const Point& at(Corner c) const { return places_[c].at; }
 
-  static constexpr std::size_t steps_at_once = 4096;
-  std::vector<Place> places_;
+  static constexpr std::size_t sides_at_once = 1u << 13, triangles_at_once = 1u << 14;
+  static constexpr std::size_t fewest_for_threads = 10000;  // a millisecond or two
+  std::span<Place> places_;
   Sides sides_;
   std::vector<Side> hull_;  // of a corner that is extreme, the side of the hull that leaves it counter-clockwise
-  const std::function<void()>& working_;
-  std::size_t steps_ = 0;
+  Threads& threads_;
+  Steps steps_;
 };
 
 }  // namespace
 
-void delaunay(std::span<const Point> points, meshops::Patch& patch, const std::function<void()>& working) {
+void delaunay(std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
+              const std::function<void()>& working) {
   patch.clear();
-  if (points.size() < 3) return;
-  Triangulation(points, working).run(patch);
+  if (places.size() < 3) return;
+  Triangulation(places, threads, working).run(fate, patch);
 }
 
 }  // namespace rbpa

@@ -1,24 +1,30 @@
 // What:   the Delaunay triangulation of points, by dividing them in two and merging what each half gives.
 // Law:    the triangles are those of the symbolic perturbation (docs/predicates.md), a function of the set of points
 //         alone; no point set is bad.
-// Cost:   O(n log n) in the worst case; about n log log n comparisons of circles for points scattered evenly. 110 bytes
-//         a point besides the result.
-// Source: Guibas, Stolfi (1985), figure 23; cuts across and along in turn: Dwyer (1987). docs/remainder.md.
+// Cost:   O(n log n) in the worst case; about n log log n comparisons of circles for points scattered evenly. 76 bytes a
+//         point besides places and result.
+// Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/remainder.md.
 #pragma once
 
 #include <functional>
 #include <span>
 
 #include "meshops/front/patch.h"
-#include "rbpa/core/point.h"
+#include "rbpa/parallel/threads.h"
+#include "rbpa/remainder/halve.h"
 
 namespace rbpa {
 
-/// Every triangle, counter-clockwise, its corners as positions in `points`, and what lies across each side: `open` on
-/// the hull. Nothing when all points are on a line. Replaces `patch`.
-/// Calls working() now and then, which may throw to end it.
-/// Requires: distinct points that fit double (fits_double()), fewer than 2²⁹.
+/// What becomes of a triangle: 0 when it is kept; else what the patch is to tell those beside it. Called in any thread,
+/// several at a time.
+using Fate = std::function<int(const Place&, const Place&, const Place&)>;
+
+/// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
+/// all points are on a line. Replaces `patch`, and puts the places in another order.
+/// Calls working() now and then, in any thread and one at a time; it may throw to end it.
+/// Requires: distinct points that fit double (fits_double()), no more than rbpa() takes.
 void delaunay(
-    std::span<const Point> points, meshops::Patch& patch, const std::function<void()>& working = [] {});
+    std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
+    const std::function<void()>& working = [] {});
 
 }  // namespace rbpa

@@ -45,42 +45,21 @@ std::vector<Remainder::Corners> Remainder::told_among_incomplete() const {
   return told;
 }
 
-void Remainder::complete(meshops::Patch& patch, const std::function<void()>& working) const {
-  const std::vector<std::uint32_t> sites = not_done();
-  std::vector<Point> points;
-  points.reserve(sites.size());
-  for (const std::uint32_t s : sites) points.push_back(points_[s]);
-  delaunay(points, patch, working);
+void Remainder::complete(meshops::Patch& patch, Threads& threads, const std::function<void()>& working) const {
+  std::vector<Place> places;
+  for (const std::uint32_t s : not_done()) places.push_back({points_[s], s});
 
-  // Of these triangles only those without a complete corner are surely Delaunay among all points.
+  // Of the triangles of these only those without a complete corner are surely Delaunay among all points.
   const std::vector<Corners> told = told_among_incomplete();
-  std::vector<int> number(patch.triangles.size());  // among those that are missing, or what others are told of it
-  int missing = 0;
-  for (std::size_t t = 0; t < number.size(); ++t) {
-    Corners& corners = patch.triangles[t];
-    for (meshops::Site& s : corners) s = static_cast<meshops::Site>(sites[static_cast<std::size_t>(s)]);
-    const auto at = [&](std::size_t i) { return static_cast<std::uint32_t>(corners[i]); };
-    if (!radius_.admits<double>(points_[at(0)], points_[at(1)], points_[at(2)]))
-      number[t] = meshops::Patch::nothing;
-    else if (is_complete(at(0)) || is_complete(at(1)) || is_complete(at(2)) ||
-             std::binary_search(told.begin(), told.end(), from_least(corners)))
-      number[t] = meshops::Patch::open;
-    else
-      number[t] = missing++;
-  }
-  for (std::size_t t = 0; t < number.size(); ++t) {
-    if (number[t] < 0) continue;
-    const auto to = static_cast<std::size_t>(number[t]);
-    patch.triangles[to] = patch.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int across = patch.across[t][i];
-      const int other =
-          across == meshops::Patch::open ? meshops::Patch::nothing : number[static_cast<std::size_t>(across) / 3];
-      patch.across[to][i] = other < 0 ? other : 3 * other + across % 3;
-    }
-  }
-  patch.triangles.resize(static_cast<std::size_t>(missing));
-  patch.across.resize(static_cast<std::size_t>(missing));
+  const auto fate = [&](const Place& a, const Place& b, const Place& c) -> int {
+    if (!radius_.admits<double>(a.at, b.at, c.at)) return meshops::Patch::nothing;
+    if (is_complete(a.site) || is_complete(b.site) || is_complete(c.site)) return meshops::Patch::open;
+    if (told.empty()) return 0;
+    const auto site = [](const Place& p) { return static_cast<meshops::Site>(p.site); };
+    const Corners corners = from_least({site(a), site(b), site(c)});
+    return std::binary_search(told.begin(), told.end(), corners) ? meshops::Patch::open : 0;
+  };
+  delaunay(places, fate, threads, patch, working);
 }
 
 }  // namespace rbpa

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "meshops/front/patch.h"
+#include "rbpa/parallel/threads.h"
 #include "rbpa/pivot/radius.h"
 #include "rbpa/tile/triangulate.h"
 
@@ -34,8 +35,8 @@ class Remainder {
   std::vector<std::uint32_t> not_done() const;
 
   /// After all tiles: the triangles of the complex that none has told, on the sites. Replaces `patch`. Calls working()
-  /// now and then, which may throw to end it.
-  void complete(meshops::Patch& patch, const std::function<void()>& working) const;
+  /// now and then, in any thread and one at a time; it may throw to end it.
+  void complete(meshops::Patch& patch, Threads& threads, const std::function<void()>& working) const;
 
  private:
   using Corners = std::array<meshops::Site, 3>;

@@ -73,14 +73,23 @@ TEST_CASE("as many points as many tiles have, some of them equal") {
   for (const double alpha : {0.7, infinity}) check_threads(points, alpha);
 }
 
-TEST_CASE("any number of threads can be cancelled") {
-  const Points points = uniform(50'000, 3);
-  for (const unsigned threads : {0u, 1u, 2u, 5u}) {
-    int calls = 0;
-    CHECK_THROWS_AS(
-        rbpa::rbpa(points, infinity, {.threads = threads, .progress = [&](const auto&) { return ++calls < 3; }}),
-        rbpa::Cancelled);
-    CHECK(calls == 3);
+TEST_CASE("points of which tiles can tell little") {
+  for (const Points& points : {rounded_concentric(40'000), along_curves(15'000)})
+    for (const double alpha : {0.07, infinity}) check_threads(points, alpha);
+}
+
+TEST_CASE("any number of threads can be cancelled, among tiles and in what these leave over") {
+  for (const Points& points : {uniform(50'000, 3), rounded_concentric(30'000)}) {
+    int all = 0;
+    rbpa::rbpa(points, infinity, {.threads = 1, .progress = [&](const auto&) { return ++all > 0; }});
+    REQUIRE(all > 10);
+    for (const int last : {3, all - 3})
+      for (const unsigned threads : {0u, 1u, 2u, 5u}) {
+        int calls = 0;
+        const auto progress = [&](const auto&) { return ++calls < last; };
+        CHECK_THROWS_AS(rbpa::rbpa(points, infinity, {.threads = threads, .progress = progress}), rbpa::Cancelled);
+        CHECK(calls == last);
+      }
   }
 }
 

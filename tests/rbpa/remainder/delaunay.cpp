@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,7 +21,6 @@
 
 using namespace rbpa_test;
 using meshops::Patch;
-using rbpa::delaunay;
 using rbpa::Point;
 
 TEST_SUITE_BEGIN("remainder");
@@ -34,6 +35,18 @@ std::vector<Triangle> triangles_of(const Patch& patch) {
     found.push_back(
         {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
   return canonical(std::move(found));
+}
+
+constexpr auto all_are_kept = [](const auto&...) { return 0; };
+
+/// On the positions in `points`.
+void delaunay(
+    const Points& points, Patch& patch, unsigned threads = 1, const std::function<void()>& working = [] {},
+    const rbpa::Fate& fate = all_are_kept) {
+  std::vector<rbpa::Place> places;
+  for (const Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
+  rbpa::Threads some(threads);
+  rbpa::delaunay(places, fate, some, patch, working);
 }
 
 Patch triangulated(const Points& points) {
@@ -52,7 +65,7 @@ std::string wrong_in(const Patch& patch, const Points& points) {
     if (P::orientation(at(0), at(1), at(2)) <= 0) return name(t) + " does not turn left";
     for (std::size_t i = 0; i < 3; ++i) {
       const int across = patch.across[t][i];
-      if (across == Patch::open) {
+      if (across == Patch::nothing) {
         ++open;
         for (const Point& p : points)
           if (P::orientation(at(i), at(i + 1), p) < 0) return name(t) + " has a side open that is not of the hull";
@@ -93,7 +106,7 @@ Points distinct(const Points& points) {
 std::size_t calls(const Points& points) {
   std::size_t count = 0;
   Patch patch;
-  delaunay(points, patch, [&] { ++count; });
+  delaunay(points, patch, 1, [&] { ++count; });
   CHECK(patch.triangles.size() >= points.size() - 2);
   return count;
 }
@@ -189,9 +202,57 @@ TEST_CASE("no set is much worse than scattered points: steps of the merges") {
     CHECK(calls(points) < 4 * scattered);
 }
 
-TEST_CASE("what is thrown while it works reaches the caller") {
+TEST_CASE("what is thrown while it works reaches the caller, and nobody is called after that") {
+  const Points points = uniform(100000, 9);
+  for (const unsigned threads : {1u, 2u, 5u}) {
+    Patch patch;
+    int calls = 0;
+    const auto stop = [&] {
+      if (++calls == 3) throw std::string("stop");
+    };
+    CHECK_THROWS_AS(delaunay(points, patch, threads, stop), std::string);
+    CHECK(calls == 3);
+  }
+}
+
+TEST_CASE("the number of threads changes no triangle, nor their order") {
+  for (const Points& points : {uniform(50000, 11), rounded_concentric(30000), along_curves(10000), clusters(3000, 12),
+                               perfect_grid(200, 1), collinear_run(30000, 1, 0.5, 13)}) {
+    const Patch expected = triangulated(points);
+    for (const unsigned threads : {0u, 2u, 5u}) {
+      CAPTURE(threads);
+      Patch patch;
+      delaunay(points, patch, threads);
+      CHECK(patch.triangles == expected.triangles);
+      CHECK(patch.across == expected.across);
+    }
+  }
+}
+
+TEST_CASE("what is not kept is what those beside it are told") {
+  const Points points = uniform(2000, 14);
+  const Patch all = triangulated(points);
+  const auto by_sum = [](unsigned sum) { return sum % 4 == 0 ? Patch::open : sum % 4 == 1 ? Patch::nothing : 0; };
+  std::vector<int> number;  // of each in the patch
+  std::vector<std::array<meshops::Site, 3>> kept;
+  for (const auto& t : all.triangles) {
+    const int fate = by_sum(static_cast<unsigned>(t[0] + t[1] + t[2]));
+    number.push_back(fate < 0 ? fate : static_cast<int>(kept.size()));
+    if (fate == 0) kept.push_back(t);
+  }
   Patch patch;
-  CHECK_THROWS_AS(delaunay(uniform(20000, 9), patch, [] { throw std::string("stop"); }), std::string);
+  const auto fate = [&](const rbpa::Place& a, const rbpa::Place& b, const rbpa::Place& c) {
+    return by_sum(a.site + b.site + c.site);
+  };
+  delaunay(
+      points, patch, 1, [] {}, fate);
+  REQUIRE(patch.triangles == kept);
+  for (std::size_t t = 0; t < number.size(); ++t)
+    for (std::size_t i = 0; number[t] >= 0 && i < 3; ++i) {
+      const int across = all.across[t][i];
+      const int other = across < 0 ? across : number[static_cast<std::size_t>(across) / 3];
+      CHECK(patch.across[static_cast<std::size_t>(number[t])][i] == (other < 0 ? other : 3 * other + across % 3));
+    }
 }
 
 TEST_CASE("a patch that was used before is replaced") {

@@ -86,7 +86,8 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   counts.told += told.size();
 
   Patch patch;
-  remainder.complete(patch, [] {});
+  rbpa::Threads threads;
+  remainder.complete(patch, threads, [] {});
   counts.added += patch.triangles.size();
   if (patch.across.size() != patch.triangles.size()) return "sizes";
   std::set<Triangle> all = told;
@@ -204,7 +205,8 @@ TEST_CASE("what is thrown while the remainder is completed reaches the caller") 
   const Radius radius;
   Remainder remainder(points, radius);
   Patch patch;
-  CHECK_THROWS_AS(remainder.complete(patch, [] { throw std::string("stop"); }), std::string);
+  rbpa::Threads threads;
+  CHECK_THROWS_AS(remainder.complete(patch, threads, [] { throw std::string("stop"); }), std::string);
 }
 
 TEST_SUITE_END();
