@@ -38,19 +38,19 @@ std::vector<double> numbers(const SolidAlphaComplex& complex) {
   return all;
 }
 
-/// By so many levels that triangles of all tiles wait for one.
-std::vector<double> numbers_by_levels(const Points& points, double alpha, unsigned threads) {
-  return numbers(rbpa::hrbpa(points, alpha, {.leaf_capacity = 16, .threads = threads}).complex);
+std::vector<double> numbers_by_levels(const Points& points, double alpha, std::size_t leaf_capacity, unsigned threads) {
+  return numbers(rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .threads = threads}).complex);
 }
 
-void check_threads(const Points& points, double alpha) {
+/// With leaves so small that triangles of all tiles wait for their level.
+void check_threads(const Points& points, double alpha, std::size_t leaf_capacity) {
   CAPTURE(alpha);
   const auto expected = numbers(rbpa::rbpa(points, alpha, {.threads = 1}));
-  const auto by_levels = numbers_by_levels(points, alpha, 1);
+  const auto by_levels = numbers_by_levels(points, alpha, leaf_capacity, 1);
   for (const unsigned threads : {0u, 2u, 5u}) {
     CAPTURE(threads);
     CHECK(numbers(rbpa::rbpa(points, alpha, {.threads = threads})) == expected);
-    CHECK(numbers_by_levels(points, alpha, threads) == by_levels);
+    CHECK(numbers_by_levels(points, alpha, leaf_capacity, threads) == by_levels);
   }
 }
 
@@ -60,8 +60,8 @@ TEST_CASE("sets of every kind") {
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
     const Points points = set.make();
-    check_threads(points, infinity);
-    for (const double alpha : set.alphas) check_threads(points, alpha);
+    check_threads(points, infinity, 16);
+    for (const double alpha : set.alphas) check_threads(points, alpha, 16);
   }
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("as many points as many tiles have, some of them equal") {
   const Points crowds = clusters(4'000, 2), again = points;
   points.insert(points.end(), crowds.begin(), crowds.end());
   points.insert(points.end(), again.begin(), again.begin() + 5'000);
-  for (const double alpha : {0.7, infinity}) check_threads(points, alpha);
+  for (const double alpha : {0.7, infinity}) check_threads(points, alpha, 256);
 }
 
 TEST_CASE("points of which tiles can tell little") {
