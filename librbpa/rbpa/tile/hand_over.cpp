@@ -139,7 +139,8 @@ class Telling {
     const std::uint8_t* const own = tile_.own.data();
     std::size_t known_points = 0, shared_points = 0;
     for (std::size_t v = 0; v < points; ++v) {
-      const bool is_closed = (own[v] != 0) & front_.is_touched(v) & !front_.is_on_front(v);
+      const bool is_own = own[v] != 0, is_touched = front_.is_touched(v), is_on_front = front_.is_on_front(v);
+      const bool is_closed = is_own & is_touched & !is_on_front;
       const bool is_known = is_closed & (foreign[v] == 0);
       done[known_points] = site[v];
       known_points += is_known;

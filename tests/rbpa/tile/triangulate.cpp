@@ -264,12 +264,12 @@ TEST_CASE("a tile tells the same whatever the workspace and the result were used
 }
 
 TEST_CASE("a tile that has all points knows most sites and triangles of a set of even density") {
-  for (const auto& [name, points] :
+  for (const TileSet& set :
        {TileSet{"uniform", uniform(1500, 5)}, TileSet{"grid", perfect_grid(40, 1)},
         TileSet{"fine grid far out", moved(perfect_grid(40, 0x1p-20), 0x1p30, 0x1p31)},
         TileSet{"grid of tenths", perfect_grid(40, 0.1)}, TileSet{"rotated", rotated_rounded_grid(40)}}) {
-    CAPTURE(name);
-    const Sites sites(points);
+    CAPTURE(set.name);
+    const Sites sites(set.points);
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
       const OneTarget only(target);
       for (const std::uint32_t most : {300u, 2048u}) {
@@ -283,9 +283,9 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
         CHECK(triangles > sites.delaunay.size() * 9 / 10);
         CHECK(known > sites.points.size() * 3 / 4);
 
-        if (name != "uniform") continue;
+        if (set.name != "uniform") continue;
         // With a radius, the sides beyond which it is exceeded: most are seen to be so.
-        const Radius radius(0.6 * mean_spacing(points));
+        const Radius radius(0.6 * mean_spacing(set.points));
         std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
         for (const Triangle& t : sites.delaunay)
           for (std::size_t i = 0; i < 3; ++i)
