@@ -1,6 +1,9 @@
 #include "meshops/front/outline.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "meshops/core/contract.h"
 
@@ -12,9 +15,10 @@ int last(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
 class Surveyor {
  public:
-  explicit Surveyor(const Patch& patch) : patch_(patch), sides_(static_cast<int>(3 * patch.triangles.size())) {}
+  explicit Surveyor(const Patch& patch)
+      : patch_(patch), sides_(static_cast<int>(3 * patch.triangles.size())), seen_(3 * patch.triangles.size()) {}
 
-  void survey(Outline& outline) const {
+  void survey(Outline& outline) {
     for (int s = 0; s < sides_; ++s) {
       const int other = across(s);
       require(Patch::nothing <= other && other < sides_ && other != s && (other < 0 || across(other) == s),
@@ -25,8 +29,8 @@ class Surveyor {
         outline.holes.push_back(s);
       else if (across(s) < 0)
         outline.rim.push_back(s);
-      else if (comes_first(s) && is_last_inside(s))
-        outline.inside.push_back(s);
+      else if (const std::optional<int> out = last_inside(s))
+        outline.inside.push_back(*out);
   }
 
  private:
@@ -36,17 +40,24 @@ class Surveyor {
   }
   bool comes_first(int side) const { return side < across(side); }
 
-  /// The triangles where the side begins close, and no other of their sides out of there that comes first is later.
-  bool is_last_inside(int side) const {
-    for (int out = next_out(side); out != side; out = next_out(out))
-      if (out < 0 || (out > side && comes_first(out))) return false;
-    return true;
+  /// Where the triangles at the beginning of the side close: of their sides out of there that come first, the last.
+  /// Each side is passed once: where one is met that was seen before, triangles do not close.
+  std::optional<int> last_inside(int side) {
+    int found = -1;
+    for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {
+      seen_[static_cast<std::size_t>(out)] = true;
+      if (comes_first(out)) found = std::max(found, out);
+      out = next_out(out);
+      if (out == side) return found;
+    }
+    return std::nullopt;
   }
   /// The next side out of the same site; negative beyond the last.
   int next_out(int side) const { return across(last(side)); }
 
   const Patch& patch_;
   int sides_;
+  std::vector<bool> seen_;  // of each side that does not lie at the rim
 };
 
 }  // namespace

@@ -64,6 +64,24 @@ int end_of_fan(const Patch& patch, std::size_t triangle, Site site) {
 }  // namespace
 
 TEST_SUITE("front") {
+  TEST_CASE("a wheel of any size is looked through once, whichever way its triangles are numbered") {
+    constexpr int spokes = 300000;          // a walk around from each spoke would take minutes
+    for (const int step : {1, spokes - 1})  // from one triangle to the next around the hub
+      for (const bool closed : {true, false}) {
+        Patch wheel;
+        for (int t = 0; t < spokes; ++t) {
+          const int next = (t + step) % spokes, previous = (t + spokes - step) % spokes;
+          wheel.triangles.push_back({0, t + 1, next + 1});
+          wheel.across.push_back({3 * previous + 2, Patch::open, 3 * next});
+        }
+        if (!closed) wheel.across.front()[0] = wheel.across[static_cast<std::size_t>(spokes - step)][2] = Patch::open;
+        Outline outline;
+        survey(wheel, outline);
+        CHECK(outline.inside.size() == (closed ? 1 : 0));
+        CHECK(outline.rim.size() == (closed ? spokes : spokes + 2));
+      }
+  }
+
   TEST_CASE("an outline has the sides at the rim, the holes, and of each site inside the last side that comes first") {
     std::mt19937 random(5);
     Outline outline;
