@@ -78,9 +78,10 @@ class Assembly {
     const std::size_t points = grid_.points().size();
     complex.distinct = points;
     for (const auto& r : grid_.repetitions()) complex.duplicates.push_back({r.index, r.stands_for});
-    // A planar triangulation of n points has fewer than 3n edges and 2n faces; vertices there are a few more while fans
-    // on one point wait to grow together. What is not used is never touched.
-    const std::size_t vertices = points + points / 16 + 64, edges = 3 * points + elements_at_a_time,
+    // A planar triangulation of n points has fewer than 3n edges and 2n faces. Vertices are a few more where fans meet in
+    // one point, or wait to grow together: up to a twelfth of scattered points, at 0.7 spacings. What is not used is never
+    // touched.
+    const std::size_t vertices = points + points / 8 + 64, edges = 3 * points + elements_at_a_time,
                       faces = 2 * points + elements_at_a_time;
     complex.mesh.reserve(vertices, edges, faces);
     meshops::prefer_large_pages(complex.mesh, vertices, edges, faces);
