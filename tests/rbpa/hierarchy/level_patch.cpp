@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
@@ -36,8 +37,12 @@ bool admits(const Radius& radius, const Points& points, const Corners& t) {
 
 /// All triangles, which is what an infinite ladder admits.
 Patch delaunay_patch(const Points& points) {
+  std::vector<rbpa::Place> places;
+  for (const rbpa::Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
+  rbpa::Threads one;
   Patch patch;
-  rbpa::delaunay(points, patch);
+  rbpa::delaunay(
+      places, [](const auto&...) { return 0; }, one, patch);
   return patch;
 }
 
