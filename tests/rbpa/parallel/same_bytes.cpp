@@ -75,7 +75,7 @@ TEST_CASE("as many points as many tiles have, some of them equal") {
 
 TEST_CASE("points of which tiles can tell little") {
   for (const Points& points : {rounded_concentric(40'000), along_curves(15'000)})
-    for (const double alpha : {0.07, infinity}) check_threads(points, alpha);
+    for (const double alpha : {0.07, infinity}) check_threads(points, alpha, 256);
 }
 
 TEST_CASE("any number of threads can be cancelled, among tiles and in what these leave over") {
