@@ -50,8 +50,9 @@ class Run {
       report_.worked(front);
     });
     meshops::Patch missing;
-    remainder.complete(missing, threads_, [&] { report_.worked(front); });
-    front.lay(missing);
+    meshops::Outline outline;
+    remainder.complete(missing, outline, threads_, [&] { report_.worked(front); });
+    front.lay(missing, outline);
     front.join();
     report_.completed(front);
   }

@@ -78,9 +78,10 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
     watch.lap(fill);
   }
   meshops::Patch missing;
-  remainder.complete(missing, threads, [] {});
+  meshops::Outline outline_of_missing;
+  remainder.complete(missing, outline_of_missing, threads, [] {});
   watch.lap(complete);
-  front.lay(missing);
+  front.lay(missing, outline_of_missing);
   front.join();
   watch.lap(join);
   assembly.finish();

@@ -121,6 +121,8 @@ class MESHOPS_API Front {
   ///           those of a complex; a site around which they close has no other fan, as it is in the plane.
   /// Cost:     linear in the patch.
   void lay(const Patch& patch);
+  /// The same where the outline is known.
+  void lay(const Patch& patch, const Outline& outline);
 
   /// lay() in three steps, so that threads can share the work: survey(), where the outline is not known; place(), one
   /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other

@@ -159,8 +159,12 @@ void Front::fill_holes(const Patch& patch, const Outline& outline, Placement& pl
 
 void Front::lay(const Patch& patch) {
   survey(patch, outline_);
-  place(patch, outline_, placement_);
-  fill(patch, outline_, placement_);
+  lay(patch, outline_);
+}
+
+void Front::lay(const Patch& patch, const Outline& outline) {
+  place(patch, outline, placement_);
+  fill(patch, outline, placement_);
 }
 
 /// The boundary halfedge that follows one whose end has a single vertex yet, within the fan at its end.

@@ -56,10 +56,14 @@ void GrowthByTiles::lay(meshops::Front& front) {
         front.fill(share.patch(tile), share.outline_of(tile), share.placement);
       });
   meshops::Patch missing;
-  remainder.complete(missing, threads_, [&] { report_.worked(front); });
+  meshops::Outline outline;
+  remainder.complete(missing, outline, threads_, [&] { report_.worked(front); });
   LevelPatch levels;
   levels.part(missing, points, ladder_);
-  front.lay(levels.later.empty() ? missing : levels.first);
+  if (levels.later.empty())
+    front.lay(missing, outline);
+  else
+    front.lay(levels.first);
   front.join();
   report_.completed(front);
   waiting_.add(levels.later);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -50,9 +50,9 @@ class Triangulation {
   Triangulation(std::span<Place> places, Threads& threads, const std::function<void()>& working)
       : places_(places), sides_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
 
-  void run(const Fate& fate, meshops::Patch& patch) {
+  void run(const Fate& fate, meshops::Patch& patch, meshops::Outline& outline) {
     const Part all = triangulate(0, places_.size());
-    hand_over(all.first_x, fate, patch);
+    hand_over(all.first_x, fate, patch, outline);
   }
 
  private:
@@ -214,15 +214,16 @@ class Triangulation {
   struct Found {
     std::vector<Side> least;
     std::vector<std::array<Side, 3>> sides;
-    std::vector<std::array<meshops::Site, 3>> corners;
+    std::vector<std::array<Corner, 3>> corners;
     std::size_t size = 0, first = 0;  // how many; where in the patch
   };
 
   /// Loops have no branch that could not be foreseen, and read what is still at hand.
-  void hand_over(Corner on_hull, const Fate& fate, meshops::Patch& patch) {
+  void hand_over(Corner on_hull, const Fate& fate, meshops::Patch& patch, meshops::Outline& outline) {
     open_hull(on_hull);
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
+    corners_.resize(2 * places_.size());
     std::size_t kept = 0;
     in_order<Found>(
         threads_, (sides_.size() + sides_at_once - 1) / sides_at_once,
@@ -234,10 +235,33 @@ class Triangulation {
         [&](std::size_t, const Found& found) { enter(found, patch); });
     patch.triangles.resize(kept);
     patch.across.resize(kept);
+    corners_.resize(kept);
     for_each_part(threads_, kept, triangles_at_once, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         for (int& side : patch.across[t]) side = sides_.number(Sides::reverse(static_cast<Side>(side)));
     });
+    tell_outline(patch, outline);
+  }
+
+  /// In the plane triangles close around a corner if none of its sides lies at the rim or at a hole.
+  void tell_outline(const meshops::Patch& patch, meshops::Outline& outline) const {
+    constexpr int nowhere = -1, open = std::numeric_limits<int>::max();
+    std::vector<int> last_out(places_.size(), nowhere);  // of each corner, of the sides out of it that come first
+    int side = 0;
+    for (std::size_t t = 0; t < corners_.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i, ++side) {
+        const int across = patch.across[t][i];
+        int& last = last_out[corners_[t][i]];
+        if (across < 0) {
+          (across == meshops::Patch::nothing ? outline.holes : outline.rim).push_back(side);
+          last = last_out[corners_[t][(i + 1) % 3]] = open;
+        } else {
+          last = std::max(last, side < across ? side : nowhere);
+        }
+      }
+    for (const int last : last_out)
+      if (last != nowhere && last != open) outline.inside.push_back(last);
+    for (const int hole : outline.holes) outline.next_hole.push_back(next_hole(patch, hole));
   }
 
   void find(std::size_t first, const Fate& fate, Found& found) {
@@ -253,11 +277,10 @@ class Triangulation {
     found.size = 0;
     for (std::size_t k = 0; k < triangles; ++k) {
       const Side s = found.least[k], t = sides_.along_left(s), u = sides_.along_left(t);
-      const Place &a = places_[sides_.from(s)], &b = places_[sides_.from(t)], &c = places_[sides_.from(u)];
+      const std::array corners = {sides_.from(s), sides_.from(t), sides_.from(u)};
       found.sides[found.size] = {s, t, u};
-      found.corners[found.size] = {static_cast<meshops::Site>(a.site), static_cast<meshops::Site>(b.site),
-                                   static_cast<meshops::Site>(c.site)};
-      const int told = fate(a, b, c);
+      found.corners[found.size] = corners;
+      const int told = fate(places_[corners[0]], places_[corners[1]], places_[corners[2]]);
       for (const Side side : {s, t, u}) sides_.number(side, told);
       found.size += told >= 0;
     }
@@ -267,8 +290,9 @@ class Triangulation {
   void enter(const Found& found, meshops::Patch& patch) {
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t t = found.first + k;
-      patch.triangles[t] = found.corners[k];
+      corners_[t] = found.corners[k];
       for (std::size_t i = 0; i < 3; ++i) {
+        patch.triangles[t][i] = static_cast<meshops::Site>(places_[found.corners[k][i]].site);
         patch.across[t][i] = static_cast<int>(found.sides[k][i]);
         sides_.number(found.sides[k][i], static_cast<int>(3 * t + i));
       }
@@ -281,6 +305,7 @@ class Triangulation {
   static constexpr std::size_t fewest_for_threads = 10000;  // a millisecond or two
   std::span<Place> places_;
   Sides sides_;
+  std::vector<std::array<Corner, 3>> corners_;  // of the triangles of the patch
   std::vector<Side> hull_;  // of a corner that is extreme, the side of the hull that leaves it counter-clockwise
   Threads& threads_;
   Steps steps_;
@@ -289,10 +314,11 @@ class Triangulation {
 }  // namespace
 
 void delaunay(std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
-              const std::function<void()>& working) {
+              meshops::Outline& outline, const std::function<void()>& working) {
   patch.clear();
+  outline.clear();
   if (places.size() < 3) return;
-  Triangulation(places, threads, working).run(fate, patch);
+  Triangulation(places, threads, working).run(fate, patch, outline);
 }
 
 }  // namespace rbpa

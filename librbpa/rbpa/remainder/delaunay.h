@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 
+#include "meshops/front/outline.h"
 #include "meshops/front/patch.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/remainder/halve.h"
@@ -20,11 +21,11 @@ namespace rbpa {
 using Fate = std::function<int(const Place&, const Place&, const Place&)>;
 
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
-/// all points are on a line. Replaces `patch`, and puts the places in another order.
+/// all points are on a line. Replaces `patch` and its outline, and puts the places in another order.
 /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
 /// Requires: distinct points that fit double (fits_double()), no more than rbpa() takes.
 void delaunay(
-    std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
+    std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
     const std::function<void()>& working = [] {});
 
 }  // namespace rbpa

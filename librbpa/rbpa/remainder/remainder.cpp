@@ -45,7 +45,8 @@ std::vector<Remainder::Corners> Remainder::told_among_incomplete() const {
   return told;
 }
 
-void Remainder::complete(meshops::Patch& patch, Threads& threads, const std::function<void()>& working) const {
+void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
+                         const std::function<void()>& working) const {
   std::vector<Place> places;
   for (const std::uint32_t s : not_done()) places.push_back({points_[s], s});
 
@@ -59,7 +60,7 @@ void Remainder::complete(meshops::Patch& patch, Threads& threads, const std::fun
     const Corners corners = from_least({site(a), site(b), site(c)});
     return std::binary_search(told.begin(), told.end(), corners) ? meshops::Patch::open : 0;
   };
-  delaunay(places, fate, threads, patch, working);
+  delaunay(places, fate, threads, patch, outline, working);
 }
 
 }  // namespace rbpa

@@ -34,9 +34,10 @@ class Remainder {
   /// After all tiles: the sites that are not complete or have a Delaunay neighbour that is not, ascending.
   std::vector<std::uint32_t> not_done() const;
 
-  /// After all tiles: the triangles of the complex that none has told, on the sites. Replaces `patch`. Calls working()
+  /// After all tiles: the triangles of the complex that none has told, on the sites. Replaces `patch` and its outline. Calls working()
   /// now and then, in any thread and one at a time; it may throw to end it.
-  void complete(meshops::Patch& patch, Threads& threads, const std::function<void()>& working) const;
+  void complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
+                const std::function<void()>& working) const;
 
  private:
   using Corners = std::array<meshops::Site, 3>;

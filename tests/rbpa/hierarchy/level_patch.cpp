@@ -41,8 +41,9 @@ Patch delaunay_patch(const Points& points) {
   for (const rbpa::Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads one;
   Patch patch;
+  meshops::Outline outline;
   rbpa::delaunay(
-      places, [](const auto&...) { return 0; }, one, patch);
+      places, [](const auto&...) { return 0; }, one, patch, outline);
   return patch;
 }
 

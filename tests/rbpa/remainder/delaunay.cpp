@@ -46,7 +46,14 @@ void delaunay(
   std::vector<rbpa::Place> places;
   for (const Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads some(threads);
-  rbpa::delaunay(places, fate, some, patch, working);
+  meshops::Outline outline, surveyed;
+  rbpa::delaunay(places, fate, some, patch, outline, working);
+  meshops::survey(patch, surveyed);
+  for (auto* inside : {&outline.inside, &surveyed.inside}) std::sort(inside->begin(), inside->end());
+  CHECK(outline.inside == surveyed.inside);
+  CHECK(outline.rim == surveyed.rim);
+  CHECK(outline.holes == surveyed.holes);
+  CHECK(outline.next_hole == surveyed.next_hole);
 }
 
 Patch triangulated(const Points& points) {

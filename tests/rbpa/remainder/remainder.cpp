@@ -87,7 +87,8 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
 
   Patch patch;
   rbpa::Threads threads;
-  remainder.complete(patch, threads, [] {});
+  meshops::Outline outline;
+  remainder.complete(patch, outline, threads, [] {});
   counts.added += patch.triangles.size();
   if (patch.across.size() != patch.triangles.size()) return "sizes";
   std::set<Triangle> all = told;
@@ -206,7 +207,8 @@ TEST_CASE("what is thrown while the remainder is completed reaches the caller") 
   Remainder remainder(points, radius);
   Patch patch;
   rbpa::Threads threads;
-  CHECK_THROWS_AS(remainder.complete(patch, threads, [] { throw std::string("stop"); }), std::string);
+  meshops::Outline outline;
+  CHECK_THROWS_AS(remainder.complete(patch, outline, threads, [] { throw std::string("stop"); }), std::string);
 }
 
 TEST_SUITE_END();
