@@ -21,9 +21,10 @@ std::vector<Triangle> triangles_of(const Points& points) {
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (lowest[i] == i) places.push_back({points[i], i});
   meshops::Patch patch;
+  meshops::Outline outline;
   rbpa::Threads threads;
   rbpa::delaunay(
-      places, [](const auto&...) { return 0; }, threads, patch);
+      places, [](const auto&...) { return 0; }, threads, patch, outline);
   std::vector<Triangle> found;
   for (const auto& t : patch.triangles)
     found.push_back(
