@@ -218,7 +218,7 @@ class Contest {
       }
       if (!look_.is_known(cells) || reach > most_reach) return none;
       reach *= 2;
-      const float ratio = 2 * reach / length;
+      const float ratio = std::min(2 * reach / length, Look::most_chords);
       cells = look_.cells_for(edge, std::sqrt(std::max(0.0f, ratio * ratio - 1)));
     }
   }

@@ -12,7 +12,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -31,6 +30,7 @@ class Look {
   using D = hn::CappedTag<float, EdgeBatch::size>;
   static constexpr float unit = 0x1p-24f;  // of one rounding
   static constexpr float slack = 16 * unit;
+  static constexpr float most_chords = 0x1p20f;  // that a disc is wide: a larger one is as good as a half-plane
 
   /// Keeps references.
   Look(EdgeBatch& edges, const TileCoordinates& coordinates) : edges_(edges), at_(coordinates) {}
@@ -50,7 +50,7 @@ class Look {
       const V reach = hn::Max(set(first_reach_in_chords) * length,
                               hn::Min(set(first_reach_in_circles) * hn::Load(d, edges_.expected + i),
                                       set(first_reach_in_cells * at_.cell)));
-      const V ratio = hn::Min((reach + reach) / length, set(0x1p20f));
+      const V ratio = hn::Min((reach + reach) / length, set(most_chords));
       const V k = hn::Sqrt(hn::Max(hn::Zero(d), ratio * ratio - set(1)));
       const Box box = box_of(ax, ay, bx, by, k);
       const auto across = box.c1 - box.c0 + hn::Set(di, 1), up = box.r1 - box.r0;
@@ -119,17 +119,11 @@ class Look {
   }
   /// The cells of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
   Cells cells_for(std::size_t edge, float k) const {
-    const float ax = edges_.ax[edge], ay = edges_.ay[edge], bx = edges_.bx[edge], by = edges_.by[edge];
-    const float dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy, half = 0.5f * k;
-    const float x = 0.5f * (ax + bx) - half * dy, y = 0.5f * (ay + by) + half * dx;
-    const float radius = 0.5f * std::sqrt(squared) * std::sqrt(1 + k * k), wide = slack * (1 + radius + std::abs(k));
-    const float r = radius + wide, reach = half * squared;
-    const float x_low = -r * dy <= reach ? x - r : std::min(ax, bx) - wide;
-    const float x_high = -r * dy >= -reach ? x + r : std::max(ax, bx) + wide;
-    const float y_low = r * dx <= reach ? y - r : std::min(ay, by) - wide;
-    const float y_high = r * dx >= -reach ? y + r : std::max(ay, by) + wide;
-    return {at_.column(x_low), at_.column(x_high), at_.row(y_low), at_.row(y_high),
-            x_low >= at_.x_low && x_high <= at_.x_high && y_low >= at_.y_low && y_high <= at_.y_high};
+    const D d;
+    const Box box = box_of(hn::Set(d, edges_.ax[edge]), hn::Set(d, edges_.ay[edge]), hn::Set(d, edges_.bx[edge]),
+                           hn::Set(d, edges_.by[edge]), hn::Set(d, k));
+    return {hn::GetLane(box.c0), hn::GetLane(box.c1), hn::GetLane(box.r0), hn::GetLane(box.r1),
+            hn::AllTrue(d, box.inside)};
   }
 
  private:
