@@ -252,7 +252,7 @@ void Cutter::sort_into_cells(Tile& tile) {
       const auto r = static_cast<std::uint32_t>(std::clamp((p.y - y0) * per_cell, 0.0, last_row));
       const bool is_here = (p.x >= x0) & (p.x <= x1) & (p.y >= y0) & (p.y <= y1);
       // Those beyond are counted in one cell more, the last.
-      const std::uint32_t cell = is_here | (next < own_) ? r * columns + c : beyond;
+      const std::uint32_t cell = (is_here | (next < own_)) ? r * columns + c : beyond;
       cell_of_[next++] = cell;
       ++count_[cell];
     }
