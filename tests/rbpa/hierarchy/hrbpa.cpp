@@ -296,11 +296,11 @@ TEST_CASE("over all levels not more than four times as many points take part as 
   } sets[] = {{"uniform", uniform(20000, 5)},           {"jittered", jittered_grid(140, 0.9, 6)},
               {"grid", perfect_grid(140, 1)},           {"three decades", three_decades(20000, 7)},
               {"heavy centre", heavy_centre(20000, 8)}, {"lidar", lidar_lines(100, 200, 9)}};
-  for (const auto& [name, points] : sets)
+  for (const auto& set : sets)
     for (const std::size_t k : {1u, 4u, 16u, 64u, 1024u}) {
-      CAPTURE(std::string(name));
+      CAPTURE(std::string(set.name));
       CAPTURE(k);
-      const Hierarchy h = hierarchy(points, infinity, k);
+      const Hierarchy h = hierarchy(set.points, infinity, k);
       CHECK(wrong_numbers(h, infinity) == "");
       CHECK(sum_of_taking_part(h) <= 4 * h.complex.distinct);
     }
