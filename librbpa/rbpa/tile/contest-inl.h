@@ -161,11 +161,11 @@ class Contest {
       perhaps[j] = k.perhaps;
       least = hn::Min(least, hn::IfThenElse(k.left, k.high, hn::Set(d, infinity)));
     }
-    const V bound = hn::MinOfLanes(d, least);
+    const float high = least_lane(least);
+    const V bound = hn::Set(d, high);
     std::uint64_t can_win = 0;
     for (std::size_t j = 0; j < vectors; ++j) can_win |= bits_of(hn::And(perhaps[j], low[j] <= bound)) << (j * N);
     can_win &= ~ends_of(edge);
-    const float high = hn::GetLane(bound);
     edges_.high[edge] = high;
     if (!(high < infinity)) return none;
     const auto point = [&](std::uint64_t bits) {
@@ -176,6 +176,12 @@ class Contest {
     contenders_.clear();
     for (; can_win != 0; can_win &= can_win - 1) contenders_.push_back(point(can_win));
     return decide(edge);
+  }
+
+  /// Where vectors are emulated, MinOfLanes() does not know more than the largest finite number.
+  static HWY_INLINE float least_lane(V v) {
+    const float least = hn::GetLane(hn::MinOfLanes(D(), v));
+    return least < std::numeric_limits<float>::max() ? least : infinity;
   }
 
   static HWY_INLINE std::uint64_t bits_of(hn::Mask<D> mask) {
@@ -248,8 +254,8 @@ class Contest {
       const V low = hn::IfThenElse(k.left, k.low, hn::Set(d, -infinity));
       hn::StoreU(hn::IfThenElse(k.perhaps, low, hn::Set(d, infinity)), d, low_.data() + j * N);
     }
-    const V bound = hn::MinOfLanes(d, least);
-    const float high = hn::GetLane(bound);
+    const float high = least_lane(least);
+    const V bound = hn::Set(d, high);
     const auto a = static_cast<std::uint32_t>(edges_.a[edge]), b = static_cast<std::uint32_t>(edges_.b[edge]);
     std::uint32_t contenders = 0, last = 0;
     for (std::size_t j = 0; j < parts; ++j) {
