@@ -17,13 +17,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 #include "rbpa/tile/coordinates.h"
 #include "rbpa/tile/edge_batch.h"
 #include "rbpa/tile/exact_contest.h"
 #include "rbpa/tile/look-inl.h"
+#include "rbpa/tile/mask_bits-inl.h"
 #include "rbpa/tile/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -164,7 +164,7 @@ class Contest {
     const float high = least_lane(least);
     const V bound = hn::Set(d, high);
     std::uint64_t can_win = 0;
-    for (std::size_t j = 0; j < vectors; ++j) can_win |= bits_of(hn::And(perhaps[j], low[j] <= bound)) << (j * N);
+    for (std::size_t j = 0; j < vectors; ++j) can_win |= bits_of(d, hn::And(perhaps[j], low[j] <= bound)) << (j * N);
     can_win &= ~ends_of(edge);
     edges_.high[edge] = high;
     if (!(high < infinity)) return none;
@@ -182,13 +182,6 @@ class Contest {
   static HWY_INLINE float least_lane(V v) {
     const float least = hn::GetLane(hn::MinOfLanes(D(), v));
     return least < std::numeric_limits<float>::max() ? least : infinity;
-  }
-
-  static HWY_INLINE std::uint64_t bits_of(hn::Mask<D> mask) {
-    const D d;
-    std::conditional_t<hn::MaxLanes(d) == 16, std::uint16_t, std::uint8_t> bits;
-    hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
-    return bits;
   }
 
   /// What the bounds left undecided.
@@ -263,7 +256,7 @@ class Contest {
       const std::uint32_t from_a = a - part_[j].first, from_b = b - part_[j].first;
       const std::uint32_t ends = (std::uint32_t{from_a < N} << from_a % N) | (std::uint32_t{from_b < N} << from_b % N);
       const auto can_win =
-          static_cast<std::uint32_t>(bits_of(hn::And(low <= bound, low < hn::Set(d, infinity)))) & ~ends;
+          static_cast<std::uint32_t>(bits_of(d, hn::And(low <= bound, low < hn::Set(d, infinity)))) & ~ends;
       part_[j].can_win = can_win;
       contenders += static_cast<std::uint32_t>(std::popcount(can_win));
       last = can_win != 0 ? part_[j].first + static_cast<std::uint32_t>(std::countr_zero(can_win)) : last;

@@ -103,6 +103,7 @@ class Telling {
     const std::uint32_t* const site = tile_.site.data();
     std::size_t own = 0, other = 0;
     number[LocalFront::none] = packed(Patch::open);
+    number[LocalFront::nothing] = packed(Patch::nothing);
     for (std::size_t t = 1; t < triangles; ++t) {
       const Corners corner = corners(t);
       const bool small = is_small(t), is_told = small & (owned[t] != 0);

@@ -14,6 +14,7 @@ class LocalFront {
  public:
   using Index = std::uint16_t;
   static constexpr Index none = 0;            ///< no side: those of triangles begin with the fourth
+  static constexpr Index nothing = 1;         ///< no side either, and there will be none
   static constexpr std::size_t padding = 16;  ///< triangles that can be read behind the last
 
   /// Begins without a triangle, on at most Tile::most_points points.
@@ -34,7 +35,7 @@ class LocalFront {
   Index to(std::size_t side) const { return corner_[side + 1]; }
   /// from() of all sides.
   const Index* corners() const { return corner_.data(); }
-  /// The side beyond, or none when it is on the front.
+  /// The side beyond, or none when it is on the front; `nothing` where it was and was sealed.
   Index across(std::size_t side) const { return across_[side]; }
 
   /// A triangle has a corner on the point.
@@ -61,6 +62,19 @@ class LocalFront {
     glue_or_add(static_cast<Index>(s + 1), b, c, added);
     glue_or_add(static_cast<Index>(s + 2), c, a, added);
     touched_[c] = 1;
+  }
+
+  /// At the points that are marked there is no further triangle: they are touched, and no longer on the front.
+  void seal(const std::vector<std::uint8_t>& marked) {
+    for (std::size_t v = 0; v < head_.size(); ++v) {
+      head_[v] = marked[v] ? none : head_[v];
+      touched_[v] |= marked[v];
+    }
+    for (std::size_t t = 1; t < triangles_; ++t)
+      for (std::size_t s = 4 * t; s < 4 * t + 3; ++s) {
+        const bool is_sealed = (across_[s] == none) & ((marked[from(s)] | marked[to(s)]) != 0);
+        across_[s] = static_cast<Index>(across_[s] | is_sealed * nothing);
+      }
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
+#include "rbpa/tile/enumerate.h"
 #include "rbpa/tile/hand_over.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -39,7 +40,6 @@ class Triangulation {
         contest_(tile, workspace.coordinates) {}
 
   void run() {
-    at_.assign(tile_);
     front_.begin(tile_.points.size());
     if (const std::size_t triangles = 2 * tile_.points.size() + 2; radius_.size() < triangles) {
       for (auto* sides : {&queue_, &wave_}) sides->resize(4 * triangles);
@@ -146,7 +146,7 @@ class Triangulation {
   }
 
   const Tile& tile_;
-  TileCoordinates& at_;
+  const TileCoordinates& at_;
   LocalFront& front_;
   std::vector<Index>&queue_, &wave_;
   std::size_t queued_ = 0, failures_ = 0;
@@ -193,10 +193,14 @@ bool leaves_cells_empty(const Tile& tile) {
 }  // namespace
 
 void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
-  if (tile.points.empty() || leaves_cells_empty(tile)) {
-    result.clear();
+  if (tile.points.empty()) return result.clear();
+  workspace.coordinates.assign(tile);
+  if (enumerate(tile, radius, workspace)) {
+    hand_over(tile, Radius(), workspace, result);
+    result.beside.insert(result.beside.end(), workspace.near_rim.begin(), workspace.near_rim.end());
     return;
   }
+  if (leaves_cells_empty(tile)) return result.clear();
   HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace);
   hand_over(tile, radius, workspace, result);
 }

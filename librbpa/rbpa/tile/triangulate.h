@@ -35,7 +35,8 @@ struct TileTriangles {
   std::vector<std::uint32_t> given;   ///< corners of the patch that other tiles own, once for each triangle
   std::vector<std::uint32_t> unsure;  ///< triangles of the patch none of whose corners is known
   std::vector<std::array<std::uint32_t, 2>>
-      beside;  ///< sites whose stars are seen, each with a Delaunay neighbour that is not known
+      beside;  ///< sites whose stars are seen, each with a Delaunay neighbour that is not known; or, where triangles
+               ///< larger than alpha were not looked for, with any that is nearer than 2 alpha
 
   void clear() {
     patch.clear();
@@ -54,6 +55,10 @@ struct TileWorkspace {
   LocalFront front;
   std::vector<std::uint16_t> queue, wave;
   std::vector<float> radius;
+  // For enumerate(): of each point, its number and whether the tile owns it; what else to put into `beside`.
+  std::vector<std::int32_t> labels;
+  std::vector<std::uint64_t> own_bits;
+  std::vector<std::array<std::uint32_t, 2>> near_rim;
   // For hand_over(). Numbers of triangles:
   std::vector<std::uint16_t> told, others, marginal;
   // Of each triangle: it has an owner here. Of each side: what others are told of it. Of each point: triangles whose

@@ -9,6 +9,8 @@
 // After it: what follows is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
+#include "rbpa/tile/within-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace rbpa {
 namespace HWY_NAMESPACE {
@@ -22,13 +24,11 @@ void compare(const TileCoordinates& at, const LocalFront& front, double alpha, W
   const hn::RebindToSigned<D> di;
   const hn::Rebind<LocalFront::Index, D> dn;
   using V = hn::Vec<D>;
-  const auto set = [&](float value) { return hn::Set(d, value); };
 
   constexpr double most = 0x1p30;  // a larger one tells as little: nothing is above it
   const double scaled = alpha * at.scale, exact_factor = 4 * scaled * scaled;
   const bool is_least = exact_factor < most;
-  constexpr float unit = 0x1p-24f, difference = 2 * TileCoordinates::rounding;
-  const V factor = set(static_cast<float>(std::min(exact_factor, most)));
+  const V factor = hn::Set(d, static_cast<float>(std::min(exact_factor, most)));
   const auto last = hn::Set(di, static_cast<std::int32_t>(at.x.size() - 1));
 
   alignas(64) std::int32_t verdict[LocalFront::padding];
@@ -44,23 +44,10 @@ void compare(const TileCoordinates& at, const LocalFront& front, double alpha, W
     coordinates(a, ax, ay);
     coordinates(b, bx, by);
     coordinates(c, cx, cy);
-    const V ab_x = bx - ax, ab_y = by - ay, bc_x = cx - bx, bc_y = cy - by, ca_x = ax - cx, ca_y = ay - cy;
-    const V ab = ab_x * ab_x + ab_y * ab_y, bc = bc_x * bc_x + bc_y * bc_y, ca = ca_x * ca_x + ca_y * ca_y;
-    const V area = hn::Abs(ab_x * ca_y - ab_y * ca_x);
-    const V extent = hn::Max(hn::Max(hn::Max(hn::Abs(ab_x), hn::Abs(ab_y)), hn::Max(hn::Abs(bc_x), hn::Abs(bc_y))),
-                             hn::Max(hn::Abs(ca_x), hn::Abs(ca_y)));
-    const V of_difference = set(difference) + set(1.1f * unit) * extent;
-    const V error = of_difference * (set(8.2f) * extent + set(2.1f) * of_difference);
-    const V most_ab = ab + error, most_bc = bc + error, most_ca = ca + error;
-    const V sides = ab * bc * ca, radii = factor * (area * area);
-    const V bound = set(1.02f) * (error * (most_ab * most_bc + most_bc * most_ca + most_ca * most_ab) +
-                                  factor * (error * (area + area + error)) + set(5 * unit) * (sides + radii)) +
-                    set(0x1p-90f);
-    const V excess = sides - radii;
     const auto is = [&](auto mask, Within word) {
       return hn::IfThenElseZero(hn::RebindMask(di, mask), hn::Set(di, static_cast<std::int32_t>(word)));
     };
-    const auto yes = excess<hn::Neg(bound), no = excess> bound;
+    const auto [yes, no, cross] = judge(d, ax, ay, bx, by, cx, cy, factor);
     hn::Store(hn::Or(is(yes, Within::yes), is(hn::Not(hn::Or(yes, no)), Within::perhaps)), di, verdict);
     for (std::size_t i = 0; i < hn::Lanes(d); ++i) within[t + i] = static_cast<Within>(verdict[i]);
   }

@@ -171,8 +171,11 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: when some ti
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
     const TileSet set{"uniform", uniform(300, random.bits())};
-    for (const double share : {0.0, 0.5, 0.9})
-      for (const Radius& radius : {Radius(), Radius(0.5), Radius(1)}) check(set, radius, 30, share);
+    const double spacing = mean_spacing(set.points);
+    for (const double share : {0.0, 0.5, 0.9}) {
+      check(set, Radius(), 30, share);
+      for (const double alpha : {0.4, 0.6, 0.7, 1.0, 2.0}) check(set, Radius(alpha * spacing), 30, share);
+    }
   }
 }
 

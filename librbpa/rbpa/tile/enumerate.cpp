@@ -1,0 +1,413 @@
+#include "rbpa/tile/enumerate.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rbpa/predicate/predicates.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rbpa/tile/enumerate.cpp"
+#include <hwy/foreach_target.h>
+// After it: what follows is compiled once for each kind of vector unit.
+#include <hwy/highway.h>
+
+#include "rbpa/tile/mask_bits-inl.h"
+#include "rbpa/tile/within-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rbpa {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Sixteen points at a time, in steps: who is near, which pairs of those are within alpha with the point, which of these
+/// triples have nobody in their circle. A step's result is a list whose next entry is always written and counted if it is
+/// one: nothing foretells it.
+class Enumeration {
+ public:
+  Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace)
+      : tile_(tile),
+        alpha_(alpha),
+        at_(workspace.coordinates),
+        front_(workspace.front),
+        labels_(workspace.labels),
+        owned_(workspace.own_bits),
+        near_rim_(workspace.near_rim),
+        reach_(static_cast<float>(2 * alpha * at_.scale) * (1 + 0x1p-16f) + 0x1p-21f),
+        factor_(static_cast<float>(4 * (alpha * at_.scale) * (alpha * at_.scale))) {}
+
+  bool run() {
+    constexpr float most_cells = 0.99f;  // who is within reach is in a cell beside the point's
+    if (!(reach_ <= most_cells * at_.cell) || !at_.unknown.empty()) return false;
+    label();
+    const Box around{own_.x_low - reach_, own_.x_high + reach_, own_.y_low - reach_, own_.y_high + reach_};
+    if (around.x_low < at_.x_low || around.x_high > at_.x_high || around.y_low < at_.y_low ||
+        around.y_high > at_.y_high)
+      return false;
+    front_.begin(tile_.points.size());
+    near_rim_.clear();
+    const std::size_t columns = static_cast<std::size_t>(at_.columns);
+    const int r1 = std::min(at_.row(around.y_high) + 1, at_.rows - 1);
+    for (int r = std::max(at_.row(around.y_low) - 1, 0); r <= r1; ++r) {
+      const std::int32_t* const row = at_.start.data() + static_cast<std::size_t>(r) * columns;
+      const auto c0 = static_cast<std::size_t>(std::max(at_.column(around.x_low) - 1, 0));
+      const auto c1 = std::min(static_cast<std::size_t>(at_.column(around.x_high)) + 2, columns);
+      const auto end = static_cast<std::size_t>(row[c1]);
+      for (auto first = static_cast<std::size_t>(row[c0]); first < end; first += at_once)
+        if (!take(r, first, std::min(at_once, end - first))) return false;
+    }
+    front_.seal(tile_.own);
+    return true;
+  }
+
+ private:
+  using D = hn::CappedTag<float, 16>;
+  using DI = hn::RebindToSigned<D>;
+  using V = hn::Vec<D>;
+  using Bits = std::uint64_t;
+  using Exact = Predicates<double>;
+
+  static constexpr std::size_t lanes = hn::MaxLanes(D());
+  static constexpr std::size_t at_once = 32, rows_at_once = 3;
+  static constexpr std::size_t most_near = 48, near_padding = 16;  // bits of a word, with as many again
+  static constexpr std::size_t full = 1024;  // triples; more than one pair can add fit beside them
+
+  static constexpr std::size_t word = 64;
+
+  struct Box {
+    float x_low, x_high, y_low, y_high;
+  };
+
+  /// Points in the cells around one: itself is not among them. Those from `next` on come after it.
+  struct Near {
+    alignas(64) float x[most_near + near_padding], y[most_near + near_padding];
+    std::int32_t label[most_near + near_padding];
+    std::size_t point, place;  ///< which, and which of those taken
+    Bits near;                 ///< among all around
+    std::size_t count, next;
+  };
+
+  static std::int32_t label_of(std::size_t point, bool is_own) {
+    return static_cast<std::int32_t>(2 * point + std::size_t{is_own});
+  }
+  static std::size_t point_of(std::int32_t label) { return static_cast<std::size_t>(label) / 2; }
+  bool owns(std::size_t point) const { return tile_.own[point] != 0; }
+
+  /// Labels ascend with the points.
+  void label() {
+    const std::size_t n = tile_.points.size();
+    if (labels_.size() < n + near_padding) labels_.resize(n + near_padding);
+    for (std::size_t v = 0; v < n; ++v) labels_[v] = label_of(v, tile_.own[v] != 0);
+    owned_.assign(n / word + 2, 0);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const D d;
+    const DI di;
+    V x_low = hn::Set(d, infinity), x_high = hn::Neg(x_low), y_low = x_low, y_high = x_high;
+    for (std::size_t v = 0; v < n; v += lanes) {
+      const auto is_own =
+          hn::And(hn::And(hn::LoadU(di, labels_.data() + v), hn::Set(di, 1)) == hn::Set(di, 1), hn::FirstN(di, n - v));
+      owned_[v / word] |= bits_of(di, is_own) << v % word;
+      const auto own = hn::RebindMask(d, is_own);
+      const V x = hn::LoadU(d, at_.x.data() + v), y = hn::LoadU(d, at_.y.data() + v);
+      x_low = hn::IfThenElse(own, hn::Min(x, x_low), x_low);
+      x_high = hn::IfThenElse(own, hn::Max(x, x_high), x_high);
+      y_low = hn::IfThenElse(own, hn::Min(y, y_low), y_low);
+      y_high = hn::IfThenElse(own, hn::Max(y, y_high), y_high);
+    }
+    alignas(64) float low_x[lanes], high_x[lanes], low_y[lanes], high_y[lanes];
+    hn::Store(x_low, d, low_x);
+    hn::Store(x_high, d, high_x);
+    hn::Store(y_low, d, low_y);
+    hn::Store(y_high, d, high_y);
+    own_ = {*std::min_element(low_x, low_x + lanes), *std::max_element(high_x, high_x + lanes),
+            *std::min_element(low_y, low_y + lanes), *std::max_element(high_y, high_y + lanes)};
+  }
+
+  /// Which points the tile owns, from one on, for at least most_near of them.
+  Bits own_from(std::size_t point) const {
+    const std::size_t first = point / word, skipped = point % word;
+    return owned_[first] >> skipped | owned_[first + 1] << 1 << (word - 1 - skipped);
+  }
+
+  /// Points of a row. False: too much is near them.
+  bool take(int row, std::size_t first, std::size_t count) {
+    if (!find_rows(row, first, count)) return false;
+    listed_ = pairs_ = triples_ = 0;
+    for (std::size_t j = 0; j < count; ++j) find_near(j, first + j);
+    for (std::size_t k = 0; k < listed_; ++k) list_near(near_[k]);
+    for (std::size_t k = 0; k < pairs_; ++k) {
+      find_triples(pair_[k]);
+      if (triples_ > full) create_empty();
+    }
+    create_empty();
+    return doubts_ <= most_doubts();
+  }
+
+  /// A tie a point, as on a lattice, costs less when it is met once.
+  std::size_t most_doubts() const { return 32 + tile_.points.size() / 64; }
+
+  /// The points of three rows of three cells around each point.
+  bool find_rows(int row, std::size_t first, std::size_t count) {
+    const D d;
+    const DI di;
+    const auto one = hn::Set(di, 1), columns = hn::Set(di, at_.columns);
+    const int beyond = at_.rows + 1;  // where rows are empty
+    const int rows[rows_at_once] = {row > 0 ? row - 1 : beyond, row, row + 1 < at_.rows ? row + 1 : beyond};
+    for (std::size_t j = 0; j < at_once; j += lanes) {
+      const V x = hn::LoadU(d, at_.x.data() + std::min(first + j, tile_.points.size()));
+      const auto c = hn::ConvertTo(di, hn::Max(hn::Zero(d), (x - hn::Set(d, at_.x0)) * hn::Set(d, at_.per_cell)));
+      const auto c0 = hn::Min(hn::Max(c, one), columns) - one, c1 = hn::Min(c + one + one, columns);
+      auto sum = hn::Zero(di);
+      for (std::size_t k = 0; k < rows_at_once; ++k) {
+        const auto before = hn::Set(di, rows[k] * at_.columns);
+        const auto from = hn::GatherIndex(di, at_.start.data(), before + c0),
+                   to = hn::GatherIndex(di, at_.start.data(), before + c1);
+        hn::Store(from, di, from_[k] + j);
+        hn::Store(to, di, to_[k] + j);
+        sum = sum + (to - from);
+      }
+      hn::Store(sum, di, around_ + j);
+    }
+    return std::all_of(around_, around_ + count,
+                       [](std::int32_t around) { return around <= static_cast<std::int32_t>(most_near); });
+  }
+
+  /// Lists a point if it and two after it may form a triangle that is of interest here.
+  HWY_INLINE void find_near(std::size_t j, std::size_t point) {
+    const D d;
+    const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
+    Bits near = 0, own = 0;  // of the points around, row by row
+    std::size_t place = 0;
+    for (std::size_t row = 0; row < rows_at_once; ++row) {
+      const auto first = static_cast<std::size_t>(from_[row][j]), count = static_cast<std::size_t>(to_[row][j]) - first;
+      Bits in_row = 0;
+      std::size_t i = 0;
+      do {  // most often once
+        const V x = hn::LoadU(d, at_.x.data() + first + i), y = hn::LoadU(d, at_.y.data() + first + i);
+        const V dx = x - px, dy = y - py;
+        in_row |= bits_of(d, dx * dx + dy * dy <= reach) << i;
+      } while ((i += lanes) < count);
+      near |= (in_row & lowest(count)) << place;
+      own |= (own_from(first) & lowest(count)) << place;
+      place += count;
+    }
+    const std::size_t self =
+        static_cast<std::size_t>(to_[0][j] - from_[0][j]) + point - static_cast<std::size_t>(from_[1][j]);
+    const bool is_own = own >> self & 1;
+    near &= ~(Bits{1} << self);
+    if ((near & (is_own ? ~own : own)) != 0) [[unlikely]]
+      tell_rim(j, point, near, own);
+    Near& listed = near_[listed_];
+    listed.point = point;
+    listed.place = j;
+    listed.near = near;
+    listed.next = static_cast<std::size_t>(std::popcount(near & lowest(self)));
+    const Bits after = near >> self;
+    listed_ += ((after & (after - 1)) != 0) & (is_own | ((near & own) != 0));
+  }
+
+  /// The pairs of sites, one of which another tile owns, near enough for a triangle; and those beside them.
+  HWY_NOINLINE void tell_rim(std::size_t j, std::size_t point, Bits near, Bits own) {
+    const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
+                      third = static_cast<std::size_t>(from_[2][j]);
+    const std::size_t of_first = static_cast<std::size_t>(to_[0][j]) - first,
+                      of_both = of_first + static_cast<std::size_t>(to_[1][j]) - second;
+    const std::uint32_t site = tile_.site[point];
+    for (Bits left = owns(point) ? near : near & own; left != 0; left &= left - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(left));
+      const std::size_t in_row[] = {first + place, second + place - of_first, third + place - of_both};
+      const std::uint32_t other = tile_.site[in_row[(place >= of_first) + (place >= of_both)]];
+      const std::uint32_t swap = (own >> place & 1) != 0 ? site ^ other : 0;
+      near_rim_.push_back({site ^ swap, other ^ swap});
+    }
+  }
+
+  /// Gathers who is near, and lists each pair of the point and one after it, but for the last: a third is to come after
+  /// both.
+  HWY_INLINE void list_near(Near& near) {
+    const D d;
+    const DI di;
+    std::size_t count = 0;
+    Bits bits = near.near;
+    for (std::size_t row = 0; row < rows_at_once; ++row) {
+      const auto first = static_cast<std::size_t>(from_[row][near.place]),
+                 around = static_cast<std::size_t>(to_[row][near.place]) - first;
+      std::size_t i = 0;
+      do {
+        const Bits here = bits >> i & lowest(std::min(lanes, around - i));
+        const auto is_near = mask_of(d, here);
+        hn::StoreU(hn::Compress(hn::LoadU(d, at_.x.data() + first + i), is_near), d, near.x + count);
+        hn::StoreU(hn::Compress(hn::LoadU(d, at_.y.data() + first + i), is_near), d, near.y + count);
+        hn::StoreU(hn::Compress(hn::LoadU(di, labels_.data() + first + i), hn::RebindMask(di, is_near)), di,
+                   near.label + count);
+        count += static_cast<std::size_t>(std::popcount(here));
+      } while ((i += lanes) < around);
+      bits >>= around;
+    }
+    near.count = count;
+    // All lanes of the most there can be are written.
+    const auto number = static_cast<std::size_t>(&near - near_);
+    auto pairs = hn::ShiftLeft<of_second>(hn::Iota(di, 0)) +
+                 hn::Set(di, static_cast<std::int32_t>(number << of_point | near.next << of_second));
+    for (std::size_t v = near.next; v < count; v += lanes) {
+      hn::StoreU(pairs, di, pair_ + pairs_ + (v - near.next));
+      pairs = pairs + hn::Set(di, static_cast<std::int32_t>(lanes << of_second));
+    }
+    pairs_ += count - near.next - 1;
+  }
+
+  /// Lists the triples of a pair and one after both that are within alpha.
+  HWY_INLINE void find_triples(std::int32_t pair) {
+    const D d;
+    const DI di;
+    const auto bits = static_cast<std::size_t>(pair);
+    const std::size_t second = bits >> of_second & most_number;
+    const Near& near = near_[bits >> of_point];
+    const V px = hn::Set(d, at_.x[near.point]), py = hn::Set(d, at_.y[near.point]), qx = hn::Set(d, near.x[second]),
+            qy = hn::Set(d, near.y[second]), factor = hn::Set(d, factor_);
+    const bool is_own = owns(near.point) | ((near.label[second] & 1) != 0);
+    const auto one = hn::Set(di, 1), wanted = hn::Set(di, is_own ? -1 : 0);
+    for (std::size_t v = (second + 1) / lanes * lanes; v < near.count; v += lanes) {
+      const auto [yes, no, cross] =
+          judge(d, px, py, qx, qy, hn::LoadU(d, near.x + v), hn::LoadU(d, near.y + v), factor);
+      const auto place = hn::Iota(di, 0) + hn::Set(di, static_cast<std::int32_t>(v));
+      const auto label = hn::LoadU(di, near.label + v);
+      const auto in_list = hn::And(place > hn::Set(di, static_cast<std::int32_t>(second)),
+                                   place < hn::Set(di, static_cast<std::int32_t>(near.count)));
+      const auto here = hn::RebindMask(d, hn::And(in_list, hn::And(label, one) > wanted)), sure = hn::And(here, yes);
+      if (!hn::AllFalse(d, hn::AndNot(hn::Or(yes, no), here))) [[unlikely]] {
+        const Bits perhaps = bits_of(d, hn::AndNot(hn::Or(yes, no), here));
+        list_exactly(pair, v, bits_of(d, sure), perhaps, bits_of(d, cross < hn::Zero(d)));
+        continue;
+      }
+      const auto is_right = hn::IfThenElseZero(hn::RebindMask(di, cross < hn::Zero(d)), hn::Set(di, 1));
+      const auto third = hn::ShiftLeft<of_third>(place);
+      const auto triples = hn::Or(hn::Or(hn::Set(di, pair), third), is_right);
+      hn::StoreU(hn::Compress(triples, hn::RebindMask(di, sure)), di, triple_ + triples_);
+      triples_ += hn::CountTrue(d, sure);
+    }
+  }
+
+  void list(std::int32_t pair, std::size_t third, bool is_right) {
+    triple_[triples_++] = pair | static_cast<std::int32_t>(third << of_third | std::size_t{is_right});
+  }
+
+  /// As above, where rounding leaves a doubt.
+  HWY_NOINLINE void list_exactly(std::int32_t pair, std::size_t v, Bits sure, Bits perhaps, Bits right) {
+    const std::size_t second = static_cast<std::size_t>(pair) >> of_second & most_number;
+    const Near& near = near_[static_cast<std::size_t>(pair) >> of_point];
+    const Point &a = tile_.points[near.point], &b = tile_.points[point_of(near.label[second])];
+    for (Bits left = sure | perhaps; left != 0; left &= left - 1) {
+      const auto third = static_cast<std::size_t>(std::countr_zero(left));
+      if (sure >> third & 1) {
+        list(pair, v + third, (right >> third & 1) != 0);
+        continue;
+      }
+      ++doubts_;
+      const Point& c = tile_.points[point_of(near.label[v + third])];
+      const int turn = Exact::orientation(a, b, c);
+      if (turn != 0 && Exact::compare_circumradius(a, b, c, alpha_) <= 0) list(pair, v + third, turn < 0);
+    }
+  }
+
+  /// Makes triangles of the triples with an empty circle.
+  void create_empty() {
+    const D d;
+    std::size_t triangles = 0;
+    for (std::size_t k = 0; k < triples_; ++k) {
+      const auto bits = static_cast<std::size_t>(triple_[k]);
+      const std::size_t second = bits >> of_second & most_number, third = bits >> of_third & most_number;
+      const bool is_right = bits & 1;
+      const std::size_t b = is_right ? third : second, c = is_right ? second : third;
+      const Near& near = near_[bits >> of_point];
+      const std::size_t p = near.point;
+      const V px = hn::Set(d, at_.x[p]), py = hn::Set(d, at_.y[p]);
+      const V qx = hn::Set(d, near.x[b]) - px, qy = hn::Set(d, near.y[b]) - py;
+      const V sx = hn::Set(d, near.x[c]) - px, sy = hn::Set(d, near.y[c]) - py;
+      const V q = qx * qx + qy * qy, s = sx * sx + sy * sy;
+      const V cross = qx * sy - qy * sx, of_x = q * sy - s * qy, of_y = s * qx - q * sx;
+      const V extent = hn::Max(hn::Max(hn::Abs(qx), hn::Abs(qy)), hn::Max(hn::Abs(sx), hn::Abs(sy)));
+      Bits outside = 0, inside = 0;
+      for (std::size_t v = 0; v < near.count; v += lanes) {
+        const V x = hn::LoadU(d, near.x + v) - px, y = hn::LoadU(d, near.y + v) - py;
+        const V size = hn::Max(extent, hn::Max(hn::Abs(x), hn::Abs(y)));
+        const V error = error_of_difference(d, size), most = size + error, square = most * most;
+        const V bound =
+            hn::Set(d, 1.02f) * (error * (hn::Set(d, 130) * (most * square) + hn::Set(d, 70) * (error * square)));
+        const V excess = cross * (x * x + y * y) - (x * of_x + y * of_y);
+        outside |= bits_of(d, excess > bound) << v;
+        inside |= bits_of(d, excess < hn::Neg(bound)) << v;
+      }
+      const Bits others = lowest(near.count) & ~(Bits{1} << second | Bits{1} << third);
+      const Bits perhaps = others & ~outside;
+      bool is_empty = perhaps == 0;
+      if ((perhaps & ~inside) != 0 && (perhaps & inside) == 0) [[unlikely]]
+        is_empty = !is_any_inside(near, p, b, c, perhaps);
+      corners_[triangles] = {static_cast<LocalFront::Index>(p), static_cast<LocalFront::Index>(point_of(near.label[b])),
+                             static_cast<LocalFront::Index>(point_of(near.label[c]))};
+      triangles += is_empty;
+    }
+    for (std::size_t k = 0; k < triangles; ++k)
+      front_.create(corners_[k][0], corners_[k][1], corners_[k][2], [](LocalFront::Index, bool) {});
+    triples_ = 0;
+  }
+
+  HWY_NOINLINE bool is_any_inside(const Near& near, std::size_t p, std::size_t q, std::size_t s, Bits perhaps) {
+    const auto at = [&](std::size_t i) -> const Point& { return tile_.points[point_of(near.label[i])]; };
+    for (; perhaps != 0; perhaps &= perhaps - 1) {
+      ++doubts_;
+      if (Exact::in_perturbed_circle(tile_.points[p], at(q), at(s),
+                                     at(static_cast<std::size_t>(std::countr_zero(perhaps)))) > 0)
+        return true;
+    }
+    return false;
+  }
+
+  static Bits lowest(std::size_t count) { return (Bits{1} << count) - 1; }
+
+  // A pair or a triple in one number: which of the points, and the others by their places among those near it.
+  static constexpr int of_point = 16, of_second = 10, of_third = 4;
+  static constexpr std::size_t most_number = 63;
+
+  const Tile& tile_;
+  double alpha_;
+  const TileCoordinates& at_;
+  LocalFront& front_;
+  std::vector<std::int32_t>& labels_;
+  std::vector<Bits>& owned_;
+  std::vector<std::array<std::uint32_t, 2>>& near_rim_;
+  float reach_, factor_;
+  Box own_{};
+  std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
+  alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
+  Near near_[at_once + 1];
+  std::int32_t pair_[at_once * most_near + near_padding], triple_[full + 2 * most_near];
+  std::array<LocalFront::Index, 3> corners_[full + 2 * most_near];
+};
+
+bool enumerate_on(const Tile& tile, double alpha, TileWorkspace& workspace) {
+  return Enumeration(tile, alpha, workspace).run();
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace rbpa
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rbpa {
+
+HWY_EXPORT(enumerate_on);
+
+bool enumerate(const Tile& tile, const Radius& radius, TileWorkspace& workspace) {
+  return !radius.is_infinite() && HWY_DYNAMIC_DISPATCH(enumerate_on)(tile, radius.value(), workspace);
+}
+
+}  // namespace rbpa
+#endif

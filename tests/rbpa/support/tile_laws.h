@@ -1,0 +1,40 @@
+// What: what tiles must tell, whatever way they find it.
+// Law:  each check names the first law that is broken, or returns "".
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rbpa/pivot/radius.h"
+#include "rbpa/search/point_grid.h"
+#include "rbpa/tile/triangulate.h"
+#include "support/triangle.h"
+
+namespace rbpa_test {
+
+/// The Delaunay triangles of the sites of a grid, once for many radii.
+struct Sites {
+  explicit Sites(const Points& input);
+  rbpa::PointGrid<double> grid;
+  Points points;
+  std::vector<Triangle> delaunay;
+
+  std::vector<Triangle> within(const rbpa::Radius& radius) const;
+};
+
+/// What each tile tells.
+std::vector<rbpa::TileTriangles> tell(const rbpa::PointGrid<double>& grid, const rbpa::Radius& radius,
+                                      std::uint32_t most_points);
+
+bool same(const rbpa::TileTriangles& a, const rbpa::TileTriangles& b);
+
+/// Triangles are of the complex and told once, sides and outlines are right, and nothing is missing at known sites.
+std::string wrong_with(const std::vector<rbpa::TileTriangles>& told, const std::vector<Triangle>& complex);
+
+/// The same of every vector unit that this processor has, and that all tell the same.
+std::string wrong_on(const Points& input, std::uint32_t most_points,
+                     const std::function<std::vector<rbpa::Radius>(const Sites&)>& radii);
+
+}  // namespace rbpa_test
