@@ -31,7 +31,7 @@ class Remainder {
   /// After all tiles: every triangle of the complex at the site is told.
   bool is_complete(std::uint32_t site) const { return missing_[site] == 0; }
 
-  /// After all tiles: the sites that are not complete or have a Delaunay neighbour that is not, ascending.
+  /// After all tiles: the sites that are not complete or beside one that is not, ascending.
   std::vector<std::uint32_t> not_done() const;
 
   /// After all tiles: the triangles of the complex that none has told, on the sites. Replaces `patch` and its outline. Calls working()

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
@@ -26,7 +27,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sixteen points at a time, in steps: who is near, which pairs of those are within alpha with the point, which of these
+/// A few points at a time, in steps: who is near, which pairs of those are within alpha with the point, which of these
 /// triples have nobody in their circle. A step's result is a list whose next entry is always written and counted if it is
 /// one: nothing foretells it.
 class Enumeration {
@@ -84,12 +85,12 @@ class Enumeration {
     float x_low, x_high, y_low, y_high;
   };
 
-  /// Points in the cells around one: itself is not among them. Those from `next` on come after it.
+  /// A point that is listed, and those within reach of it, in ascending order: from `next` on they come after it.
   struct Near {
     alignas(64) float x[most_near + near_padding], y[most_near + near_padding];
     std::int32_t label[most_near + near_padding];
-    std::size_t point, place;  ///< which, and which of those taken
-    Bits near;                 ///< among all around
+    std::size_t point, place;  ///< which of the tile, and which of those taken
+    Bits near;                 ///< who is within reach, among all around
     std::size_t count, next;
   };
 
@@ -143,14 +144,19 @@ class Enumeration {
     for (std::size_t k = 0; k < listed_; ++k) list_near(near_[k]);
     for (std::size_t k = 0; k < pairs_; ++k) {
       find_triples(pair_[k]);
-      if (triples_ > full) create_empty();
+      if (triples_ <= full) continue;
+      create_empty();
+      if (!pays()) return false;
     }
     create_empty();
-    return doubts_ <= most_doubts();
+    return pays();
   }
 
-  /// A tie a point, as on a lattice, costs less when it is met once.
-  std::size_t most_doubts() const { return 32 + tile_.points.size() / 64; }
+  /// In crowds triples are too many, and a tie a point, as on a lattice, costs less when it is met once.
+  bool pays() const {
+    const std::size_t points = tile_.points.size();
+    return tested_ <= full + 4 * points && doubts_ <= 32 + points / 64;
+  }
 
   /// The points of three rows of three cells around each point.
   bool find_rows(int row, std::size_t first, std::size_t count) {
@@ -355,7 +361,7 @@ class Enumeration {
     }
     for (std::size_t k = 0; k < triangles; ++k)
       front_.create(corners_[k][0], corners_[k][1], corners_[k][2], [](LocalFront::Index, bool) {});
-    triples_ = 0;
+    tested_ += std::exchange(triples_, 0);
   }
 
   HWY_NOINLINE bool is_any_inside(const Near& near, std::size_t p, std::size_t q, std::size_t s, Bits perhaps) {
@@ -384,7 +390,7 @@ class Enumeration {
   std::vector<std::array<std::uint32_t, 2>>& near_rim_;
   float reach_, factor_;
   Box own_{};
-  std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
+  std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, tested_ = 0, doubts_ = 0;
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
   Near near_[at_once + 1];
   std::int32_t pair_[at_once * most_near + near_padding], triple_[full + 2 * most_near];

@@ -1,4 +1,5 @@
-// What:   the Delaunay triangles of a tile by ball pivoting, as far as its points tell them.
+// What:   the Delaunay triangles of a tile by ball pivoting, as far as its points tell them; where alpha is small, by
+//         enumeration (tile/enumerate.h).
 // Law:    every triangle returned is one of the solid alpha complex of all points, and none is left out whose circle
 //         lies where all points are known and to which a front of such triangles leads.
 // Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic where these
@@ -35,8 +36,8 @@ struct TileTriangles {
   std::vector<std::uint32_t> given;   ///< corners of the patch that other tiles own, once for each triangle
   std::vector<std::uint32_t> unsure;  ///< triangles of the patch none of whose corners is known
   std::vector<std::array<std::uint32_t, 2>>
-      beside;  ///< sites whose stars are seen, each with a Delaunay neighbour that is not known; or, where triangles
-               ///< larger than alpha were not looked for, with any that is nearer than 2 alpha
+      beside;  ///< sites whose stars are seen, each with a Delaunay neighbour that is not known; or, of a tile that was
+               ///< enumerated, with any that is not known and nearer than 2 alpha
 
   void clear() {
     patch.clear();

@@ -217,8 +217,12 @@ TEST_CASE("nothing is enumerated where it would not pay, or where points are not
 
   // More points around one than are listed, and so many ties that they cost more than they save.
   Points crowded = even;
-  for (const Point& p : scaled(uniform(60, 15), -10)) crowded.push_back({p.x + 10, p.y + 10});
+  for (const Point& p : moved(scaled(uniform(60, 15), -10), 10, 10)) crowded.push_back(p);
   CHECK_FALSE(is_first_enumerated(crowded, 0.3));
+  Points clumps = even;
+  for (int i = 0; i < 10; ++i)
+    for (const Point& p : moved(scaled(uniform(40, 16), -10), 3.0 * i + 1, 10)) clumps.push_back(p);
+  CHECK_FALSE(is_first_enumerated(clumps, 0.3));
   Points tied = even;
   for (int i = 0; i < 10; ++i)
     for (const Point& p : circle(12, 0.1, {3.0 * i + 1.5, 20})) tied.push_back(p);
