@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
@@ -141,22 +140,19 @@ class Enumeration {
     if (!find_rows(row, first, count)) return false;
     listed_ = pairs_ = triples_ = 0;
     for (std::size_t j = 0; j < count; ++j) find_near(j, first + j);
+    taken_ += count;
+    if (!pays()) return false;
     for (std::size_t k = 0; k < listed_; ++k) list_near(near_[k]);
     for (std::size_t k = 0; k < pairs_; ++k) {
       find_triples(pair_[k]);
-      if (triples_ <= full) continue;
-      create_empty();
-      if (!pays()) return false;
+      if (triples_ > full) create_empty();
     }
     create_empty();
-    return pays();
+    return true;
   }
 
-  /// In crowds triples are too many, and a tie a point, as on a lattice, costs less when it is met once.
-  bool pays() const {
-    const std::size_t points = tile_.points.size();
-    return tested_ <= full + 4 * points && doubts_ <= 32 + points / 64;
-  }
+  /// In crowds there are too many triples. What rounding leaves undecided costs less where it is met once, by the front.
+  bool pays() const { return wanted_ <= 256 + 12 * taken_ && doubts_ <= 32 + taken_ / 32; }
 
   /// The points of three rows of three cells around each point.
   bool find_rows(int row, std::size_t first, std::size_t count) {
@@ -214,8 +210,10 @@ class Enumeration {
     listed.place = j;
     listed.near = near;
     listed.next = static_cast<std::size_t>(std::popcount(near & lowest(self)));
-    const Bits after = near >> self;
-    listed_ += ((after & (after - 1)) != 0) & (is_own | ((near & own) != 0));
+    const auto after = static_cast<std::size_t>(std::popcount(near >> self));
+    const bool is_listed = (after > 1) & (is_own | ((near & own) != 0));
+    listed_ += is_listed;
+    wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
   /// The pairs of sites, one of which another tile owns, near enough for a triangle; and those beside them.
@@ -361,7 +359,7 @@ class Enumeration {
     }
     for (std::size_t k = 0; k < triangles; ++k)
       front_.create(corners_[k][0], corners_[k][1], corners_[k][2], [](LocalFront::Index, bool) {});
-    tested_ += std::exchange(triples_, 0);
+    triples_ = 0;
   }
 
   HWY_NOINLINE bool is_any_inside(const Near& near, std::size_t p, std::size_t q, std::size_t s, Bits perhaps) {
@@ -390,7 +388,8 @@ class Enumeration {
   std::vector<std::array<std::uint32_t, 2>>& near_rim_;
   float reach_, factor_;
   Box own_{};
-  std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, tested_ = 0, doubts_ = 0;
+  std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
+  std::size_t taken_ = 0, wanted_ = 0;  // points, and triples of which they are the first
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
   Near near_[at_once + 1];
   std::int32_t pair_[at_once * most_near + near_padding], triple_[full + 2 * most_near];

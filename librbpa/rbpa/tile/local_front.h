@@ -72,8 +72,8 @@ class LocalFront {
     }
     for (std::size_t t = 1; t < triangles_; ++t)
       for (std::size_t s = 4 * t; s < 4 * t + 3; ++s) {
-        const bool is_sealed = (across_[s] == none) & ((marked[from(s)] | marked[to(s)]) != 0);
-        across_[s] = static_cast<Index>(across_[s] | is_sealed * nothing);
+        const int is_free = across_[s] == none;
+        across_[s] = static_cast<Index>(across_[s] | (is_free & (marked[from(s)] | marked[to(s)])) * nothing);
       }
   }
 
