@@ -105,16 +105,12 @@ Points circle(int count, double radius, Point centre) {
 }  // namespace
 
 TEST_CASE("of all triangles within alpha those with a corner of the tile are found, and no other") {
-  struct Case {
-    std::string name;
-    Points points;
-  };
-  for (const auto& [name, input] : {Case{"uniform", uniform(1500, 5)}, Case{"jittered", jittered_grid(40, 0.9, 6)},
-                                    Case{"thinned lattice", thinned_lattice(60, 1, 0.3, 7)},
-                                    Case{"thinned lattice of tenths", thinned_lattice(60, 0.1, 0.3, 8)},
-                                    Case{"far out", moved(uniform(800, 9), 0x1p30, -0x1p31)}}) {
-    CAPTURE(name);
-    const Sites sites(input);
+  for (const TileSet& set : {TileSet{"uniform", uniform(1500, 5)}, TileSet{"jittered", jittered_grid(40, 0.9, 6)},
+                             TileSet{"thinned lattice", thinned_lattice(60, 1, 0.3, 7)},
+                             TileSet{"thinned lattice of tenths", thinned_lattice(60, 0.1, 0.3, 8)},
+                             TileSet{"far out", moved(uniform(800, 9), 0x1p30, -0x1p31)}}) {
+    CAPTURE(set.name);
+    const Sites sites(set.points);
     const double spacing = mean_spacing(sites.points);
     std::vector<double> alphas = {0.1 * spacing, 0.3 * spacing, 0.5 * spacing, 0.65 * spacing};
     for (const Radius& r : least_radii(sites)) alphas.push_back(r.value());
