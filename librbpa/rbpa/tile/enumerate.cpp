@@ -39,8 +39,9 @@ class Enumeration {
         labels_(workspace.labels),
         owned_(workspace.own_bits),
         near_rim_(workspace.near_rim),
-        reach_(static_cast<float>(2 * alpha * at_.scale) * (1 + 0x1p-16f) + 0x1p-21f),
-        factor_(static_cast<float>(4 * (alpha * at_.scale) * (alpha * at_.scale))) {}
+        scaled_(std::min(alpha * at_.scale, 1.0)),
+        reach_(static_cast<float>(2 * scaled_) * (1 + 0x1p-16f) + 0x1p-21f),
+        factor_(static_cast<float>(4 * scaled_ * scaled_)) {}
 
   bool run() {
     constexpr float most_cells = 0.99f;  // who is within reach is in a cell beside the point's
@@ -141,18 +142,20 @@ class Enumeration {
     listed_ = pairs_ = triples_ = 0;
     for (std::size_t j = 0; j < count; ++j) find_near(j, first + j);
     taken_ += count;
-    if (!pays()) return false;
+    if (wanted_ > most_wanted()) return false;
     for (std::size_t k = 0; k < listed_; ++k) list_near(near_[k]);
     for (std::size_t k = 0; k < pairs_; ++k) {
       find_triples(pair_[k]);
-      if (triples_ > full) create_empty();
+      if (is_doubtful() || (triples_ > full && !create_empty())) return false;
     }
-    create_empty();
-    return true;
+    return create_empty();
   }
 
-  /// In crowds there are too many triples. What rounding leaves undecided costs less where it is met once, by the front.
-  bool pays() const { return wanted_ <= 256 + 12 * taken_ && doubts_ <= 32 + taken_ / 32; }
+  /// In crowds there are too many triples.
+  std::size_t most_wanted() const { return 256 + 12 * taken_; }
+
+  /// What rounding leaves undecided costs less where it is met once, by the front.
+  bool is_doubtful() const { return doubts_ > 32 + taken_ / 32; }
 
   /// The points of three rows of three cells around each point.
   bool find_rows(int row, std::size_t first, std::size_t count) {
@@ -203,7 +206,7 @@ class Enumeration {
         static_cast<std::size_t>(to_[0][j] - from_[0][j]) + point - static_cast<std::size_t>(from_[1][j]);
     const bool is_own = own >> self & 1;
     near &= ~(Bits{1} << self);
-    if ((near & (is_own ? ~own : own)) != 0) [[unlikely]]
+    if (is_own && (near & ~own) != 0) [[unlikely]]
       tell_rim(j, point, near, own);
     Near& listed = near_[listed_];
     listed.point = point;
@@ -216,14 +219,14 @@ class Enumeration {
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
-  /// The pairs of sites, one of which another tile owns, near enough for a triangle; and those beside them.
+  /// Of a point that the tile owns and that is near one that it does not: who is beside whom.
   HWY_NOINLINE void tell_rim(std::size_t j, std::size_t point, Bits near, Bits own) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
                       third = static_cast<std::size_t>(from_[2][j]);
     const std::size_t of_first = static_cast<std::size_t>(to_[0][j]) - first,
                       of_both = of_first + static_cast<std::size_t>(to_[1][j]) - second;
     const std::uint32_t site = tile_.site[point];
-    for (Bits left = owns(point) ? near : near & own; left != 0; left &= left - 1) {
+    for (Bits left = near; left != 0; left &= left - 1) {
       const auto place = static_cast<std::size_t>(std::countr_zero(left));
       const std::size_t in_row[] = {first + place, second + place - of_first, third + place - of_both};
       const std::uint32_t other = tile_.site[in_row[(place >= of_first) + (place >= of_both)]];
@@ -320,8 +323,8 @@ class Enumeration {
     }
   }
 
-  /// Makes triangles of the triples with an empty circle.
-  void create_empty() {
+  /// Makes triangles of the triples with an empty circle. False: too much is doubtful.
+  bool create_empty() {
     const D d;
     std::size_t triangles = 0;
     for (std::size_t k = 0; k < triples_; ++k) {
@@ -351,8 +354,10 @@ class Enumeration {
       const Bits others = lowest(near.count) & ~(Bits{1} << second | Bits{1} << third);
       const Bits perhaps = others & ~outside;
       bool is_empty = perhaps == 0;
-      if ((perhaps & ~inside) != 0 && (perhaps & inside) == 0) [[unlikely]]
+      if ((perhaps & ~inside) != 0 && (perhaps & inside) == 0) [[unlikely]] {
         is_empty = !is_any_inside(near, p, b, c, perhaps);
+        if (is_doubtful()) return false;
+      }
       corners_[triangles] = {static_cast<LocalFront::Index>(p), static_cast<LocalFront::Index>(point_of(near.label[b])),
                              static_cast<LocalFront::Index>(point_of(near.label[c]))};
       triangles += is_empty;
@@ -360,6 +365,7 @@ class Enumeration {
     for (std::size_t k = 0; k < triangles; ++k)
       front_.create(corners_[k][0], corners_[k][1], corners_[k][2], [](LocalFront::Index, bool) {});
     triples_ = 0;
+    return true;
   }
 
   HWY_NOINLINE bool is_any_inside(const Near& near, std::size_t p, std::size_t q, std::size_t s, Bits perhaps) {
@@ -386,6 +392,7 @@ class Enumeration {
   std::vector<std::int32_t>& labels_;
   std::vector<Bits>& owned_;
   std::vector<std::array<std::uint32_t, 2>>& near_rim_;
+  double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
   float reach_, factor_;
   Box own_{};
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;

@@ -38,7 +38,7 @@ class LocalFront {
   /// The side beyond, or none when it is on the front; `nothing` where it was and was sealed.
   Index across(std::size_t side) const { return across_[side]; }
 
-  /// A triangle has a corner on the point.
+  /// A triangle has a corner on the point, or it was sealed.
   bool is_touched(std::size_t point) const { return touched_[point] != 0; }
   /// A side on the front ends at the point.
   bool is_on_front(std::size_t point) const { return head_[point] != none; }
@@ -64,7 +64,8 @@ class LocalFront {
     touched_[c] = 1;
   }
 
-  /// At the points that are marked there is no further triangle: they are touched, and no longer on the front.
+  /// At the points that are marked there is no further triangle: they are touched, and no longer on the front. What is
+  /// said of others is of no use from then on.
   void seal(const std::vector<std::uint8_t>& marked) {
     for (std::size_t v = 0; v < head_.size(); ++v) {
       head_[v] = marked[v] ? none : head_[v];

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -26,15 +27,18 @@ using MaskBits = std::conditional_t<hn::MaxLanes(D()) == 16, std::uint16_t, std:
 /// Bit i is that of lane i. Requires at most 16 lanes.
 template <typename D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8];  // as many as may be written
+  hn::StoreMaskBits(d, mask, bytes);
   MaskBits<D> bits;
-  hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
+  std::memcpy(&bits, bytes, sizeof bits);
   return bits;
 }
 
 template <typename D>
 HWY_INLINE hn::Mask<D> mask_of(D d, std::uint64_t all) {
-  std::uint64_t bits = all;  // eight bytes may be read
-  return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+  std::uint8_t bytes[8];  // as many as may be read
+  std::memcpy(bytes, &all, sizeof bytes);
+  return hn::LoadMaskBits(d, bytes);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ struct TileTriangles {
   std::vector<std::uint32_t>
       known;  ///< sites the tile owns at which no triangle of the complex is but those of the patch
 
-  // What makes more of this when all tiles have told (remainder/remainder.h). A star is seen when it is closed and the
-  // tile owns its site.
+  // What makes more of this when all tiles have told (remainder/remainder.h). A star is seen when the
+  // tile owns its site, and it is closed or was enumerated.
   struct SharedStar {
     std::uint32_t site, foreign;
   };
