@@ -3,8 +3,8 @@
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/edmonds_karp_max_flow.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
-#include <boost/graph/push_relabel_max_flow.hpp>
 #include <cstdio>
 #include <iterator>
 #include <vector>
@@ -94,8 +94,9 @@ int main() {
   // As many ways from vertex to vertex as have no edge in common: a maximum flow with capacity one.
   auto both_ways = directed(primal);
   std::vector<int> residual(num_edges(both_ways));
-  const int ways = boost::push_relabel_max_flow(
-      both_ways, first, last, edge_map([](Edge) { return 1; }), by_index(residual, get(boost::edge_index, both_ways)),
-      get(boost::edge_reverse, both_ways), get(boost::vertex_index, both_ways));
+  const auto one = edge_map([](Edge) { return 1; });
+  const auto left = by_index(residual, get(boost::edge_index, both_ways));
+  const int ways =
+      boost::edmonds_karp_max_flow(both_ways, first, last, boost::capacity_map(one).residual_capacity_map(left));
   std::printf("ways from 0 to 10 without a common edge: %d\n", ways);
 }

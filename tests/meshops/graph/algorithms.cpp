@@ -7,9 +7,9 @@
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/edmonds_karp_max_flow.hpp>
 #include <boost/graph/filtered_graph.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
-#include <boost/graph/push_relabel_max_flow.hpp>
 #include <boost/graph/undirected_dfs.hpp>
 #include <limits>
 #include <numeric>
@@ -142,12 +142,17 @@ void check_flow(const Graph& undirected, unsigned seed, std::size_t mesh_edges) 
   std::vector<int> residual(num_edges(g));
   const auto residual_map = boost::make_iterator_property_map(residual.begin(), get(boost::edge_index, g));
   const int cut = least_cut(undirected, from, to, capacity);
-  CHECK(boost::push_relabel_max_flow(g, from, to, capacity, residual_map, get(boost::edge_reverse, g),
-                                     get(boost::vertex_index, g)) == cut);
-  for (const Halfedge h : edges_of(g))
-    CHECK(get(residual_map, h) + get(residual_map, get(boost::edge_reverse, g, h)) == 2 * get(capacity, h));
   CHECK(boost::boykov_kolmogorov_max_flow(g, capacity, residual_map, get(boost::edge_reverse, g),
                                           get(boost::vertex_index, g), from, to) == cut);
+  CHECK(boost::edmonds_karp_max_flow(g, from, to, boost::capacity_map(capacity).residual_capacity_map(residual_map)) ==
+        cut);
+  std::vector<int> out(num_vertices(g));  // of each vertex, what flows out less what flows in
+  for (const Halfedge h : edges_of(g)) {
+    CHECK(get(residual_map, h) >= 0);
+    CHECK(get(residual_map, h) + get(residual_map, get(boost::edge_reverse, g, h)) == 2 * get(capacity, h));
+    out[index(source(h, g))] += get(capacity, h) - get(residual_map, h);
+  }
+  for (const auto v : nodes) CHECK(out[index(v)] == (v == from ? cut : v == to ? -cut : 0));
 }
 
 struct IsInner {
