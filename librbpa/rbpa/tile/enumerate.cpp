@@ -76,7 +76,7 @@ class Enumeration {
 
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t at_once = 32, rows_at_once = 3;
-  static constexpr std::size_t most_near = 48, near_padding = 16;  // bits of a word, with as many again
+  static constexpr std::size_t most_near = 48, near_padding = 16;  // bits of a word; a register more is written
   static constexpr std::size_t full = 1024;  // triples; more than one pair can add fit beside them
 
   static constexpr std::size_t word = 64;
@@ -354,7 +354,7 @@ class Enumeration {
       const Bits others = lowest(near.count) & ~(Bits{1} << second | Bits{1} << third);
       const Bits perhaps = others & ~outside;
       bool is_empty = perhaps == 0;
-      if ((perhaps & ~inside) != 0 && (perhaps & inside) == 0) [[unlikely]] {
+      if (perhaps != 0 && (perhaps & inside) == 0) [[unlikely]] {
         is_empty = !is_any_inside(near, p, b, c, perhaps);
         if (is_doubtful()) return false;
       }
