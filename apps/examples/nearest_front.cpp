@@ -25,11 +25,12 @@ class NearestPoint {
   /// The first triangle: an edge to the nearest point, and the nearest point that makes a triangle with it.
   std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) const {
     if (front.faces() > 0 || places_.size() < 3) return std::nullopt;
+    const meshops::Site first = 0;
     meshops::Site second = 1;
     for (meshops::Site s = 2; s < count(); ++s)
-      if (distance(0, 0, s) < distance(0, 0, second)) second = s;
-    if (const auto third = nearest(front, 0, second)) return std::array{0, second, *third};
-    if (const auto third = nearest(front, second, 0)) return std::array{second, 0, *third};
+      if (distance(first, first, s) < distance(first, first, second)) second = s;
+    if (const auto third = nearest(front, first, second)) return std::array{first, second, *third};
+    if (const auto third = nearest(front, second, first)) return std::array{second, first, *third};
     return std::nullopt;  // all on one line
   }
 
@@ -40,7 +41,7 @@ class NearestPoint {
 
  private:
   meshops::Site count() const { return static_cast<meshops::Site>(places_.size()); }
-  const Place& at(meshops::Site s) const { return places_[static_cast<std::size_t>(s)]; }
+  const Place& at(meshops::Site s) const { return places_[s]; }
 
   /// Four times the square of the distance from the middle of a and b.
   std::int64_t distance(meshops::Site a, meshops::Site b, meshops::Site s) const {
@@ -94,7 +95,7 @@ int main() {
 
   const std::vector<meshops::Site> site = front.finish();  // of each vertex of the mesh
   for (std::size_t v = 0; v < site.size(); ++v) {
-    const Place& place = places[static_cast<std::size_t>(site[v])];
+    const Place& place = places[site[v]];
     mesh.set_point(meshops::Vertex(static_cast<int>(v)),
                    {static_cast<float>(place.x), static_cast<float>(place.y), 0.0F});
   }

@@ -14,13 +14,13 @@ DrawnMesh drawn_front(const Front& front, const Mesh& mesh, const std::vector<Pl
   drawn.mesh = mesh;
   meshops::for_each_vertex(mesh, [&](Vertex v) {
     const Site s = front.site(v);
-    if (mesh.is_isolated(v) && !(front.is_free(s) && v.idx() == s))
+    if (mesh.is_isolated(v) && !(front.is_free(s) && v == Vertex(static_cast<int>(s))))
       drawn.mesh.status(v).set_deleted(true);
     else
-      drawn.move(v, places[static_cast<std::size_t>(s)]);
+      drawn.move(v, places[s]);
   });
   std::map<Vertex, Place> apart;
-  for (Site s = 0; s < static_cast<Site>(front.sites()); ++s) {
+  for (Site s = 0; s < front.sites(); ++s) {
     std::vector<Vertex> fans;
     front.for_each_fan(s, [&](Vertex v) { fans.push_back(v); });
     if (fans.size() < 2) continue;

@@ -45,8 +45,7 @@ class GivenTriangles {
   std::vector<Triangle> left_;
 };
 
-struct Events : meshops::FrontVisitor {
-  static constexpr bool follows_curves = true;
+struct Events : meshops::CurveVisitor {
   std::vector<std::string> names;
   void curves_joined(const Front&, Halfedge) { names.emplace_back("curves_joined"); }
   void curve_split(const Front&, Halfedge, Halfedge) { names.emplace_back("curve_split"); }
@@ -71,7 +70,7 @@ void event_row(Sheet& sheet, const std::vector<Place>& places, const std::vector
   const DrawnMesh before = drawn_front(front, mesh, places);
   Marks fitting, attached;
   for (const Triangle& t : as_triangles(more))
-    for (const Halfedge h : front.sides_of(t[0], t[1], t[2]).side)
+    for (const Halfedge h : front.fit(t[0], t[1], t[2]).sides.side)
       if (h.is_valid()) fitting.add(mesh.edge_handle(h));
   front.next_level();
   Events events;

@@ -26,9 +26,7 @@ class RestrictedBallPivoting {
   }
 
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
-    const auto apex = pivot_on(pivot_, front, h);
-    if (!apex) return std::nullopt;
-    return static_cast<meshops::Site>(*apex);
+    return pivot_on(pivot_, front, h);
   }
 
  private:

@@ -13,34 +13,38 @@ namespace meshops::detail {
 /// Some boundary halfedges, each on a curve of its own.
 class DistinctCurves {
  public:
-  void add(const Connectivity& mesh, Halfedge h) {
-    for (std::size_t i = 0; i < count_; ++i)
-      if (on_same_curve(mesh, curve_[i], h)) return;
-    curve_[count_++] = h;
+  /// Through those of the halfedges that are valid.
+  DistinctCurves(const Connectivity& mesh, const std::array<Halfedge, 3>& through) : mesh_(mesh) {
+    for (const Halfedge h : through)
+      if (h.is_valid()) add(h);
+  }
+  /// Through those of the vertices that are on the boundary.
+  DistinctCurves(const Connectivity& mesh, const std::array<Vertex, 3>& through) : mesh_(mesh) {
+    for (const Vertex v : through)
+      if (mesh.is_boundary(v)) add(mesh.halfedge_handle(v));
   }
   std::size_t count() const { return count_; }
   Halfedge operator[](std::size_t i) const { return curve_[i]; }
 
  private:
+  void add(Halfedge h) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (on_same_curve(mesh_, curve_[i], h)) return;
+    curve_[count_++] = h;
+  }
+  const Connectivity& mesh_;
   std::array<Halfedge, 3> curve_;
   std::size_t count_ = 0;
 };
 
-/// How many curves a triangle will be glued to.
-inline std::size_t curves_before(const Connectivity& mesh, const TriangleSides& sides) {
-  DistinctCurves curves;
-  for (const Halfedge h : sides.side)
-    if (h.is_valid()) curves.add(mesh, h);
-  return curves.count();
+inline std::array<Vertex, 3> corners(const Connectivity& mesh, Face triangle) {
+  const Halfedge first = mesh.halfedge_handle(triangle), second = mesh.next_halfedge_handle(first);
+  return {mesh.from_vertex_handle(first), mesh.from_vertex_handle(second), mesh.to_vertex_handle(second)};
 }
 
-/// Tells the events of a triangle that has been inserted. Several curves are said to be joined first, and then split.
+/// Tells the events that make `now` of `before` curves. Several are said to be joined first, and then split.
 template <typename Visitor>
-void tell_curves(const Front& front, const InsertedTriangle& triangle, std::size_t before, Visitor& visitor) {
-  const Connectivity& mesh = front.mesh();
-  DistinctCurves now;
-  for (const Halfedge side : triangle.side)
-    if (const Vertex v = mesh.from_vertex_handle(side); mesh.is_boundary(v)) now.add(mesh, mesh.halfedge_handle(v));
+void tell_curves(const Front& front, std::size_t before, const DistinctCurves& now, Visitor& visitor) {
   if (before == 0 && now.count() > 0) visitor.curve_begun(front, now[0]);
   for (; before > 1; --before) visitor.curves_joined(front, now.count() > 0 ? now[0] : Halfedge());
   for (std::size_t i = 1; i < now.count(); ++i) visitor.curve_split(front, now[i - 1], now[i]);

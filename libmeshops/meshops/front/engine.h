@@ -1,59 +1,120 @@
 // What:   the advancing-front engine.
-// Law:    when it returns, every boundary halfedge is frozen: the policy proposed nothing for it.
-// Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, breadth first.
+// Law:    when it returns, every boundary halfedge is frozen: the policy proposed nothing for it, or nothing that could
+//         be. Whatever a policy answers, the mesh is sound; and on a given number of sites the engine comes to an end,
+//         unless the policy detaches triangles again and again, or asks for ever other seeds that are refused.
+// Cost:   one proposal per active halfedge that is still on the boundary when its turn comes; and what an order costs.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,
 //         "Algorithm outline".
 #pragma once
 
+#include <array>
+#include <optional>
+#include <utility>
+
 #include "meshops/front/curve_events.h"
+#include "meshops/front/order.h"
 #include "meshops/front/policy.h"
+#include "meshops/front/visitor.h"
 
 namespace meshops {
 
 namespace detail {
 
-/// Begins a component at a seed, or where it touches the mesh.
-template <typename Visitor>
-void begin(Front& front, const std::array<Site, 3>& seed, Visitor& visitor) {
+/// Inserts a triangle that fits, and tells what it did to curves. `tell` tells the rest, before that.
+template <typename Visitor, typename Tell>
+void insert(Front& front, const Fit& fit, Visitor& visitor, Tell tell) {
   std::size_t before = 0;
+  if constexpr (Visitor::follows_curves) before = DistinctCurves(front.mesh(), fit.sides.side).count();
+  const InsertedTriangle triangle = front.insert(fit);
+  tell(triangle);
   if constexpr (Visitor::follows_curves)
-    before = curves_before(front.mesh(), front.sides_of(seed[0], seed[1], seed[2]));
-  const InsertedTriangle triangle = front.create(seed[0], seed[1], seed[2]);
-  visitor.seeded(front, triangle);
-  if constexpr (Visitor::follows_curves) tell_curves(front, triangle, before, visitor);
+    tell_curves(front, before, DistinctCurves(front.mesh(), corners(front.mesh(), triangle.face)), visitor);
 }
 
-/// Attaches a triangle, whose apex may be a site that does not exist yet.
 template <typename Visitor>
-void attach(Front& front, Halfedge h, Site apex, Visitor& visitor) {
-  if (static_cast<std::size_t>(apex) == front.sites()) front.add_site();
+void detach(Front& front, Face f, Visitor& visitor) {
   std::size_t before = 0;
-  if constexpr (Visitor::follows_curves) before = curves_before(front.mesh(), front.sides_of(h, apex));
-  const InsertedTriangle triangle = front.attach(h, apex);
-  visitor.attached(front, h, triangle);
-  if constexpr (Visitor::follows_curves) tell_curves(front, triangle, before, visitor);
+  if constexpr (Visitor::follows_curves) before = DistinctCurves(front.mesh(), corners(front.mesh(), f)).count();
+  const DetachedTriangle triangle = front.detach(f);
+  visitor.detached(std::as_const(front), triangle);
+  if constexpr (Visitor::follows_curves)
+    tell_curves(front, before, DistinctCurves(front.mesh(), triangle.side), visitor);
+}
+
+template <typename Visitor>
+void freeze(Front& front, Halfedge h, Visitor& visitor) {
+  front.freeze(h);
+  visitor.frozen(std::as_const(front), h);
+}
+
+/// Does what the policy wants of an edge.
+template <typename Visitor>
+void follow(Front& front, Halfedge h, const Proposal& proposal, Visitor& visitor) {
+  const Front& seen = front;
+  std::optional<Refusal> refusal;
+  if (proposal.detached()) {
+    refusal = front.detach_blocker(*proposal.detached());
+    if (!refusal) {
+      front.activate(h);  // it may go with the triangle
+      detach(front, *proposal.detached(), visitor);
+      return;
+    }
+  } else if (proposal.apex()) {
+    const Fit fit = front.fit(h, *proposal.apex());
+    refusal = fit.refusal;
+    if (!refusal) {
+      insert(front, fit, visitor, [&](const InsertedTriangle& triangle) { visitor.attached(seen, h, triangle); });
+      return;
+    }
+  }
+  if (refusal) visitor.refused(seen, h, *refusal);
+  freeze(front, h, visitor);
+}
+
+/// The next seed that fits, inserted; false when there is none.
+template <typename Policy, typename Visitor>
+bool begin(Front& front, Policy& policy, Visitor& visitor) {
+  const Front& seen = front;
+  std::optional<std::array<Site, 3>> refused;
+  for (;;) {
+    const std::optional<std::array<Site, 3>> seed = policy.seed(seen);
+    // A policy that says the same again knows no other.
+    if (!seed || seed == refused) return false;
+    const Fit fit = front.fit((*seed)[0], (*seed)[1], (*seed)[2]);
+    if (!fit.refusal) {
+      insert(front, fit, visitor, [&](const InsertedTriangle& triangle) { visitor.seeded(seen, triangle); });
+      return true;
+    }
+    visitor.seed_refused(seen, *seed, *fit.refusal);
+    refused = seed;
+  }
 }
 
 }  // namespace detail
 
-/// Advances the active front until it runs dry, and then from seed to seed until no seed is left. After
-/// Front::next_level() it begins with what was frozen.
-/// Throws: whatever the policy or the visitor throws; the mesh is sound then.
+/// Advances the active front until it runs dry, and then from seed to seed until no seed is left, or the same is refused
+/// twice in a row. After Front::next_level() it begins with what was frozen.
+/// Throws: whatever the policy or the visitor throws; the mesh is sound then, and what was active still is.
 template <FrontPolicy Policy, typename Visitor>
-void advance(Front& front, Policy& policy, Visitor& visitor) {
-  for (;;) {
-    for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) {
-      if (const auto apex = policy.propose(front, h)) {
-        detail::attach(front, h, *apex, visitor);
-      } else {
-        front.freeze(h);
-        visitor.frozen(front, h);
-      }
-    }
-    const auto seed = policy.seed(front);
-    if (!seed) return;
-    detail::begin(front, *seed, visitor);
+void advance(Front& front, Policy& policy, Visitor&& visitor) {
+  typename detail::OrderOf<Policy>::type order(front, policy);
+  Halfedge h;
+  try {
+    do {
+      for (h = order.next(); h.is_valid(); h = order.next())
+        detail::follow(front, h, policy.propose(std::as_const(front), h), visitor);
+    } while (detail::begin(front, policy, visitor));
+  } catch (...) {
+    if (front.is_boundary(h) && !front.is_frozen(h)) front.activate(h);
+    order.give_back();
+    throw;
   }
+}
+
+/// Without a visitor.
+template <FrontPolicy Policy>
+void advance(Front& front, Policy& policy) {
+  advance(front, policy, FrontVisitor{});
 }
 
 }  // namespace meshops

@@ -4,101 +4,273 @@
 #include <iterator>
 #include <numeric>
 
-#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
+#include "meshops/handle/extract_triangle.h"
 
 namespace meshops {
+namespace {
+
+/// The halfedges that leave a site, fan after fan.
+class Leaving {
+ public:
+  Leaving(const Connectivity& mesh, const Fans& fans, Site s) : mesh_(mesh), fans_(fans) { begin(fans.first(s)); }
+
+  /// An invalid handle behind the last.
+  Halfedge next() {
+    const Halfedge found = at_;
+    if (!found.is_valid()) return found;
+    at_ = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(at_));
+    if (at_ == mesh_.halfedge_handle(fan_)) begin(fans_.next(fan_));
+    return found;
+  }
+
+ private:
+  void begin(Vertex fan) {
+    fan_ = fan;
+    at_ = fan.is_valid() ? mesh_.halfedge_handle(fan) : Halfedge();
+  }
+  const Connectivity& mesh_;
+  const Fans& fans_;
+  Vertex fan_;
+  Halfedge at_;
+};
+
+Fans fans_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
+  if (site_of_vertex.empty()) return {mesh, mesh.n_vertices()};
+  return {mesh, site_of_vertex};
+}
+
+}  // namespace
 
 Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
-    : mesh_(mesh), first_sites_(sites), supply_(supply) {
+    : mesh_(mesh), fans_(mesh, sites), supply_(supply) {
   require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
   require(supply > 0, "Front: supply is 0");
   mesh.resize(sites, 0, 0);
+}
+
+Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
+    : mesh_(mesh), fans_(fans_on(mesh, site_of_vertex)), supply_(1), keeps_handles_(true) {
+  require(has_status(mesh), "Front: the mesh needs status of every kind to mark what is deleted");
+  if (const auto defects = validate(mesh); !defects.empty())
+    throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
+  edges_ = dead_edges_ = mesh.n_edges();
+  faces_ = dead_faces_ = mesh.n_faces();
+  for_each_face(mesh, [&](Face) { --dead_faces_; });
+  for_each_edge(mesh, [&](Edge e) {
+    --dead_edges_;
+    const Halfedge h = mesh.halfedge_handle(e, 0);
+    require(from_site(h) != to_site(h), "Front: an edge joins two vertices on one site");
+  });
+  for_each_halfedge(mesh, [&](Halfedge h) {
+    if (mesh.is_boundary(h)) activate(h);
+  });
 }
 
 void Front::supply(std::size_t edges, std::size_t faces) {
   mesh_.resize(mesh_.n_vertices(), mesh_.n_edges() + edges, mesh_.n_faces() + faces);
 }
 
-Site Front::add_site() {
-  const auto s = static_cast<Site>(sites());
-  added_.push_back(-1);
-  return s;
+Halfedge Front::Supply::edge(Vertex from, Vertex to) {
+  const Halfedge h(static_cast<int>(2 * front.edges_++));
+  front.mesh_.set_vertex_handle(h, to);
+  front.mesh_.set_vertex_handle(front.mesh_.opposite_halfedge_handle(h), from);
+  return h;
 }
 
-Vertex Front::vertex_for_fan(Site s) {
-  if (is_first(s) && is_free(s)) return Vertex(s);
-  int index;
-  if (unused_.empty()) {
-    index = mesh_.new_vertex().idx() - static_cast<int>(first_sites_);
-    extra_.push_back({});
-  } else {
-    index = unused_.back().idx() - static_cast<int>(first_sites_);
-    unused_.pop_back();
+bool Front::is_boundary(Halfedge h) const {
+  return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_ && is_live(mesh_, h) && mesh_.is_boundary(h);
+}
+
+Halfedge Front::edge_between(Site from, Site to) const {
+  // Around both in turns: a site with many edges must not make its neighbours slow.
+  Leaving out_of(mesh_, fans_, from), back_from(mesh_, fans_, to);
+  for (;;) {
+    const Halfedge out = out_of.next();
+    if (!out.is_valid() || to_site(out) == to) return out;
+    const Halfedge back = back_from.next();
+    if (!back.is_valid()) return back;
+    if (to_site(back) == from) return mesh_.opposite_halfedge_handle(back);
   }
-  chain(s, index);
-  return Vertex(static_cast<int>(first_sites_) + index);
 }
 
-/// Puts an extra vertex on a site.
-void Front::chain(Site s, int index) {
-  if (is_first(s) && first_extra_.empty()) first_extra_.assign(first_sites_, -1);
-  int& first = first_on(s);
-  extra_[static_cast<std::size_t>(index)] = {s, first};
-  first = index;
+Halfedge Front::boundary_into(Site from, Site to) const {
+  Halfedge found;
+  for_each_fan(to, [&](Vertex v) {
+    const Halfedge out = mesh_.halfedge_handle(v);
+    if (!mesh_.is_boundary(out)) return;
+    if (const Halfedge in = mesh_.prev_halfedge_handle(out); from_site(in) == from) found = in;
+  });
+  return found;
 }
 
-void Front::release(Vertex v) {
-  // Of two merged vertices the lower handle stays, so the one left over is always an extra one.
-  const int index = v.idx() - static_cast<int>(first_sites_);
-  const Site s = site(v);
-  int* link = &first_on(s);
-  while (*link != index) link = &extra_[static_cast<std::size_t>(*link)].next;
-  *link = extra_[static_cast<std::size_t>(index)].next;
-  unused_.push_back(v);
+Halfedge Front::boundary_out_of(Site from, Site to) const {
+  Halfedge found;
+  for_each_fan(from, [&](Vertex v) {
+    const Halfedge out = mesh_.halfedge_handle(v);
+    if (mesh_.is_boundary(out) && to_site(out) == to) found = out;
+  });
+  return found;
 }
 
-InsertedTriangle Front::insert(TriangleSides sides, Site a, Site b, Site c) {
-  const std::array<Site, 3> on = {a, b, c};
+/// Whether the triangle has the side for itself, or finds it on the boundary.
+bool Front::finds_side(Fit& fit, unsigned side) const {
+  const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
+  if (from >= sites() || to >= sites() || is_free(from) || is_free(to)) return true;
+  Halfedge& h = fit.sides.side[side];
+  h = boundary_into(from, to);
+  if (h.is_valid() || !edge_between(from, to).is_valid()) return true;
+  fit.refusal = Refusal{RefusalKind::side_taken, from, to};
+  return false;
+}
+
+Fit Front::fit(Site a, Site b, Site c) const {
+  require_whole();
+  Fit fit({a, b, c});
+  std::size_t end = sites();  // of old and new ones
+  for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
+  for (unsigned i = 0; i < 3; ++i) {
+    const Site s = fit.corners[i];
+    if (s == fit.corners[(i + 1) % 3]) fit.refusal = Refusal{RefusalKind::corner_repeated, s};
+    if (s >= end || (s < sites() && !fans_.exists(s))) fit.refusal = Refusal{RefusalKind::no_such_site, s};
+    if (fit.refusal) return fit;
+  }
+  for (unsigned side = 0; side < 3; ++side)
+    if (!finds_side(fit, side)) return fit;
+  refuse_closed(fit);
+  return fit;
+}
+
+Fit Front::fit(Halfedge h, Site apex) const {
+  require_whole();
+  Fit fit({0, 0, apex});
+  if (!is_boundary(h)) {
+    fit.refusal = Refusal{RefusalKind::no_boundary_halfedge, 0, 0, h.idx()};
+    return fit;
+  }
+  const Site a = fit.corners[0] = from_site(h), b = fit.corners[1] = to_site(h);
+  fit.sides.side[0] = h;
+  if (apex > sites() || (apex < sites() && !fans_.exists(apex)))
+    fit.refusal = Refusal{RefusalKind::no_such_site, apex};
+  else if (apex == a || apex == b)
+    fit.refusal = Refusal{RefusalKind::corner_repeated, apex};
+  if (fit.refusal || apex == sites() || is_free(apex)) return fit;
+  // The neighbours on the curve are the common case and need no search.
+  const Halfedge next = mesh_.next_halfedge_handle(h), previous = mesh_.prev_halfedge_handle(h);
+  if (to_site(next) == apex)
+    fit.sides.side[1] = next;
+  else if (!finds_side(fit, 1))
+    return fit;
+  if (from_site(previous) == apex)
+    fit.sides.side[2] = previous;
+  else if (!finds_side(fit, 2))
+    return fit;
+  refuse_closed(fit);
+  return fit;
+}
+
+/// A site is done when all faces around it close: a corner that is glued to nothing there may not begin another fan.
+void Front::refuse_closed(Fit& fit) const {
+  for (unsigned i = 0; i < 3; ++i) {
+    const Site s = fit.corners[i];
+    if (fit.sides.side[i].is_valid() || fit.sides.side[(i + 2) % 3].is_valid() || s >= sites()) continue;
+    if (!is_free(s) && !is_on_boundary(s)) fit.refusal = Refusal{RefusalKind::site_closed, s};
+  }
+}
+
+InsertedTriangle Front::insert(const Fit& fit) {
+  std::size_t new_edges = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    while (fit.corners[i] >= sites()) add_site();
+    new_edges += !fit.sides.side[i].is_valid();
+  }
+  if (edges_ + new_edges > mesh_.n_edges()) supply(std::max(new_edges, supply_), 0);
+  if (faces_ == mesh_.n_faces()) supply(0, supply_);
+  TriangleSides sides = fit.sides;
   for (unsigned i = 0; i < 3; ++i)
-    if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid()) sides.corner[i] = vertex_for_fan(on[i]);
+    if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid()) sides.corner[i] = fans_.take(fit.corners[i]);
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
-  for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) release(result.left_over[i]);
-  return result;
-}
-
-InsertedTriangle Front::insert_and_activate(const TriangleSides& sides, Site a, Site b, Site c) {
-  const InsertedTriangle result = insert(sides, a, b, c);
+  for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) fans_.release(result.left_over[i]);
   for (unsigned i = 0; i < 3; ++i)
-    if (!sides.side[i].is_valid()) activate(mesh_.opposite_halfedge_handle(result.side[i]));
+    if (sides.side[i].is_valid())
+      set_state(sides.side[i], State::neither);
+    else
+      queue(mesh_.opposite_halfedge_handle(result.side[i]));
   return result;
 }
 
-TriangleSides Front::sides_of(Site a, Site b, Site c) const {
-  TriangleSides sides;
-  sides.side = {boundary_into(a, b), boundary_into(b, c), boundary_into(c, a)};
-  return sides;
+InsertedTriangle Front::insert_checked(const Fit& fit, const char* operation) {
+  if (fit.refusal) throw ContractViolation(std::string(operation) + ": " + describe(*fit.refusal));
+  return insert(fit);
 }
 
-InsertedTriangle Front::create(Site a, Site b, Site c) { return insert_and_activate(sides_of(a, b, c), a, b, c); }
+std::optional<Refusal> Front::detach_blocker(Face f) const {
+  const Refusal refusal{RefusalKind::no_such_face, 0, 0, f.idx()};
+  const auto because = [&](RefusalKind kind) { return Refusal{kind, 0, 0, f.idx()}; };
+  require_whole();
+  if (f.idx() < 0 || static_cast<std::size_t>(f.idx()) >= faces_ || !is_live(mesh_, f)) return refusal;
+  const Halfedge side = mesh_.halfedge_handle(f);
+  const Halfedge next = mesh_.next_halfedge_handle(side), last = mesh_.prev_halfedge_handle(side);
+  if (mesh_.next_halfedge_handle(next) != last) return because(RefusalKind::no_triangle);
+  for (const Halfedge h : {side, next, last})
+    if (mesh_.is_boundary(mesh_.opposite_halfedge_handle(h))) return std::nullopt;
+  return because(RefusalKind::not_at_front);
+}
 
-TriangleSides Front::sides_of(Halfedge h, Site apex) const {
-  TriangleSides sides;
-  sides.side[0] = h;
-  if (!is_free(apex)) {
-    // The neighbours on the curve are the common case and need no search.
-    const Halfedge next = mesh_.next_halfedge_handle(h), prev = mesh_.prev_halfedge_handle(h);
-    sides.side[1] = to_site(next) == apex ? next : boundary_into(to_site(h), apex);
-    sides.side[2] = from_site(prev) == apex ? prev : boundary_out_of(apex, from_site(h));
+DetachedTriangle Front::detach(Face f) {
+  if (const auto refusal = detach_blocker(f)) throw ContractViolation("detach: " + describe(*refusal));
+  require(has_status(mesh_), "detach: the mesh needs status of every kind to mark what is deleted");
+  const TriangleRim rim = rim_of(mesh_, f);
+  DetachedTriangle detached;
+  std::array<Vertex, 3> second;
+  for (unsigned i = 0; i < 3; ++i) {
+    const Site s = detached.corners[i] = site(rim.corner[i]);
+    if (!is_on_boundary(s)) reopened_.push_back(s);
+    if (rim.is_passage[i]) second[i] = fans_.take(s);
   }
-  return sides;
+  extract_triangle(mesh_, rim, second);
+  ++dead_faces_;
+  for (unsigned i = 0; i < 3; ++i) {
+    if (mesh_.is_isolated(rim.corner[i])) fans_.release(rim.corner[i]);
+    if (rim.is_glued[i]) {
+      detached.side[i] = rim.side[i];
+      queue(rim.side[i]);
+    } else {
+      ++dead_edges_;
+      set_state(rim.side[i], State::neither);
+    }
+  }
+  return detached;
 }
 
-InsertedTriangle Front::attach(Halfedge h, Site apex) {
-  const Site a = from_site(h), b = to_site(h);
-  return insert_and_activate(sides_of(h, apex), a, b, apex);
+void Front::set_state(Halfedge h, State state) {
+  const auto edge = static_cast<std::size_t>(h.idx()) / 2;
+  if (edge >= state_.size()) {
+    if (state == State::neither) return;
+    state_.resize(edge + 1, State::neither);
+  }
+  state_[edge] = state;
+}
+
+Halfedge Front::next_queued() {
+  while (head_ < active_.size())
+    if (const Halfedge h = active_[head_++]; is_active(h)) return h;
+  active_.clear();
+  head_ = 0;
+  return Halfedge();
 }
 
 void Front::activate(Halfedge h) {
+  require(is_boundary(h), "activate: not a boundary halfedge");
+  if (!is_active(h)) queue(h);
+}
+
+void Front::freeze(Halfedge h) {
+  require(is_boundary(h), "freeze: not a boundary halfedge");
+  if (!is_frozen(h)) set_aside(h);
+}
+
+void Front::queue(Halfedge h) {
   // The part before head_ is spent: reuse it when it is most of the queue, so that the queue stays as long as the
   // front and not as the run.
   if (active_.size() == active_.capacity() && head_ > active_.size() / 2) {
@@ -106,6 +278,12 @@ void Front::activate(Halfedge h) {
     head_ = 0;
   }
   active_.push_back(h);
+  set_state(h, State::active);
+}
+
+void Front::set_aside(Halfedge h) {
+  frozen_.push_back(h);
+  set_state(h, State::frozen);
 }
 
 std::vector<BoundaryCurve> Front::curves() const {
@@ -113,7 +291,7 @@ std::vector<BoundaryCurve> Front::curves() const {
   std::vector<bool> seen(2 * edges_, false);
   for (std::size_t i = 0; i < 2 * edges_; ++i) {
     const Halfedge h(static_cast<int>(i));
-    if (seen[i] || !mesh_.is_boundary(h)) continue;
+    if (seen[i] || !is_boundary(h)) continue;
     found.emplace_back(mesh_, h);
     for (const Halfedge on_curve : found.back()) seen[static_cast<std::size_t>(on_curve.idx())] = true;
   }
@@ -129,26 +307,35 @@ std::vector<BoundaryCurve> Front::curves_at(Site s) const {
 }
 
 LevelTransfer Front::next_level() {
-  LevelTransfer transfer;
-  for (auto s = static_cast<Site>(carried_before_); s < static_cast<Site>(sites()); ++s) carried_.push_back(s);
+  require_whole();
+  const auto sort_and_unite = [](std::vector<Site>& some) {
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+  };
+  for (auto s = static_cast<Site>(carried_before_); s < sites(); ++s)
+    if (fans_.exists(s)) carried_.push_back(s);
   carried_before_ = sites();
+  if (!reopened_.empty()) {
+    carried_.insert(carried_.end(), reopened_.begin(), reopened_.end());
+    reopened_.clear();
+    sort_and_unite(carried_);
+  }
   // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
   std::vector<Site> on_boundary;
-  const auto note = [&](Halfedge h) {
-    if (mesh_.is_boundary(h)) on_boundary.push_back(from_site(h));
-  };
-  std::for_each(frozen_.begin(), frozen_.end(), note);
-  std::for_each(active_.begin() + static_cast<std::ptrdiff_t>(head_), active_.end(), note);
-  std::sort(on_boundary.begin(), on_boundary.end());
-  on_boundary.erase(std::unique(on_boundary.begin(), on_boundary.end()), on_boundary.end());
+  for (const Halfedge h : frozen_)
+    if (is_frozen(h)) on_boundary.push_back(from_site(h));
+  for (std::size_t i = head_; i < active_.size(); ++i)
+    if (is_active(active_[i])) on_boundary.push_back(from_site(active_[i]));
+  sort_and_unite(on_boundary);
   std::vector<Site> free;
   std::copy_if(carried_.begin(), carried_.end(), std::back_inserter(free), [&](Site s) { return is_free(s); });
+  LevelTransfer transfer;
   transfer.carried.resize(on_boundary.size() + free.size());
   std::merge(on_boundary.begin(), on_boundary.end(), free.begin(), free.end(), transfer.carried.begin());
   transfer.left_behind = carried_.size() - transfer.carried.size();
   carried_ = transfer.carried;
   for (const Halfedge h : frozen_) {
-    if (!mesh_.is_boundary(h)) continue;
+    if (!is_frozen(h)) continue;
     activate(h);
     ++transfer.reactivated;
   }
@@ -171,7 +358,8 @@ void Front::renumber(std::size_t first, const std::vector<int>& number) {
   }
 }
 
-std::vector<Site> Front::finish() {
+/// Takes out the vertices without triangles. Returns: the site of each that is left.
+std::vector<Site> Front::compacted() {
   const auto is_unused = [&](std::size_t i) { return mesh_.is_isolated(Vertex(static_cast<int>(i))); };
   // Vertices of fans that have grown together are at the end: where no others are unused, none needs a new number.
   std::size_t end = mesh_.n_vertices(), left = 0;
@@ -189,13 +377,26 @@ std::vector<Site> Front::finish() {
     renumber(first, number);
     site_of.resize(left);
   }
+  return site_of;
+}
+
+std::vector<Site> Front::finish() {
+  require_whole();
+  std::vector<Site> site_of;
+  if (keeps_handles_) {
+    site_of.resize(mesh_.n_vertices());
+    for (std::size_t i = 0; i < site_of.size(); ++i) site_of[i] = site(Vertex(static_cast<int>(i)));
+  } else {
+    site_of = compacted();
+  }
   mesh_.resize(site_of.size(), edges_, faces_);
-  extra_ = {};
-  first_extra_ = {};
-  unused_ = {};
+  fans_.clear();
+  state_ = {};
   active_ = {};
+  head_ = 0;
   frozen_ = {};
   carried_ = {};
+  reopened_ = {};
   return site_of;
 }
 

@@ -1,24 +1,50 @@
 // What:   the front: boundary curves that are still to be advanced, on a mesh whose vertices stand on sites.
-// Law:    the mesh is sound at every step; every boundary halfedge is active or frozen; between any two sites there is
-//         at most one edge as long as the policy proposes triangles of a complex.
+// Law:    whatever it is asked, the mesh is an oriented manifold at every step, between two sites there is at most one
+//         edge, and every boundary halfedge is active, frozen, or in the hands of who popped it. What would break this
+//         is refused, with the mesh untouched.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/front/boundary_curve.h"
+#include "meshops/front/fans.h"
 #include "meshops/front/outline.h"
 #include "meshops/front/patch.h"
 #include "meshops/front/placement.h"
+#include "meshops/front/refusal.h"
 #include "meshops/front/seams.h"
 #include "meshops/handle/insert_triangle.h"
 
 namespace meshops {
+
+namespace detail {
+template <typename Policy>
+class LeastKeyFirst;
+}  // namespace detail
+
+/// Where a triangle goes, and what it will be glued to; or why it cannot go there.
+struct Fit {
+  explicit Fit(const std::array<Site, 3>& sites) : corners(sites) {}
+
+  std::array<Site, 3> corners;
+  TriangleSides sides;  ///< those that are boundary halfedges already
+  std::optional<Refusal> refusal;
+};
+
+/// A triangle that is no longer there.
+struct DetachedTriangle {
+  std::array<Site, 3> corners;
+  /// Side i ran from corner i to corner i + 1: a boundary halfedge now, or invalid where nothing lay beyond.
+  std::array<Halfedge, 3> side;
+};
 
 /// What goes on from one level to the next.
 struct LevelTransfer {
@@ -33,92 +59,91 @@ class MESHOPS_API Front {
   /// Elements of the mesh are made `supply` at a time, which is faster than singly; until finish() the mesh then has up
   /// to that many edges and faces at its end that are not in use. With 1 it never has any.
   /// Requires: the mesh has no vertices. Throws ContractViolation.
-  explicit Front(Connectivity& mesh, std::size_t sites, std::size_t supply = 1);
+  Front(Connectivity& mesh, std::size_t sites, std::size_t supply = 1);
+
+  /// Begins with what is there: the boundary curves of the mesh become the front, active, in the order of their handles.
+  /// Vertex v stands on site v, or on site_of_vertex[v] (of a complex with pinches). Its elements keep their handles and
+  /// properties; vertices on one site that become one are marked deleted but for one.
+  /// Requires: the mesh is sound and has status of every kind; no edge joins two vertices on one site, and no two edges
+  ///           join the same sites. All but the last is checked. Throws ContractViolation.
+  /// Cost:     linear.
+  explicit Front(Connectivity& mesh, std::span<const Site> site_of_vertex = {});
 
   const Connectivity& mesh() const { return mesh_; }
-  /// The number of edges and faces in use.
-  std::size_t edges() const { return edges_; }
-  std::size_t faces() const { return faces_; }
+  /// The number of edges and faces of the mesh.
+  std::size_t edges() const { return edges_ - dead_edges_; }
+  std::size_t faces() const { return faces_ - dead_faces_; }
   /// Sites are 0 to sites() − 1.
-  std::size_t sites() const { return first_sites_ + added_.size(); }
+  std::size_t sites() const { return fans_.sites(); }
 
-  /// One more site: for methods that place points while they run.
-  /// Returns: its number, which is what sites() was.
-  Site add_site();
+  /// One more site: for methods that place points while they run. Returns: its number, which is what sites() was.
+  Site add_site() { return fans_.add_site(); }
 
-  Site site(Vertex v) const {
-    const auto i = static_cast<std::size_t>(v.idx());
-    return i < first_sites_ ? v.idx() : extra_[i - first_sites_].site;
-  }
-  Site from_site(Halfedge h) const { return site(mesh_.from_vertex_handle(h)); }
-  Site to_site(Halfedge h) const { return site(mesh_.to_vertex_handle(h)); }
+  /// Throws ContractViolation when there is no such vertex, halfedge or site; likewise below.
+  Site site(Vertex v) const { return fans_.site(v); }
+  Site from_site(Halfedge h) const { return site(mesh_.from_vertex_handle(checked(h))); }
+  Site to_site(Halfedge h) const { return site(mesh_.to_vertex_handle(checked(h))); }
 
   /// No triangle has a corner on this site.
-  bool is_free(Site s) const { return is_first(s) ? mesh_.is_isolated(Vertex(s)) : added_[index_of_added(s)] < 0; }
+  bool is_free(Site s) const { return fans_.is_free(s); }
   /// A fan on this site is on the boundary.
   bool is_on_boundary(Site s) const {
     bool found = false;
     for_each_fan(s, [&](Vertex v) { found = found || mesh_.is_boundary(v); });
     return found;
   }
-
   /// Calls visit(Vertex) for each fan on the site: none when it is free.
   template <typename Visit>
   void for_each_fan(Site s, Visit visit) const {
-    if (is_free(s)) return;
-    if (is_first(s)) {
-      visit(Vertex(s));
-      if (extra_.empty()) return;
-    }
-    for (int i = chain(s); i >= 0; i = extra_[static_cast<std::size_t>(i)].next)
-      visit(Vertex(static_cast<int>(first_sites_) + i));
+    fans_.for_each(s, visit);
   }
 
-  /// The boundary halfedge that comes from a site into `to`, or leaves `from` for a site; an invalid handle when there
-  /// is none. Both find the same halfedge. Cost: the number of fans at `to`, at `from`.
-  Halfedge boundary_into(Site from, Site to) const {
-    Halfedge found;
-    for_each_fan(to, [&](Vertex v) {
-      const Halfedge out = mesh_.halfedge_handle(v);
-      if (!mesh_.is_boundary(out)) return;
-      if (const Halfedge in = mesh_.prev_halfedge_handle(out); from_site(in) == from) found = in;
-    });
-    return found;
-  }
-  Halfedge boundary_out_of(Site from, Site to) const {
-    Halfedge found;
-    for_each_fan(from, [&](Vertex v) {
-      const Halfedge out = mesh_.halfedge_handle(v);
-      if (mesh_.is_boundary(out) && to_site(out) == to) found = out;
-    });
-    return found;
-  }
+  /// The halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
+  /// Cost: the lesser of the numbers of edges at both sites.
+  Halfedge edge_between(Site from, Site to) const;
+  /// The boundary halfedge from a site to another; an invalid handle when there is none.
+  /// Cost: the number of fans at `to`; of the second, at `from`.
+  Halfedge boundary_into(Site from, Site to) const;
+  Halfedge boundary_out_of(Site from, Site to) const;
 
-  /// Adds a triangle that touches the mesh at most in vertices and along boundary edges between the same sites, to
-  /// which it is glued. Its new boundary halfedges become active.
-  /// Requires: three distinct sites.
-  InsertedTriangle create(Site a, Site b, Site c);
+  /// Why create() and attach() would refuse; nothing when they would not. A triangle has three distinct sites, which
+  /// exist or are the next new ones; on none of them do all faces close; and no face lies on its side of its edges yet.
+  std::optional<Refusal> create_blocker(Site a, Site b, Site c) const { return fit(a, b, c).refusal; }
+  std::optional<Refusal> attach_blocker(Halfedge h, Site apex) const { return fit(h, apex).refusal; }
 
-  /// create() for who knows where the triangle goes. Its new boundary halfedges are neither active nor frozen: those to
-  /// which nothing is glued before the next pop() must be made one of them.
-  /// Requires: the given sides are boundary halfedges, and all that there are between these sites. `sides.corner` is not
-  ///           looked at.
-  InsertedTriangle insert(TriangleSides sides, Site a, Site b, Site c);
+  /// Adds a triangle, counter-clockwise, and glues it to the boundary halfedges between its sites. Its new boundary
+  /// halfedges become active. A corner without a face beside it there is a fan, and a vertex, of its own.
+  /// The numbers that follow the last site stand for new ones, which are added then.
+  /// Requires: create_blocker() is empty. Throws ContractViolation, mesh untouched.
+  /// Cost:     as edge_between() for each of the three, plus the degree of vertices that become one.
+  InsertedTriangle create(Site a, Site b, Site c) { return insert_checked(fit(a, b, c), "create"); }
 
-  /// Where create() and attach() would put a triangle: which of its sides are boundary halfedges already.
-  TriangleSides sides_of(Site a, Site b, Site c) const;
-  TriangleSides sides_of(Halfedge h, Site apex) const;
+  /// Attaches a triangle to a boundary halfedge a→b, with its apex on a site, on the left: create(a, b, apex) for who has
+  /// the halfedge.
+  /// Requires: attach_blocker() is empty. Throws ContractViolation, mesh untouched.
+  InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
-  /// Attaches a triangle to an active halfedge a→b, with its apex on a site, and glues its other sides to the boundary
-  /// halfedges b→apex and apex→a where they exist, on whatever curve. New boundary halfedges become active.
-  /// Requires: `h` is a boundary halfedge; the apex is neither of its ends.
-  InsertedTriangle attach(Halfedge h, Site apex);
+  /// The same in two steps, and without asking twice.
+  Fit fit(Site a, Site b, Site c) const;
+  Fit fit(Halfedge h, Site apex) const;
+  /// Requires: `fit` has no refusal, and nothing was attached or detached since. Not checked: the unchecked way in, for
+  ///           who knows what fit() would say. `sides.corner` is not looked at.
+  InsertedTriangle insert(const Fit& fit);
+
+  /// Why detach() would refuse: there is no such face, it is no triangle, or none of its sides is on the boundary.
+  std::optional<Refusal> detach_blocker(Face f) const;
+  /// Takes out a triangle at the front, which is marked deleted as are the edges that no other has; sides that it was
+  /// glued by become boundary halfedges, and active. The inverse of attach() and create(), up to handles.
+  /// Requires: detach_blocker() is empty; the mesh has status of every kind. Throws ContractViolation, mesh untouched.
+  /// Cost:     constant, plus the degree of a corner at which a fan falls in two.
+  DetachedTriangle detach(Face f);
 
   /// Lays many triangles at once, whose edges among each other are known: gluing in bulk. Patches are laid beside each
   /// other, in any order; an open side is glued to the side of another patch on the same sites. join() must
   /// follow before anything else is done.
   /// Requires: no triangle but those of patches, none joined yet, and no added site. The triangles of all patches are
-  ///           those of a complex; a site around which they close has no other fan, as it is in the plane.
+  ///           those of a complex; a site around which they close has no other fan, as it is in the plane. Only the first
+  ///           sentence is checked: the way of the library's own finders.
   /// Cost:     linear in the patch.
   void lay(const Patch& patch);
   /// The same where the outline is known.
@@ -138,65 +163,55 @@ class MESHOPS_API Front {
   /// Cost:     linear in the open sides of all patches, the fans at them, and all other fans but one at each site.
   void join();
 
-  /// The next active halfedge, which is then no longer active until it is frozen or attached to; none when the front
-  /// has run dry.
+  /// The next active halfedge, first in first out, which is then no longer active until it is made so, frozen or attached
+  /// to; an invalid handle when the front has run dry.
   Halfedge pop() {
-    while (head_ < active_.size()) {
-      const Halfedge h = active_[head_++];
-      if (mesh_.is_boundary(h)) return h;
-    }
-    active_.clear();
-    head_ = 0;
-    return Halfedge();
+    const Halfedge h = next_queued();
+    if (h.is_valid()) take(h);
+    return h;
   }
+  /// A boundary halfedge of the mesh: false of any other handle.
+  bool is_boundary(Halfedge h) const;
+  bool is_active(Halfedge h) const { return state(h) == State::active; }
+  bool is_frozen(Halfedge h) const { return state(h) == State::frozen; }
 
-  /// Makes a boundary halfedge active that is neither active nor frozen.
+  /// Makes a boundary halfedge active: one that was popped, or one that is frozen, which wakes. Nothing when it is active.
+  /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
   void activate(Halfedge h);
-
-  /// Sets a halfedge aside: nothing can be attached to it at this level.
-  void freeze(Halfedge h) { frozen_.push_back(h); }
-  /// What was set aside at this level, in that order; some of it may have been attached to since and be inner now.
+  /// Sets a boundary halfedge aside: nothing can be attached to it at this level. Nothing when it is frozen.
+  /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
+  void freeze(Halfedge h);
+  /// What was set aside at this level, in that order; some of it may have been attached to or woken since.
   const std::vector<Halfedge>& frozen() const { return frozen_; }
 
-  /// The boundary curves, each from its least halfedge. Cost: linear in the edges in use.
+  /// The boundary curves, each from its least halfedge. Cost: linear in the edges.
   std::vector<BoundaryCurve> curves() const;
   /// The boundary curves through a site, one for each fan on it that is on the boundary, each from where it leaves the
   /// site. A curve that passes the site several times comes as often. Cost: the number of fans.
   std::vector<BoundaryCurve> curves_at(Site s) const;
 
-  /// Goes on to the next level: frozen halfedges that are still on the boundary become active again. The mesh and its
-  /// curves stay as they are, and nothing of what was left behind before is read.
+  /// Goes on to the next level: frozen halfedges become active again. The mesh and its curves stay as they are, and
+  /// nothing of what was left behind before is read.
   /// Cost:   linear in the sites that the transfer before carried (all, the first time), and m log m in the m frozen
   ///         halfedges.
   /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
   LevelTransfer next_level();
 
-  /// Frees memory that is of no more use and makes the mesh whole: removes vertices without triangles and renumbers
-  /// the others, keeping their order.
-  /// Returns: the site of each vertex that is left.
-  /// Invalidates: vertex handles and this front, on which only mesh() may be called afterwards.
+  /// Frees memory that is of no more use and makes the mesh whole. A front that began with an empty mesh removes the
+  /// vertices without triangles and renumbers the others, keeping their order; one that began with a mesh of the user's
+  /// leaves every handle as it is. What was detached stays marked deleted.
+  /// Returns:     the site of each vertex of the mesh.
+  /// Invalidates: vertex handles, of an empty mesh; and this front, which has no sites any more.
   std::vector<Site> finish();
 
  private:
-  struct Extra {
-    Site site;
-    int next;  // the next extra vertex on the site, or -1
-  };
+  enum class State : std::uint8_t { neither, active, frozen };
 
-  /// Elements for insert_triangle().
+  /// Elements for insert_triangle(), which are there already.
   struct Supply {
     Front& front;
-    Halfedge edge(Vertex from, Vertex to) {
-      if (front.edges_ == front.mesh_.n_edges()) front.supply(front.supply_, 0);
-      const Halfedge h(static_cast<int>(2 * front.edges_++));
-      front.mesh_.set_vertex_handle(h, to);
-      front.mesh_.set_vertex_handle(front.mesh_.opposite_halfedge_handle(h), from);
-      return h;
-    }
-    Face face() {
-      if (front.faces_ == front.mesh_.n_faces()) front.supply(0, front.supply_);
-      return Face(static_cast<int>(front.faces_++));
-    }
+    Halfedge edge(Vertex from, Vertex to);
+    Face face() { return Face(static_cast<int>(front.faces_++)); }
   };
   void supply(std::size_t edges, std::size_t faces);
 
@@ -209,39 +224,53 @@ class MESHOPS_API Front {
   struct Holes {
     std::vector<std::array<int, 2>> edges;  // the first, and one behind the last
     std::vector<bool> has_vertex;           // of each site: a fan between holes has it for its vertex
-    std::vector<Halfedge> into;             // of each extra vertex, a boundary halfedge that ends there
+    std::vector<Halfedge> into;             // of each further vertex, a boundary halfedge that ends there
     std::vector<Halfedge> loose;            // boundary halfedges that end where another patch has a say in what follows
   };
   void place_holes(const Patch& patch, const Outline& outline, Placement& placement);
   void fill_holes(const Patch& patch, const Outline& outline, Placement& placement);
   Halfedge next_on_boundary(Halfedge boundary) const;
   void close_fan(Halfedge boundary);
-  Vertex extra_vertex(Site s, Halfedge into);
+  Vertex further_vertex(Site s, Halfedge into);
 
-  bool is_first(Site s) const { return static_cast<std::size_t>(s) < first_sites_; }
-  std::size_t index_of_added(Site s) const { return static_cast<std::size_t>(s) - first_sites_; }
-  /// The first extra vertex on a site, as an index into extra_; −1 when there is none.
-  int chain(Site s) const {
-    if (!is_first(s)) return added_[index_of_added(s)];
-    return first_extra_.empty() ? -1 : first_extra_[static_cast<std::size_t>(s)];
+  Halfedge checked(Halfedge h) const {
+    require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: no such halfedge");
+    return h;
   }
-  int& first_on(Site s) { return is_first(s) ? first_extra_[static_cast<std::size_t>(s)] : added_[index_of_added(s)]; }
-  void chain(Site s, int index);
-  Vertex vertex_for_fan(Site s);
-  void release(Vertex v);
+  State state(Halfedge h) const {
+    const auto edge = static_cast<std::size_t>(h.idx()) / 2;
+    return h.idx() >= 0 && edge < state_.size() && mesh_.is_boundary(h) ? state_[edge] : State::neither;
+  }
+  void set_state(Halfedge h, State state);
+  void queue(Halfedge h);
+  void set_aside(Halfedge h);
+  template <typename Policy>
+  friend class detail::LeastKeyFirst;
+  /// The next in the queue that is active, and stays so.
+  Halfedge next_queued();
+  /// An active halfedge is so no longer. Returns: whether it was.
+  bool take(Halfedge h) {
+    if (!is_active(h)) return false;
+    set_state(h, State::neither);
+    return true;
+  }
+  bool finds_side(Fit& fit, unsigned side) const;
+  void refuse_closed(Fit& fit) const;
+  InsertedTriangle insert_checked(const Fit& fit, const char* operation);
   void renumber(std::size_t first, const std::vector<int>& number);
-  InsertedTriangle insert_and_activate(const TriangleSides& sides, Site a, Site b, Site c);
+  std::vector<Site> compacted();
+  void require_whole() const { require(!rims_.has_begun(), "Front: patches were laid and not joined"); }
 
   Connectivity& mesh_;
-  std::size_t first_sites_;  // those the front began with: each has the vertex of its number
+  Fans fans_;
   std::size_t supply_;
-  std::size_t edges_ = 0;
+  bool keeps_handles_ = false;  // it began with a mesh of the user's
+  std::size_t edges_ = 0;       // in use, dead ones included; there may be more in supply
   std::size_t faces_ = 0;
-  std::vector<Extra> extra_;      // of vertex first_sites_ + i: a further fan, or one on an added site
-  std::vector<int> first_extra_;  // of each first site, an index into extra_, or −1; empty while there is no pinch
-  std::vector<int> added_;        // of added site i: its first fan as an index into extra_, or −1
-  std::vector<Vertex> unused_;    // extra vertices merged away, to be used again
-  std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that turned inner are passed over
+  std::size_t dead_edges_ = 0;
+  std::size_t dead_faces_ = 0;
+  std::vector<State> state_;      // of each edge's boundary halfedge; behind the end: neither
+  std::vector<Halfedge> active_;  // a queue from head_ on; what is no longer active is passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
   Seams<Rim> rims_;  // each at the site that its boundary halfedge leaves
@@ -250,6 +279,7 @@ class MESHOPS_API Front {
   Placement placement_;
   std::vector<Site> carried_;       // by the last transfer
   std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
+  std::vector<Site> reopened_;      // that had turned inner and are on the boundary again, or free
 };
 
 }  // namespace meshops

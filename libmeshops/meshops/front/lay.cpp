@@ -15,6 +15,7 @@ std::size_t index(int side) { return static_cast<std::size_t>(side); }
 
 int next_in_triangle(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
 int last_in_triangle(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
+Vertex vertex_of(Site s) { return Vertex(static_cast<int>(s)); }
 Site from(const Patch& patch, int side) { return patch.triangles[index(side) / 3][index(side) % 3]; }
 
 /// Without a branch.
@@ -34,7 +35,7 @@ void Front::place(const Patch& patch, const Outline& outline, Placement& placeme
           "lay: the outline is of another patch");
   if (!rims_.has_begun()) {
     require(faces_ == 0, "lay: there are triangles that are not of a patch");
-    require(added_.empty(), "lay: sites were added");
+    require(sites() == mesh_.n_vertices(), "lay: sites were added");
     rims_.begin(sites());
     holes_.has_vertex.assign(sites(), false);
   }
@@ -61,19 +62,18 @@ void Front::place(const Patch& patch, const Outline& outline, Placement& placeme
       if (edges_ == mesh_.n_edges()) supply(edges_at_a_time, 0);
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
-      mesh_.set_vertex_handle(beyond, Vertex(a));
+      mesh_.set_vertex_handle(beyond, vertex_of(a));
       rims_.add(b, {beyond, a});
     }
-    if (!holes_.has_vertex[static_cast<std::size_t>(a)]) mesh_.set_halfedge_handle(Vertex(a), h);
+    if (!holes_.has_vertex[a]) mesh_.set_halfedge_handle(vertex_of(a), h);
     placement.at(side) = h;
   }
 }
 
 /// A further fan on a site. The vertex comes with join().
-Vertex Front::extra_vertex(Site s, Halfedge into) {
-  extra_.push_back({s, -1});
+Vertex Front::further_vertex(Site s, Halfedge into) {
   holes_.into.push_back(into);
-  return Vertex(static_cast<int>(first_sites_ + extra_.size()) - 1);
+  return fans_.announce(s);
 }
 
 /// Gives the edges of holes their numbers, and the fans between them their vertices: the first on a site that of the site.
@@ -88,17 +88,17 @@ void Front::place_holes(const Patch& patch, const Outline& outline, Placement& p
   for (std::size_t k = 0; k < count; ++k) {
     const Halfedge h(2 * (first + static_cast<int>(k)));
     const Site s = from(patch, outline.holes[k]);
-    auto has_vertex = holes_.has_vertex[static_cast<std::size_t>(s)];
+    auto has_vertex = holes_.has_vertex[s];
     Vertex& v = placement.of_fan_[k];
     if (outline.next_hole[k] < 0) {
       v = Vertex();
       holes_.loose.push_back(mesh_.opposite_halfedge_handle(h));
-      if (!has_vertex) mesh_.set_halfedge_handle(Vertex(s), h);
+      if (!has_vertex) mesh_.set_halfedge_handle(vertex_of(s), h);
     } else if (!has_vertex) {
-      v = Vertex(s);
+      v = vertex_of(s);
       has_vertex = true;
     } else {
-      v = extra_vertex(s, mesh_.opposite_halfedge_handle(h));
+      v = further_vertex(s, mesh_.opposite_halfedge_handle(h));
     }
   }
 }
@@ -123,7 +123,7 @@ void Front::fill(const Patch& patch, const Outline& outline, Placement& placemen
     }
     for (unsigned i = 0; i < 3; ++i) {
       mesh_.set_face_handle(h[i], face);
-      mesh_.set_vertex_handle(h[i], Vertex(corner[(i + 1) % 3]));
+      mesh_.set_vertex_handle(h[i], vertex_of(corner[(i + 1) % 3]));
       mesh_.set_next_halfedge_handle(h[i], h[(i + 1) % 3]);
     }
     mesh_.set_halfedge_handle(face, h[0]);
@@ -131,7 +131,7 @@ void Front::fill(const Patch& patch, const Outline& outline, Placement& placemen
   for (const int out : outline.inside) {
     const std::size_t t = index(out) / 3, i = index(out) % 3;
     const Halfedge back = placement.at(patch.across[t][i]);
-    mesh_.set_halfedge_handle(Vertex(patch.triangles[t][i]), mesh_.opposite_halfedge_handle(back));
+    mesh_.set_halfedge_handle(vertex_of(patch.triangles[t][i]), mesh_.opposite_halfedge_handle(back));
   }
   fill_holes(patch, outline, placement);
 }
@@ -140,7 +140,7 @@ void Front::fill_holes(const Patch& patch, const Outline& outline, Placement& pl
   for (std::size_t k = 0; k < outline.holes.size(); ++k) {
     const int hole = outline.holes[k], next = outline.next_hole[k];
     const Halfedge boundary = mesh_.opposite_halfedge_handle(placement.at(hole));
-    const Vertex site(from(patch, hole)), v = placement.of_fan_[k];
+    const Vertex site = vertex_of(from(patch, hole)), v = placement.of_fan_[k];
     mesh_.set_vertex_handle(boundary, next < 0 ? site : v);
     if (next < 0) continue;
     const Halfedge out = mesh_.opposite_halfedge_handle(placement.at(next));
@@ -185,7 +185,7 @@ void Front::close_fan(Halfedge boundary) {
     return;
   }
   // The site has a fan already.
-  const Vertex own = extra_vertex(site.idx(), boundary);
+  const Vertex own = further_vertex(static_cast<Site>(site.idx()), boundary);
   mesh_.set_vertex_handle(boundary, own);
   for (Halfedge h = mesh_.opposite_halfedge_handle(boundary); h != out;) {
     const Halfedge before = mesh_.prev_halfedge_handle(h);
@@ -199,18 +199,17 @@ void Front::join() {
   rims_.for_each([&](const Rim& rim) {
     if (!mesh_.is_boundary(rim.boundary)) return;
     close_fan(rim.boundary);
-    activate(rim.boundary);
+    queue(rim.boundary);
   });
   rims_.end();
   // Edges were made for seams that found their other side, too.
-  mesh_.resize(first_sites_ + extra_.size(), edges_, faces_);
-  for (std::size_t i = 0; i < holes_.into.size(); ++i) {
-    const Vertex v(static_cast<int>(first_sites_ + i));
-    mesh_.set_halfedge_handle(v, mesh_.next_halfedge_handle(holes_.into[i]));
-    chain(extra_[i].site, static_cast<int>(i));
-  }
+  const std::size_t first_further = fans_.vertices() - holes_.into.size();
+  mesh_.resize(fans_.vertices(), edges_, faces_);
+  for (std::size_t i = 0; i < holes_.into.size(); ++i)
+    mesh_.set_halfedge_handle(Vertex(static_cast<int>(first_further + i)), mesh_.next_halfedge_handle(holes_.into[i]));
+  fans_.list_announced();
   for (const auto& [first, end] : holes_.edges)
-    for (int e = first; e < end; ++e) freeze(Halfedge(2 * e + 1));
+    for (int e = first; e < end; ++e) set_aside(Halfedge(2 * e + 1));
   holes_ = {};
   outline_ = {};
   placement_ = {};

@@ -4,11 +4,9 @@
 #include <array>
 #include <vector>
 
-namespace meshops {
+#include "meshops/front/site.h"
 
-/// What a vertex stands on, as an index that the user chose, from 0. Where a complex touches itself in a point, several
-/// vertices stand on one site, one per fan: that keeps every front curve a simple closed curve.
-using Site = int;
+namespace meshops {
 
 /// Triangles of a complex. Side i of a triangle runs from its corner i to corner i + 1; as a side of the patch it has
 /// the number 3 · triangle + i.

@@ -1,4 +1,4 @@
-// What:   the two questions an advancing front asks, and the events it tells.
+// What:   the questions an advancing front asks: what a method has to know.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003).
 #pragma once
 
@@ -10,35 +10,51 @@
 
 namespace meshops {
 
+/// What is to be done at an edge of the front: attach a triangle with its apex on a site, freeze the edge, or take a
+/// triangle away again.
+class Proposal {
+ public:
+  /// The site at the apex; nothing to freeze the edge.
+  Proposal(std::optional<Site> apex) : apex_(apex) {}
+  Proposal(Site apex) : apex_(apex) {}
+  Proposal(std::nullopt_t) {}
+  /// A triangle at the front goes, and the edge is asked about again if it is still there, when its turn comes.
+  static Proposal detach(Face f) {
+    Proposal proposal(std::nullopt);
+    proposal.detached_ = f;
+    return proposal;
+  }
+
+  const std::optional<Site>& apex() const { return apex_; }
+  const std::optional<Face>& detached() const { return detached_; }
+
+ private:
+  std::optional<Site> apex_;
+  std::optional<Face> detached_;
+};
+
 /// A policy knows geometry, the engine topology. Ball pivoting in the plane and in space, and classical advancing-front
 /// meshing, are policies.
-///   seed(front)        the sites of a triangle that begins a component or touches the mesh in vertices only,
-///                      counter-clockwise; nothing when there is none left
+///   seed(front)        the sites of a triangle that begins a component or touches the mesh, counter-clockwise; nothing
+///                      when there is none left
 ///   propose(front, h)  the site at the apex of the triangle to attach to the boundary halfedge h, on its left; nothing
-///                      to freeze it. front.sites(), the number after the last site, stands for a new one, which is
-///                      added then: so a policy places points.
+///                      to freeze it; or another Proposal
+/// The numbers that follow the last site, front.sites() and so on, stand for new ones, which are added when the triangle
+/// is: so a policy places points. A triangle that the front refuses (Front::attach_blocker) is not attached: the edge is
+/// frozen, and the visitor is told.
 template <typename P>
 concept FrontPolicy = requires(P policy, const Front& front, Halfedge h) {
   { policy.seed(front) } -> std::same_as<std::optional<std::array<Site, 3>>>;
-  { policy.propose(front, h) } -> std::same_as<std::optional<Site>>;
+  { policy.propose(front, h) } -> std::convertible_to<Proposal>;
 };
 
-/// A visitor overrides the events it wants; the others cost nothing. The mesh is sound at each of them.
-struct FrontVisitor {
-  void seeded(const Front&, const InsertedTriangle&) {}
-  void attached(const Front&, Halfedge /*to*/, const InsertedTriangle&) {}
-  void frozen(const Front&, Halfedge) {}
-
-  /// Only a visitor that says true is told of curves: it costs what on_same_curve() does at every attachment.
-  static constexpr bool follows_curves = false;
-  /// A curve is there now, through this halfedge.
-  void curve_begun(const Front&, Halfedge) {}
-  /// Two curves have become one, on one component (a handle) or by joining two.
-  void curves_joined(const Front&, Halfedge /*through*/) {}
-  /// One curve has become two, through these.
-  void curve_split(const Front&, Halfedge, Halfedge) {}
-  /// A curve has vanished.
-  void curve_closed(const Front&) {}
+/// A policy may have an order of its own.
+///   key(front, h)      of a boundary halfedge that has become active: the least comes first, of equal ones the oldest. It
+///                      is asked for once each time, and must not change the front.
+/// Without it the order is first in, first out.
+template <typename P>
+concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
+  { policy.key(front, h) } -> std::totally_ordered;
 };
 
 }  // namespace meshops

@@ -19,18 +19,18 @@ class Seams {
   bool has_begun() const { return !first_.empty(); }
 
   void add(Site at, const Side& side) {
-    int& first = first_[static_cast<std::size_t>(at)];
+    int& first = first_[at];
     seams_.push_back({side, first});
     first = static_cast<int>(seams_.size()) - 1;
   }
 
   /// Before take() or add() at a site, when its memory may be far.
-  void prepare(Site at) const { __builtin_prefetch(&first_[static_cast<std::size_t>(at)]); }
+  void prepare(Site at) const { __builtin_prefetch(&first_[at]); }
 
   /// A side at the site that matches(side), which is then no seam any more.
   template <typename Matches>
   std::optional<Side> take(Site at, Matches matches) {
-    for (int* link = &first_[static_cast<std::size_t>(at)]; *link != none;) {
+    for (int* link = &first_[at]; *link != none;) {
       Seam& seam = seams_[static_cast<std::size_t>(*link)];
       if (matches(seam.side)) {
         *link = seam.next;

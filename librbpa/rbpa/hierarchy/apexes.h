@@ -17,7 +17,7 @@ namespace rbpa {
 
 class Apexes {
  public:
-  using Site = std::uint32_t;
+  using Site = meshops::Site;
 
   /// Keeps a reference.
   explicit Apexes(const Pivot<long double>& pivot) : pivot_(pivot) {}
@@ -40,9 +40,9 @@ class Apexes {
   void keep(const meshops::Front& front, meshops::Halfedge h, std::optional<Site> apex) {
     at(h) = apex.value_or(none);
     if (!apex) return;
-    const meshops::Site a = front.from_site(h), b = front.to_site(h), c = meshops::Site(*apex);
-    if (const auto next = front.boundary_out_of(b, c); next.is_valid()) at(next) = static_cast<Site>(a);
-    if (const auto before = front.boundary_into(c, a); before.is_valid()) at(before) = static_cast<Site>(b);
+    const meshops::Site a = front.from_site(h), b = front.to_site(h), c = *apex;
+    if (const auto next = front.boundary_out_of(b, c); next.is_valid()) at(next) = a;
+    if (const auto before = front.boundary_into(c, a); before.is_valid()) at(before) = b;
   }
 
  private:

@@ -27,7 +27,7 @@ std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
   std::size_t sites = 0;
   if (level == 0) {
     lay(front);
-    for (meshops::Site s = 0; s < static_cast<meshops::Site>(front.sites()); ++s) sites += !front.is_free(s);
+    for (meshops::Site s = 0; s < front.sites(); ++s) sites += !front.is_free(s);
   } else {
     sites = insert(level, front);
   }
@@ -76,7 +76,7 @@ std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {
   for (const auto& corners : waiting_.of_level(level)) {
     report_.seeded(front, front.create(corners[0], corners[1], corners[2]));
     for (const meshops::Site s : corners) {
-      std::uint16_t& seen = seen_[static_cast<std::size_t>(s)];
+      std::uint16_t& seen = seen_[s];
       sites += seen != level;
       seen = static_cast<std::uint16_t>(level);
     }

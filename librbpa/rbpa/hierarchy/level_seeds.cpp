@@ -59,11 +59,10 @@ std::optional<std::array<meshops::Site, 3>> LevelSeeds::next(const meshops::Fron
       turn_to_boundary(front);
       continue;
     }
-    const meshops::Site s = due_[next_++];
-    const auto v = static_cast<Site>(s);
+    const Site v = due_[next_++];
     if (!on_free_sites_)
       look_into_gaps(front, v);
-    else if (!front.is_free(s))
+    else if (!front.is_free(v))
       continue;
     else if (radius_.is_infinite())
       look_all_around(v);
@@ -108,7 +107,7 @@ void LevelSeeds::look_near(Site v) {
   for (const Near& p : near_)
     for (const Near& q : near_)
       if (p.site > v && q.site > v && is_triangle(v, p.site, q.site))
-        pending_.push_back({meshops::Site(v), meshops::Site(p.site), meshops::Site(q.site)});
+        pending_.push_back({v, p.site, q.site});
 }
 
 /// (v, p, q) is a counter-clockwise Delaunay triangle within the radius. All points within its diameter of v are near.
@@ -146,11 +145,11 @@ void LevelSeeds::look_all_around(Site v) {
 void LevelSeeds::look_into_gaps(const meshops::Front& front, Site v) {
   const auto& mesh = front.mesh();
   fans_.clear();
-  front.for_each_fan(meshops::Site(v), [&](meshops::Vertex fan) {
+  front.for_each_fan(v, [&](meshops::Vertex fan) {
     const auto out = mesh.halfedge_handle(fan);
     if (mesh.is_boundary(out))
       fans_.push_back({apexes_(front, mesh.prev_halfedge_handle(out)), apexes_(front, out),
-                       static_cast<Site>(front.from_site(mesh.prev_halfedge_handle(out)))});
+                       front.from_site(mesh.prev_halfedge_handle(out))});
   });
   Real least = infinity;
   for (const Fan& fan : fans_) {
@@ -195,7 +194,7 @@ void LevelSeeds::walk_clockwise(Site v, Site q, Real& least) {
 void LevelSeeds::consider(Site v, Site p, Site q, Real& least) {
   const Point &a = points_[v], &b = points_[p], &c = points_[q];
   if (radius_.admits<Real>(a, b, c))
-    pending_.push_back({meshops::Site(v), meshops::Site(p), meshops::Site(q)});
+    pending_.push_back({v, p, q});
   else
     least = std::min(least, circumradius<Real>(a, b, c));
 }

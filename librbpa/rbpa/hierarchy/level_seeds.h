@@ -25,14 +25,14 @@ namespace rbpa {
 class LevelSeeds {
  public:
   using Real = long double;  ///< where exponents are not extreme, tiles tell all triangles
-  using Site = std::uint32_t;
+  using Site = meshops::Site;
 
   /// Keeps references.
   LevelSeeds(const PointGrid<Real>& grid, const Ladder<Real>& ladder, const Pivot<Real>& pivot, Apexes& apexes,
              Report& report);
 
   /// The level at which a site must be looked at next: before, there is no triangle at it but beyond frozen edges.
-  int wake(meshops::Site s) const { return wake_[static_cast<std::size_t>(s)]; }
+  int wake(meshops::Site s) const { return wake_[s]; }
 
   /// Begins a level, at which these sites are looked at as long as they are free.
   void begin(int level, std::vector<meshops::Site> free);

@@ -292,7 +292,7 @@ class Triangulation {
       const std::size_t t = found.first + k;
       corners_[t] = found.corners[k];
       for (std::size_t i = 0; i < 3; ++i) {
-        patch.triangles[t][i] = static_cast<meshops::Site>(places_[found.corners[k][i]].site);
+        patch.triangles[t][i] = places_[found.corners[k][i]].site;
         patch.across[t][i] = static_cast<int>(found.sides[k][i]);
         sides_.number(found.sides[k][i], static_cast<int>(3 * t + i));
       }

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> Remainder::not_done() const {
 std::vector<Remainder::Corners> Remainder::told_among_incomplete() const {
   std::vector<Corners> told;
   for (const Corners& t : unsure_)
-    if (std::none_of(t.begin(), t.end(), [&](meshops::Site s) { return is_complete(static_cast<std::uint32_t>(s)); }))
+    if (std::none_of(t.begin(), t.end(), [&](meshops::Site s) { return is_complete(s); }))
       told.push_back(t);
   std::sort(told.begin(), told.end());
   return told;
@@ -56,7 +56,7 @@ void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threa
     if (!radius_.admits<double>(a.at, b.at, c.at)) return meshops::Patch::nothing;
     if (is_complete(a.site) || is_complete(b.site) || is_complete(c.site)) return meshops::Patch::open;
     if (told.empty()) return 0;
-    const auto site = [](const Place& p) { return static_cast<meshops::Site>(p.site); };
+    const auto site = [](const Place& p) { return p.site; };
     const Corners corners = from_least({site(a), site(b), site(c)});
     return std::binary_search(told.begin(), told.end(), corners) ? meshops::Patch::open : 0;
   };

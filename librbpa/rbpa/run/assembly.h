@@ -38,7 +38,7 @@ class Assembly {
     complex_.input_index.resize(site.size());
     for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
-        const auto s = static_cast<std::size_t>(site[v]);
+        const meshops::Site s = site[v];
         complex_.input_index[v] = grid_.input_index()[s];
         complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {points[s].x, points[s].y, 0.0});
       }

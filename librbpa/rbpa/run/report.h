@@ -8,7 +8,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/validate.h"
-#include "meshops/front/policy.h"
+#include "meshops/front/visitor.h"
 #include "rbpa/core/error.h"
 #include "rbpa/core/progress.h"
 

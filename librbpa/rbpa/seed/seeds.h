@@ -21,7 +21,7 @@ namespace rbpa {
 template <typename Real>
 class Seeds {
  public:
-  using Site = std::uint32_t;
+  using Site = meshops::Site;
 
   /// Keeps references. `known`, where it is not empty, tells of each site whether all its triangles were found already.
   Seeds(const PointGrid<Real>& grid, const Radius& radius, const Pivot<Real>& pivot, std::vector<bool> known = {})
@@ -42,7 +42,7 @@ class Seeds {
       while (site_ < known_.size() && known_[site_]) ++site_;
       if (site_ == front.sites()) return std::nullopt;
       const auto s = static_cast<Site>(site_);
-      if (front.is_free(meshops::Site(s))) {
+      if (front.is_free(s)) {
         // A site that gets its first triangle is looked at again, then as a boundary site.
         if (!look_around_isolated(s)) ++site_;
         searched();
@@ -69,11 +69,11 @@ class Seeds {
   /// Returns whether there is a fan with boundary, and so something was searched.
   bool look_around_boundary(const meshops::Front& front, Site v) {
     ends_.clear();
-    front.for_each_fan(meshops::Site(v), [&](meshops::Vertex fan) {
+    front.for_each_fan(v, [&](meshops::Vertex fan) {
       const auto out = front.mesh().halfedge_handle(fan);
       if (!front.mesh().is_boundary(out)) return;
-      ends_.push_back({static_cast<Site>(front.from_site(front.mesh().prev_halfedge_handle(out))),
-                       static_cast<Site>(front.to_site(out))});
+      ends_.push_back({front.from_site(front.mesh().prev_halfedge_handle(out)),
+                       front.to_site(out)});
     });
     for (const Fan& fan : ends_) {
       const Roll<Real> order(grid_, radius_.value(), v, fan.last, fan.last);
@@ -92,7 +92,7 @@ class Seeds {
   /// Adds the triangle left of v→q, if there is one.
   bool add_beyond(Site v, Site q) {
     const auto apex = pivot_(v, q);
-    if (apex) pending_.push_back({meshops::Site(v), meshops::Site(q), meshops::Site(*apex)});
+    if (apex) pending_.push_back({v, q, *apex});
     return apex.has_value();
   }
 

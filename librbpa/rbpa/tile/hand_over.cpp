@@ -108,8 +108,7 @@ class Telling {
       const Corners corner = corners(t);
       const bool small = is_small(t), is_told = small & (owned[t] != 0);
       const Across apart = packed(small ? Patch::open : Patch::nothing);
-      patch[own] = {static_cast<Site>(site[corner[0]]), static_cast<Site>(site[corner[1]]),
-                    static_cast<Site>(site[corner[2]])};
+      patch[own] = {site[corner[0]], site[corner[1]], site[corner[2]]};
       told[own] = others[other] = static_cast<std::uint16_t>(t);
       const auto first = either(packed(static_cast<int>(3 * own)), apart, is_told);
       number[4 * t] = first;

@@ -86,8 +86,7 @@ class EagerSeeds : public Replay {
 };
 
 /// Keeps count of the curves by the events alone.
-struct CurveCounter : FrontVisitor {
-  static constexpr bool follows_curves = true;
+struct CurveCounter : CurveVisitor {
   int curves = 0, joins = 0, splits = 0, closings = 0;
   void curve_begun(const Front& front, Halfedge h) {
     ++curves;
@@ -123,12 +122,12 @@ struct Placing {
 };
 
 /// Squares of a grid of `side`² sites, each cut in two; squares in `holes` are left out.
-std::vector<Replay::Triangle> cut_squares(int side, const std::vector<int>& holes) {
+std::vector<Replay::Triangle> cut_squares(Site side, const std::vector<Site>& holes) {
   std::vector<Replay::Triangle> triangles;
-  for (int y = 0; y + 1 < side; ++y)
-    for (int x = 0; x + 1 < side; ++x) {
+  for (Site y = 0; y + 1 < side; ++y)
+    for (Site x = 0; x + 1 < side; ++x) {
       if (std::find(holes.begin(), holes.end(), y * (side - 1) + x) != holes.end()) continue;
-      const int s = y * side + x;
+      const Site s = y * side + x;
       triangles.push_back({s, s + 1, s + side + 1});
       triangles.push_back({s, s + side + 1, s + side});
     }
@@ -161,9 +160,9 @@ TEST_SUITE("engine") {
 
   TEST_CASE("squares that meet in corners are separate components with pinches between them") {
     // A chessboard: every other square is a hole.
-    std::vector<int> holes;
-    for (int y = 0; y < 7; ++y)
-      for (int x = 0; x < 7; ++x)
+    std::vector<Site> holes;
+    for (Site y = 0; y < 7; ++y)
+      for (Site x = 0; x < 7; ++x)
         if ((x + y) % 2) holes.push_back(y * 7 + x);
     const auto triangles = cut_squares(8, holes);
     std::deque<Replay::Triangle> seeds;
@@ -186,8 +185,8 @@ TEST_SUITE("engine") {
     std::mt19937 random(5);
     int joins = 0, splits = 0, closings = 0;
     for (int round = 0; round < 60; ++round) {
-      std::vector<int> holes;
-      for (int square = 0; square < 49; ++square)
+      std::vector<Site> holes;
+      for (Site square = 0; square < 49; ++square)
         if (random() % 4 == 0) holes.push_back(square);
       const auto triangles = cut_squares(8, holes);
       std::deque<Replay::Triangle> seeds;
@@ -215,8 +214,8 @@ TEST_SUITE("engine") {
   TEST_CASE("level after level gives the mesh of one run, and carries just what is not inner") {
     std::mt19937 random(9);
     for (int round = 0; round < 30; ++round) {
-      std::vector<int> holes;
-      for (int square = 0; square < 49; ++square)
+      std::vector<Site> holes;
+      for (Site square = 0; square < 49; ++square)
         if (random() % 6 == 0) holes.push_back(square);
       const auto triangles = cut_squares(8, holes);
       std::vector<int> level(triangles.size());

@@ -20,7 +20,7 @@ TEST_SUITE("front") {
     CHECK(mesh.n_vertices() == 4);
     for (Site s = 0; s < 4; ++s) {
       CHECK(front.is_free(s));
-      CHECK(front.site(Vertex(s)) == s);
+      CHECK(front.site(Vertex(static_cast<int>(s))) == s);
     }
     CHECK_FALSE(front.pop().is_valid());
     CHECK_THROWS_AS(Front(mesh, 4), ContractViolation);

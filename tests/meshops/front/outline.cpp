@@ -71,7 +71,7 @@ TEST_SUITE("front") {
         Patch wheel;
         for (int t = 0; t < spokes; ++t) {
           const int next = (t + step) % spokes, previous = (t + spokes - step) % spokes;
-          wheel.triangles.push_back({0, t + 1, next + 1});
+          wheel.triangles.push_back({0, static_cast<Site>(t) + 1, static_cast<Site>(next) + 1});
           wheel.across.push_back({3 * previous + 2, Patch::open, 3 * next});
         }
         if (!closed) wheel.across.front()[0] = wheel.across[static_cast<std::size_t>(spokes - step)][2] = Patch::open;

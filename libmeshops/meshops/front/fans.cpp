@@ -1,0 +1,89 @@
+#include "meshops/front/fans.h"
+
+#include <limits>
+
+namespace meshops {
+
+Fans::Fans(Connectivity& mesh, std::span<const Site> site_of) : mesh_(mesh), first_(0) {
+  require(site_of.size() == mesh.n_vertices(), "Front: a site for each vertex of the mesh is needed");
+  further_.resize(site_of.size());
+  for (std::size_t i = 0; i < site_of.size(); ++i) {
+    further_[i] = {site_of[i], none};
+    if (!is_live(mesh, vertex(static_cast<int>(i)))) continue;
+    while (sites() <= site_of[i]) add_site();
+  }
+  // From the last one on: a list begins with its least vertex.
+  for (int i = static_cast<int>(site_of.size()); i-- > 0;)
+    if (is_live(mesh, vertex(i)) && !mesh.is_isolated(vertex(i))) list(i);
+  for (int i = 0; i < static_cast<int>(site_of.size()); ++i) {
+    if (!is_live(mesh, vertex(i))) continue;
+    if (int& begin = link(site_of[static_cast<std::size_t>(i)]); begin == none) begin = waiting - i;
+  }
+}
+
+Site Fans::add_site() {
+  require(sites() < static_cast<std::size_t>(std::numeric_limits<int>::max()), "Front: too many sites");
+  listed_.push_back(none);
+  return static_cast<Site>(sites() - 1);
+}
+
+void Fans::clear() {
+  first_ = 0;
+  further_ = {};
+  listed_at_first_ = {};
+  listed_ = {};
+  spare_ = {};
+}
+
+int& Fans::link(Site s) {
+  if (!is_first(s)) return listed_[s - first_];
+  if (listed_at_first_.empty()) listed_at_first_.assign(first_, none);
+  return listed_at_first_[s];
+}
+
+void Fans::list(int index) {
+  Further& further = further_[static_cast<std::size_t>(index)];
+  int& begin = link(further.site);
+  further.next = begin;
+  begin = index;
+}
+
+Vertex Fans::take(Site s) {
+  if (is_first(s) && mesh_.is_isolated(Vertex(static_cast<int>(s)))) return Vertex(static_cast<int>(s));
+  if (const int begin = first_listed(s); begin <= waiting) {
+    link(s) = none;
+    list(waiting - begin);
+    return vertex(waiting - begin);
+  }
+  const Vertex model = first(s);
+  Vertex taken;
+  if (spare_.empty()) {
+    further_.push_back({s, none});
+    taken = mesh_.new_vertex();
+  } else {
+    taken = spare_.back();
+    spare_.pop_back();
+    further_[static_cast<std::size_t>(index_of(taken))].site = s;
+    if (mesh_.has_vertex_status()) mesh_.status(taken).set_deleted(false);
+  }
+  if (model.is_valid()) mesh_.copy_all_properties(model, taken, true);
+  list(index_of(taken));
+  return taken;
+}
+
+void Fans::release(Vertex v) {
+  const int index = index_of(v);
+  if (index < 0) return;
+  const Site s = further_[static_cast<std::size_t>(index)].site;
+  int* to = &link(s);
+  while (*to != index) to = &further_[static_cast<std::size_t>(*to)].next;
+  *to = further_[static_cast<std::size_t>(index)].next;
+  if (!is_first(s) && first_listed(s) == none) {
+    link(s) = waiting - index;
+    return;
+  }
+  spare_.push_back(v);
+  if (mesh_.has_vertex_status()) mesh_.status(v).set_deleted(true);
+}
+
+}  // namespace meshops

@@ -1,0 +1,37 @@
+#include "meshops/front/refusal.h"
+
+#include <array>
+
+namespace meshops {
+
+std::string_view name(RefusalKind kind) {
+  static constexpr std::array<std::string_view, 8> names = {"no boundary halfedge", "no such site", "corner repeated",
+                                                            "site closed",          "side taken",   "no such face",
+                                                            "no triangle",          "not at front"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string describe(const Refusal& refusal) {
+  const std::string site = "site " + std::to_string(refusal.site), index = std::to_string(refusal.index);
+  switch (refusal.kind) {
+    case RefusalKind::no_boundary_halfedge:
+      return "halfedge " + index + " is not on the boundary";
+    case RefusalKind::no_such_site:
+      return "there is no " + site;
+    case RefusalKind::corner_repeated:
+      return site + " is two corners of the triangle";
+    case RefusalKind::site_closed:
+      return "the faces around " + site + " close";
+    case RefusalKind::side_taken:
+      return "a face lies already on the left of the edge from " + site + " to site " + std::to_string(refusal.to);
+    case RefusalKind::no_such_face:
+      return "there is no face " + index;
+    case RefusalKind::no_triangle:
+      return "face " + index + " has other than three sides";
+    case RefusalKind::not_at_front:
+      return "no side of face " + index + " is on the boundary";
+  }
+  return {};
+}
+
+}  // namespace meshops

@@ -1,0 +1,37 @@
+// What: why a front does not take a triangle, or does not let one go.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "meshops/core/api.h"
+#include "meshops/front/site.h"
+
+namespace meshops {
+
+enum class RefusalKind {
+  no_boundary_halfedge,  ///< `index`: there is no such halfedge, or a face lies on it
+  no_such_site,          ///< `site`
+  corner_repeated,       ///< `site` is two corners of the triangle
+  site_closed,           ///< the faces around `site` close, in each of its fans: it is done
+  side_taken,            ///< a face lies already on the left of the edge from `site` to `to`
+  no_such_face,          ///< `index`
+  no_triangle,           ///< face `index` has other than three sides
+  not_at_front           ///< no side of face `index` is on the boundary
+};
+
+struct Refusal {
+  RefusalKind kind;
+  Site site = 0;
+  Site to = 0;
+  int index = -1;  ///< of the halfedge or the face
+  friend bool operator==(const Refusal&, const Refusal&) = default;
+};
+
+MESHOPS_API std::string_view name(RefusalKind kind);
+
+/// For people: "a face lies already on the left of the edge from site 3 to site 7".
+MESHOPS_API std::string describe(const Refusal& refusal);
+
+}  // namespace meshops
