@@ -1,0 +1,112 @@
+// The order in which edges are asked about.
+#include "meshops/front/order.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+#include "meshops/front/engine.h"
+#include "support/meshes.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+/// Attaches new sites until there are forty, and notes the key of each edge it is asked about.
+struct Noting {
+  std::vector<Site> asked_from;
+  std::optional<std::array<Site, 3>> seed(const Front& front) {
+    return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
+  }
+  std::optional<Site> propose(const Front& front, Halfedge h) {
+    asked_from.push_back(front.from_site(h));
+    return front.sites() < 40 ? std::optional(static_cast<Site>(front.sites())) : std::nullopt;
+  }
+};
+
+struct LastFirst : Noting {
+  int key(const Front& front, Halfedge h) const { return -static_cast<int>(front.from_site(h)); }
+};
+
+struct AllEqual : Noting {
+  int key(const Front&, Halfedge) const { return 0; }
+};
+
+template <typename Policy>
+Policy run() {
+  TestMesh mesh;
+  Front front(mesh, 3);
+  Policy policy;
+  advance(front, policy);
+  check_sound(mesh);
+  return policy;
+}
+
+}  // namespace
+
+TEST_SUITE("order") {
+  TEST_CASE("the least key comes first, of those there are at the time") {
+    const auto asked = run<LastFirst>().asked_from;
+    // While there are new sites the edge from the newest is next: 3, 4, 5, and so on.
+    for (std::size_t i = 1; i + 3 < 38; ++i) CHECK(asked[i] == i + 2);
+    // Then all that is left, from the greatest site down.
+    CHECK(std::is_sorted(asked.begin() + 40, asked.end(), std::greater<>()));
+  }
+
+  TEST_CASE("of equal keys the oldest comes first: as without an order") {
+    CHECK(run<AllEqual>().asked_from == run<Noting>().asked_from);
+  }
+
+  TEST_CASE("shortest edge first: each edge is the shortest of those that wait") {
+    struct ShortestFirst {
+      std::multimap<unsigned, Halfedge> waiting;
+      unsigned length(const Front& front, Halfedge h) const {
+        return (front.from_site(h) * 7919U + front.to_site(h) * 104729U) % 1009U;
+      }
+      unsigned key(const Front& front, Halfedge h) {
+        const unsigned l = length(front, h);
+        waiting.insert({l, h});
+        return l;
+      }
+      std::optional<std::array<Site, 3>> seed(const Front& front) {
+        return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
+      }
+      std::optional<Site> propose(const Front& front, Halfedge h) {
+        while (!waiting.empty() && !front.is_boundary(waiting.begin()->second)) waiting.erase(waiting.begin());
+        REQUIRE(!waiting.empty());
+        CHECK(waiting.begin()->first == length(front, h));
+        for (auto at = waiting.begin(); at != waiting.end(); ++at)
+          if (at->second == h) {
+            waiting.erase(at);
+            break;
+          }
+        return front.sites() < 60 ? std::optional(static_cast<Site>(front.sites())) : std::nullopt;
+      }
+    } policy;
+    TestMesh mesh;
+    Front front(mesh, 3);
+    advance(front, policy);
+    CHECK(front.sites() == 60);
+    CHECK(policy.waiting.empty());
+  }
+
+  TEST_CASE("one frozen edge is woken, and comes again") {
+    TestMesh mesh;
+    Front front(mesh, 3);
+    Noting policy;
+    advance(front, policy);
+    policy.asked_from.clear();
+    REQUIRE(front.frozen().size() > 5);
+    const Halfedge woken = front.frozen()[4];
+    front.activate(woken);
+    CHECK(front.is_active(woken));
+    advance(front, policy);
+    CHECK(policy.asked_from == std::vector<Site>{front.from_site(woken)});
+    CHECK(front.is_frozen(woken));
+    // It is set aside once, however often it was.
+    std::size_t boundary = 0;
+    for (const BoundaryCurve& curve : front.curves()) boundary += curve.length();
+    CHECK(front.next_level().reactivated == boundary);
+  }
+}

@@ -1,0 +1,533 @@
+#include "support/front_walk.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
+#include "meshops/front/engine.h"
+#include "meshops/handle/close_curve.h"
+#include "support/corpus.h"
+#include "support/front_model.h"
+#include "support/snapshot.h"
+
+namespace meshops::test {
+namespace {
+
+using Corners3 = std::array<Site, 3>;
+using State = FrontModel::State;
+
+std::size_t index(RefusalKind kind) { return static_cast<std::size_t>(kind); }
+
+class Walk {
+ public:
+  Walk(Choices& choices, FrontWalkCounts& counts) : choices_(choices), counts_(counts) { begin(); }
+
+  void step() {
+    ++counts_.steps;
+    switch (choices_.below(16)) {
+      case 0:
+      case 1:
+      case 2:
+      case 3:
+      case 4:
+        attach(any_halfedge(), any_site());
+        break;
+      case 5:
+      case 6:
+        attach(any_halfedge(), near_site());
+        break;
+      case 7:
+      case 8:
+      case 9:
+        create({any_site(), any_site(), any_site()});
+        break;
+      case 10:
+      case 11:
+        detach(any_face());
+        break;
+      case 12:
+        set_state();
+        break;
+      case 13:
+        pop();
+        break;
+      case 14:
+        choices_.once_in(8) ? begin_anew() : next_level();
+        break;
+      default:
+        if (choices_.once_in(4)) add_site();
+        else ask();
+    }
+  }
+
+  void log(const std::string& text) { log_ += text + "; "; }
+  const std::string& log() const { return log_; }
+
+ private:
+  [[noreturn]] void broken(const std::string& law) const { throw LawBroken(law + " after: " + log_); }
+  void demand(bool holds, const char* law) const {
+    if (!holds) broken(law);
+  }
+
+  void begin() {
+    mesh_.emplace();
+    if (choices_.once_in(3)) {
+      const std::vector<Specimen>& all = corpus();
+      const Specimen& specimen = all[choices_.below(static_cast<std::uint32_t>(all.size()))];
+      specimen.build(*mesh_);
+      if (!specimen.simplicial || mesh_->n_faces() > 60) mesh_->clear();
+      log("on " + specimen.name);
+      if (const auto curves = boundary_curves(*mesh_); !curves.empty() && choices_.once_in(3)) {
+        log("one curve closed");
+        close_curve(*mesh_, curves.front().front());  // a polygon
+      }
+      begin_on_mesh({});
+    } else {
+      const std::size_t sites = 3 + choices_.below(8);
+      log("sites " + std::to_string(sites));
+      model_.emplace(sites);
+      has_spare_ = choices_.once_in(2);
+      front_.emplace(*mesh_, sites, has_spare_ ? 8 : 1);
+    }
+    behind_.clear();
+    check();
+  }
+
+  /// A front on the mesh as it is, by a map of its vertices or each on itself.
+  void begin_on_mesh(const std::vector<Site>& site_of) {
+    front_.reset();
+    front_.emplace(*mesh_, site_of);
+    has_spare_ = false;
+    std::set<Cycle> faces;
+    for_each_face(*mesh_, [&](Face f) { faces.insert(cycle(f)); });
+    std::set<Site> missing;
+    if (site_of.empty())
+      for (std::size_t i = 0; i < mesh_->n_vertices(); ++i)
+        if (!is_live(*mesh_, Vertex(static_cast<int>(i)))) missing.insert(static_cast<Site>(i));
+    model_.emplace(front_->sites(), faces, missing);
+    behind_.clear();
+    ++counts_.begun_on_mesh;
+  }
+
+  void begin_anew() {
+    const bool by_map = choices_.once_in(2);
+    log(by_map ? "begin anew by map" : "begin anew");
+    std::vector<Site> site_of = front_->finish();
+    demand(validate(*mesh_).empty(), "what finish() leaves is sound");
+    demand(site_of.size() == mesh_->n_vertices(), "finish() tells the site of each vertex");
+    begin_on_mesh(by_map ? site_of : std::vector<Site>{});
+    check();
+  }
+
+  Site any_site() {
+    if (choices_.once_in(40)) return static_cast<Site>(-1) - choices_.below(3);
+    return choices_.below(static_cast<std::uint32_t>(model_->sites()) + (choices_.once_in(8) ? 3 : 0));
+  }
+  /// One that is on the boundary, where most triangles fit.
+  Site near_site() { return any_arrow().first; }
+  Arrow any_arrow() {
+    const auto& boundary = model_->boundary();
+    if (boundary.empty()) return {any_site(), any_site()};
+    return std::next(boundary.begin(), choices_.below(static_cast<std::uint32_t>(boundary.size())))->first;
+  }
+  Halfedge any_halfedge() {
+    if (choices_.once_in(10))
+      return Halfedge(static_cast<int>(choices_.below(static_cast<std::uint32_t>(mesh_->n_halfedges()) + 4)) - 2);
+    const Arrow arrow = any_arrow();
+    return arrow.first < front_->sites() && arrow.second < front_->sites()
+               ? front_->boundary_into(arrow.first, arrow.second)
+               : Halfedge();
+  }
+  Face any_face() {
+    return Face(static_cast<int>(choices_.below(static_cast<std::uint32_t>(mesh_->n_faces()) + 4)) - 2);
+  }
+
+  Cycle cycle(Face f) const {
+    Cycle corners;
+    const Halfedge first = mesh_->halfedge_handle(f);
+    Halfedge h = first;
+    do {
+      corners.push_back(front_->from_site(h));
+      h = mesh_->next_halfedge_handle(h);
+    } while (h != first);
+    return canonical(corners);
+  }
+
+  /// Runs what must be refused for one of the reasons, or must not.
+  template <typename Operate>
+  bool goes(const std::set<RefusalKind>& against, const std::optional<Refusal>& blocker, Operate operate) {
+    demand(blocker.has_value() == !against.empty(), "the blocker refuses what the model refuses, and nothing else");
+    if (!blocker) {
+      operate();
+      return true;
+    }
+    demand(against.contains(blocker->kind), "the reason of a refusal is one");
+    demand(!describe(*blocker).empty(), "a refusal has words");
+    ++counts_.refused[index(blocker->kind)];
+    const std::vector<int> before = snapshot(*mesh_);
+    try {
+      operate();
+    } catch (const ContractViolation& violation) {
+      demand(std::string(violation.what()).ends_with(describe(*blocker)), "what is thrown says the blocker's reason");
+      demand(snapshot(*mesh_) == before, "a refusal leaves the mesh as it was");
+      return false;
+    }
+    broken("what is blocked throws");
+  }
+
+  void attach(Halfedge h, Site apex) {
+    std::set<RefusalKind> against;
+    Corners3 corners{0, 0, apex};
+    if (!is_live(*mesh_, h) || !mesh_->to_vertex_handle(h).is_valid() || !mesh_->is_boundary(h)) {
+      against.insert(RefusalKind::no_boundary_halfedge);
+    } else {
+      corners[0] = front_->from_site(h);
+      corners[1] = front_->to_site(h);
+      against = model_->against(corners);
+    }
+    log("attach " + std::to_string(h.idx()) + " to " + std::to_string(apex));
+    InsertedTriangle inserted;
+    if (!goes(against, front_->attach_blocker(h, apex), [&] { inserted = front_->attach(h, apex); })) return;
+    demand(inserted.side[0] == h, "the halfedge is the first side of what is attached");
+    ++counts_.attached;
+    added(corners, inserted);
+  }
+
+  void create(const Corners3& c) {
+    log("create " + std::to_string(c[0]) + ' ' + std::to_string(c[1]) + ' ' + std::to_string(c[2]));
+    InsertedTriangle inserted;
+    if (!goes(model_->against(c), front_->create_blocker(c[0], c[1], c[2]),
+              [&] { inserted = front_->create(c[0], c[1], c[2]); }))
+      return;
+    ++counts_.created;
+    added(c, inserted);
+  }
+
+  void added(const Corners3& corners, const InsertedTriangle& inserted) {
+    counts_.joined_fans += static_cast<std::size_t>(inserted.merged);
+    model_->add(corners);
+    demand(cycle(inserted.face) == canonical({corners.begin(), corners.end()}), "the face has the corners asked for");
+    for (unsigned i = 0; i < 3; ++i)
+      demand(front_->from_site(inserted.side[i]) == corners[i], "the sides begin at the corners, in order");
+    check();
+  }
+
+  void detach(Face f) {
+    log("detach " + std::to_string(f.idx()));
+    std::set<RefusalKind> against;
+    Cycle face;
+    if (!is_live(*mesh_, f) || !mesh_->halfedge_handle(f).is_valid()) {
+      against.insert(RefusalKind::no_such_face);
+    } else {
+      face = cycle(f);
+      against = model_->against_removing(face);
+    }
+    DetachedTriangle detached;
+    if (!goes(against, front_->detach_blocker(f), [&] { detached = front_->detach(f); })) return;
+    ++counts_.detached;
+    demand(canonical({detached.corners.begin(), detached.corners.end()}) == face, "the corners are told");
+    model_->remove(face);
+    for (unsigned i = 0; i < 3; ++i) {
+      const Arrow side{detached.corners[i], detached.corners[(i + 1) % 3]};
+      demand(detached.side[i].is_valid() == model_->boundary().contains(side), "a side that was glued is boundary now");
+      if (detached.side[i].is_valid())
+        demand(front_->boundary_into(side.first, side.second) == detached.side[i], "it is the halfedge that is told");
+    }
+    check();
+  }
+
+  void set_state() {
+    const Halfedge h = any_halfedge();
+    const bool freezes = choices_.once_in(2);
+    log((freezes ? "freeze " : "activate ") + std::to_string(h.idx()));
+    const bool is_boundary = front_->is_boundary(h);
+    try {
+      freezes ? front_->freeze(h) : front_->activate(h);
+    } catch (const ContractViolation&) {
+      demand(!is_boundary, "a boundary halfedge can be frozen and woken");
+      return;
+    }
+    demand(is_boundary, "only a boundary halfedge can be frozen or woken");
+    model_->set({front_->from_site(h), front_->to_site(h)}, freezes ? State::frozen : State::active);
+    check();
+  }
+
+  void pop() {
+    log("pop");
+    const Halfedge h = front_->pop();
+    const auto& boundary = model_->boundary();
+    const bool dry = std::none_of(boundary.begin(), boundary.end(),
+                                  [](const auto& side) { return side.second == State::active; });
+    demand(h.is_valid() == !dry, "pop() gives an active halfedge as long as there is one");
+    if (!h.is_valid()) return;
+    const Arrow arrow{front_->from_site(h), front_->to_site(h)};
+    demand(boundary.at(arrow) == State::active, "what is popped was active");
+    model_->set(arrow, State::popped);
+    check();
+  }
+
+  void next_level() {
+    log("next level");
+    ++counts_.levels;
+    // A halfedge that is neither active nor frozen belongs to who popped it: a transfer is asked for when there is none.
+    for (const auto& [arrow, state] : std::map(model_->boundary()))
+      if (state == State::popped) {
+        front_->freeze(front_->boundary_into(arrow.first, arrow.second));
+        model_->set(arrow, State::frozen);
+      }
+    const auto& boundary = model_->boundary();
+    const auto frozen = static_cast<std::size_t>(std::count_if(
+        boundary.begin(), boundary.end(), [](const auto& side) { return side.second == State::frozen; }));
+    const LevelTransfer transfer = front_->next_level();
+    demand(transfer.carried == model_->carried(), "carried is what is free or on the boundary");
+    demand(transfer.reactivated == frozen, "all that was frozen wakes");
+    std::set<Site> behind;
+    for (Site s = 0; s < model_->sites(); ++s)
+      if (model_->is_closed(s)) behind.insert(s);
+    const auto fresh = static_cast<std::size_t>(
+        std::count_if(behind.begin(), behind.end(), [&](Site s) { return !behind_.contains(s); }));
+    demand(transfer.left_behind >= fresh, "what has turned inner is left behind");
+    behind_ = behind;
+    model_->next_level();
+    check();
+  }
+
+  void add_site() {
+    log("add site");
+    demand(front_->add_site() == model_->sites(), "a new site has the next number");
+    model_->add_site();
+    check();
+  }
+
+  /// Questions about what is not there.
+  void ask() {
+    const Site s = any_site();
+    const Halfedge h(static_cast<int>(choices_.below(2000)) - 1000);
+    log("ask " + std::to_string(s) + ' ' + std::to_string(h.idx()));
+    const auto throws = [](auto question) {
+      try {
+        question();
+      } catch (const ContractViolation&) {
+        return true;
+      }
+      return false;
+    };
+    const bool there = s < model_->sites();
+    demand(throws([&] { (void)front_->is_free(s); }) == !there, "is_free() knows its sites");
+    demand(throws([&] { front_->for_each_fan(s, [](Vertex) {}); }) == !there, "for_each_fan() knows its sites");
+    demand(throws([&] { (void)front_->edge_between(s, 0); }) == !there, "edge_between() knows its sites");
+    demand(throws([&] { (void)front_->site(Vertex(h.idx())); }) ==
+               (h.idx() < 0 || static_cast<std::size_t>(h.idx()) >= mesh_->n_vertices()),
+           "site() knows its vertices");
+    const bool in_use = h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh_->n_halfedges();
+    if (!in_use) demand(throws([&] { (void)front_->from_site(h); }), "from_site() knows its halfedges");
+    demand(!front_->is_active(h) || in_use, "no halfedge is active that is not there");
+  }
+
+  void check() {
+    check_faces();
+    check_boundary();
+    for (Site s = 0; s < model_->sites(); ++s) check_site(s);
+  }
+
+  void check_faces() {
+    std::set<Cycle> faces;
+    std::size_t count = 0;
+    for (int f = 0; f < static_cast<int>(mesh_->n_faces()); ++f)
+      if (is_live(*mesh_, Face(f)) && mesh_->halfedge_handle(Face(f)).is_valid()) {
+        faces.insert(cycle(Face(f)));
+        ++count;
+      }
+    demand(faces == model_->faces() && count == faces.size(), "the mesh has the faces of the model");
+    demand(front_->faces() == count, "faces() counts them");
+    if (!has_spare_) demand(validate(*mesh_).empty(), "the mesh is sound");
+  }
+
+  void check_boundary() {
+    std::set<Arrow> edges;
+    std::size_t boundary = 0;
+    for (const Cycle& face : model_->faces())
+      for (std::size_t i = 0; i < face.size(); ++i)
+        edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+    for (int i = 0; i < static_cast<int>(mesh_->n_halfedges()); ++i) {
+      const Halfedge h(i);
+      if (!front_->is_boundary(h)) continue;
+      if (mesh_->is_boundary(mesh_->opposite_halfedge_handle(h))) continue;  // in supply
+      ++boundary;
+      const auto found = model_->boundary().find({front_->from_site(h), front_->to_site(h)});
+      demand(found != model_->boundary().end(), "a boundary halfedge is one of the model");
+      demand(front_->is_active(h) == (found->second == State::active), "active is what the model has active");
+      demand(front_->is_frozen(h) == (found->second == State::frozen), "frozen is what the model has frozen");
+          }
+    demand(boundary == model_->boundary().size(), "each boundary arrow of the model has a halfedge");
+    demand(front_->edges() == edges.size(), "between two sites there is at most one edge");
+    std::size_t on_curves = 0;
+    for (const BoundaryCurve& curve : front_->curves()) on_curves += curve.length();
+    demand(on_curves == boundary, "the curves have each boundary halfedge once");
+  }
+
+  void check_site(Site s) {
+    std::set<std::set<Cycle>> fans;
+    std::size_t count = 0;
+    bool open = false;
+    front_->for_each_fan(s, [&](Vertex v) {
+      ++count;
+      demand(front_->site(v) == s, "a fan stands on the site that lists it");
+      open = open || mesh_->is_boundary(v);
+      std::set<Cycle> fan;
+      for (const auto out : mesh_->voh_range(v))
+        if (const Face f = mesh_->face_handle(out); f.is_valid()) fan.insert(cycle(f));
+      fans.insert(fan);
+    });
+    demand(fans == model_->fans(s) && count == fans.size(), "a site has a vertex for each of its fans");
+    counts_.pinches += count > 1;
+    if (model_->exists(s)) demand(front_->is_free(s) == model_->is_free(s), "is_free() is what the model says");
+    demand(front_->is_on_boundary(s) == open, "is_on_boundary() is what the fans say");
+    const Site t = choices_.below(static_cast<std::uint32_t>(model_->sites()));
+    const Halfedge h = front_->edge_between(s, t);
+    demand(h.is_valid() == (model_->has_side({s, t}) || model_->has_side({t, s})), "edge_between() finds every edge");
+    if (h.is_valid()) demand(front_->from_site(h) == s && front_->to_site(h) == t, "and in the right direction");
+    const Halfedge in = front_->boundary_into(s, t);
+    demand(in == front_->boundary_out_of(s, t), "both ways to look for a boundary halfedge find the same");
+    demand(in.is_valid() == model_->boundary().contains({s, t}), "and every one");
+  }
+
+  Choices& choices_;
+  FrontWalkCounts& counts_;
+  std::optional<TestMesh> mesh_;
+  std::optional<Front> front_;
+  std::optional<FrontModel> model_;
+  std::set<Site> behind_;
+  bool has_spare_ = false;  // elements that are not in use, until finish()
+  std::string log_;
+};
+
+/// Answers anything.
+template <bool ordered>
+struct AnyPolicy {
+  Choices& choices;
+  AdvanceCounts& counts;
+  std::size_t questions;
+
+  bool tired() { return counts.proposals >= questions || choices.ended(); }
+  Site any_site(const Front& front) {
+    if (choices.once_in(60)) return static_cast<Site>(-1);
+    return choices.below(static_cast<std::uint32_t>(front.sites()) + (choices.once_in(12) && front.sites() < 60 ? 2 : 0));
+  }
+  std::optional<std::array<Site, 3>> seed(const Front& front) {
+    if (tired() || choices.once_in(6)) return std::nullopt;
+    return std::array{any_site(front), any_site(front), any_site(front)};
+  }
+  Proposal propose(const Front& front, Halfedge h) {
+    ++counts.proposals;
+    if (tired()) return std::nullopt;
+    if (choices.once_in(400)) throw std::runtime_error("tired");
+    switch (choices.below(8)) {
+      case 0:
+        return std::nullopt;
+      case 1:
+        return choices.once_in(4)
+                   ? Proposal::detach(Face(static_cast<int>(choices.below(static_cast<std::uint32_t>(front.faces()) + 3)) - 1))
+                   : Proposal(std::nullopt);
+      case 2:
+        return front.to_site(front.mesh().next_halfedge_handle(h));
+      default:
+        return any_site(front);
+    }
+  }
+  std::uint32_t key(const Front&, Halfedge)
+    requires ordered
+  {
+    return choices.below(5);
+  }
+};
+static_assert(FrontPolicy<AnyPolicy<false>> && !OrderedFrontPolicy<AnyPolicy<false>>);
+static_assert(OrderedFrontPolicy<AnyPolicy<true>>);
+
+void demand(bool holds, const char* law) {
+  if (!holds) throw LawBroken(law);
+}
+
+template <bool ordered>
+void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
+  TestMesh mesh;
+  Front front(mesh, 3 + choices.below(choices.once_in(3) ? 40 : 10));
+  /// Keeps its own account of triangles, halfedges and curves.
+  struct Account : CurveVisitor {
+    explicit Account(AdvanceCounts& all) : counts(all) {}
+    AdvanceCounts& counts;
+    std::size_t triangles = 0;
+    long curves = 0;
+    Halfedge refused_at;
+    void seeded(const Front& front, const InsertedTriangle&) {
+      ++counts.seeded;
+      demand(front.faces() == ++triangles, "a seed is a triangle more");
+    }
+    void attached(const Front& front, Halfedge h, const InsertedTriangle& t) {
+      ++counts.attached;
+      demand(front.faces() == ++triangles && t.side[0] == h, "what is attached is a triangle more, at the edge");
+    }
+    void detached(const Front& front, const DetachedTriangle&) {
+      ++counts.detached;
+      demand(front.faces() == --triangles, "what is detached is a triangle less");
+    }
+    void refused(const Front& front, Halfedge h, const Refusal& refusal) {
+      ++counts.refused;
+      demand(front.is_boundary(h) && !describe(refusal).empty(), "refused is something at the front, with a reason");
+      refused_at = h;
+    }
+    void seed_refused(const Front& front, const std::array<Site, 3>& seed, const Refusal& refusal) {
+      ++counts.seeds_refused;
+      demand(front.create_blocker(seed[0], seed[1], seed[2]) == refusal, "a seed is refused for what the blocker says");
+    }
+    void frozen(const Front& front, Halfedge h) {
+      ++counts.frozen;
+      demand(front.is_frozen(h), "frozen is what is told to be");
+      demand(!refused_at.is_valid() || refused_at == h, "an edge where something was refused is frozen next");
+      refused_at = Halfedge();
+      demand(curves == static_cast<long>(front.curves().size()), "the events of curves tell how many there are");
+    }
+    void curve_begun(const Front&, Halfedge) { ++curves; }
+    void curves_joined(const Front&, Halfedge) { --curves; }
+    void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
+    void curve_closed(const Front&) { --curves; }
+  } account(counts);
+  AnyPolicy<ordered> policy{choices, counts, questions};
+  for (unsigned level = 0; level < 4 && !policy.tired(); ++level) {
+    bool thrown = false;
+    try {
+      advance(front, policy, account);
+    } catch (const LawBroken&) {
+      throw;
+    } catch (const std::runtime_error&) {
+      ++counts.thrown;
+      thrown = true;
+    }
+    demand(validate(mesh).empty(), "the mesh is sound, whatever the policy says");
+    for (const BoundaryCurve& curve : front.curves())
+      for (const Halfedge h : curve)
+        demand(front.is_frozen(h) || (thrown && front.is_active(h)), "all is frozen at the end; or active, if it threw");
+    front.next_level();
+  }
+  front.finish();
+  demand(validate(mesh).empty(), "what finish() leaves is sound");
+}
+
+}  // namespace
+
+void walk_on_front(Choices& choices, std::size_t steps, FrontWalkCounts& counts) {
+  for (std::size_t done = 0; done < steps && !choices.ended();) {
+    Walk walk(choices, counts);
+    const std::size_t length = 10 + choices.below(120);
+    for (std::size_t i = 0; i < length && !choices.ended(); ++i, ++done) walk.step();
+  }
+}
+
+void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
+  while (counts.proposals < questions && !choices.ended())
+    choices.once_in(2) ? advance_once<true>(choices, questions, counts) : advance_once<false>(choices, questions, counts);
+}
+
+}  // namespace meshops::test
