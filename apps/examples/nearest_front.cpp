@@ -90,8 +90,7 @@ int main() {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   meshops::Front front(mesh, places.size());
   NearestPoint policy(places);
-  meshops::FrontVisitor silent;
-  meshops::advance(front, policy, silent);
+  meshops::advance(front, policy);
 
   const std::vector<meshops::Site> site = front.finish();  // of each vertex of the mesh
   for (std::size_t v = 0; v < site.size(); ++v) {
@@ -99,7 +98,7 @@ int main() {
     mesh.set_point(meshops::Vertex(static_cast<int>(v)),
                    {static_cast<float>(place.x), static_cast<float>(place.y), 0.0F});
   }
-  const meshops::TopologyReport topology = meshops::report(mesh);
+  const meshops::TopologyReport topology = meshops::report(mesh, site);
   std::cout << topology.vertices << " vertices, " << topology.faces << " triangles, " << topology.components
             << " component, " << topology.boundary_curves << " boundary curve, genus " << *topology.genus << '\n';
 }

@@ -147,10 +147,44 @@ std::string level_transfer() {
   return sheet.svg();
 }
 
+/// A mesh, a triangle that a policy proposes, and what the front says to it.
+Panel proposed(const std::vector<Place>& places, const std::vector<Corners>& faces, const Triangle& triangle) {
+  Mesh mesh;
+  Front front(mesh, places.size());
+  for (const Triangle& t : as_triangles(faces)) front.create(t[0], t[1], t[2]);
+  Panel panel{drawn_front(front, mesh, places), {}};
+  panel.extent = places;
+  const auto refusal = front.create_blocker(triangle[0], triangle[1], triangle[2]);
+  panel.heading = refusal ? "refused: " + std::string(meshops::name(refusal->kind)) : "taken";
+  panel.more = [=, refused = refusal.has_value()](Canvas& canvas, const Frame& frame) {
+    for (unsigned i = 0; i < 3; ++i) {
+      const Place a = frame(places[triangle[i]]), b = frame(places[triangle[(i + 1) % 3]]);
+      canvas.segment({a, b, {}}, {refused ? colour::touched : colour::curve, 2.5, true});
+      canvas.dot(a, 4, refused ? colour::touched : colour::curve);
+    }
+  };
+  return panel;
+}
+
+std::string front_refusals() {
+  Sheet sheet("What a front takes of what is proposed, and what it refuses", 60, 250);
+  std::vector<Place> wheel = {{0, 0}};
+  std::vector<Corners> spokes;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    wheel.push_back(polar(30 + 60 * i, 1));
+    spokes.push_back({0, 1 + i, 1 + (i + 1) % 6});
+  }
+  for (const Place p : {Place{2.3, 0.5}, Place{2.3, -0.5}}) wheel.push_back(p);
+  sheet.row({proposed({{0, 0}, {2, 0}, {1, 1.5}, {2.6, 1.3}}, {{0, 1, 2}}, {0, 1, 3}),
+             proposed(wheel, spokes, {0, 8, 7}),
+             proposed({{0, 0}, {1.3, -0.5}, {1.3, 0.8}, {-1.2, 0.7}, {-1.3, -0.6}}, {{0, 1, 2}}, {0, 3, 4})});
+  return sheet.svg();
+}
+
 }  // namespace
 
 std::span<const Figure> front_figures() {
-  static constexpr std::array figures = {Figure{"front_events", front_events},
+  static constexpr std::array figures = {Figure{"front_events", front_events}, Figure{"front_refusals", front_refusals},
                                          Figure{"level_transfer", level_transfer}};
   return figures;
 }
