@@ -192,10 +192,7 @@ InsertedTriangle Front::insert(const Fit& fit) {
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
   for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) fans_.release(result.left_over[i]);
   for (unsigned i = 0; i < 3; ++i)
-    if (sides.side[i].is_valid())
-      set_state(sides.side[i], State::neither);
-    else
-      queue(mesh_.opposite_halfedge_handle(result.side[i]));
+    if (!sides.side[i].is_valid()) queue(mesh_.opposite_halfedge_handle(result.side[i]));
   return result;
 }
 

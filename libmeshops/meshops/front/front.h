@@ -269,7 +269,7 @@ class MESHOPS_API Front {
   std::size_t faces_ = 0;
   std::size_t dead_edges_ = 0;
   std::size_t dead_faces_ = 0;
-  std::vector<State> state_;      // of each edge's boundary halfedge; behind the end: neither
+  std::vector<State> state_;      // of each edge's boundary halfedge, if it has one; behind the end: neither
   std::vector<Halfedge> active_;  // a queue from head_ on; what is no longer active is passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;

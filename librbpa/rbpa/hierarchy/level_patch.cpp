@@ -42,8 +42,7 @@ void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points
   const Radius least = ladder.radius(0);
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     const auto& corners = patch.triangles[t];
-    const Point &a = points[corners[0]], &b = points[corners[1]],
-                &c = points[corners[2]];
+    const Point &a = points[corners[0]], &b = points[corners[1]], &c = points[corners[2]];
     if (least.admits<double>(a, b, c)) continue;
     later.push_back({corners, later_level(a, b, c, ladder)});
     waiting.push_back(t);

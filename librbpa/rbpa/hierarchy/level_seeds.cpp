@@ -106,8 +106,7 @@ void LevelSeeds::look_near(Site v) {
   if (near_.size() > most_near) return look_all_around(v);
   for (const Near& p : near_)
     for (const Near& q : near_)
-      if (p.site > v && q.site > v && is_triangle(v, p.site, q.site))
-        pending_.push_back({v, p.site, q.site});
+      if (p.site > v && q.site > v && is_triangle(v, p.site, q.site)) pending_.push_back({v, p.site, q.site});
 }
 
 /// (v, p, q) is a counter-clockwise Delaunay triangle within the radius. All points within its diameter of v are near.

@@ -38,8 +38,7 @@ class LevelPivoting {
     const bool is_kept = apexes_.is_kept(h);
     const auto apex = apexes_(front, h);
     if (apex) {
-      const Point &a = points_[front.from_site(h)],
-                  &b = points_[front.to_site(h)];
+      const Point &a = points_[front.from_site(h)], &b = points_[front.to_site(h)];
       if (radius_.admits<Real>(a, b, points_[*apex])) return apex;
       least_frozen_ = std::min(least_frozen_, circumradius<Real>(a, b, points_[*apex]));
     }

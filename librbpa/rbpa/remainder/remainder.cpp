@@ -39,8 +39,7 @@ std::vector<std::uint32_t> Remainder::not_done() const {
 std::vector<Remainder::Corners> Remainder::told_among_incomplete() const {
   std::vector<Corners> told;
   for (const Corners& t : unsure_)
-    if (std::none_of(t.begin(), t.end(), [&](meshops::Site s) { return is_complete(s); }))
-      told.push_back(t);
+    if (std::none_of(t.begin(), t.end(), [&](meshops::Site s) { return is_complete(s); })) told.push_back(t);
   std::sort(told.begin(), told.end());
   return told;
 }

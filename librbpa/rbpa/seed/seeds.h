@@ -72,8 +72,7 @@ class Seeds {
     front.for_each_fan(v, [&](meshops::Vertex fan) {
       const auto out = front.mesh().halfedge_handle(fan);
       if (!front.mesh().is_boundary(out)) return;
-      ends_.push_back({front.from_site(front.mesh().prev_halfedge_handle(out)),
-                       front.to_site(out)});
+      ends_.push_back({front.from_site(front.mesh().prev_halfedge_handle(out)), front.to_site(out)});
     });
     for (const Fan& fan : ends_) {
       const Roll<Real> order(grid_, radius_.value(), v, fan.last, fan.last);

@@ -58,6 +58,19 @@ TEST_SUITE("front") {
     check_sound(mesh);
   }
 
+  TEST_CASE("the vertex of a new site waits for that site, whatever else needs a vertex") {
+    TestMesh mesh;
+    Front front(mesh, 6);
+    const Face f = front.create(0, 1, 6).face;  // 6 is a new site
+    const Vertex on_new = mesh.from_vertex_handle(front.edge_between(6, 0));
+    front.detach(f);
+    front.create(0, 1, 2);
+    front.create(2, 3, 4);  // a second fan on 2
+    const Halfedge on_six = front.create(6, 4, 5).side[0];
+    CHECK(mesh.from_vertex_handle(on_six) == on_new);
+    check_sound(mesh);
+  }
+
   TEST_CASE("a fan falls in two where the triangle was what held it together") {
     TestMesh mesh;
     Front front(mesh, 5);
@@ -134,8 +147,8 @@ TEST_SUITE("front") {
     OpenMesh::TriMesh_ArrayKernelT<> plain;
     Front without_status(plain, 3);
     const Face f = without_status.create(0, 1, 2).face;
-    CHECK_THROWS_WITH_AS(without_status.detach(f), "detach: the mesh needs status of every kind to mark what is deleted",
-                         ContractViolation);
+    CHECK_THROWS_WITH_AS(without_status.detach(f),
+                         "detach: the mesh needs status of every kind to mark what is deleted", ContractViolation);
     CHECK(without_status.faces() == 1);
   }
 }

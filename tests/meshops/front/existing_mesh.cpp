@@ -1,6 +1,6 @@
 // A front that begins on a mesh of the user's.
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <doctest/doctest.h>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "meshops/core/contract.h"
 #include "meshops/front/engine.h"
@@ -138,6 +138,15 @@ TEST_SUITE("front") {
     CHECK(other.n_vertices() == 4);
     CHECK(other.is_isolated(Vertex(3)));
     check_sound(other);
+    // A deleted one is no vertex of its site.
+    TestMesh dead;
+    for (int i = 0; i < 3; ++i) dead.new_vertex();
+    dead.status(Vertex(1)).set_deleted(true);
+    Front on_dead(dead, std::vector<Site>{0, 1, 2});
+    on_dead.create(0, 1, 2);
+    CHECK(dead.n_vertices() == 4);
+    CHECK(dead.status(Vertex(1)).deleted());
+    check_sound(dead);
   }
 
   TEST_CASE("an unsound mesh, one without status, and a map that does not fit are refused") {

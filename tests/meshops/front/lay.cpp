@@ -391,7 +391,8 @@ TEST_SUITE("front") {
         Fit fit(t);
         for (const auto h : inserted.halfedges())
           for (std::size_t i = 0; i < 3; ++i)
-            if (h.is_boundary() && other.from_site(h) == t[i] && other.to_site(h) == t[(i + 1) % 3]) fit.sides.side[i] = h;
+            if (h.is_boundary() && other.from_site(h) == t[i] && other.to_site(h) == t[(i + 1) % 3])
+              fit.sides.side[i] = h;
         const InsertedTriangle triangle = other.insert(fit);
         for (std::size_t i = 0; i < 3; ++i) {
           CHECK(other.from_site(triangle.side[i]) == t[i]);

@@ -101,6 +101,9 @@ TEST_SUITE("order") {
     const Halfedge woken = front.frozen()[4];
     front.activate(woken);
     CHECK(front.is_active(woken));
+    const std::size_t frozen = front.frozen().size();
+    front.freeze(front.frozen()[2]);
+    CHECK(front.frozen().size() == frozen);
     advance(front, policy);
     CHECK(policy.asked_from == std::vector<Site>{front.from_site(woken)});
     CHECK(front.is_frozen(woken));

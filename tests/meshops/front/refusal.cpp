@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "meshops/core/contract.h"
-#include "meshops/front/front.h"
 #include <set>
 #include <string>
+#include "meshops/core/contract.h"
+#include "meshops/front/front.h"
 
 #include "support/laws.h"
 #include "support/meshes.h"
@@ -177,6 +177,7 @@ TEST_SUITE("front") {
     }
     CHECK(names.size() == 8);
     CHECK(words.size() == 8);
-    CHECK(describe({RefusalKind::side_taken, 3, 7}) == "a face lies already on the left of the edge from site 3 to site 7");
+    CHECK(describe({RefusalKind::side_taken, 3, 7}) ==
+          "a face lies already on the left of the edge from site 3 to site 7");
   }
 }

@@ -18,7 +18,7 @@ TEST_SUITE("extract_triangle") {
       CAPTURE(specimen.name);
       TestMesh given;
       specimen.build(given);
-      for (int f = 0; f < static_cast<int>(given.n_faces()); f += given.n_faces() > 100 ? 37 : 1) {
+      for (int f = 0; f<static_cast<int>(given.n_faces()); f += given.n_faces()> 100 ? 37 : 1) {
         if (!is_live(given, Face(f))) continue;
         TestMesh removed = given, extracted = given;
         remove_triangle(removed, Face(f));

@@ -57,8 +57,10 @@ class Walk {
         choices_.once_in(8) ? begin_anew() : next_level();
         break;
       default:
-        if (choices_.once_in(4)) add_site();
-        else ask();
+        if (choices_.once_in(4))
+          add_site();
+        else
+          ask();
     }
   }
 
@@ -258,8 +260,8 @@ class Walk {
     log("pop");
     const Halfedge h = front_->pop();
     const auto& boundary = model_->boundary();
-    const bool dry = std::none_of(boundary.begin(), boundary.end(),
-                                  [](const auto& side) { return side.second == State::active; });
+    const bool dry =
+        std::none_of(boundary.begin(), boundary.end(), [](const auto& side) { return side.second == State::active; });
     demand(h.is_valid() == !dry, "pop() gives an active halfedge as long as there is one");
     if (!h.is_valid()) return;
     const Arrow arrow{front_->from_site(h), front_->to_site(h)};
@@ -278,8 +280,8 @@ class Walk {
         model_->set(arrow, State::frozen);
       }
     const auto& boundary = model_->boundary();
-    const auto frozen = static_cast<std::size_t>(std::count_if(
-        boundary.begin(), boundary.end(), [](const auto& side) { return side.second == State::frozen; }));
+    const auto frozen = static_cast<std::size_t>(
+        std::count_if(boundary.begin(), boundary.end(), [](const auto& side) { return side.second == State::frozen; }));
     const LevelTransfer transfer = front_->next_level();
     demand(transfer.carried == model_->carried(), "carried is what is free or on the boundary");
     demand(transfer.reactivated == frozen, "all that was frozen wakes");
@@ -349,8 +351,7 @@ class Walk {
     std::set<Arrow> edges;
     std::size_t boundary = 0;
     for (const Cycle& face : model_->faces())
-      for (std::size_t i = 0; i < face.size(); ++i)
-        edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+      for (std::size_t i = 0; i < face.size(); ++i) edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
     for (int i = 0; i < static_cast<int>(mesh_->n_halfedges()); ++i) {
       const Halfedge h(i);
       if (!front_->is_boundary(h)) continue;
@@ -360,7 +361,7 @@ class Walk {
       demand(found != model_->boundary().end(), "a boundary halfedge is one of the model");
       demand(front_->is_active(h) == (found->second == State::active), "active is what the model has active");
       demand(front_->is_frozen(h) == (found->second == State::frozen), "frozen is what the model has frozen");
-          }
+    }
     demand(boundary == model_->boundary().size(), "each boundary arrow of the model has a halfedge");
     demand(front_->edges() == edges.size(), "between two sites there is at most one edge");
     std::size_t on_curves = 0;
@@ -414,7 +415,8 @@ struct AnyPolicy {
   bool tired() { return counts.proposals >= questions || choices.ended(); }
   Site any_site(const Front& front) {
     if (choices.once_in(60)) return static_cast<Site>(-1);
-    return choices.below(static_cast<std::uint32_t>(front.sites()) + (choices.once_in(12) && front.sites() < 60 ? 2 : 0));
+    return choices.below(static_cast<std::uint32_t>(front.sites()) +
+                         (choices.once_in(12) && front.sites() < 60 ? 2 : 0));
   }
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     if (tired() || choices.once_in(6)) return std::nullopt;
@@ -429,7 +431,8 @@ struct AnyPolicy {
         return std::nullopt;
       case 1:
         return choices.once_in(4)
-                   ? Proposal::detach(Face(static_cast<int>(choices.below(static_cast<std::uint32_t>(front.faces()) + 3)) - 1))
+                   ? Proposal::detach(
+                         Face(static_cast<int>(choices.below(static_cast<std::uint32_t>(front.faces()) + 3)) - 1))
                    : Proposal(std::nullopt);
       case 2:
         return front.to_site(front.mesh().next_halfedge_handle(h));
@@ -437,11 +440,7 @@ struct AnyPolicy {
         return any_site(front);
     }
   }
-  std::uint32_t key(const Front&, Halfedge)
-    requires ordered
-  {
-    return choices.below(5);
-  }
+  std::uint32_t key(const Front&, Halfedge) requires ordered { return choices.below(5); }
 };
 static_assert(FrontPolicy<AnyPolicy<false>> && !OrderedFrontPolicy<AnyPolicy<false>>);
 static_assert(OrderedFrontPolicy<AnyPolicy<true>>);
@@ -508,7 +507,8 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
     demand(validate(mesh).empty(), "the mesh is sound, whatever the policy says");
     for (const BoundaryCurve& curve : front.curves())
       for (const Halfedge h : curve)
-        demand(front.is_frozen(h) || (thrown && front.is_active(h)), "all is frozen at the end; or active, if it threw");
+        demand(front.is_frozen(h) || (thrown && front.is_active(h)),
+               "all is frozen at the end; or active, if it threw");
     front.next_level();
   }
   front.finish();
@@ -527,7 +527,8 @@ void walk_on_front(Choices& choices, std::size_t steps, FrontWalkCounts& counts)
 
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
   while (counts.proposals < questions && !choices.ended())
-    choices.once_in(2) ? advance_once<true>(choices, questions, counts) : advance_once<false>(choices, questions, counts);
+    choices.once_in(2) ? advance_once<true>(choices, questions, counts)
+                       : advance_once<false>(choices, questions, counts);
 }
 
 }  // namespace meshops::test
