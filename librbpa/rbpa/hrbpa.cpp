@@ -22,27 +22,36 @@ namespace {
 class Levels {
  public:
   /// Keeps references.
-  Levels(double alpha, const std::function<void(const EndedLevel&)>& ended, std::span<const std::uint32_t> input_index,
-         meshops::Front& front, Hierarchy& result)
-      : alpha_(alpha), ended_(ended), input_index_(input_index), front_(front), result_(result) {}
+  Levels(double alpha, const std::function<void(const EndedLevel&)>& ended, Hierarchy& result)
+      : alpha_(alpha), ended_(ended), result_(result) {}
 
   /// `Growth` makes the mesh the complex of one level after another, as GrowthByTiles does.
   template <typename Real, typename Growth>
-  void run(const Ladder<Real>& ladder, Growth& growth) {
-    using Clock = std::chrono::steady_clock;
+  void run(const Ladder<Real>& ladder, Growth growth, Assembly<Real>& assembly) {
+    input_index_ = assembly.grid().input_index();
     auto start = Clock::now();
-    Level level{.transferred = front_.sites()};
+    meshops::Front front = growth.begin(assembly);
+    run(ladder, growth, front, start);
+    assembly.finish(front);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  template <typename Real, typename Growth>
+  void run(const Ladder<Real>& ladder, Growth& growth, meshops::Front& front, Clock::time_point start) {
+    Level level{.transferred = front.sites()};
     for (;; start = Clock::now()) {
       const bool is_last = ladder.is_last(level.number);
       // As given: a radius beyond all circumradii is infinite to the ladder.
       level.alpha = is_last ? alpha_ : ladder.radius(level.number).value();
-      level.taking_part = growth.grow(level.number, front_);
-      level.triangles = front_.faces();
+      level.taking_part = growth.grow(level.number, front);
+      level.triangles = front.faces();
       level.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      const bool is_left_out = end(level, is_last);
+      const bool is_left_out = end(level, is_last, front);
       if (is_last) return;
 
-      meshops::LevelTransfer transfer = front_.next_level();
+      meshops::LevelTransfer transfer = front.next_level();
       const std::size_t transferred = transfer.carried.size();
       const int next = growth.next(level.number, std::move(transfer.carried));
       level = {.number = std::clamp(next, level.number + 1, ladder.end()),
@@ -52,23 +61,21 @@ class Levels {
     }
   }
 
- private:
   /// Returns: whether the level is left out.
-  bool end(const Level& level, bool is_last) {
+  bool end(const Level& level, bool is_last, const meshops::Front& front) {
     // Sites may have been looked at in vain: which, depends on the order of the input.
     if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
       result_.looked_in_vain += level.taking_part;
       return true;
     }
     result_.levels.push_back(level);
-    if (ended_) ended_({result_.levels.back(), front_, input_index_});
+    if (ended_) ended_({result_.levels.back(), front, input_index_});
     return false;
   }
 
   double alpha_;
   const std::function<void(const EndedLevel&)>& ended_;
   std::span<const std::uint32_t> input_index_;
-  meshops::Front& front_;
   Hierarchy& result_;
 };
 
@@ -82,24 +89,18 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   const auto run = [&]<typename Real>(Radius radius, Real grid_unit, double below_all) {
     Assembly<Real> assembly(points, result.complex, threads);
     const auto& grid = assembly.grid();
-    if (!are_collinear(grid.points())) {
-      const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
-      result.least_radius =
-          std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
-                     std::numeric_limits<double>::max());
-      const Ladder<Real> ladder(result.least_radius, radius, grid.diameter_bound());
-      Report report(options.progress, grid.points().size());
-      Levels levels(alpha, options.level_ended, grid.input_index(), assembly.front(), result);
-      if constexpr (std::is_same_v<Real, double>) {
-        GrowthByTiles growth(grid, ladder, threads, report);
-        levels.run(ladder, growth);
-      } else {
-        // Extreme exponents do without tiles.
-        GrowthByPivots growth(grid, ladder, grid_unit, report);
-        levels.run(ladder, growth);
-      }
-    }
-    assembly.finish();
+    if (are_collinear(grid.points())) return assembly.finish(assembly.front());
+    const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
+    result.least_radius =
+        std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
+                   std::numeric_limits<double>::max());
+    const Ladder<Real> ladder(result.least_radius, radius, grid.diameter_bound());
+    Report report(options.progress, grid.points().size());
+    Levels levels(alpha, options.level_ended, result);
+    if constexpr (std::is_same_v<Real, double>)
+      levels.run(ladder, GrowthByTiles(grid, ladder, threads, report), assembly);
+    else  // Extreme exponents do without tiles.
+      levels.run(ladder, GrowthByPivots(grid, ladder, grid_unit, report), assembly);
   };
   with_arithmetic_for(points, alpha, run);
   return result;

@@ -1,6 +1,7 @@
 #include "rbpa/rbpa.h"
 
 #include <type_traits>
+#include <utility>
 
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
@@ -27,14 +28,24 @@ class Run {
         threads_(threads),
         report_(options.progress, grid.points().size()) {}
 
+  meshops::AssembledPatches by_tiles(meshops::PatchAssembler assembler) {
+    Remainder remainder(grid_.points(), radius_);
+    lay_tiles(grid_, radius_, assembler, threads_, [&](const TileTriangles& tile) {
+      remainder.add(tile);
+      report_.worked(assembler.faces());
+    });
+    meshops::Patch missing;
+    meshops::Outline outline;
+    remainder.complete(missing, outline, threads_, [&] { report_.worked(assembler.faces()); });
+    assembler.lay(missing, outline);
+    auto assembled = std::move(assembler).join();
+    report_.completed(assembled.mesh());
+    return assembled;
+  }
+
   void near_to_far(meshops::Front& front) {
-    if constexpr (std::is_same_v<Real, double>) {
-      by_tiles(front);
-    } else {
-      // Extreme exponents do without tiles.
-      const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-      advance(front, pivot);
-    }
+    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
+    advance(front, pivot);
   }
 
   void by_the_paper(meshops::Front& front) {
@@ -43,20 +54,6 @@ class Run {
   }
 
  private:
-  void by_tiles(meshops::Front& front) {
-    Remainder remainder(grid_.points(), radius_);
-    lay_tiles(grid_, radius_, front, threads_, [&](const TileTriangles& tile) {
-      remainder.add(tile);
-      report_.worked(front);
-    });
-    meshops::Patch missing;
-    meshops::Outline outline;
-    remainder.complete(missing, outline, threads_, [&] { report_.worked(front); });
-    front.lay(missing, outline);
-    front.join();
-    report_.completed(front);
-  }
-
   template <typename FrontPivot>
   void advance(meshops::Front& front, const FrontPivot& front_pivot) {
     const Pivot<Real> pivot(grid_, radius_, grid_unit_);
@@ -80,14 +77,17 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   Threads threads = threads_for(points.size(), options.threads);
   with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double) {
     Assembly<Real> assembly(points, complex, threads);
-    if (!are_collinear(assembly.grid().points())) {
-      Run<Real> run(assembly.grid(), radius, grid_unit, options, threads);
-      if (options.search == Search::near_to_far)
-        run.near_to_far(assembly.front());
-      else
-        run.by_the_paper(assembly.front());
-    }
-    assembly.finish();
+    if (are_collinear(assembly.grid().points())) return assembly.finish(assembly.front());
+    Run<Real> run(assembly.grid(), radius, grid_unit, options, threads);
+    if constexpr (std::is_same_v<Real, double>)
+      if (options.search == Search::near_to_far) return assembly.finish(run.by_tiles(assembly.assembler()));
+    // Extreme exponents do without tiles.
+    meshops::Front front = assembly.front();
+    if (options.search == Search::near_to_far)
+      run.near_to_far(front);
+    else
+      run.by_the_paper(front);
+    assembly.finish(front);
   });
   return complex;
 }

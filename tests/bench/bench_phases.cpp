@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "bench/arguments.h"
@@ -52,9 +53,9 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   Stopwatch watch(seconds);
   rbpa::Assembly<double> assembly(points, complex, threads);
   const rbpa::PointGrid<double>& grid = assembly.grid();
-  meshops::Front& front = assembly.front();
+  meshops::PatchAssembler assembler = assembly.assembler();
   rbpa::Remainder remainder(grid.points(), radius);
-  front.reserve(3 * grid.points().size(), 2 * grid.points().size());
+  assembler.reserve(3 * grid.points().size(), 2 * grid.points().size());
   watch.lap(sort);
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
@@ -70,21 +71,21 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
     watch.lap(triangulate);
     const meshops::Patch& patch = triangles.patch;
     const meshops::Outline& outline = triangles.outline;
-    front.place(patch, outline, placement);
+    assembler.place(patch, outline, placement);
     watch.lap(place);
     remainder.add(triangles);
     watch.lap(add);
-    front.fill(patch, outline, placement);
+    assembler.fill(patch, outline, placement);
     watch.lap(fill);
   }
   meshops::Patch missing;
   meshops::Outline outline_of_missing;
   remainder.complete(missing, outline_of_missing, threads, [] {});
   watch.lap(complete);
-  front.lay(missing, outline_of_missing);
-  front.join();
+  assembler.lay(missing, outline_of_missing);
+  meshops::AssembledPatches assembled = std::move(assembler).join();
   watch.lap(join);
-  assembly.finish();
+  assembly.finish(std::move(assembled));
   watch.lap(finish);
   return seconds;
 }

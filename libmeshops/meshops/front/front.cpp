@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 #include "meshops/core/validate.h"
 #include "meshops/handle/extract_triangle.h"
+#include "meshops/patch/compact.h"
 
 namespace meshops {
 namespace {
@@ -67,6 +67,20 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
   });
 }
 
+Front::Front(AssembledPatches&& assembled, std::size_t supply)
+    : mesh_(assembled.mesh_),
+      fans_(std::move(assembled.fans_)),
+      supply_(supply),
+      edges_(mesh_.n_edges()),
+      faces_(mesh_.n_faces()),
+      active_(std::move(assembled.open_)) {
+  require(supply > 0, "Front: supply is 0");
+  state_.resize(edges_, State::neither);
+  for (const Halfedge h : active_) set_state(h, State::active);
+  for (const auto& [first, end] : assembled.holes_)
+    for (int e = first; e < end; ++e) set_aside(Halfedge(2 * e + 1));
+}
+
 void Front::supply(std::size_t edges, std::size_t faces) {
   mesh_.resize(mesh_.n_vertices(), mesh_.n_edges() + edges, mesh_.n_faces() + faces);
 }
@@ -125,7 +139,6 @@ bool Front::finds_side(Fit& fit, unsigned side) const {
 }
 
 Fit Front::fit(Site a, Site b, Site c) const {
-  require_whole();
   Fit fit({a, b, c});
   std::size_t end = sites();  // of old and new ones
   for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
@@ -142,7 +155,6 @@ Fit Front::fit(Site a, Site b, Site c) const {
 }
 
 Fit Front::fit(Halfedge h, Site apex) const {
-  require_whole();
   Fit fit({0, 0, apex});
   if (!is_boundary(h)) {
     fit.refusal = Refusal{RefusalKind::no_boundary_halfedge, 0, 0, h.idx()};
@@ -204,7 +216,6 @@ InsertedTriangle Front::insert_checked(const Fit& fit, const char* operation) {
 std::optional<Refusal> Front::detach_blocker(Face f) const {
   const Refusal refusal{RefusalKind::no_such_face, 0, 0, f.idx()};
   const auto because = [&](RefusalKind kind) { return Refusal{kind, 0, 0, f.idx()}; };
-  require_whole();
   if (f.idx() < 0 || static_cast<std::size_t>(f.idx()) >= faces_ || !is_live(mesh_, f)) return refusal;
   const Halfedge side = mesh_.halfedge_handle(f);
   const Halfedge next = mesh_.next_halfedge_handle(side), last = mesh_.prev_halfedge_handle(side);
@@ -304,7 +315,6 @@ std::vector<BoundaryCurve> Front::curves_at(Site s) const {
 }
 
 LevelTransfer Front::next_level() {
-  require_whole();
   const auto sort_and_unite = [](std::vector<Site>& some) {
     std::sort(some.begin(), some.end());
     some.erase(std::unique(some.begin(), some.end()), some.end());
@@ -340,53 +350,15 @@ LevelTransfer Front::next_level() {
   return transfer;
 }
 
-/// Moves the vertices from `first` on to their new numbers. One without triangles has that of the next, which then
-/// overwrites it: no branch is needed where it could not be foreseen.
-void Front::renumber(std::size_t first, const std::vector<int>& number) {
-  for (auto property = mesh_.vprops_begin(); property != mesh_.vprops_end(); ++property) {
-    if (*property == nullptr) continue;
-    for (std::size_t i = first; i < number.size(); ++i) (*property)->copy(i, static_cast<std::size_t>(number[i]));
-  }
-  for (std::size_t i = first; i < number.size(); ++i)
-    mesh_.set_halfedge_handle(Vertex(number[i]), mesh_.halfedge_handle(Vertex(static_cast<int>(i))));
-  for (int i = 0; i < static_cast<int>(2 * edges_); ++i) {
-    const Halfedge h(i);
-    mesh_.set_vertex_handle(h, Vertex(number[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]));
-  }
-}
-
-/// Takes out the vertices without triangles. Returns: the site of each that is left.
-std::vector<Site> Front::compacted() {
-  const auto is_unused = [&](std::size_t i) { return mesh_.is_isolated(Vertex(static_cast<int>(i))); };
-  // Vertices of fans that have grown together are at the end: where no others are unused, none needs a new number.
-  std::size_t end = mesh_.n_vertices(), left = 0;
-  while (end > 0 && is_unused(end - 1)) --end;
-  std::vector<Site> site_of(end);
-  for (; left < site_of.size() && !is_unused(left); ++left) site_of[left] = site(Vertex(static_cast<int>(left)));
-  if (const std::size_t first = left; first < site_of.size()) {
-    std::vector<int> number(site_of.size());
-    std::iota(number.begin(), number.begin() + static_cast<std::ptrdiff_t>(first), 0);
-    for (std::size_t i = first; i < site_of.size(); ++i) {
-      site_of[left] = site(Vertex(static_cast<int>(i)));
-      number[i] = static_cast<int>(left);
-      left += !is_unused(i);
-    }
-    renumber(first, number);
-    site_of.resize(left);
-  }
-  return site_of;
-}
-
 std::vector<Site> Front::finish() {
-  require_whole();
   std::vector<Site> site_of;
   if (keeps_handles_) {
     site_of.resize(mesh_.n_vertices());
     for (std::size_t i = 0; i < site_of.size(); ++i) site_of[i] = site(Vertex(static_cast<int>(i)));
+    mesh_.resize(site_of.size(), edges_, faces_);
   } else {
-    site_of = compacted();
+    site_of = detail::compact(mesh_, fans_, edges_, faces_);
   }
-  mesh_.resize(site_of.size(), edges_, faces_);
   fans_.clear();
   state_ = {};
   active_ = {};

@@ -15,13 +15,10 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/front/boundary_curve.h"
-#include "meshops/front/fans.h"
-#include "meshops/front/outline.h"
-#include "meshops/front/patch.h"
-#include "meshops/front/placement.h"
 #include "meshops/front/refusal.h"
-#include "meshops/front/seams.h"
 #include "meshops/handle/insert_triangle.h"
+#include "meshops/patch/assembled.h"
+#include "meshops/patch/fans.h"
 
 namespace meshops {
 
@@ -68,6 +65,9 @@ class MESHOPS_API Front {
   ///           join the same sites. All but the last is checked. Throws ContractViolation.
   /// Cost:     linear.
   explicit Front(Connectivity& mesh, std::span<const Site> site_of_vertex = {});
+
+  /// Goes on with what was assembled: sides beyond which a patch may have had more are active, the others frozen.
+  explicit Front(AssembledPatches&& assembled, std::size_t supply = 1);
 
   const Connectivity& mesh() const { return mesh_; }
   /// The number of edges and faces of the mesh.
@@ -138,31 +138,6 @@ class MESHOPS_API Front {
   /// Cost:     constant, plus the degree of a corner at which a fan falls in two.
   DetachedTriangle detach(Face f);
 
-  /// Lays many triangles at once, whose edges among each other are known: gluing in bulk. Patches are laid beside each
-  /// other, in any order; an open side is glued to the side of another patch on the same sites. join() must
-  /// follow before anything else is done.
-  /// Requires: no triangle but those of patches, none joined yet, and no added site. The triangles of all patches are
-  ///           those of a complex; a site around which they close has no other fan, as it is in the plane. Only the first
-  ///           sentence is checked: the way of the library's own finders.
-  /// Cost:     linear in the patch.
-  void lay(const Patch& patch);
-  /// The same where the outline is known.
-  void lay(const Patch& patch, const Outline& outline);
-
-  /// lay() in three steps, so that threads can share the work: survey(), where the outline is not known; place(), one
-  /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other
-  /// fills, surveys and place(), provided that reserve() made room for all patches.
-  /// Requires: what lay() does, and the outline of the patch; to fill, that it was placed, with the same arguments.
-  /// Cost:     place() is linear in the sides at the rim of the patch and its holes, fill() in the patch.
-  void reserve(std::size_t edges, std::size_t faces);
-  void place(const Patch& patch, const Outline& outline, Placement& placement);
-  void fill(const Patch& patch, const Outline& outline, Placement& placement);
-
-  /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
-  /// boundary halfedges, active those that were open and frozen the others. The mesh is sound again.
-  /// Cost:     linear in the open sides of all patches, the fans at them, and all other fans but one at each site.
-  void join();
-
   /// The next active halfedge, first in first out, which is then no longer active until it is made so, frozen or attached
   /// to; an invalid handle when the front has run dry.
   Halfedge pop() {
@@ -215,24 +190,6 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
-  /// A side of a patch at whose other side nothing lies yet.
-  struct Rim {
-    Halfedge boundary;
-    Site to;  // where it ends
-  };
-  /// Of sides of patches beyond which there is nothing.
-  struct Holes {
-    std::vector<std::array<int, 2>> edges;  // the first, and one behind the last
-    std::vector<bool> has_vertex;           // of each site: a fan between holes has it for its vertex
-    std::vector<Halfedge> into;             // of each further vertex, a boundary halfedge that ends there
-    std::vector<Halfedge> loose;            // boundary halfedges that end where another patch has a say in what follows
-  };
-  void place_holes(const Patch& patch, const Outline& outline, Placement& placement);
-  void fill_holes(const Patch& patch, const Outline& outline, Placement& placement);
-  Halfedge next_on_boundary(Halfedge boundary) const;
-  void close_fan(Halfedge boundary);
-  Vertex further_vertex(Site s, Halfedge into);
-
   Halfedge checked(Halfedge h) const {
     require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: no such halfedge");
     return h;
@@ -257,9 +214,6 @@ class MESHOPS_API Front {
   bool finds_side(Fit& fit, unsigned side) const;
   void refuse_closed(Fit& fit) const;
   InsertedTriangle insert_checked(const Fit& fit, const char* operation);
-  void renumber(std::size_t first, const std::vector<int>& number);
-  std::vector<Site> compacted();
-  void require_whole() const { require(!rims_.has_begun(), "Front: patches were laid and not joined"); }
 
   Connectivity& mesh_;
   Fans fans_;
@@ -273,10 +227,6 @@ class MESHOPS_API Front {
   std::vector<Halfedge> active_;  // a queue from head_ on; what is no longer active is passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  Seams<Rim> rims_;  // each at the site that its boundary halfedge leaves
-  Holes holes_;
-  Outline outline_;  // of the patch being laid
-  Placement placement_;
   std::vector<Site> carried_;       // by the last transfer
   std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
   std::vector<Site> reopened_;      // that had turned inner and are on the boundary again, or free

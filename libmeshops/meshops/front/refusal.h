@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "meshops/core/api.h"
-#include "meshops/front/site.h"
+#include "meshops/patch/site.h"
 
 namespace meshops {
 

@@ -12,6 +12,7 @@
 
 #include "meshops/front/engine.h"
 #include "rbpa/hierarchy/policy.h"
+#include "rbpa/run/assembly.h"
 #include "rbpa/run/report.h"
 
 namespace rbpa {
@@ -32,6 +33,9 @@ class GrowthByPivots {
   }
   GrowthByPivots(const GrowthByPivots&) = delete;
   GrowthByPivots& operator=(const GrowthByPivots&) = delete;
+
+  /// A front without triangles.
+  meshops::Front begin(Assembly<Real>& assembly) { return assembly.front(); }
 
   /// Attaches the triangles of a level to a front that was carried on to it.
   /// Returns: how many sites were looked at.

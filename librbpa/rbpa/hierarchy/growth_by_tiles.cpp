@@ -25,21 +25,19 @@ struct Share {
 
 std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
   std::size_t sites = 0;
-  if (level == 0) {
-    lay(front);
+  if (level == 0)
     for (meshops::Site s = 0; s < front.sites(); ++s) sites += !front.is_free(s);
-  } else {
+  else
     sites = insert(level, front);
-  }
   for (auto h = front.pop(); h.is_valid(); h = front.pop()) front.freeze(h);
   return sites;
 }
 
-void GrowthByTiles::lay(meshops::Front& front) {
+meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) {
   const auto points = grid_.points();
   const Radius all = ladder_.radius(ladder_.end());
   Remainder remainder(points, all);
-  front.reserve(3 * points.size(), 2 * points.size());
+  assembler.reserve(3 * points.size(), 2 * points.size());
   for_each_tile<Share>(
       grid_, all, threads_,
       [&](const TileTriangles& tile, Share& share) {
@@ -47,27 +45,28 @@ void GrowthByTiles::lay(meshops::Front& front) {
         if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
       },
       [&](const TileTriangles& tile, Share& share) {
-        front.place(share.patch(tile), share.outline_of(tile), share.placement);
+        assembler.place(share.patch(tile), share.outline_of(tile), share.placement);
         waiting_.add(share.levels.later);
         remainder.add(tile);
-        report_.worked(front);
+        report_.worked(assembler.faces());
       },
       [&](const TileTriangles& tile, Share& share) {
-        front.fill(share.patch(tile), share.outline_of(tile), share.placement);
+        assembler.fill(share.patch(tile), share.outline_of(tile), share.placement);
       });
   meshops::Patch missing;
   meshops::Outline outline;
-  remainder.complete(missing, outline, threads_, [&] { report_.worked(front); });
+  remainder.complete(missing, outline, threads_, [&] { report_.worked(assembler.faces()); });
   LevelPatch levels;
   levels.part(missing, points, ladder_);
   if (levels.later.empty())
-    front.lay(missing, outline);
+    assembler.lay(missing, outline);
   else
-    front.lay(levels.first);
-  front.join();
-  report_.completed(front);
+    assembler.lay(levels.first);
   waiting_.add(levels.later);
   waiting_.sort(ladder_.end());
+  auto assembled = std::move(assembler).join();
+  report_.completed(assembled.mesh());
+  return assembled;
 }
 
 std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {

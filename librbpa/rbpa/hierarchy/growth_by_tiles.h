@@ -15,6 +15,7 @@
 #include "rbpa/hierarchy/ladder.h"
 #include "rbpa/hierarchy/waiting_triangles.h"
 #include "rbpa/parallel/threads.h"
+#include "rbpa/run/assembly.h"
 #include "rbpa/run/report.h"
 #include "rbpa/search/point_grid.h"
 
@@ -26,6 +27,9 @@ class GrowthByTiles {
   GrowthByTiles(const PointGrid<double>& grid, const Ladder<double>& ladder, Threads& threads, Report& report)
       : grid_(grid), ladder_(ladder), threads_(threads), report_(report) {}
 
+  /// The front of level 0, with its triangles.
+  meshops::Front begin(Assembly<double>& assembly) { return assembly.front(lay(assembly.assembler())); }
+
   /// Puts the triangles of a level into the mesh, levels being taken in ascending order from 0 on.
   /// Returns: how many sites have one of them.
   std::size_t grow(int level, meshops::Front& front);
@@ -34,7 +38,7 @@ class GrowthByTiles {
   int next(int level, std::vector<meshops::Site>) const { return waiting_.after(level); }
 
  private:
-  void lay(meshops::Front& front);
+  meshops::AssembledPatches lay(meshops::PatchAssembler assembler);
   std::size_t insert(int level, meshops::Front& front);
 
   const PointGrid<double>& grid_;

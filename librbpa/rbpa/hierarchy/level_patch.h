@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "meshops/front/patch.h"
+#include "meshops/patch/patch.h"
 #include "rbpa/core/point.h"
 #include "rbpa/hierarchy/ladder.h"
 

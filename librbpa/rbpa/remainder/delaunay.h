@@ -9,8 +9,8 @@
 #include <functional>
 #include <span>
 
-#include "meshops/front/outline.h"
-#include "meshops/front/patch.h"
+#include "meshops/patch/outline.h"
+#include "meshops/patch/patch.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/remainder/halve.h"
 

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "meshops/front/patch.h"
+#include "meshops/patch/patch.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/pivot/radius.h"
 #include "rbpa/tile/triangulate.h"

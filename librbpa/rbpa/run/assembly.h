@@ -1,14 +1,16 @@
-// What: what every run has in common: points to sites and an empty front, and a front that has run dry to a complex.
+// What: what every run has in common: points to sites and an empty mesh, and a mesh on sites to a complex.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meshops/core/large_pages.h"
 #include "meshops/front/front.h"
+#include "meshops/patch/assembler.h"
 #include "rbpa/core/complex.h"
 #include "rbpa/run/report.h"
 #include "rbpa/search/point_grid.h"
@@ -20,21 +22,25 @@ class Assembly {
  public:
   /// Keeps references; the complex is empty yet.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads)
-      : grid_(input, threads),
-        threads_(threads),
-        complex_(begin(complex)),
-        front_(complex.mesh, grid_.points().size(), elements_at_a_time) {}
+      : grid_(input, threads), threads_(threads), complex_(begin(complex)) {}
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 
   const PointGrid<Real>& grid() const { return grid_; }
-  meshops::Front& front() { return front_; }
 
-  /// Makes the complex of what the front has built. Once.
-  void finish() {
+  /// An empty mesh to lay patches in; a front to begin with; and one that goes on.
+  meshops::PatchAssembler assembler() { return {complex_.mesh, grid_.points().size()}; }
+  meshops::Front front() { return {complex_.mesh, grid_.points().size(), elements_at_a_time}; }
+  meshops::Front front(meshops::AssembledPatches&& assembled) {
+    return meshops::Front(std::move(assembled), elements_at_a_time);
+  }
+
+  /// Makes the complex of what was built, AssembledPatches or a Front. Once.
+  template <typename Built>
+  void finish(Built&& built) {
     const auto points = grid_.points();
-    complex_.isolated = isolated();
-    const std::vector<meshops::Site> site = front_.finish();
+    complex_.isolated = isolated(built);
+    const std::vector<meshops::Site> site = std::forward<Built>(built).finish();
     complex_.input_index.resize(site.size());
     for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
@@ -47,10 +53,11 @@ class Assembly {
 
  private:
   /// The input indices of sites without a triangle, ascending: not sorted but marked, as they may be most.
-  std::vector<std::uint32_t> isolated() const {
+  template <typename Built>
+  std::vector<std::uint32_t> isolated(const Built& built) const {
     const auto index = grid_.input_index();
     const auto is_isolated = [&](std::size_t s) -> std::size_t {
-      return front_.is_free(static_cast<meshops::Site>(s)) ? 1 : 0;
+      return built.is_free(static_cast<meshops::Site>(s)) ? 1 : 0;
     };
     std::size_t count = 0;
     for (std::size_t s = 0; s < index.size(); ++s) count += is_isolated(s);
@@ -95,7 +102,6 @@ class Assembly {
   PointGrid<Real> grid_;
   Threads& threads_;
   SolidAlphaComplex& complex_;
-  meshops::Front front_;
 };
 
 }  // namespace rbpa

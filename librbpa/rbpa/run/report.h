@@ -29,14 +29,14 @@ class Report : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
-  /// For many triangles at once.
-  void worked(const meshops::Front& front) {
-    if (progress_) ask(front);
+  /// For many triangles at once: so many there are now.
+  void worked(std::size_t triangles) {
+    if (progress_) ask(triangles);
   }
 
   /// For a mesh that was made at once.
-  void completed(const meshops::Front& front) {
-    if (debug) validate(front);
+  void completed(const meshops::Connectivity& mesh) {
+    if (debug) validate(mesh);
   }
 
   /// For the stretches in which no triangle is found.
@@ -45,23 +45,23 @@ class Report : public meshops::FrontVisitor {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::milliseconds(20)) return;
     last_ = now;
-    ask(front);
+    ask(front.faces());
   }
 
  private:
   void count(const meshops::Front& front) {
     if (debug && front.faces() >= next_validation_) {
-      validate(front);
+      validate(front.mesh());
       next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
     }
-    if (++events_ % interval == 0 && progress_) ask(front);
+    if (++events_ % interval == 0 && progress_) ask(front.faces());
   }
-  static void validate(const meshops::Front& front) {
-    const auto defects = meshops::validate(front.mesh());
+  static void validate(const meshops::Connectivity& mesh) {
+    const auto defects = meshops::validate(mesh);
     if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
   }
-  void ask(const meshops::Front& front) {
-    if (!progress_({front.faces(), points_})) throw Cancelled();
+  void ask(std::size_t triangles) {
+    if (!progress_({triangles, points_})) throw Cancelled();
   }
 
   static constexpr std::size_t interval = 4096;  // triangles: about a millisecond

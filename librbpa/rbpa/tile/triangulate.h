@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "meshops/front/outline.h"
-#include "meshops/front/patch.h"
+#include "meshops/patch/outline.h"
+#include "meshops/patch/patch.h"
 #include "rbpa/pivot/radius.h"
 #include "rbpa/tile/coordinates.h"
 #include "rbpa/tile/local_front.h"

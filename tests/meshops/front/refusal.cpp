@@ -145,21 +145,6 @@ TEST_SUITE("front") {
     CHECK_THROWS_AS((void)front.edge_between(0, 50), ContractViolation);
   }
 
-  TEST_CASE("between lay and join nothing else is allowed") {
-    TestMesh mesh;
-    Front front(mesh, 4);
-    Patch patch;
-    patch.triangles.push_back({0, 1, 2});
-    patch.across.push_back({Patch::open, Patch::open, Patch::open});
-    front.lay(patch);
-    CHECK_THROWS_AS(front.create(1, 0, 3), ContractViolation);
-    CHECK_THROWS_AS(front.next_level(), ContractViolation);
-    CHECK_THROWS_AS(front.finish(), ContractViolation);
-    front.join();
-    front.create(1, 0, 3);
-    check_sound(mesh);
-  }
-
   TEST_CASE("a front that is finished has no sites") {
     Closed on;
     on.front.finish();

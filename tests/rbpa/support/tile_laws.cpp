@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "meshops/front/outline.h"
-#include "meshops/front/patch.h"
+#include "meshops/patch/outline.h"
+#include "meshops/patch/patch.h"
 #include "rbpa/tile/cut.h"
 #include "support/one_target.h"
 #include "support/shrink.h"

@@ -54,15 +54,15 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   std::erase_if(complex,
                 [&](const Triangle& t) { return !radius.admits<double>(points[t[0]], points[t[1]], points[t[2]]); });
   rbpa::Mesh mesh;
-  meshops::Front front(mesh, points.size());
+  meshops::PatchAssembler assembler(mesh, points.size());
   int tiles = 0;
   rbpa::Threads threads(2);
   std::vector<bool> known(points.size(), false);
-  rbpa::lay_tiles(grid, radius, front, threads, [&](const rbpa::TileTriangles& tile) {
+  rbpa::lay_tiles(grid, radius, assembler, threads, [&](const rbpa::TileTriangles& tile) {
     ++tiles;
     for (const std::uint32_t s : tile.known) known[s] = true;
   });
-  front.join();
+  meshops::Front front(std::move(assembler).join());
   CHECK(tiles == std::ssize(rbpa::blocks(grid, 2048)));
   REQUIRE(meshops::validate(mesh).empty());
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshops/front/patch.h"
+#include "meshops/patch/patch.h"
 #include "rbpa/predicate/predicates.h"
 #include "rbpa/tile/cut.h"
 #include "support/generate.h"

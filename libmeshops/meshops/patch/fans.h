@@ -10,7 +10,7 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
-#include "meshops/front/site.h"
+#include "meshops/patch/site.h"
 
 namespace meshops {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "meshops/front/patch.h"
+#include "meshops/patch/patch.h"
 
 namespace meshops {
 

@@ -1,10 +1,10 @@
-// What: triangles that were found together, with what they know of each other: for Front::lay().
+// What: triangles that were found together, with what they know of each other: for PatchAssembler.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "meshops/front/site.h"
+#include "meshops/patch/site.h"
 
 namespace meshops {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "meshops/core/api.h"
-#include "meshops/front/patch.h"
+#include "meshops/patch/patch.h"
 
 namespace meshops {
 

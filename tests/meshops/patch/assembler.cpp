@@ -1,4 +1,6 @@
-// Front::lay(), join() and insert(): triangles laid in patches are the mesh that they are one by one.
+// Triangles laid in patches are the mesh that they are one by one.
+#include "meshops/patch/assembler.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -213,7 +215,7 @@ struct Watch : FrontVisitor {
 
 }  // namespace
 
-TEST_SUITE("front") {
+TEST_SUITE("patch") {
   TEST_CASE("patches laid and joined are the mesh of their triangles one by one, however it is cut into patches") {
     std::mt19937 random(1);
     for (int round = 0; round < 300; ++round) {
@@ -228,9 +230,10 @@ TEST_SUITE("front") {
         for (int& p : patch_of) p = static_cast<int>(below(random, static_cast<std::size_t>(count)));
         const Holes holes = some_sides(complex, random);
         TestMesh mesh;
-        Front front(mesh, complex.sites, below(random, 2) == 0 ? 1 : 64);
-        for (const Patch& patch : patches(complex, patch_of, count, holes)) front.lay(patch);
-        front.join();
+        PatchAssembler assembler(mesh, complex.sites);
+        for (const Patch& patch : patches(complex, patch_of, count, holes)) assembler.lay(patch);
+        CHECK(assembler.faces() == size);
+        Front front(std::move(assembler).join());
         check_sound(mesh);
         CHECK(front.faces() == size);
         CHECK(mesh.n_faces() == size);
@@ -246,10 +249,10 @@ TEST_SUITE("front") {
 
   TEST_CASE("a side beyond which there is nothing is frozen, and others on its sites are glued as ever") {
     TestMesh mesh;
-    Front front(mesh, 4);
-    front.lay({{{0, 1, 2}}, {{Patch::open, Patch::nothing, Patch::nothing}}});
-    front.lay({{{3, 1, 0}}, {{Patch::nothing, Patch::open, Patch::nothing}}});
-    front.join();
+    PatchAssembler assembler(mesh, 4);
+    assembler.lay({{{0, 1, 2}}, {{Patch::open, Patch::nothing, Patch::nothing}}});
+    assembler.lay({{{3, 1, 0}}, {{Patch::nothing, Patch::open, Patch::nothing}}});
+    Front front(std::move(assembler).join());
     check_sound(mesh);
     CHECK(mesh.n_edges() == 5);
     CHECK(frozen_by_side(front) ==
@@ -265,19 +268,19 @@ TEST_SUITE("front") {
       for (int& p : patch_of) p = static_cast<int>(below(random, 6));
       const std::vector<Patch> all = patches(complex, patch_of, 6, some_sides(complex, random));
       TestMesh laid, filled;
-      Front front(laid, complex.sites), other(filled, complex.sites);
+      PatchAssembler assembler(laid, complex.sites), other(filled, complex.sites);
       std::vector<Outline> outlines(all.size());
       std::vector<Placement> placements(all.size());
       for (std::size_t i = 0; i < all.size(); ++i) {
-        front.lay(all[i]);
+        assembler.lay(all[i]);
         survey(all[i], outlines[i]);
         other.place(all[i], outlines[i], placements[i]);
       }
       std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5};
       std::shuffle(order.begin(), order.end(), random);
       for (const std::size_t i : order) other.fill(all[i], outlines[i], placements[i]);
-      front.join();
-      other.join();
+      (void)std::move(assembler).join();
+      (void)std::move(other).join();
       CHECK(snapshot(filled) == snapshot(laid));
     }
   }
@@ -297,9 +300,9 @@ TEST_SUITE("front") {
         if (!policy.apex.contains({to, from}) && below(random, 2) == 0) holes.insert({from, to});
       }
       TestMesh mesh;
-      Front front(mesh, complex.sites, 1);
-      for (const Patch& patch : patches(complex, patch_of, 3, holes)) front.lay(patch);
-      front.join();
+      PatchAssembler assembler(mesh, complex.sites);
+      for (const Patch& patch : patches(complex, patch_of, 3, holes)) assembler.lay(patch);
+      Front front(std::move(assembler).join());
       Watch watch;
       advance(front, policy, watch);
       const Shape expected = built_singly(complex);
@@ -321,65 +324,76 @@ TEST_SUITE("front") {
     }
   }
 
-  TEST_CASE("no patch, or an empty one, leaves the front as it began") {
-    TestMesh mesh;
-    Front front(mesh, 3);
-    front.join();
-    front.lay({});
-    front.join();
-    check_sound(mesh);
-    CHECK(mesh.n_vertices() == 3);
-    CHECK(front.faces() == 0);
-    CHECK_FALSE(front.pop().is_valid());
-    front.lay({{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}});
-    front.join();
-    CHECK(front.faces() == 1);
+  TEST_CASE("finish() leaves the mesh and tells the sites that a front would") {
+    std::mt19937 random(6);
+    for (int round = 0; round < 100; ++round) {
+      CAPTURE(round);
+      const Complex complex = random_complex(random);
+      std::vector<int> patch_of(complex.triangles.size());
+      for (int& p : patch_of) p = static_cast<int>(below(random, 3));
+      const std::vector<Patch> all = patches(complex, patch_of, 3, some_sides(complex, random));
+      TestMesh mesh, of_front;
+      PatchAssembler assembler(mesh, complex.sites), other(of_front, complex.sites);
+      for (const Patch& patch : all) {
+        assembler.lay(patch);
+        other.lay(patch);
+      }
+      AssembledPatches assembled = std::move(assembler).join();
+      Front front(std::move(other).join());
+      CHECK(assembled.faces() == front.faces());
+      CHECK(assembled.sites() == front.sites());
+      for (Site s = 0; s < front.sites(); ++s) CHECK(assembled.is_free(s) == front.is_free(s));
+      CHECK(std::move(assembled).finish() == front.finish());
+      CHECK(snapshot(mesh) == snapshot(of_front));
+      check_sound(mesh);
+    }
   }
 
-  TEST_CASE("patches are not laid on a front that has triangles, and must tell what is across of every triangle") {
-    const Patch patch{{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}};
+  TEST_CASE("no patch, or an empty one, leaves a front without triangles") {
+    for (const bool empty : {false, true}) {
+      TestMesh mesh;
+      PatchAssembler assembler(mesh, 3);
+      if (empty) assembler.lay({});
+      Front front(std::move(assembler).join());
+      check_sound(mesh);
+      CHECK(mesh.n_vertices() == 3);
+      CHECK(front.faces() == 0);
+      CHECK_FALSE(front.pop().is_valid());
+      front.create(0, 1, 2);
+      CHECK(front.faces() == 1);
+    }
+  }
+
+  TEST_CASE("patches are laid in an empty mesh, and must tell what is across of every triangle") {
     const Patch without{{{0, 1, 2}}, {}};
     const Patch beyond{{}, {{Patch::open, Patch::open, Patch::open}}};
     TestMesh mesh;
-    Front front(mesh, 6);
+    PatchAssembler assembler(mesh, 6);
     const auto empty = snapshot(mesh);
-    CHECK_THROWS_AS(front.lay(without), ContractViolation);
-    CHECK_THROWS_AS(front.lay(beyond), ContractViolation);
+    CHECK_THROWS_AS(assembler.lay(without), ContractViolation);
+    CHECK_THROWS_AS(assembler.lay(beyond), ContractViolation);
     CHECK(snapshot(mesh) == empty);
-    front.create(3, 4, 5);
-    const auto before = snapshot(mesh);
-    CHECK_THROWS_AS(front.lay(patch), ContractViolation);
-    CHECK(snapshot(mesh) == before);
-
-    TestMesh laid_on;
-    Front laid(laid_on, 6);
-    laid.lay(patch);
-    CHECK_THROWS_AS(laid.lay(without), ContractViolation);
-    laid.join();
-    check_sound(laid_on);
-    const auto joined = snapshot(laid_on);
-    CHECK_THROWS_AS(laid.lay({{{3, 4, 5}}, {{Patch::open, Patch::open, Patch::open}}}), ContractViolation);
-    CHECK(snapshot(laid_on) == joined);
+    CHECK_THROWS_AS(PatchAssembler(mesh, 6), ContractViolation);
   }
 
   TEST_CASE("a patch is not placed by the outline of another one") {
     const Patch patch{{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}};
     TestMesh mesh;
-    Front front(mesh, 3);
+    PatchAssembler assembler(mesh, 3);
     const auto empty = snapshot(mesh);
     Placement placement;
-    CHECK_THROWS_AS(front.place(patch, {}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {}, {}, {}}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1, 2, 3, 4}, {}, {}, {}}, placement), ContractViolation);
-    CHECK_THROWS_AS(front.place(patch, {{0, 1}, {2}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(assembler.place(patch, {}, placement), ContractViolation);
+    CHECK_THROWS_AS(assembler.place(patch, {{0, 1}, {}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(assembler.place(patch, {{0, 1, 2, 3, 4}, {}, {}, {}}, placement), ContractViolation);
+    CHECK_THROWS_AS(assembler.place(patch, {{0, 1}, {2}, {}, {}}, placement), ContractViolation);
     CHECK(snapshot(mesh) == empty);
-    front.place(patch, {{0, 1, 2}, {}, {}, {}}, placement);
-    front.fill(patch, {{0, 1, 2}, {}, {}, {}}, placement);
-    front.join();
+    assembler.place(patch, {{0, 1, 2}, {}, {}, {}}, placement);
+    assembler.fill(patch, {{0, 1, 2}, {}, {}, {}}, placement);
+    (void)std::move(assembler).join();
     check_sound(mesh);
   }
 
-  TEST_CASE("insert with the sides that are there is create") {
+  TEST_CASE("on a front, insert with the sides that are there is create") {
     std::mt19937 random(3);
     for (int round = 0; round < 60; ++round) {
       CAPTURE(round);

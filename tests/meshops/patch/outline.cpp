@@ -1,5 +1,5 @@
 // survey(): what of a patch has to do with the mesh around it.
-#include "meshops/front/outline.h"
+#include "meshops/patch/outline.h"
 
 #include <doctest/doctest.h>
 
@@ -63,7 +63,7 @@ int end_of_fan(const Patch& patch, std::size_t triangle, Site site) {
 
 }  // namespace
 
-TEST_SUITE("front") {
+TEST_SUITE("patch") {
   TEST_CASE("a wheel of any size is looked through once, whichever way its triangles are numbered") {
     constexpr int spokes = 300000;          // a walk around from each spoke would take minutes
     for (const int step : {1, spokes - 1})  // from one triangle to the next around the hub

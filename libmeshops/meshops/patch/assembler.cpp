@@ -1,9 +1,10 @@
-// Patches: Front::place(), fill(), lay() and join().
+#include "meshops/patch/assembler.h"
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "meshops/core/contract.h"
-#include "meshops/front/front.h"
 
 namespace meshops {
 namespace {
@@ -23,27 +24,26 @@ int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is
 
 }  // namespace
 
-void Front::reserve(std::size_t edges, std::size_t faces) {
+PatchAssembler::PatchAssembler(Connectivity& mesh, std::size_t sites) : mesh_(mesh), fans_(mesh, sites) {
+  require(mesh.n_vertices() == 0, "PatchAssembler: the mesh is not empty");
+  mesh.resize(sites, 0, 0);
+  rims_.begin(sites);
+  holes_.has_vertex.assign(sites, false);
+}
+
+void PatchAssembler::reserve(std::size_t edges, std::size_t faces) {
   mesh_.reserve(mesh_.n_vertices(), edges + edges_at_a_time, faces);
 }
 
-void Front::place(const Patch& patch, const Outline& outline, Placement& placement) {
+void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t triangles = patch.triangles.size(), sides = 3 * triangles, rim = outline.rim.size(),
                     holes = outline.holes.size();
   require(patch.across.size() == triangles && rim + holes <= sides && (sides - rim - holes) % 2 == 0 &&
               outline.next_hole.size() == holes,
           "lay: the outline is of another patch");
-  if (!rims_.has_begun()) {
-    require(faces_ == 0, "lay: there are triangles that are not of a patch");
-    require(sites() == mesh_.n_vertices(), "lay: sites were added");
-    rims_.begin(sites());
-    holes_.has_vertex.assign(sites(), false);
-  }
   const std::size_t inner_edges = (sides - rim - holes) / 2;
-  const auto needed = [](std::size_t used, std::size_t more, std::size_t there) {
-    return used + more > there ? used + more - there : 0;
-  };
-  supply(needed(edges_, inner_edges + holes, mesh_.n_edges()), needed(faces_, triangles, mesh_.n_faces()));
+  mesh_.resize(mesh_.n_vertices(), std::max(mesh_.n_edges(), edges_ + inner_edges + holes),
+               std::max(mesh_.n_faces(), faces_ + triangles));
   placement.first_face_ = static_cast<int>(faces_);
   placement.first_edge_ = static_cast<int>(edges_);
   placement.make_room(sides);
@@ -59,7 +59,7 @@ void Front::place(const Patch& patch, const Outline& outline, Placement& placeme
     if (const auto other = rims_.take(a, [b](const Rim& seam) { return seam.to == b; })) {
       h = other->boundary;
     } else {
-      if (edges_ == mesh_.n_edges()) supply(edges_at_a_time, 0);
+      if (edges_ == mesh_.n_edges()) mesh_.resize(mesh_.n_vertices(), edges_ + edges_at_a_time, mesh_.n_faces());
       h = Halfedge(static_cast<int>(2 * edges_++));
       const Halfedge beyond = mesh_.opposite_halfedge_handle(h);
       mesh_.set_vertex_handle(beyond, vertex_of(a));
@@ -71,13 +71,13 @@ void Front::place(const Patch& patch, const Outline& outline, Placement& placeme
 }
 
 /// A further fan on a site. The vertex comes with join().
-Vertex Front::further_vertex(Site s, Halfedge into) {
+Vertex PatchAssembler::further_vertex(Site s, Halfedge into) {
   holes_.into.push_back(into);
   return fans_.announce(s);
 }
 
 /// Gives the edges of holes their numbers, and the fans between them their vertices: the first on a site that of the site.
-void Front::place_holes(const Patch& patch, const Outline& outline, Placement& placement) {
+void PatchAssembler::place_holes(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t count = outline.holes.size();
   const auto first = static_cast<int>(edges_);
   placement.first_hole_ = first;
@@ -103,7 +103,7 @@ void Front::place_holes(const Patch& patch, const Outline& outline, Placement& p
   }
 }
 
-void Front::fill(const Patch& patch, const Outline& outline, Placement& placement) {
+void PatchAssembler::fill(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t triangles = patch.triangles.size();
   for (std::size_t k = 0; k < outline.holes.size(); ++k)
     placement.at(outline.holes[k]) = Halfedge(2 * (placement.first_hole_ + static_cast<int>(k)));
@@ -136,7 +136,7 @@ void Front::fill(const Patch& patch, const Outline& outline, Placement& placemen
   fill_holes(patch, outline, placement);
 }
 
-void Front::fill_holes(const Patch& patch, const Outline& outline, Placement& placement) {
+void PatchAssembler::fill_holes(const Patch& patch, const Outline& outline, Placement& placement) {
   for (std::size_t k = 0; k < outline.holes.size(); ++k) {
     const int hole = outline.holes[k], next = outline.next_hole[k];
     const Halfedge boundary = mesh_.opposite_halfedge_handle(placement.at(hole));
@@ -157,18 +157,18 @@ void Front::fill_holes(const Patch& patch, const Outline& outline, Placement& pl
   }
 }
 
-void Front::lay(const Patch& patch) {
+void PatchAssembler::lay(const Patch& patch) {
   survey(patch, outline_);
   lay(patch, outline_);
 }
 
-void Front::lay(const Patch& patch, const Outline& outline) {
+void PatchAssembler::lay(const Patch& patch, const Outline& outline) {
   place(patch, outline, placement_);
   fill(patch, outline, placement_);
 }
 
 /// The boundary halfedge that follows one whose end has a single vertex yet, within the fan at its end.
-Halfedge Front::next_on_boundary(Halfedge boundary) const {
+Halfedge PatchAssembler::next_on_boundary(Halfedge boundary) const {
   Halfedge out = mesh_.opposite_halfedge_handle(boundary);
   do out = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(out));
   while (!mesh_.is_boundary(out));
@@ -176,7 +176,7 @@ Halfedge Front::next_on_boundary(Halfedge boundary) const {
 }
 
 /// Ends a fan whose halfedges end at the site yet.
-void Front::close_fan(Halfedge boundary) {
+void PatchAssembler::close_fan(Halfedge boundary) {
   const Halfedge out = next_on_boundary(boundary);
   mesh_.set_next_halfedge_handle(boundary, out);
   const Vertex site = mesh_.to_vertex_handle(boundary);
@@ -194,12 +194,13 @@ void Front::close_fan(Halfedge boundary) {
   }
 }
 
-void Front::join() {
+AssembledPatches PatchAssembler::join() && {
+  std::vector<Halfedge> open;
   for (const Halfedge boundary : holes_.loose) close_fan(boundary);
   rims_.for_each([&](const Rim& rim) {
     if (!mesh_.is_boundary(rim.boundary)) return;
     close_fan(rim.boundary);
-    queue(rim.boundary);
+    open.push_back(rim.boundary);
   });
   rims_.end();
   // Edges were made for seams that found their other side, too.
@@ -208,11 +209,10 @@ void Front::join() {
   for (std::size_t i = 0; i < holes_.into.size(); ++i)
     mesh_.set_halfedge_handle(Vertex(static_cast<int>(first_further + i)), mesh_.next_halfedge_handle(holes_.into[i]));
   fans_.list_announced();
-  for (const auto& [first, end] : holes_.edges)
-    for (int e = first; e < end; ++e) set_aside(Halfedge(2 * e + 1));
-  holes_ = {};
-  outline_ = {};
-  placement_ = {};
+  AssembledPatches assembled(mesh_, std::move(fans_));
+  assembled.open_ = std::move(open);
+  assembled.holes_ = std::move(holes_.edges);
+  return assembled;
 }
 
 }  // namespace meshops

@@ -1,4 +1,4 @@
-// What: where a patch goes in the mesh: what Front::place() decides and Front::fill() writes.
+// What: where a patch goes in the mesh: what PatchAssembler::place() decides and fill() writes.
 // Why:  only the rim of a patch has to do with other patches. What is left, nearly all, can be written by another thread
 //       while the next patch is placed.
 #pragma once
@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "meshops/core/connectivity.h"
-#include "meshops/front/patch.h"
+#include "meshops/patch/patch.h"
 
 namespace meshops {
 
 class Placement {
-  friend class Front;
+  friend class PatchAssembler;
 
   void make_room(std::size_t sides) {
     sides += static_cast<std::size_t>(-Patch::nothing);

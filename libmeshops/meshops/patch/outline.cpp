@@ -1,4 +1,4 @@
-#include "meshops/front/outline.h"
+#include "meshops/patch/outline.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "meshops/front/fans.h"
+#include "meshops/patch/fans.h"
 
 #include <limits>
 

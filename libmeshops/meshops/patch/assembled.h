@@ -1,0 +1,39 @@
+// What: a mesh that was assembled of patches, and what is known of it beside its records.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/patch/fans.h"
+
+namespace meshops {
+
+/// The mesh is sound. It is done with finish(), or goes on as a Front.
+class MESHOPS_API AssembledPatches {
+ public:
+  const Connectivity& mesh() const { return mesh_; }
+  std::size_t faces() const { return mesh_.n_faces(); }
+  std::size_t sites() const { return fans_.sites(); }
+  /// No triangle has a corner on this site.
+  bool is_free(Site s) const { return fans_.is_free(s); }
+
+  /// Removes the vertices without triangles and renumbers the others, keeping their order.
+  /// Returns: the site of each vertex of the mesh.
+  std::vector<Site> finish() &&;
+
+ private:
+  friend class PatchAssembler;
+  friend class Front;
+  AssembledPatches(Connectivity& mesh, Fans fans) : mesh_(mesh), fans_(std::move(fans)) {}
+
+  Connectivity& mesh_;
+  Fans fans_;
+  std::vector<Halfedge> open_;             // boundary halfedges beyond which a patch may have had more
+  std::vector<std::array<int, 2>> holes_;  // ranges of edges, halfedge 1 of each a boundary halfedge beyond which is nothing
+};
+
+}  // namespace meshops

@@ -1,0 +1,54 @@
+#include "meshops/patch/compact.h"
+
+#include <numeric>
+
+#include "meshops/patch/assembled.h"
+
+namespace meshops {
+namespace {
+
+/// Moves the vertices from `first` on to their new numbers. One without triangles has that of the next, which then
+/// overwrites it: no branch is needed where it could not be foreseen.
+void renumber(Connectivity& mesh, std::size_t edges, std::size_t first, const std::vector<int>& number) {
+  for (auto property = mesh.vprops_begin(); property != mesh.vprops_end(); ++property) {
+    if (*property == nullptr) continue;
+    for (std::size_t i = first; i < number.size(); ++i) (*property)->copy(i, static_cast<std::size_t>(number[i]));
+  }
+  for (std::size_t i = first; i < number.size(); ++i)
+    mesh.set_halfedge_handle(Vertex(number[i]), mesh.halfedge_handle(Vertex(static_cast<int>(i))));
+  for (int i = 0; i < static_cast<int>(2 * edges); ++i) {
+    const Halfedge h(i);
+    mesh.set_vertex_handle(h, Vertex(number[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]));
+  }
+}
+
+}  // namespace
+
+std::vector<Site> detail::compact(Connectivity& mesh, const Fans& fans, std::size_t edges, std::size_t faces) {
+  const auto is_unused = [&](std::size_t i) { return mesh.is_isolated(Vertex(static_cast<int>(i))); };
+  const auto site = [&](std::size_t i) { return fans.site(Vertex(static_cast<int>(i))); };
+  // Vertices of fans that have grown together are at the end: where no others are unused, none needs a new number.
+  std::size_t end = mesh.n_vertices(), left = 0;
+  while (end > 0 && is_unused(end - 1)) --end;
+  std::vector<Site> site_of(end);
+  for (; left < site_of.size() && !is_unused(left); ++left) site_of[left] = site(left);
+  if (const std::size_t first = left; first < site_of.size()) {
+    std::vector<int> number(site_of.size());
+    std::iota(number.begin(), number.begin() + static_cast<std::ptrdiff_t>(first), 0);
+    for (std::size_t i = first; i < site_of.size(); ++i) {
+      site_of[left] = site(i);
+      number[i] = static_cast<int>(left);
+      left += !is_unused(i);
+    }
+    renumber(mesh, edges, first, number);
+    site_of.resize(left);
+  }
+  mesh.resize(site_of.size(), edges, faces);
+  return site_of;
+}
+
+std::vector<Site> AssembledPatches::finish() && {
+  return detail::compact(mesh_, fans_, mesh_.n_edges(), mesh_.n_faces());
+}
+
+}  // namespace meshops

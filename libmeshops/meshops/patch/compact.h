@@ -1,0 +1,18 @@
+// What: takes the vertices without triangles out of a mesh that stands on sites.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/patch/fans.h"
+
+namespace meshops::detail {
+
+/// Renumbers the other vertices, which keep their order and properties; the mesh is left with them and with its first
+/// `edges` edges and `faces` faces.
+/// Returns: the site of each vertex that is left. `fans` is of no more use.
+/// Cost:    linear; little where no vertex but the last is to go.
+std::vector<Site> compact(Connectivity& mesh, const Fans& fans, std::size_t edges, std::size_t faces);
+
+}  // namespace meshops::detail
