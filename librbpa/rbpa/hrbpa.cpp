@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/collinear.h"
-#include "rbpa/hierarchy/growth_by_pivots.h"
 #include "rbpa/hierarchy/growth_by_tiles.h"
 #include "rbpa/hierarchy/quadtree.h"
 #include "rbpa/parallel/threads.h"
@@ -25,11 +23,10 @@ class Levels {
   Levels(double alpha, const std::function<void(const EndedLevel&)>& ended, Hierarchy& result)
       : alpha_(alpha), ended_(ended), result_(result) {}
 
-  /// `Growth` makes the mesh the complex of one level after another, as GrowthByTiles does.
-  template <typename Real, typename Growth>
-  void run(const Ladder<Real>& ladder, Growth growth, Assembly<Real>& assembly) {
-    input_index_ = assembly.grid().input_index();
-    auto start = Clock::now();
+  /// `growth` makes the mesh the complex of one level after another.
+  void run(const Ladder& ladder, GrowthByTiles growth, Assembly& assembly) {
+    input_index_ = assembly.sites().input_index();
+    const auto start = Clock::now();
     meshops::Front front = growth.begin(assembly);
     run(ladder, growth, front, start);
     assembly.finish(front);
@@ -38,8 +35,7 @@ class Levels {
  private:
   using Clock = std::chrono::steady_clock;
 
-  template <typename Real, typename Growth>
-  void run(const Ladder<Real>& ladder, Growth& growth, meshops::Front& front, Clock::time_point start) {
+  void run(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front, Clock::time_point start) {
     Level level{.transferred = front.sites()};
     for (;; start = Clock::now()) {
       const bool is_last = ladder.is_last(level.number);
@@ -79,6 +75,19 @@ class Levels {
   Hierarchy& result_;
 };
 
+/// α₀: half the side of the smallest leaf of a quadtree.
+double least_radius(const Sites& sites, std::size_t leaf_capacity) {
+  long double side = 0;
+  if (sites.beyond().empty()) {
+    side = std::ldexp(static_cast<long double>(Quadtree<double>(sites.grid().points(), leaf_capacity).smallest_side()),
+                      -sites.window().exponent);
+  } else {
+    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side();
+  }
+  using Limits = std::numeric_limits<double>;
+  return static_cast<double>(std::clamp<long double>(side / 2, Limits::denorm_min(), Limits::max()));
+}
+
 }  // namespace
 
 Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options) {
@@ -86,23 +95,18 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   check(points, alpha);
   Hierarchy result;
   Threads threads = threads_for(points.size(), options.threads);
-  const auto run = [&]<typename Real>(Radius radius, Real grid_unit, double below_all) {
-    Assembly<Real> assembly(points, result.complex, threads);
-    const auto& grid = assembly.grid();
-    if (are_collinear(grid.points())) return assembly.finish(assembly.front());
-    const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
-    result.least_radius =
-        std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
-                   std::numeric_limits<double>::max());
-    const Ladder<Real> ladder(result.least_radius, radius, grid.diameter_bound());
-    Report report(options.progress, grid.points().size());
-    Levels levels(alpha, options.level_ended, result);
-    if constexpr (std::is_same_v<Real, double>)
-      levels.run(ladder, GrowthByTiles(grid, ladder, threads, report), assembly);
-    else  // Extreme exponents do without tiles.
-      levels.run(ladder, GrowthByPivots(grid, ladder, grid_unit, report), assembly);
-  };
-  with_arithmetic_for(points, alpha, run);
+  Assembly assembly(points, result.complex, threads);
+  const Sites& sites = assembly.sites();
+  if (assembly.are_collinear()) {
+    assembly.finish(assembly.front());
+    return result;
+  }
+  result.least_radius = least_radius(sites, options.leaf_capacity);
+  const bool is_above_all = sites.beyond().empty() && sites.window().scaled(Radius::of(alpha)).is_infinite();
+  const Ladder ladder(result.least_radius, is_above_all ? Radius() : Radius::of(alpha), sites.diameter_bound());
+  Report report(options.progress, sites.size());
+  Levels levels(alpha, options.level_ended, result);
+  levels.run(ladder, GrowthByTiles(sites, ladder, threads, report), assembly);
   return result;
 }
 

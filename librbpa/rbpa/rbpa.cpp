@@ -1,10 +1,9 @@
 #include "rbpa/rbpa.h"
 
-#include <type_traits>
+#include <numeric>
 #include <utility>
 
 #include "meshops/front/engine.h"
-#include "rbpa/collinear.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/pivot/paper_pivot.h"
 #include "rbpa/pivot/pivot.h"
@@ -18,56 +17,38 @@
 namespace rbpa {
 namespace {
 
-template <typename Real>
-class Run {
- public:
-  Run(const PointGrid<Real>& grid, Radius radius, Real grid_unit, const Options& options, Threads& threads)
-      : grid_(grid),
-        radius_(radius),
-        grid_unit_(grid_unit),
-        threads_(threads),
-        report_(options.progress, grid.points().size()) {}
+/// Tiles tell what they can, and the remainder what is missing.
+meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
+                                   Threads& threads, Report& report) {
+  Remainder remainder(sites, radius);
+  lay_tiles(sites, sites.window().scaled(radius), assembler, threads, [&](const TileTriangles& tile) {
+    remainder.add(tile);
+    report.worked(assembler.faces());
+  });
+  meshops::Patch missing;
+  meshops::Outline outline;
+  remainder.complete(missing, outline, threads, [&] { report.worked(assembler.faces()); });
+  assembler.lay(missing, outline);
+  auto assembled = std::move(assembler).join();
+  report.completed(assembled.mesh());
+  return assembled;
+}
 
-  meshops::AssembledPatches by_tiles(meshops::PatchAssembler assembler) {
-    Remainder remainder(grid_.points(), radius_);
-    lay_tiles(grid_, radius_, assembler, threads_, [&](const TileTriangles& tile) {
-      remainder.add(tile);
-      report_.worked(assembler.faces());
-    });
-    meshops::Patch missing;
-    meshops::Outline outline;
-    remainder.complete(missing, outline, threads_, [&] { report_.worked(assembler.faces()); });
-    assembler.lay(missing, outline);
-    auto assembled = std::move(assembler).join();
-    report_.completed(assembled.mesh());
-    return assembled;
-  }
-
-  void near_to_far(meshops::Front& front) {
-    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-    advance(front, pivot);
-  }
-
-  void by_the_paper(meshops::Front& front) {
-    const PaperPivot<Real> pivot(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_);
-    advance(front, pivot);
-  }
-
- private:
-  template <typename FrontPivot>
-  void advance(meshops::Front& front, const FrontPivot& front_pivot) {
-    const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-    Seeds<Real> seeds(grid_, radius_, pivot);
-    RestrictedBallPivoting policy(seeds, front_pivot, report_);
-    meshops::advance(front, policy, report_);
-  }
-
-  const PointGrid<Real>& grid_;
-  Radius radius_;
-  Real grid_unit_;
-  Threads& threads_;
-  Report report_;
-};
+/// The paper's search, on a grid of its own.
+void by_the_paper(const Sites& sites, const Radius& radius, Assembly& assembly, Threads& threads, Report& report) {
+  using Real = long double;
+  const std::vector<Point> points = sites.points();
+  std::vector<std::uint32_t> names(points.size());
+  std::iota(names.begin(), names.end(), 0U);
+  const PointGrid<Real> grid(NamedPoints{points, names.data()}, threads);
+  const Pivot<Real> pivot(grid, radius, 0);
+  const PaperPivot<Real> paper_pivot(grid.points(), grid.diameter_bound(), radius, 0);
+  Seeds<Real> seeds(grid, radius, pivot);
+  RestrictedBallPivoting policy(seeds, paper_pivot, report);
+  meshops::Front front = assembly.front();
+  meshops::advance(front, policy, report);
+  assembly.finish(front, grid.input_index());
+}
 
 }  // namespace
 
@@ -75,20 +56,15 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   check(points, alpha);
   SolidAlphaComplex complex;
   Threads threads = threads_for(points.size(), options.threads);
-  with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double) {
-    Assembly<Real> assembly(points, complex, threads);
-    if (are_collinear(assembly.grid().points())) return assembly.finish(assembly.front());
-    Run<Real> run(assembly.grid(), radius, grid_unit, options, threads);
-    if constexpr (std::is_same_v<Real, double>)
-      if (options.search == Search::near_to_far) return assembly.finish(run.by_tiles(assembly.assembler()));
-    // Extreme exponents do without tiles.
-    meshops::Front front = assembly.front();
-    if (options.search == Search::near_to_far)
-      run.near_to_far(front);
-    else
-      run.by_the_paper(front);
-    assembly.finish(front);
-  });
+  Assembly assembly(points, complex, threads);
+  const Sites& sites = assembly.sites();
+  Report report(options.progress, sites.size());
+  if (assembly.are_collinear())
+    assembly.finish(assembly.front());
+  else if (options.search == Search::near_to_far)
+    assembly.finish(by_tiles(sites, Radius::of(alpha), assembly.assembler(), threads, report));
+  else
+    by_the_paper(sites, Radius::of(alpha), assembly, threads, report);
   return complex;
 }
 

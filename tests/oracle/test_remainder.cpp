@@ -23,7 +23,7 @@ std::vector<Triangle> triangles_of(const Points& points) {
   meshops::Patch patch;
   meshops::Outline outline;
   rbpa::Threads threads;
-  rbpa::delaunay(
+  rbpa::delaunay<double>(
       places, [](const auto&...) { return 0; }, threads, patch, outline);
   std::vector<Triangle> found;
   for (const auto& t : patch.triangles)

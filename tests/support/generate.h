@@ -134,4 +134,8 @@ Points corners_of_range();
 /// Clusters of width 1e-300 at points 1e300 apart.
 Points far_and_tiny(std::size_t each, std::uint64_t seed);
 
+/// Uniform points, and `strangers` for which no power of two makes them fit beside those: far away on all sides, or
+/// among them but finer than anything there; some of them twice.
+Points with_strangers(std::size_t count, std::size_t strangers, std::uint64_t seed);
+
 }  // namespace rbpa_test

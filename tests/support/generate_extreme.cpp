@@ -61,4 +61,30 @@ Points far_and_tiny(std::size_t each, std::uint64_t seed) {
   return points;
 }
 
+Points with_strangers(std::size_t count, std::size_t strangers, std::uint64_t seed) {
+  Random random(seed);
+  Points points = uniform(count, seed);
+  const double side = std::sqrt(static_cast<double>(count));
+  for (std::size_t i = 0; i < strangers; ++i) {
+    const double far = std::ldexp(1 + random.unit(), random.integer(310, 900)) * (random.chance(0.5) ? 1 : -1),
+                 fine = std::ldexp(1 + random.unit(), random.integer(-1000, -360)), near = side * random.unit();
+    switch (random.below(4)) {
+      case 0:
+        points.push_back({far, near});
+        break;
+      case 1:
+        points.push_back({near, far});
+        break;
+      case 2:
+        points.push_back({near, fine});
+        break;
+      default:
+        points.push_back({fine, near});
+    }
+    if (random.chance(0.2)) points.push_back(points.back());
+  }
+  random.shuffle(points);
+  return points;
+}
+
 }  // namespace rbpa_test

@@ -106,6 +106,9 @@ std::vector<NamedSet> table() {
       {"denormal_grid", [] { return denormals(12, 100, 28); }, around(std::ldexp(2, -1074))},
       {"mixed_exponents", [] { return mixed_exponents(120, 29); }, {1e-301, 1e-300, 0.1, 1}},
       {"far_and_tiny", [] { return far_and_tiny(60, 30); }, {1e-301, 1e-300, 1}},
+      {"with_a_stranger", [] { return with_strangers(600, 1, 33); }},
+      {"with_strangers", [] { return with_strangers(1500, 60, 34); }, {0.8, 1e150, 1e290}},
+      {"half_strangers", [] { return with_strangers(120, 110, 35); }, {0.8, 3, 1e200}},
       {"corners_of_range", [] { return corners_of_range(); }, {1, std::numeric_limits<double>::max()}},
   };
 }

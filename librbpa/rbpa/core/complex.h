@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "rbpa/core/api.h"
+#include "rbpa/core/duplicate.h"
 #include "rbpa/core/mesh.h"
 
 namespace rbpa {
-
-/// A point equal to one given before it.
-struct Duplicate {
-  std::uint32_t index;       ///< the input index of the repetition
-  std::uint32_t stands_for;  ///< the lowest input index with the same coordinates
-  friend bool operator==(const Duplicate&, const Duplicate&) = default;
-};
 
 /// A solid alpha complex as an oriented 2-manifold with boundary.
 /// Where the complex touches itself in a point (a pinch), each fan has a vertex of its own on the same input point.

@@ -34,14 +34,15 @@ std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
 }
 
 meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) {
-  const auto points = grid_.points();
+  const auto points = sites_.grid().points();
+  const Window& window = sites_.window();
   const Radius all = ladder_.radius(ladder_.end());
-  Remainder remainder(points, all);
-  assembler.reserve(3 * points.size(), 2 * points.size());
+  Remainder remainder(sites_, all);
+  assembler.reserve(3 * sites_.size(), 2 * sites_.size());
   for_each_tile<Share>(
-      grid_, all, threads_,
+      sites_, window.scaled(all), threads_,
       [&](const TileTriangles& tile, Share& share) {
-        share.levels.part(tile.patch, points, ladder_);
+        share.levels.part(tile.patch, points, ladder_, window);
         if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
       },
       [&](const TileTriangles& tile, Share& share) {
@@ -57,7 +58,7 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
   meshops::Outline outline;
   remainder.complete(missing, outline, threads_, [&] { report_.worked(assembler.faces()); });
   LevelPatch levels;
-  levels.part(missing, points, ladder_);
+  levels.part(missing, sites_, ladder_);
   if (levels.later.empty())
     assembler.lay(missing, outline);
   else

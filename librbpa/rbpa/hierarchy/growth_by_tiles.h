@@ -17,18 +17,18 @@
 #include "rbpa/parallel/threads.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/report.h"
-#include "rbpa/search/point_grid.h"
+#include "rbpa/search/sites.h"
 
 namespace rbpa {
 
 class GrowthByTiles {
  public:
   /// Keeps references.
-  GrowthByTiles(const PointGrid<double>& grid, const Ladder<double>& ladder, Threads& threads, Report& report)
-      : grid_(grid), ladder_(ladder), threads_(threads), report_(report) {}
+  GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Report& report)
+      : sites_(sites), ladder_(ladder), threads_(threads), report_(report) {}
 
   /// The front of level 0, with its triangles.
-  meshops::Front begin(Assembly<double>& assembly) { return assembly.front(lay(assembly.assembler())); }
+  meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
 
   /// Puts the triangles of a level into the mesh, levels being taken in ascending order from 0 on.
   /// Returns: how many sites have one of them.
@@ -41,8 +41,8 @@ class GrowthByTiles {
   meshops::AssembledPatches lay(meshops::PatchAssembler assembler);
   std::size_t insert(int level, meshops::Front& front);
 
-  const PointGrid<double>& grid_;
-  const Ladder<double>& ladder_;
+  const Sites& sites_;
+  const Ladder& ladder_;
   Threads& threads_;
   Report& report_;
   WaitingTriangles waiting_;

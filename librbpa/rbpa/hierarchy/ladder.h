@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 
 namespace rbpa {
 
-template <typename Real>
 class Ladder {
  public:
+  using Real = long double;             ///< whose exponents hold the circumradii of all doubles
   static constexpr int never = 0xffff;  ///< above all levels
 
   /// Requires: 0 < least < ∞. The ladder ends with the radius `last`. Where that is infinite, no level but the last has

@@ -11,6 +11,8 @@
 #include "meshops/patch/patch.h"
 #include "rbpa/core/point.h"
 #include "rbpa/hierarchy/ladder.h"
+#include "rbpa/predicate/window.h"
+#include "rbpa/search/sites.h"
 
 namespace rbpa {
 
@@ -25,9 +27,16 @@ struct LevelPatch {
   std::vector<WaitingTriangle> later;  ///< in the order of the patch that was parted
   std::vector<std::size_t> waiting;    ///< their numbers there
 
-  /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then.
+  /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then. The corners are in the
+  /// window, scaled.
   /// Requires: triangles within the last radius of the ladder.
-  void part(const meshops::Patch& patch, std::span<const Point> points, const Ladder<double>& ladder);
+  void part(const meshops::Patch& patch, std::span<const Point> points, const Ladder& ladder, const Window& window);
+  /// The same of triangles on any sites.
+  void part(const meshops::Patch& patch, const Sites& sites, const Ladder& ladder);
+
+ private:
+  template <typename LevelOf>
+  void part(const meshops::Patch& patch, LevelOf level_of);
 };
 
 }  // namespace rbpa

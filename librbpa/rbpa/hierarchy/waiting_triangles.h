@@ -42,7 +42,7 @@ class WaitingTriangles {
   /// The first level after this one that has a triangle, or Ladder::never.
   int after(int level) const {
     const std::size_t before = start_[static_cast<std::size_t>(level) + 1];
-    if (before == corners_.size()) return Ladder<double>::never;
+    if (before == corners_.size()) return Ladder::never;
     const auto next = std::upper_bound(start_.begin(), start_.end(), before);
     return static_cast<int>(next - start_.begin()) - 1;
   }

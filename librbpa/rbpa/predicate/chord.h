@@ -10,13 +10,14 @@
 
 namespace rbpa {
 
+template <typename Real>
 class Chord {
  public:
   Chord(const Point& from, const Point& to) : a_(from), b_(to), ab_(P::from(from, to)) {}
 
   struct Candidate {
     Point at;
-    double dot, cross, dot_size, cross_size;
+    Real dot, cross, dot_size, cross_size;
   };
   Candidate candidate(const Point& p) const {
     const auto ap = P::from(a_, p), bp = P::from(b_, p);
@@ -31,18 +32,18 @@ class Chord {
 
   /// q is inside the circle through the chord and p, ties perturbed. Requires p to be left, and q another point.
   bool is_inside(const Candidate& q, const Candidate& p) const {
-    const double difference = p.dot * q.cross - q.dot * p.cross;
-    const double bound = 11 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
+    const Real difference = p.dot * q.cross - q.dot * p.cross;
+    const Real bound = 11 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
     if (std::abs(difference) <= bound) [[unlikely]]
       return P::in_perturbed_circle(a_, b_, p.at, q.at) > 0;
     return difference > 0;
   }
 
  private:
-  using P = Predicates<double>;
+  using P = Predicates<Real>;
 
   Point a_, b_;
-  P::Vector ab_;
+  typename P::Vector ab_;
 };
 
 }  // namespace rbpa

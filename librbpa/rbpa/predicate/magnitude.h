@@ -20,7 +20,8 @@ Magnitude magnitude(std::span<const Point> points);
 /// Differences of such coordinates are 0 or between 2^−150 and 2^151; every product of them in the predicates, of
 /// degree six at most, then lies between 2^−900 and 2^920, well inside the range of double. Products with alpha may
 /// leave it; what becomes of them (infinity, or no number) decides no comparison, and the exact stage does.
-constexpr bool fits_double(const Magnitude& m) { return m.lowest >= -150 && m.highest <= 150; }
+inline constexpr int least_in_double = -150, largest_in_double = 150;
+constexpr bool fits_double(const Magnitude& m) { return m.lowest >= least_in_double && m.highest <= largest_in_double; }
 
 /// No triangle of such coordinates has a circumradius above the first, |ab||bc||ca| / 2|cross| with sides below
 /// 2^(highest + 1.5) and a cross product of at least 2^(2 lowest), or below the second, half the shortest edge.

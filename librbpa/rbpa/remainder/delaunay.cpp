@@ -16,7 +16,6 @@
 namespace rbpa {
 namespace {
 
-using P = Predicates<double>;
 using Side = Sides::Side;
 using Corner = Sides::Corner;
 
@@ -45,7 +44,10 @@ class Steps {
   std::mutex mutex_;
 };
 
+template <typename Real>
 class Triangulation {
+  using P = Predicates<Real>;
+
  public:
   Triangulation(std::span<Place> places, Threads& threads, const std::function<void()>& working)
       : places_(places), sides_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
@@ -148,7 +150,7 @@ class Triangulation {
     hull_[sides_.to(edge)] = Sides::reverse(edge);
     for (;;) {
       steps_.step(own.steps);
-      const Chord base(at(sides_.to(edge)), at(sides_.from(edge)));
+      const Chord<Real> base(at(sides_.to(edge)), at(sides_.from(edge)));
       // The first edge above at either end, and whatever it cuts off.
       const Side back = Sides::reverse(edge);
       Side left = sides_.ccw(back), right = sides_.cw(edge);
@@ -313,12 +315,18 @@ class Triangulation {
 
 }  // namespace
 
+template <typename Real>
 void delaunay(std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
               meshops::Outline& outline, const std::function<void()>& working) {
   patch.clear();
   outline.clear();
   if (places.size() < 3) return;
-  Triangulation(places, threads, working).run(fate, patch, outline);
+  Triangulation<Real>(places, threads, working).run(fate, patch, outline);
 }
+
+template void delaunay<double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
+                               const std::function<void()>&);
+template void delaunay<long double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
+                                    const std::function<void()>&);
 
 }  // namespace rbpa

@@ -23,9 +23,16 @@ using Fate = std::function<int(const Place&, const Place&, const Place&)>;
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
 /// all points are on a line. Replaces `patch` and its outline, and puts the places in another order.
 /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
-/// Requires: distinct points that fit double (fits_double()), no more than rbpa() takes.
+/// Requires: distinct points, no more than rbpa() takes, whose predicates `Real` can decide: double where they fit
+///           (fits_double()), long double wherever they are.
+template <typename Real>
 void delaunay(
     std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
     const std::function<void()>& working = [] {});
+
+extern template void delaunay<double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
+                                      const std::function<void()>&);
+extern template void delaunay<long double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
+                                           const std::function<void()>&);
 
 }  // namespace rbpa

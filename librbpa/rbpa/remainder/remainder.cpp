@@ -25,12 +25,12 @@ void Remainder::add(const TileTriangles& tile) {
 }
 
 std::vector<std::uint32_t> Remainder::not_done() const {
-  std::vector<bool> done(points_.size());
-  for (std::uint32_t s = 0; s < points_.size(); ++s) done[s] = is_complete(s);
+  std::vector<bool> done(sites_.size());
+  for (std::uint32_t s = 0; s < sites_.size(); ++s) done[s] = is_complete(s);
   for (const auto& [site, neighbour] : beside_)
     if (!is_complete(neighbour)) done[site] = false;
   std::vector<std::uint32_t> sites;
-  for (std::uint32_t s = 0; s < points_.size(); ++s)
+  for (std::uint32_t s = 0; s < sites_.size(); ++s)
     if (!done[s]) sites.push_back(s);
   return sites;
 }
@@ -46,20 +46,34 @@ std::vector<Remainder::Corners> Remainder::told_among_incomplete() const {
 
 void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
                          const std::function<void()>& working) const {
+  if (sites_.beyond().empty()) {
+    const auto points = sites_.grid().points();
+    const auto at = [&](std::uint32_t s) { return points[s]; };
+    complete<double>(at, sites_.window().scaled(alpha_), patch, outline, threads, working);
+  } else {
+    const auto at = [&](std::uint32_t s) { return sites_.at(s); };
+    complete<long double>(at, alpha_, patch, outline, threads, working);
+  }
+}
+
+/// `at` tells where a site lies, and the radius is alpha as it is there.
+template <typename Real, typename At>
+void Remainder::complete(At at, const Radius& radius, meshops::Patch& patch, meshops::Outline& outline,
+                         Threads& threads, const std::function<void()>& working) const {
   std::vector<Place> places;
-  for (const std::uint32_t s : not_done()) places.push_back({points_[s], s});
+  for (const std::uint32_t s : not_done()) places.push_back({at(s), s});
 
   // Of the triangles of these only those without a complete corner are surely Delaunay among all points.
   const std::vector<Corners> told = told_among_incomplete();
   const auto fate = [&](const Place& a, const Place& b, const Place& c) -> int {
-    if (!radius_.admits<double>(a.at, b.at, c.at)) return meshops::Patch::nothing;
+    if (!radius.admits<Real>(a.at, b.at, c.at)) return meshops::Patch::nothing;
     if (is_complete(a.site) || is_complete(b.site) || is_complete(c.site)) return meshops::Patch::open;
     if (told.empty()) return 0;
     const auto site = [](const Place& p) { return p.site; };
     const Corners corners = from_least({site(a), site(b), site(c)});
     return std::binary_search(told.begin(), told.end(), corners) ? meshops::Patch::open : 0;
   };
-  delaunay(places, fate, threads, patch, outline, working);
+  delaunay<Real>(places, fate, threads, patch, outline, working);
 }
 
 }  // namespace rbpa

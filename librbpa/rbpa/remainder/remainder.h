@@ -14,16 +14,16 @@
 
 #include "meshops/patch/patch.h"
 #include "rbpa/parallel/threads.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
+#include "rbpa/search/sites.h"
 #include "rbpa/tile/triangulate.h"
 
 namespace rbpa {
 
 class Remainder {
  public:
-  /// No tile has told anything. Keeps references.
-  Remainder(std::span<const Point> points, const Radius& radius)
-      : points_(points), radius_(radius), missing_(points.size(), unseen) {}
+  /// No tile has told anything. Keeps a reference. Alpha is that of the points as they were given.
+  Remainder(const Sites& sites, const Radius& alpha) : sites_(sites), alpha_(alpha), missing_(sites.size(), unseen) {}
 
   /// Takes in what a tile tells, in any order.
   void add(const TileTriangles& tile);
@@ -44,9 +44,12 @@ class Remainder {
   static constexpr int unseen = 1 << 30;
 
   std::vector<Corners> told_among_incomplete() const;
+  template <typename Real, typename At>
+  void complete(At at, const Radius& radius, meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
+                const std::function<void()>& working) const;
 
-  std::span<const Point> points_;
-  const Radius& radius_;
+  const Sites& sites_;
+  Radius alpha_;
   std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while nobody has seen the whole star
   std::vector<std::array<std::uint32_t, 2>>
       beside_;                   // of sites whose stars are seen, neighbours that may be incomplete

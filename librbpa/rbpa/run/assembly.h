@@ -11,42 +11,50 @@
 #include "meshops/core/large_pages.h"
 #include "meshops/front/front.h"
 #include "meshops/patch/assembler.h"
+#include "rbpa/collinear.h"
 #include "rbpa/core/complex.h"
 #include "rbpa/run/report.h"
-#include "rbpa/search/point_grid.h"
+#include "rbpa/search/sites.h"
 
 namespace rbpa {
 
-template <typename Real>
 class Assembly {
  public:
   /// Keeps references; the complex is empty yet.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads)
-      : grid_(input, threads), threads_(threads), complex_(begin(complex)) {}
+      : sites_(input, threads), threads_(threads), complex_(begin(complex)) {}
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 
-  const PointGrid<Real>& grid() const { return grid_; }
+  const Sites& sites() const { return sites_; }
+  /// Then there is no triangle.
+  bool are_collinear() const {
+    return rbpa::are_collinear(sites_.beyond().empty() ? sites_.grid().points()
+                                                       : std::span<const Point>(sites_.points()));
+  }
 
   /// An empty mesh to lay patches in; a front to begin with; and one that goes on.
-  meshops::PatchAssembler assembler() { return {complex_.mesh, grid_.points().size()}; }
-  meshops::Front front() { return {complex_.mesh, grid_.points().size(), elements_at_a_time}; }
+  meshops::PatchAssembler assembler() { return {complex_.mesh, sites_.size()}; }
+  meshops::Front front() { return {complex_.mesh, sites_.size(), elements_at_a_time}; }
   meshops::Front front(meshops::AssembledPatches&& assembled) {
     return meshops::Front(std::move(assembled), elements_at_a_time);
   }
 
-  /// Makes the complex of what was built, AssembledPatches or a Front. Once.
+  /// Makes the complex of what was built, AssembledPatches or a Front. Once. `names` tells which sites it was built on,
+  /// where these are not its numbers.
   template <typename Built>
-  void finish(Built&& built) {
-    const auto points = grid_.points();
-    complex_.isolated = isolated(built);
-    const std::vector<meshops::Site> site = std::forward<Built>(built).finish();
+  void finish(Built&& built, std::span<const std::uint32_t> names = {}) {
+    complex_.isolated = isolated(built, names);
+    std::vector<meshops::Site> site = std::forward<Built>(built).finish();
+    if (!names.empty())
+      for (meshops::Site& s : site) s = names[s];
+    const auto index = sites_.input_index();
     complex_.input_index.resize(site.size());
     for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
-        const meshops::Site s = site[v];
-        complex_.input_index[v] = grid_.input_index()[s];
-        complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {points[s].x, points[s].y, 0.0});
+        const Point at = sites_.at(site[v]);
+        complex_.input_index[v] = index[site[v]];
+        complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {at.x, at.y, 0.0});
       }
     });
   }
@@ -54,8 +62,10 @@ class Assembly {
  private:
   /// The input indices of sites without a triangle, ascending: not sorted but marked, as they may be most.
   template <typename Built>
-  std::vector<std::uint32_t> isolated(const Built& built) const {
-    const auto index = grid_.input_index();
+  std::vector<std::uint32_t> isolated(const Built& built, std::span<const std::uint32_t> names) const {
+    std::vector<std::uint32_t> renamed;
+    for (const std::uint32_t s : names) renamed.push_back(sites_.input_index()[s]);
+    const std::span<const std::uint32_t> index = names.empty() ? sites_.input_index() : renamed;
     const auto is_isolated = [&](std::size_t s) -> std::size_t {
       return built.is_free(static_cast<meshops::Site>(s)) ? 1 : 0;
     };
@@ -70,7 +80,7 @@ class Assembly {
     }
     found.resize(count);
     constexpr std::size_t bits = 64;
-    std::vector<std::uint64_t> marked((index.size() + grid_.repetitions().size()) / bits + 1);
+    std::vector<std::uint64_t> marked((index.size() + complex_.duplicates.size()) / bits + 1);
     for (const std::uint32_t i : found) marked[i / bits] |= std::uint64_t{1} << i % bits;
     count = 0;
     for (std::size_t word = 0; word < marked.size(); ++word)
@@ -82,9 +92,9 @@ class Assembly {
   static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;  // 1: what is validated has no spare elements
 
   SolidAlphaComplex& begin(SolidAlphaComplex& complex) const {
-    const std::size_t points = grid_.points().size();
+    const std::size_t points = sites_.size();
     complex.distinct = points;
-    for (const auto& r : grid_.repetitions()) complex.duplicates.push_back({r.index, r.stands_for});
+    complex.duplicates = sites_.duplicates();
     // A planar triangulation of n points has fewer than 3n edges and 2n faces. Vertices are a few more where fans meet in
     // one point, or wait to grow together: up to a twelfth of scattered points, at 0.7 spacings. What is not used is never
     // touched.
@@ -99,7 +109,7 @@ class Assembly {
 
   static constexpr std::size_t vertices_at_a_time = 1u << 16;
 
-  PointGrid<Real> grid_;
+  Sites sites_;
   Threads& threads_;
   SolidAlphaComplex& complex_;
 };

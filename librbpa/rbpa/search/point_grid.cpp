@@ -15,13 +15,14 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
 }  // namespace
 
 template <typename Real>
-PointGrid<Real>::PointGrid(std::span<const Point> input, Threads& threads) {
-  if (input.empty()) return;
-  points_.resize(input.size() + padding);
-  index_.resize(input.size());
+PointGrid<Real>::PointGrid(const NamedPoints& input, Threads& threads) {
+  const std::size_t count = input.points.size();
+  if (count == 0) return;
+  points_.resize(count + padding);
+  index_.resize(count);
   std::fill_n(points_.end() - padding, padding, Point());
-  levels_.push_back(make_level(input, threads));
-  sort_by_cell({input}, levels_[0], 0, points_.data(), index_.data(), threads);
+  levels_.push_back(make_level(input.points, threads));
+  sort_by_cell(input, levels_[0], 0, points_.data(), index_.data(), threads);
   refine(threads);
   remove_repetitions(threads);
 }

@@ -14,6 +14,7 @@
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/core/point.h"
 #include "rbpa/parallel/threads.h"
+#include "rbpa/search/named_points.h"
 #include "rbpa/search/region.h"
 
 namespace rbpa {
@@ -27,14 +28,16 @@ class PointGrid {
   };
 
   /// Requires finite points, fewer than 2³⁰. Without `threads`, the calling one does it.
-  PointGrid(std::span<const Point> input, Threads& threads);
+  PointGrid(std::span<const Point> input, Threads& threads) : PointGrid(NamedPoints{input}, threads) {}
   explicit PointGrid(std::span<const Point> input);
+  /// The same where the points have names of their own, in ascending order.
+  PointGrid(const NamedPoints& input, Threads& threads);
 
   /// The distinct points in the order of their cells. A position in it is called a site.
   /// Behind the last, `padding` more can be read.
   std::span<const Point> points() const { return {points_.data(), index_.size()}; }
   static constexpr std::size_t padding = 7;
-  /// The (lowest) input index of each site.
+  /// The (lowest) input index, or name, of each site.
   std::span<const std::uint32_t> input_index() const { return index_; }
   const std::vector<Repetition>& repetitions() const { return repetitions_; }
 

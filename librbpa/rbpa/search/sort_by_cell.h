@@ -13,15 +13,9 @@
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/core/point.h"
 #include "rbpa/parallel/threads.h"
+#include "rbpa/search/named_points.h"
 
 namespace rbpa {
-
-/// Points, and what they are called.
-struct NamedPoints {
-  std::span<const Point> points;
-  const std::uint32_t* names = nullptr;  ///< of each point; without, its position
-  std::uint32_t name(std::size_t i) const { return names ? names[i] : static_cast<std::uint32_t>(i); }
-};
 
 /// Sorts points into `sorted` and `names`, both as long, in the order of the cells `first_cell` … `last_cell` − 1 of a
 /// level, in which all of them lie. Fills in `level.start` of these cells, `first` being that of the first.

@@ -116,6 +116,7 @@ void Cutter::cut(const Block& block, Tile& tile) {
   lay_cells(level, block, tile);
   gather(level, block, tile);
   if (block.level != 0) gather_beyond(level, tile);
+  if (!hidden_.none()) forget_hidden(level, tile);
   sort_into_cells(tile);
 }
 
@@ -133,10 +134,10 @@ void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   tile.x0 = level.x + block.column * level.cell - beyond * tile.cell;
   tile.y0 = level.y + block.row * level.cell - beyond * tile.cell;
   if (block.level == 0) {
-    tile.nothing_left = tile.x0 <= level.x;
-    tile.nothing_below = tile.y0 <= level.y;
-    tile.nothing_right = tile.x1() >= level.x + level.width;
-    tile.nothing_above = tile.y1() >= level.y + level.height;
+    tile.nothing_left = tile.x0 <= level.x && !hidden_.are_left();
+    tile.nothing_below = tile.y0 <= level.y && !hidden_.are_below();
+    tile.nothing_right = tile.x1() >= level.x + level.width && !hidden_.are_right();
+    tile.nothing_above = tile.y1() >= level.y + level.height && !hidden_.are_above();
   }
   sites_.clear();
   all_ = 0;
@@ -220,6 +221,12 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
                if (first < first_inside) take(first, std::min(last, first_inside));
                if (last > last_inside) take(std::max(first, last_inside), last);
              });
+}
+
+void Cutter::forget_hidden(const Level& level, const Tile& tile) {
+  const double slack = level.slack;
+  hidden_.in_box({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}},
+                 [&](const Point& p) { forget(tile, p.x - slack, p.x + slack, p.y - slack, p.y + slack); });
 }
 
 void Cutter::add(std::uint32_t first, std::uint32_t last) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rbpa/search/hidden_points.h"
 #include "rbpa/search/point_grid.h"
 #include "rbpa/tile/tile.h"
 
@@ -27,8 +28,9 @@ std::vector<Block> blocks(const PointGrid<double>& grid, std::uint32_t most_poin
 /// Cuts tiles out of a grid, one after another with the same memory.
 class Cutter {
  public:
-  /// Keeps a reference.
-  explicit Cutter(const PointGrid<double>& grid) : grid_(grid) {}
+  /// Keeps references. Where a hidden point lies, and beyond it, a tile does not know what there is.
+  explicit Cutter(const PointGrid<double>& grid, const HiddenPoints& hidden = none_hidden())
+      : grid_(grid), hidden_(hidden) {}
 
   /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
   /// points than a tile can have gives an empty tile.
@@ -40,11 +42,13 @@ class Cutter {
   void lay_cells(const Level& level, const Block& block, Tile& tile);
   void gather(const Level& level, const Block& block, Tile& tile);
   void gather_beyond(const Level& level, const Tile& tile);
+  void forget_hidden(const Level& level, const Tile& tile);
   void add(std::uint32_t first, std::uint32_t last);
   void forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high);
   void sort_into_cells(Tile& tile);
 
   const PointGrid<double>& grid_;
+  const HiddenPoints& hidden_;
   struct Range {
     std::uint32_t first, last;
   };

@@ -22,11 +22,11 @@ class ExactContest {
 
   /// Among points that may lie on either side of the chord; `none` when all lie right of it or on it.
   Index winner(std::size_t a, std::size_t b, std::span<const Index> contenders, Index none) const {
-    const Chord chord(tile_.points[a], tile_.points[b]);
+    const Chord<double> chord(tile_.points[a], tile_.points[b]);
     Index best = none;
-    Chord::Candidate least{};
+    Chord<double>::Candidate least{};
     for (const Index i : contenders) {
-      const Chord::Candidate candidate = chord.candidate(tile_.points[i]);
+      const Chord<double>::Candidate candidate = chord.candidate(tile_.points[i]);
       if (!chord.is_left(candidate) || (best != none && !chord.is_inside(candidate, least))) continue;
       best = i;
       least = candidate;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "rbpa/parallel/in_order.h"
-#include "rbpa/pivot/radius.h"
-#include "rbpa/search/point_grid.h"
+#include "rbpa/predicate/radius.h"
+#include "rbpa/search/sites.h"
 #include "rbpa/tile/cut.h"
 #include "rbpa/tile/triangulate.h"
 
@@ -16,12 +16,11 @@ namespace rbpa {
 
 inline constexpr std::uint32_t points_per_tile = 2048;  ///< measured: fewer have more seams, more leave the cache
 
-/// Calls made(const TileTriangles&, Result&) with what each tile tells, in any thread; told(const TileTriangles&, Result&),
+/// The tiles of the sites in the window, alpha being as these see it. Calls made(const TileTriangles&, Result&) with what each tile tells, in any thread; told(const TileTriangles&, Result&),
 /// in the same order on every run and one at a time; then, in any thread, finish(const TileTriangles&, Result&). The
 /// result is one tile's at a time, and is used again for others. Throws what one of them throws.
 template <typename Result, typename Made, typename Told, typename Finish>
-void for_each_tile(const PointGrid<double>& grid, const Radius& radius, Threads& threads, Made made, Told told,
-                   Finish finish) {
+void for_each_tile(const Sites& sites, const Radius& radius, Threads& threads, Made made, Told told, Finish finish) {
   struct Workspace {
     Tile tile;
     TileWorkspace triangulation;
@@ -29,11 +28,11 @@ void for_each_tile(const PointGrid<double>& grid, const Radius& radius, Threads&
     TileTriangles triangles;
     Result result;
   };
-  const std::vector<Block> all = blocks(grid, points_per_tile);
+  const std::vector<Block> all = blocks(sites.grid(), points_per_tile);
   in_order<Workspace>(
       threads, all.size(),
       [&](std::size_t i, Workspace& workspace) {
-        if (!workspace.cutter) workspace.cutter.emplace(grid);
+        if (!workspace.cutter) workspace.cutter.emplace(sites.grid(), sites.hidden());
         workspace.cutter->cut(all[i], workspace.tile);
         triangulate(workspace.tile, radius, workspace.triangulation, workspace.triangles);
         made(std::as_const(workspace.triangles), workspace.result);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "meshops/patch/assembler.h"
-#include "rbpa/pivot/radius.h"
-#include "rbpa/search/point_grid.h"
+#include "rbpa/predicate/radius.h"
+#include "rbpa/search/sites.h"
 #include "rbpa/tile/for_each_tile.h"
 
 namespace rbpa {
@@ -13,11 +13,11 @@ namespace rbpa {
 /// Lays every tile, calling laid(const TileTriangles&) after each, one at a time and in any thread; it may throw to end the
 /// run. PatchAssembler::join() is left to the caller, who may have more to lay.
 template <typename Laid>
-void lay_tiles(const PointGrid<double>& grid, const Radius& radius, meshops::PatchAssembler& assembler,
-               Threads& threads, Laid laid) {
-  assembler.reserve(3 * grid.points().size(), 2 * grid.points().size());
+void lay_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler& assembler, Threads& threads,
+               Laid laid) {
+  assembler.reserve(3 * sites.size(), 2 * sites.size());
   for_each_tile<meshops::Placement>(
-      grid, radius, threads, [](const TileTriangles&, meshops::Placement&) {},
+      sites, radius, threads, [](const TileTriangles&, meshops::Placement&) {},
       [&](const TileTriangles& tile, meshops::Placement& placement) {
         assembler.place(tile.patch, tile.outline, placement);
         laid(tile);

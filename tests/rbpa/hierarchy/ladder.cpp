@@ -18,10 +18,11 @@ namespace {
 
 const double most = std::numeric_limits<double>::max();
 
-template <typename Real>
+using Real = Ladder::Real;
+
 void check_ladder(double least, Radius last, Real largest) {
   CAPTURE(least);
-  const Ladder<Real> ladder(least, last, largest);
+  const Ladder ladder(least, last, largest);
   const Real end = last.is_infinite() ? largest : Real(last.value());
   // The last level is the first whose power reaches the end.
   CHECK(ladder.is_last(ladder.end()));
@@ -36,8 +37,7 @@ void check_ladder(double least, Radius last, Real largest) {
   }
 }
 
-template <typename Real>
-void check_first_reaching(const Ladder<Real>& ladder, Real radius, double least) {
+void check_first_reaching(const Ladder& ladder, Real radius, double least) {
   CAPTURE(radius);
   const int first = ladder.first_reaching(radius);
   REQUIRE(first >= 0);
@@ -55,26 +55,25 @@ TEST_CASE("the radii double until the last, which is as given") {
     const double least = std::ldexp(1 + random.unit(), random.integer(-150, 100));
     const double last = std::ldexp(1 + random.unit(), random.integer(-150, 150));
     if (least >= last) continue;
-    check_ladder<double>(least, Radius(last), 1);
-    check_ladder<double>(least, Radius(), last);
-    check_ladder<long double>(least, Radius(last), 1);
+    check_ladder(least, Radius(last), 1);
+    check_ladder(least, Radius(), last);
   }
-  check_ladder<double>(1, Radius(1024), 1);
-  check_ladder<double>(1, Radius(std::nextafter(1024, 0)), 1);
-  check_ladder<double>(1, Radius(std::nextafter(1024, 2000)), 1);
-  check_ladder<long double>(5e-324, Radius(most), 1);
-  check_ladder<long double>(5e-324, Radius(), std::ldexp(1.0L, 1030));
-  check_ladder<long double>(1e300, Radius(), std::ldexp(1.0L, 1030));
+  check_ladder(1, Radius(1024), 1);
+  check_ladder(1, Radius(std::nextafter(1024, 0)), 1);
+  check_ladder(1, Radius(std::nextafter(1024, 2000)), 1);
+  check_ladder(5e-324, Radius(most), 1);
+  check_ladder(5e-324, Radius(), std::ldexp(1.0L, 1030));
+  check_ladder(1e300, Radius(), std::ldexp(1.0L, 1030));
 }
 
 TEST_CASE("a least radius that is not below the last makes one level") {
   for (const double last : {1.0, 0.5, 5e-324}) {
-    const Ladder<double> ladder(1, Radius(last), 1);
+    const Ladder ladder(1, Radius(last), 1);
     CHECK(ladder.end() == 0);
     CHECK(ladder.radius(0).value() == last);
   }
-  CHECK(Ladder<double>(1, Radius(), 0.5).radius(0).is_infinite());
-  CHECK(Ladder<long double>(most, Radius(), std::ldexp(1.0L, 1030)).end() == 0);
+  CHECK(Ladder(1, Radius(), 0.5).radius(0).is_infinite());
+  CHECK(Ladder(most, Radius(), std::ldexp(1.0L, 1030)).end() == 0);
 }
 
 TEST_CASE("no level before the first that reaches a radius does, and that one does") {
@@ -85,11 +84,10 @@ TEST_CASE("no level before the first that reaches a radius does, and that one do
     const double some = random.chance(0.3) ? std::ldexp(least, random.integer(-3, 150))
                                            : std::ldexp(1 + random.unit(), random.integer(-110, 150));
     CAPTURE(least);
-    check_first_reaching(Ladder<double>(least, last, 1e9), some, least);
-    check_first_reaching(Ladder<double>(least, last, 1e9), jiggled(some, 5, random), least);
-    check_first_reaching(Ladder<long double>(least, last, 1e9L), static_cast<long double>(some), least);
+    check_first_reaching(Ladder(least, last, 1e9), some, least);
+    check_first_reaching(Ladder(least, last, 1e9), jiggled(some, 5, random), least);
   }
-  const Ladder<long double> longest(5e-324, Radius(most), 1);
+  const Ladder longest(5e-324, Radius(most), 1);
   for (const double radius : {5e-324, 1e-310, 1e-300, 1.0, 1e300, most})
     check_first_reaching(longest, static_cast<long double>(radius), 5e-324);
   CHECK(longest.first_reaching(0) == 0);
@@ -97,11 +95,10 @@ TEST_CASE("no level before the first that reaches a radius does, and that one do
 
 TEST_CASE("no finite ladder reaches infinity, and an infinite one reaches every other radius with its last level") {
   const double infinity = std::numeric_limits<double>::infinity();
-  CHECK(Ladder<double>(1, Radius(8), 1).first_reaching(infinity) == Ladder<double>::never);
-  CHECK(Ladder<double>(1, Radius(), 8).first_reaching(infinity) == Ladder<double>::never);
-  for (const double radius : {7.0, 8.0, 9.0, 1e10, 1e300})
-    CHECK(Ladder<double>(1, Radius(), 8).first_reaching(radius) == 3);
-  CHECK(Ladder<double>(1, Radius(8), 1).first_reaching(1e10) > 3);
+  CHECK(Ladder(1, Radius(8), 1).first_reaching(infinity) == Ladder::never);
+  CHECK(Ladder(1, Radius(), 8).first_reaching(infinity) == Ladder::never);
+  for (const double radius : {7.0, 8.0, 9.0, 1e10, 1e300}) CHECK(Ladder(1, Radius(), 8).first_reaching(radius) == 3);
+  CHECK(Ladder(1, Radius(8), 1).first_reaching(1e10) > 3);
 }
 
 TEST_SUITE_END();

@@ -42,7 +42,7 @@ Patch delaunay_patch(const Points& points) {
   rbpa::Threads one;
   Patch patch;
   meshops::Outline outline;
-  rbpa::delaunay(
+  rbpa::delaunay<double>(
       places, [](const auto&...) { return 0; }, one, patch, outline);
   return patch;
 }
@@ -50,9 +50,9 @@ Patch delaunay_patch(const Points& points) {
 void check_parts(const Points& points, double least) {
   CAPTURE(least);
   const Patch patch = delaunay_patch(points);
-  const Ladder<double> ladder(least, Radius(), 1e6);
+  const Ladder ladder(least, Radius(), 1e6);
   LevelPatch parts;
-  parts.part(patch, points, ladder);
+  parts.part(patch, points, ladder, rbpa::window_of(points));
   if (parts.later.empty()) parts.first = patch;
 
   // The same triangles, each on its level.
@@ -107,7 +107,7 @@ TEST_CASE(
   patch.triangles = {{0, 1, 2}, {2, 1, 3}};
   patch.across = {{Patch::open, 3, Patch::nothing}, {1, Patch::open, Patch::open}};
   LevelPatch parts;
-  parts.part(patch, points, Ladder<double>(1, Radius(), 100));
+  parts.part(patch, points, Ladder(1, Radius(), 100), rbpa::window_of(points));
   REQUIRE(parts.first.triangles == std::vector<Corners>{{0, 1, 2}});
   CHECK(parts.first.across == std::vector<std::array<int, 3>>{{Patch::open, Patch::nothing, Patch::nothing}});
   REQUIRE(parts.later.size() == 1);
@@ -129,7 +129,7 @@ TEST_CASE("waiting triangles come level by level, in the order in which they wer
   for (const int level : {0, 1, 3, 4, 6, 8, 9}) CHECK(of_level(level).empty());
   const std::vector<std::pair<int, int>> after = {{0, 2}, {1, 2}, {2, 5}, {3, 5}, {4, 5}, {5, 7}, {6, 7}};
   for (const auto& [level, next] : after) CHECK(waiting.after(level) == next);
-  for (const int level : {7, 8, 9}) CHECK(waiting.after(level) == Ladder<double>::never);
+  for (const int level : {7, 8, 9}) CHECK(waiting.after(level) == Ladder::never);
 }
 
 TEST_CASE("where no triangle waits there is no next level") {
@@ -137,7 +137,7 @@ TEST_CASE("where no triangle waits there is no next level") {
   none.sort(3);
   for (int level = 0; level <= 3; ++level) {
     CHECK(none.of_level(level).empty());
-    CHECK(none.after(level) == Ladder<double>::never);
+    CHECK(none.after(level) == Ladder::never);
   }
 }
 

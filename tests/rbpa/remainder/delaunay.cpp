@@ -47,7 +47,7 @@ void delaunay(
   for (const Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads some(threads);
   meshops::Outline outline, surveyed;
-  rbpa::delaunay(places, fate, some, patch, outline, working);
+  rbpa::delaunay<double>(places, fate, some, patch, outline, working);
   meshops::survey(patch, surveyed);
   for (auto* inside : {&outline.inside, &surveyed.inside}) std::sort(inside->begin(), inside->end());
   CHECK(outline.inside == surveyed.inside);

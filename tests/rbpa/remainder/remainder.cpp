@@ -59,7 +59,9 @@ struct Counts {
 std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t most_points, double share_told,
                        std::uint64_t seed, Counts& counts) {
   Random random(seed);
-  const PointGrid<double> grid(input);
+  rbpa::Threads one;
+  const rbpa::Sites sites(input, one);
+  const PointGrid<double>& grid = sites.grid();
   const Points points(grid.points().begin(), grid.points().end());
   std::set<Triangle> complex;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Triangle> at_side;
@@ -68,7 +70,7 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
     complex.insert(t);
     for (std::size_t i = 0; i < 3; ++i) at_side[{t[i], t[(i + 1) % 3]}] = t;
   }
-  Remainder remainder(grid.points(), radius);
+  Remainder remainder(sites, radius);
   std::set<Triangle> told;
   for (const TileTriangles& tile : tell(grid, radius, most_points, share_told, random)) {
     remainder.add(tile);
@@ -206,8 +208,9 @@ TEST_CASE("where density is even nearly all sites are done, however many tiles t
 
 TEST_CASE("what is thrown while the remainder is completed reaches the caller") {
   const Points points = uniform(20000, 8);
-  const Radius radius;
-  Remainder remainder(points, radius);
+  rbpa::Threads one;
+  const rbpa::Sites sites(points, one);
+  Remainder remainder(sites, Radius());
   Patch patch;
   rbpa::Threads threads;
   meshops::Outline outline;

@@ -48,7 +48,9 @@ std::vector<Triangle> triangles_on(const meshops::Front& front) {
 
 /// Lays the tiles of a set: returns how many sites are known.
 std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
-  const PointGrid<double> grid(input);
+  rbpa::Threads threads(2);
+  const rbpa::Sites sites(input, threads);
+  const PointGrid<double>& grid = sites.grid();
   const Points points(grid.points().begin(), grid.points().end());
   std::vector<Triangle> complex = delaunay_by_winners(points);
   std::erase_if(complex,
@@ -56,9 +58,8 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   rbpa::Mesh mesh;
   meshops::PatchAssembler assembler(mesh, points.size());
   int tiles = 0;
-  rbpa::Threads threads(2);
   std::vector<bool> known(points.size(), false);
-  rbpa::lay_tiles(grid, radius, assembler, threads, [&](const rbpa::TileTriangles& tile) {
+  rbpa::lay_tiles(sites, radius, assembler, threads, [&](const rbpa::TileTriangles& tile) {
     ++tiles;
     for (const std::uint32_t s : tile.known) known[s] = true;
   });

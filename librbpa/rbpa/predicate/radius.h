@@ -1,6 +1,7 @@
 // What: the ball's radius, with infinity said in words.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -13,6 +14,8 @@ class Radius {
  public:
   Radius() = default;
   explicit Radius(double alpha) : alpha_(alpha) {}
+  /// Of a number that may be infinite.
+  static Radius of(double alpha) { return std::isinf(alpha) ? Radius() : Radius(alpha); }
 
   bool is_infinite() const { return !alpha_; }
   /// Requires a finite radius.
