@@ -51,10 +51,11 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   rbpa::SolidAlphaComplex complex;
   rbpa::Threads threads;
   Stopwatch watch(seconds);
-  rbpa::Assembly<double> assembly(points, complex, threads);
-  const rbpa::PointGrid<double>& grid = assembly.grid();
+  rbpa::Assembly assembly(points, complex, threads);
+  const rbpa::Sites& sites = assembly.sites();
+  const rbpa::PointGrid<double>& grid = sites.grid();
   meshops::PatchAssembler assembler = assembly.assembler();
-  rbpa::Remainder remainder(grid.points(), radius);
+  rbpa::Remainder remainder(sites, radius);
   assembler.reserve(3 * grid.points().size(), 2 * grid.points().size());
   watch.lap(sort);
   rbpa::Cutter cutter(grid);

@@ -17,7 +17,7 @@ struct Told {
   std::size_t tiles = 0, triangles = 0, known = 0;
 };
 
-Told told_by_tiles(const rbpa::PointGrid<double>& grid, double alpha) {
+Told told_by_tiles(const rbpa::Sites& sites, double alpha) {
   Told told;
   struct Nothing {};
   const auto nothing = [](const rbpa::TileTriangles&, Nothing&) {};
@@ -27,8 +27,8 @@ Told told_by_tiles(const rbpa::PointGrid<double>& grid, double alpha) {
     told.known += tile.known.size();
   };
   rbpa::Threads threads;
-  const auto radius = std::isinf(alpha) ? rbpa::Radius() : rbpa::Radius(alpha);
-  rbpa::for_each_tile<Nothing>(grid, radius, threads, nothing, count, nothing);
+  const rbpa::Radius radius = sites.window().scaled(rbpa::Radius::of(alpha));
+  rbpa::for_each_tile<Nothing>(sites, radius, threads, nothing, count, nothing);
   return told;
 }
 
@@ -45,8 +45,10 @@ std::size_t points_of_tiles(const rbpa::PointGrid<double>& grid, std::uint32_t p
 }
 
 void print_row(const std::string& set, const rbpa_test::Points& points, double alpha, const char* alpha_text) {
-  const rbpa::PointGrid<double> grid(points);
-  const Told told = told_by_tiles(grid, alpha);
+  rbpa::Threads threads;
+  const rbpa::Sites sites(points, threads);
+  const rbpa::PointGrid<double>& grid = sites.grid();
+  const Told told = told_by_tiles(sites, alpha);
   const std::size_t triangles = rbpa::rbpa(points, alpha).mesh.n_faces();
   const auto distinct = static_cast<double>(grid.points().size());
   std::printf("| %s | %zu | %s | %zu | %zu | %.2f | %zu | %.2f | %.2f | %.2f |\n", set.c_str(), points.size(),

@@ -4,15 +4,11 @@
 #include <cstddef>
 
 #include "meshops/core/api.h"
-#include "meshops/core/connectivity.h"
 
 namespace meshops {
 
 /// Asks the system to put large pages behind memory that has not been touched yet. A hint: without effect where the
 /// system has none to give, and on memory smaller than a few of them.
 MESHOPS_API void prefer_large_pages(const void* begin, std::size_t bytes);
-
-/// The same for the elements of an empty mesh, after reserve() of so many.
-MESHOPS_API void prefer_large_pages(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops

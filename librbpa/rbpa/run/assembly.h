@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meshops/core/large_pages.h"
+#include "meshops/core/reserve.h"
 #include "meshops/front/front.h"
 #include "meshops/patch/assembler.h"
 #include "rbpa/collinear.h"
@@ -100,8 +101,7 @@ class Assembly {
     // touched.
     const std::size_t vertices = points + points / 8 + 64, edges = 3 * points + elements_at_a_time,
                       faces = 2 * points + elements_at_a_time;
-    complex.mesh.reserve(vertices, edges, faces);
-    meshops::prefer_large_pages(complex.mesh, vertices, edges, faces);
+    meshops::reserve(complex.mesh, vertices, edges, faces);
     const auto& coordinates = complex.mesh.property(complex.mesh.points_property_handle()).data_vector();
     meshops::prefer_large_pages(coordinates.data(), coordinates.capacity() * sizeof(coordinates[0]));
     return complex;

@@ -20,7 +20,8 @@ inline constexpr std::uint32_t points_per_tile = 2048;  ///< measured: fewer hav
 /// in the same order on every run and one at a time; then, in any thread, finish(const TileTriangles&, Result&). The
 /// result is one tile's at a time, and is used again for others. Throws what one of them throws.
 template <typename Result, typename Made, typename Told, typename Finish>
-void for_each_tile(const Sites& sites, const Radius& radius, Threads& threads, Made made, Told told, Finish finish) {
+void for_each_tile(const Sites& sites, const Radius& radius, Threads& threads, Made made, Told told, Finish finish,
+                   bool with_outline = true) {
   struct Workspace {
     Tile tile;
     TileWorkspace triangulation;
@@ -33,6 +34,7 @@ void for_each_tile(const Sites& sites, const Radius& radius, Threads& threads, M
       threads, all.size(),
       [&](std::size_t i, Workspace& workspace) {
         if (!workspace.cutter) workspace.cutter.emplace(sites.grid(), sites.hidden());
+        workspace.triangles.with_outline = with_outline;
         workspace.cutter->cut(all[i], workspace.tile);
         triangulate(workspace.tile, radius, workspace.triangulation, workspace.triangles);
         made(std::as_const(workspace.triangles), workspace.result);

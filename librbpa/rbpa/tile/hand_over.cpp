@@ -55,7 +55,7 @@ class Telling {
     }
     tell_of_points();
     connect();
-    outline();
+    if (result_.with_outline) outline();
     tell_of_unknown();
   }
 

@@ -22,7 +22,8 @@
 namespace rbpa {
 
 struct TileTriangles {
-  meshops::Patch patch;  ///< on the sites; the triangles whose least corner the tile owns
+  bool with_outline = true;  ///< the outline is wanted
+  meshops::Patch patch;      ///< on the sites; the triangles whose least corner the tile owns
   meshops::Outline outline;
   std::vector<std::uint32_t>
       known;  ///< sites the tile owns at which no triangle of the complex is but those of the patch

@@ -1,0 +1,24 @@
+// What:   what of the alpha complex is in no triangle, from the Delaunay triangulation.
+// Source: Edelsbrunner, Kirkpatrick, Seidel (1983); design: an edge is in the complex when a triangle at it is, or when its
+//         diametral circle is empty and of a radius ≤ alpha.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/triangulate.h"
+
+namespace rbpa {
+
+/// The edges of the alpha complex in no triangle of it, in lexicographic order.
+/// Requires: the Delaunay triangulation with neighbours; of points on one line, without a triangle. Cost: linear; of points
+///           on one line, that of a sort.
+std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
+                                                         const Triangulation& delaunay);
+
+/// Takes the triangles of circumradius > alpha out, and out of the neighbours.
+void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay);
+
+}  // namespace rbpa

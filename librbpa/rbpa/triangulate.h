@@ -1,0 +1,67 @@
+// What:   the alpha complex of points in the plane as plain arrays of indices, in canonical order.
+// Law:    the triangles are those of rbpa() (rbpa.h), to the index; nothing depends on the order of the run, on threads, or
+//         on the compiler.
+// Cost:   less than that of rbpa(), as no mesh is made: docs/performance.md.
+// Note:   knows nothing of OpenMesh.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/api.h"
+#include "rbpa/core/duplicate.h"
+#include "rbpa/core/point.h"
+#include "rbpa/core/progress.h"
+
+namespace rbpa {
+
+/// Which simplices belong to the complex of a radius.
+enum class Complex {
+  solid,  ///< the Delaunay triangles of circumradius ≤ alpha, with their edges and corners
+  full    ///< these, and the edges and points of the alpha complex that are in none: Triangulation::edges and points
+};
+
+struct TriangulationOptions {
+  Complex complex = Complex::solid;
+  bool neighbors = false;  ///< fills in Triangulation::neighbors
+  bool boundary = false;   ///< fills in Triangulation::boundary
+  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors.
+  unsigned threads = 0;
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it.
+  /// Empty: never called.
+  std::function<bool(const Progress&)> progress = {};
+};
+
+/// Indices are those of the input points, of equal points the lowest.
+struct Triangulation {
+  /// What stands for a neighbour where there is none.
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// Counter-clockwise, the smallest index first, in lexicographic order.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Of each triangle, neighbour k is the triangle across from corner k, or none.
+  std::vector<std::array<std::uint32_t, 3>> neighbors;
+  /// The sides at which no other triangle lies, each as it runs around its triangle, in lexicographic order.
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending
+  std::vector<Duplicate> duplicates;    ///< ascending by index
+  std::size_t distinct = 0;             ///< number of distinct points
+
+  // Of the full complex only.
+  /// Edges in no triangle, the smaller index first, in lexicographic order: Delaunay edges of length ≤ 2 alpha whose
+  /// diametral circle is empty. Of points on one line, those between neighbours.
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
+};
+
+/// Requires and throws: as rbpa().
+/// Cost:     about linear. At most 90 bytes a point beyond the input and the result's own, see docs/performance.md; the
+///           full complex takes what the Delaunay triangulation does.
+RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
+                                   const TriangulationOptions& options = {});
+
+}  // namespace rbpa
