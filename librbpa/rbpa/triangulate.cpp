@@ -90,22 +90,22 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of) {
 }
 
 /// The indices that are not marked and not those of duplicates, ascending.
-std::vector<std::uint32_t> others(const std::vector<bool>& marked, const std::vector<Duplicate>& duplicates) {
+std::vector<std::uint32_t> others(const std::vector<std::uint8_t>& marked, const std::vector<Duplicate>& duplicates) {
   std::vector<std::uint32_t> found;
   auto duplicate = duplicates.begin();
   for (std::uint32_t i = 0; i < marked.size(); ++i) {
     if (duplicate != duplicates.end() && duplicate->index == i)
       ++duplicate;
-    else if (!marked[i])
+    else if (marked[i] == 0)
       found.push_back(i);
   }
   return found;
 }
 
 std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t points) {
-  std::vector<bool> covered(points, false);
+  std::vector<std::uint8_t> covered(points, 0);
   for (const auto& t : of.triangles)
-    for (const std::uint32_t i : t) covered[i] = true;
+    for (const std::uint32_t i : t) covered[i] = 1;
   return others(covered, of.duplicates);
 }
 
@@ -140,9 +140,9 @@ Triangulation triangulate(std::span<const Point> points, double alpha, const Tri
   result.edges = dangling_edges(points, alpha, result);
   keep_within(points, alpha, result);
   result.isolated = isolated_in(result, points.size());
-  std::vector<bool> covered(points.size(), true);
-  for (const std::uint32_t i : result.isolated) covered[i] = false;
-  for (const auto& [a, b] : result.edges) covered[a] = covered[b] = true;
+  std::vector<std::uint8_t> covered(points.size(), 1);
+  for (const std::uint32_t i : result.isolated) covered[i] = 0;
+  for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
   result.points = others(covered, result.duplicates);
   if (options.boundary) result.boundary = boundary_of(result);
   if (!options.neighbors) result.neighbors = {};

@@ -68,40 +68,80 @@ Buckets<Item> into_buckets(const meshops::FreshVector<Triple>& triangles, std::s
   return sorted;
 }
 
-/// By counting the smallest corners, few of which have more than three triangles.
-template <typename Item>
+/// What is left of an item when its smallest corner is known: the second and third one, to be compared at once.
+struct Rest {
+  std::uint64_t key;
+};
+struct NumberedRest {
+  std::uint64_t key;
+  std::uint32_t number;
+};
+std::uint64_t key_of(const Triple& t) { return std::uint64_t{t[1]} << 32 | t[2]; }
+Rest rest_of(const Triple& t) { return {key_of(t)}; }
+NumberedRest rest_of(const Numbered& t) { return {key_of(t.corners), t.number}; }
+Triple corners_of(std::size_t first, std::uint64_t key) {
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
+}
+void restore(Triple& t, std::size_t first, const Rest& rest) { t = corners_of(first, rest.key); }
+void restore(Numbered& t, std::size_t first, const NumberedRest& rest) {
+  t = {corners_of(first, rest.key), rest.number};
+}
+
+/// Which of two comes first is a toss of a coin: no branch.
+template <typename R>
+void put_in_order(R& a, R& b) {
+  const R first = b.key < a.key ? b : a, second = b.key < a.key ? a : b;
+  a = first;
+  b = second;
+}
+
+/// The triangles at a smallest corner: two on average, a dozen seldom.
+template <typename R>
+void sort_star(R* star, std::size_t count) {
+  switch (count) {
+    case 0:
+    case 1:
+      return;
+    case 4:
+      put_in_order(star[0], star[1]);
+      put_in_order(star[2], star[3]);
+      put_in_order(star[0], star[2]);
+      put_in_order(star[1], star[3]);
+      put_in_order(star[1], star[2]);
+      return;
+    case 3:
+      put_in_order(star[1], star[2]);
+      put_in_order(star[0], star[1]);
+      [[fallthrough]];
+    case 2:
+      put_in_order(star[count - 2], star[count - 1]);
+      return;
+    default:
+      std::sort(star, star + count, [](const R& a, const R& b) { return a.key < b.key; });
+  }
+}
+
+/// By counting the smallest corners.
+template <typename Item, typename R>
 void sort_bucket(Item* items, std::size_t count, std::size_t first_corner, std::size_t corner_count,
-                 std::vector<Item>& sorted, std::vector<std::uint32_t>& next) {
-  sorted.resize(count);
+                 std::vector<R>& rests, std::vector<std::uint32_t>& next) {
+  if (rests.size() < count) rests.resize(count);
   next.assign(corner_count + 1, 0);
   for (std::size_t i = 0; i < count; ++i) ++next[corners(items[i])[0] - first_corner + 1];
   for (std::size_t c = 1; c <= corner_count; ++c) next[c] += next[c - 1];
-  for (std::size_t i = 0; i < count; ++i) sorted[next[corners(items[i])[0] - first_corner]++] = items[i];
-  const auto before = [](const Item& a, const Item& b) { return corners(a)[1] < corners(b)[1]; };
+  for (std::size_t i = 0; i < count; ++i) rests[next[corners(items[i])[0] - first_corner]++] = rest_of(items[i]);
   std::size_t first = 0;
   for (std::size_t c = 0; c < corner_count; ++c) {
-    const std::size_t last = next[c];
-    // A star has a dozen at most, but for that of a hub. No two have the first side in common.
-    if (last - first > 16) {
-      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first), sorted.begin() + static_cast<std::ptrdiff_t>(last),
-                before);
-    } else {
-      for (std::size_t i = first + 1; i < last; ++i) {
-        const Item item = sorted[i];
-        std::size_t at = i;
-        for (; at > first && before(item, sorted[at - 1]); --at) sorted[at] = sorted[at - 1];
-        sorted[at] = item;
-      }
-    }
-    first = last;
+    const std::size_t last = next[c];  // all of c are put, so this is where those of c + 1 begin
+    sort_star(rests.data() + first, last - first);
+    for (; first < last; ++first) restore(items[first], first_corner + c, rests[first]);
   }
-  std::copy_n(sorted.begin(), count, items);
 }
 
 template <typename Item>
 void sort_buckets(Buckets<Item>& buckets, std::size_t bound, int shift, Threads& threads) {
   struct Workspace {
-    std::vector<Item> sorted;
+    std::vector<decltype(rest_of(Item()))> rests;
     std::vector<std::uint32_t> next;
   };
   const std::size_t width = std::size_t{1} << shift;
@@ -111,7 +151,7 @@ void sort_buckets(Buckets<Item>& buckets, std::size_t bound, int shift, Threads&
       [&](std::size_t b, Workspace& workspace) {
         const std::size_t first = buckets.start[b], first_corner = b << shift;
         sort_bucket(buckets.items.data() + first, buckets.start[b + 1] - first, first_corner,
-                    std::min(width, bound - std::min(bound, first_corner)), workspace.sorted, workspace.next);
+                    std::min(width, bound - std::min(bound, first_corner)), workspace.rests, workspace.next);
       },
       nothing, nothing);
 }
