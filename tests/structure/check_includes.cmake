@@ -30,11 +30,13 @@ set(arrows
   rbpa/tile>rbpa/parallel rbpa/search>rbpa/parallel rbpa/run>rbpa/parallel rbpa>rbpa/parallel
   rbpa/remainder>rbpa/core rbpa/remainder>rbpa/predicate rbpa/remainder>rbpa/search rbpa/remainder>meshops/patch
   rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/pivot rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
+  rbpa/arrays>rbpa rbpa/arrays>rbpa/predicate rbpa/arrays>rbpa/parallel rbpa/arrays>meshops/core
+  rbpa/arrays>meshops/patch rbpa>rbpa/arrays
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(hierarchy|parallel|pivot|predicate|remainder|run|search|seed|tile)/|rbpa/policy\\.h")
+set(inside "rbpa/(arrays|hierarchy|parallel|pivot|predicate|remainder|run|search|seed|tile)/|rbpa/policy\\.h")
 
 set(checked 0)
 set(bad "")

@@ -1,0 +1,12 @@
+# Fails when one of the files that were compiled includes OpenMesh.
+file(GLOB_RECURSE dependencies ${FOLDER}/*.o.d)
+list(LENGTH dependencies count)
+if(count LESS 10)
+  message(FATAL_ERROR "only ${count} lists of includes found: the check looks in the wrong place")
+endif()
+foreach(file ${dependencies})
+  file(STRINGS ${file} found REGEX "OpenMesh/")
+  if(found)
+    message(FATAL_ERROR "${file}: ${found}")
+  endif()
+endforeach()
