@@ -33,7 +33,7 @@ int tie_at_random(Connectivity& mesh, int attempts, std::mt19937& random) {
   for (int i = 0; i < attempts; ++i) {
     const Vertex v(static_cast<int>(random() % mesh.n_vertices())), w(static_cast<int>(random() % mesh.n_vertices()));
     const auto can = [&](Vertex x) { return is_live(mesh, x) && !mesh.is_isolated(x) && mesh.is_boundary(x); };
-    if (v == w || !can(v) || !can(w) || detail::are_neighbours(mesh, v, w)) continue;
+    if (v == w || !can(v) || !can(w) || mesh.find_halfedge(v, w).is_valid()) continue;
     tie(mesh, v, w);
     ++tied;
   }
