@@ -9,6 +9,8 @@ namespace meshops {
 
 namespace detail {
 
+inline constexpr const char* several_fans = "a vertex has several fans";
+
 /// The boundary halfedge that comes in at the other end of the fan which the boundary halfedge `out` leaves.
 inline Halfedge end_of_fan(const Connectivity& mesh, Halfedge out) {
   Halfedge in = mesh.opposite_halfedge_handle(out);

@@ -1,6 +1,7 @@
 #include "meshops/handle/glue.h"
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fans.h"
 #include "meshops/core/live.h"
 #include "meshops/core/reach.h"
 #include "meshops/handle/fan.h"

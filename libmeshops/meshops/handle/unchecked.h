@@ -8,8 +8,6 @@
 
 namespace meshops::detail {
 
-inline constexpr const char* several_fans = "a vertex has several fans";
-
 /// Why not, or nullptr: a reason costs no memory.
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second);
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h);

@@ -23,7 +23,7 @@ const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
     if (!mesh.is_boundary(side) && !detail::is_triangle(mesh, side)) return "a face is not a triangle";
   if (keep == Keep::manifold) return nullptr;
   const Place at(mesh, h);
-  return detail::open_refusal(mesh, at.b, at.left, at.right, keep);
+  return detail::double_edge_refusal(mesh, at.b, at.left, at.right);
 }
 
 /// The face of `side` loses it, and gets `heir` between `before` and `after` instead.
