@@ -16,7 +16,7 @@ template <typename OfEdge>
 auto edge_map(OfEdge of_edge) {
   // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
   return boost::make_function_property_map<Halfedge>(
-      [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() / 2)); });
+      [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() >> 1)); });
 }
 
 /// The map from a halfedge to the distance of its ends, as double, computed when it is asked for.

@@ -111,10 +111,12 @@ SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge righ
   mesh.set_halfedge_handle(v, named_of_v);
   if (named_moves) mesh.set_halfedge_handle(w, o);
   if (!has_left) {
+    mesh.set_boundary(h);
     mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(named), h);
     mesh.set_next_halfedge_handle(h, named);
   }
   if (!has_right) {
+    mesh.set_boundary(o);
     mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(named_of_v), o);
     mesh.set_next_halfedge_handle(o, named_of_v);
   }
