@@ -186,6 +186,19 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
   return within > 1 || (within == 1 && !full_turn && gaps_between(*right, *left) > 0);
 }
 
+/// The new vertex must not be joined to another twice.
+const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
+  const char* const reason = "two edges would join the new vertex and the same other";
+  const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();
+  const Vertex d = right.is_valid() ? mesh.to_vertex_handle(right) : Vertex();
+  if (c == d) return reason;
+  const Halfedge named = mesh.halfedge_handle(w);
+  const Halfedge end = right.is_valid() ? right : ccw(mesh, named);
+  for (Halfedge out = ccw(mesh, left.is_valid() ? left : named); out != end; out = ccw(mesh, out))
+    if (const Vertex to = mesh.to_vertex_handle(out); to == c || to == d) return reason;
+  return nullptr;
+}
+
 }  // namespace
 
 constexpr int usual_degree = 12;
@@ -241,18 +254,6 @@ void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
   for (std::size_t i = 0; i < removed.faces().size(); ++i)
     if (const Halfedge side = named_by_face[i]; is_live(mesh, side) && mesh.face_handle(side) == removed.face[i])
       mesh.set_halfedge_handle(removed.face[i], side);
-}
-
-const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
-  const char* const reason = "two edges would join the new vertex and the same other";
-  const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();
-  const Vertex d = right.is_valid() ? mesh.to_vertex_handle(right) : Vertex();
-  if (c == d) return reason;
-  const Halfedge named = mesh.halfedge_handle(w);
-  const Halfedge end = right.is_valid() ? right : ccw(mesh, named);
-  for (Halfedge out = ccw(mesh, left.is_valid() ? left : named); out != end; out = ccw(mesh, out))
-    if (const Vertex to = mesh.to_vertex_handle(out); to == c || to == d) return reason;
-  return nullptr;
 }
 
 const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,

@@ -70,9 +70,6 @@ void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 /// them at a vertex that has several; with Keep::simplicial the new vertex must not be joined to another twice.
 const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
                          Keep keep);
-/// Of these only the last.
-const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right);
-
 /// The vertex that h comes from goes into the one that it leads to; the faces of h close.
 WeldEffect close_edge(Connectivity& mesh, Halfedge h);
 
