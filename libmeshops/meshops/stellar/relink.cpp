@@ -62,7 +62,6 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
   if (effect.named[1] == s.cv || effect.named[1] == cw_left) mesh.set_halfedge_handle(c, s.dw);
   Halfedge before = mesh.prev_halfedge_handle(cw_left), after = mesh.next_halfedge_handle(cw_left);
   take_place(mesh, s.dw, cw_left, before, after);
-  mark_deleted(mesh, effect.removed);
   return effect;
 }
 
@@ -268,7 +267,7 @@ const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left,
                                 : double_edge_refusal(mesh, w, left.value_or(Halfedge()), right.value_or(Halfedge()));
 }
 
-WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
+WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   const Star s(mesh, h);
   const Vertex v = mesh.to_vertex_handle(s.o), w = mesh.to_vertex_handle(s.h);
   WeldEffect effect;
@@ -327,6 +326,11 @@ WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
   } else if (s.vc != s.vd) {
     mesh.set_next_halfedge_handle(s.dw, s.vd);  // the boundary before and after o
   }
+  return effect;
+}
+
+WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
+  const WeldEffect effect = close_links(mesh, h);
   mark_deleted(mesh, effect.removed);
   return effect;
 }

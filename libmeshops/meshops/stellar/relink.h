@@ -70,8 +70,11 @@ void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 /// them at a vertex that has several; with Keep::simplicial the new vertex must not be joined to another twice.
 const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
                          Keep keep);
-/// The vertex that h comes from goes into the one that it leads to; the faces of h close.
+/// The vertex that h comes from goes into the one that it leads to; the faces of h close. What is removed is marked
+/// deleted.
 WeldEffect close_edge(Connectivity& mesh, Halfedge h);
+/// The same without marks.
+WeldEffect close_links(Connectivity& mesh, Halfedge h);
 
 /// Why not, or nullptr. Requires a live halfedge.
 const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep);

@@ -39,14 +39,15 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
   return split_edge_blocker(mesh, first_halfedge(mesh, e), keep);
 }
 
-SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
+SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", refusal(mesh, h, keep));
   // What detail::open_vertex() does at b, without its questions: the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);
   const Vertex b = mesh.to_vertex_handle(h);
-  SplitEffect effect;
+  SplitEdgeEffect effect;
+  effect.line = h;
   StarElements& added = effect.added;
   added.at_boundary = !has_left || !has_right;
   detail::AddedElements elements(mesh, 1, added.edges().size(), added.faces().size());
@@ -80,7 +81,7 @@ SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   return effect;
 }
 
-SplitEffect split_edge(Connectivity& mesh, Edge e, Keep keep) {
+SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep) {
   return split_edge(mesh, first_halfedge(mesh, e), keep);
 }
 

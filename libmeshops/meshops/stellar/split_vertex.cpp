@@ -8,10 +8,11 @@ std::optional<std::string> split_vertex_blocker(const Connectivity& mesh, std::o
   return detail::as_blocker(detail::open_refusal(mesh, left, right, keep));
 }
 
-SplitEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right, Keep keep) {
+SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
+                               Keep keep) {
   detail::enforce("split_vertex", detail::open_refusal(mesh, left, right, keep));
   const Vertex w = mesh.from_vertex_handle(left ? *left : *right);
-  return detail::open_vertex(mesh, w, left.value_or(Halfedge()), right.value_or(Halfedge()));
+  return {detail::open_vertex(mesh, w, left.value_or(Halfedge()), right.value_or(Halfedge()))};
 }
 
 }  // namespace meshops

@@ -184,8 +184,9 @@ std::string split_vertex(Model& model, int left, int right, const std::vector<in
 }
 
 std::string flip(Model& model, int edge, bool back) {
+  if (edge < 0 || static_cast<std::size_t>(edge) >= model.from.size() / 2) return "no such edge";
   const int h = 2 * edge, o = h + 1;
-  if (edge < 0 || !model.has_side(h)) return "no such edge";
+  if (!model.has_side(h)) return "no such edge";
   const int left = model.face_of(h), right = model.face_of(o);
   if (left < 0 || right < 0) return "on the boundary";
   if (!is_triangle(model, left) || !is_triangle(model, right)) return "not a triangle";

@@ -1,5 +1,6 @@
 // The steps of the stellar operators.
 #include <algorithm>
+#include <cstdint>
 
 #include "meshops/stellar/collapse.h"
 #include "meshops/stellar/remove_vertex.h"
@@ -68,12 +69,28 @@ struct Run {
   }
 };
 
+struct Stop {};
+constexpr auto stop = [](auto&, const auto&) { throw Stop(); };
+
+/// A split whose hook throws, or which is refused, leaves every record.
+template <typename Split>
+void check_stopped(const Judge& judge, const TestMesh& mesh, Split split) {
+  try {
+    split();
+    judge.fail("swallowed what its hook threw");
+  } catch (const Stop&) {
+  } catch (const ContractViolation&) {
+  }
+  if (snapshot(mesh) != judge.records()) judge.fail("stopped by its hook, did not restore every record");
+}
+
 }  // namespace
 
 void Walk::split_edge() {
   const Halfedge h = arguments_.halfedge();
   const Keep keep = arguments_.keep();
   judge_.begin("split_edge");
+  if (choices_.one_in(8)) check_stopped(judge_, mesh_, [&] { meshops::split_edge(mesh_, h, stop, keep); });
   const std::optional<SplitEffect> effect =
       judge_.run(split_edge_blocker(mesh_, h, keep), [&] { return meshops::split_edge(mesh_, h, keep); });
   judge_.compare(
@@ -85,6 +102,7 @@ void Walk::split_face() {
   const Face f = arguments_.face();
   const int named = is_live(mesh_, f) ? mesh_.halfedge_handle(f).idx() : -1;
   judge_.begin("split_face");
+  if (choices_.one_in(8)) check_stopped(judge_, mesh_, [&] { meshops::split_face(mesh_, f, stop); });
   const std::optional<SplitEffect> effect =
       judge_.run(split_face_blocker(mesh_, f), [&] { return meshops::split_face(mesh_, f); });
   judge_.compare(delta_of(effect), {.keep = Keep::simplicial}, [&](Model& model) {
@@ -100,6 +118,7 @@ void Walk::split_vertex() {
   const Keep keep = arguments_.keep();
   const Run run(mesh_, left, right);
   judge_.begin("split_vertex");
+  if (choices_.one_in(8)) check_stopped(judge_, mesh_, [&] { meshops::split_vertex(mesh_, left, right, stop, keep); });
   const std::optional<SplitEffect> effect = judge_.run(split_vertex_blocker(mesh_, left, right, keep),
                                                        [&] { return meshops::split_vertex(mesh_, left, right, keep); });
   judge_.compare(delta_of(effect),
@@ -214,23 +233,23 @@ void Walk::take_weld_back() {
       effect.survivor = mesh_.from_vertex_handle(*at);
     for (Halfedge& h : effect.named)
       if (choices_.one_in(2)) h = arguments_.halfedge();
-    effect.halfedge = mesh_.halfedge_handle(removed.edge[0], choices_.below(2));
+    effect.halfedge = Halfedge(static_cast<int>(2U * static_cast<unsigned>(removed.edge[0].idx()) + choices_.below(2)));
     if (choices_.one_in(8)) effect.halfedge = arguments_.halfedge();
   }
   judge_.begin("undo of a weld");
   const Model& before = judge_.before();
   const Run run(mesh_, effect.left, effect.right);
   const auto reason = [&]() -> std::string {
-    std::vector<int> names;
+    std::vector<std::int64_t> names;
     bool dead = is_dead(effect.removed.vertex.idx(), before.has_vertex);
     for (const Edge e : effect.removed.edges()) {
       dead =
           dead && e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh_.n_edges() && !before.has_side(2 * e.idx());
-      names.push_back(2 * e.idx());
+      names.push_back(2 * std::int64_t{e.idx()});
     }
     for (const Face f : effect.removed.faces()) {
       dead = dead && f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh_.n_faces() && !before.has_face(f.idx());
-      names.push_back(2 * f.idx() + 1);
+      names.push_back(2 * std::int64_t{f.idx()} + 1);
     }
     if (!dead) return "nothing to bring back";
     std::sort(names.begin(), names.end());
