@@ -101,7 +101,7 @@ SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge righ
     const Halfedge dv = mesh.opposite_halfedge_handle(vd);
     added.edge[has_left ? 2 : 1] = mesh.edge_handle(vd);
     const Face face = added.face[has_left ? 1 : 0] = elements.face();
-    if (mesh.is_boundary(dw)) mesh.set_halfedge_handle(d, dv);
+    if (mesh.is_boundary(dw) && mesh.halfedge_handle(d) == dw) mesh.set_halfedge_handle(d, dv);
     take_place(mesh, dv, dw, mesh.prev_halfedge_handle(dw), mesh.next_halfedge_handle(dw));
     make_triangle(mesh, face, o, vd, dw);
   }
@@ -287,7 +287,7 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   const Halfedge end = s.has_right ? s.vd : s.h;
   for (Halfedge out = ccw(mesh, s.has_left ? s.vc : s.h); out != end; out = ccw(mesh, out))
     mesh.set_vertex_handle(mesh.opposite_halfedge_handle(out), w);
-  if (s.has_left && (effect.named[0] == s.o || mesh.is_boundary(named_by_v)))
+  if (s.has_left && (effect.named[0] == s.o || (mesh.is_boundary(named_by_v) && !mesh.is_boundary(effect.named[0]))))
     mesh.set_halfedge_handle(w, named_by_v == s.h || named_by_v == s.vc ? s.wc
                                 : s.has_right && named_by_v == s.vd     ? wd
                                                                         : named_by_v);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "meshops/handle/close_curve.h"
+#include "meshops/handle/create.h"
 #include "meshops/topology/build_mesh.h"
 #include "support/bowties.h"
 #include "support/soups.h"
@@ -47,7 +48,7 @@ void Walk::start() {
       close_curve(mesh_, mesh_.opposite_halfedge_handle(mesh_.halfedge_handle(Face(0))));
       break;
     default:
-      separate_triangles(mesh_, 1 + static_cast<int>(choices_.below(6)));
+      for (unsigned count = 1 + choices_.below(6); count > 0; --count) create_triangle(mesh_);
   }
 }
 
