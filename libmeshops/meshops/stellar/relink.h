@@ -35,6 +35,11 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
   mesh.set_halfedge_handle(face, a);
 }
 
+/// Cuts a face between the starts of two of its sides, which are no neighbours. `diagonal` runs from the first to the
+/// second; the part without the halfedge of the face goes to `added`. Returns that halfedge of the diagonal which has
+/// the new face on its left.
+Halfedge cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added);
+
 /// Throws ContractViolation "operation: reason", unless there is no reason.
 inline void enforce(const char* operation, const char* refusal) {
   if (refusal) throw ContractViolation(std::string(operation) + ": " + refusal);

@@ -31,6 +31,10 @@ class Arguments {
   Halfedge halfedge() {
     return any<Halfedge>(mesh_.n_halfedges(), [&](Halfedge h) { return is_live(mesh_, h); });
   }
+  /// With more than three sides, if there is one.
+  Face polygon() {
+    return any<Face>(mesh_.n_faces(), [&](Face f) { return is_live(mesh_, f) && mesh_.valence(f) > 3; });
+  }
   Halfedge boundary() {
     return any<Halfedge>(mesh_.n_halfedges(), [&](Halfedge h) { return is_live(mesh_, h) && mesh_.is_boundary(h); });
   }

@@ -249,4 +249,35 @@ std::string weld_face(Model& model, int v, int named) {
   return has_triangles_only(model, v) ? collapse(model, named) : "not a triangle";
 }
 
+std::string insert_diagonal(Model& model, int from, int to, int named, Names names) {
+  if (!model.has_side(from) || !model.has_side(to)) return "no such side";
+  const int f = model.face_of(from);
+  if (f < 0 || model.face_of(to) != f) return "not of one face";
+  const Cycle sides = model.cycle(f, from);
+  const auto middle = std::find(sides.begin(), sides.end(), to);
+  Cycle first(sides.begin(), middle), second(middle, sides.end());
+  const int diagonal = names.side();
+  model.add_edge(diagonal, start(model, from), start(model, to));
+  first.push_back(diagonal ^ 1);
+  second.push_back(diagonal);
+  const bool keeps_first = std::find(first.begin(), first.end(), named) != first.end();
+  model.set_face(f, keeps_first ? first : second);
+  model.set_face(names.face(), keeps_first ? second : first);
+  return "";
+}
+
+std::string remove_diagonal(Model& model, int h) {
+  if (!model.has_side(h)) return "no such side";
+  const int gone = model.face_of(h), stays = model.face_of(h ^ 1);
+  if (gone < 0 || stays < 0) return "on the boundary";
+  if (gone == stays) return "one face on both sides";
+  const Cycle one = model.cycle(gone, h), other = model.cycle(stays, h ^ 1);
+  Cycle sides(other.begin() + 1, other.end());
+  sides.insert(sides.end(), one.begin() + 1, one.end());
+  model.set_face(gone, {});
+  model.set_face(stays, sides);
+  model.erase_edge(h);
+  return "";
+}
+
 }  // namespace meshops::test::by_definition

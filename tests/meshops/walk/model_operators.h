@@ -67,6 +67,9 @@ std::string collapse(Model& model, int h);
 std::string weld_edge(Model& model, int h);
 /// `named` is the side that the vertex names.
 std::string weld_face(Model& model, int v, int named);
+/// `named` is the side that the face names. Names: the side of the diagonal from the start of `from`; the face.
+std::string insert_diagonal(Model& model, int from, int to, int named, Names names);
+std::string remove_diagonal(Model& model, int h);
 
 }  // namespace by_definition
 }  // namespace meshops::test

@@ -66,6 +66,9 @@ class Walk {
   void weld_edge();
   void weld_face();
   void remove_vertex();
+  void insert_diagonal();
+  void remove_diagonal();
+  void triangulate_face();
   void take_weld_back();
   void take_flip_back();
 

@@ -121,45 +121,6 @@ void Walk::zip() {
                  [&](Model& model) { return by_definition::zip_curves(model, first.idx(), second.idx()); });
 }
 
-void Walk::take_glue_back() {
-  auto [effect, records_before, records_after] = recall(glued_);
-  const bool is_made_up = choices_.one_in(2);
-  if (is_made_up) {
-    Vertex* const vertices[] = {&effect.first_ends.from, &effect.first_ends.to, &effect.second_ends.from,
-                                &effect.second_ends.to};
-    if (choices_.one_in(3)) effect.survivor = arguments_.halfedge();
-    if (choices_.one_in(3)) effect.removed = arguments_.halfedge();
-    for (Vertex* const v : vertices)
-      if (choices_.one_in(3)) *v = choices_.one_in(2) ? arguments_.vertex() : *vertices[choices_.below(4)];
-  }
-  judge_.begin("unglue of an effect");
-  const Model& before = judge_.before();
-  const int h = effect.survivor.idx();
-  /// The vertex that was merged into one of two; -1 when they are one; -2 when nothing fits.
-  const auto gone_at = [&](int at, Vertex a, Vertex b) {
-    if (std::min(a.idx(), b.idx()) != at) return -2;
-    if (a == b) return before.is_on_boundary(at) ? -2 : -1;
-    const int gone = std::max(a.idx(), b.idx());
-    return before.is_on_boundary(at) && is_dead(gone, before.has_vertex) ? gone : -2;
-  };
-  const auto reason = [&]() -> std::string {
-    if (!before.has_side(h) || before.is_boundary(h) || before.is_boundary(h ^ 1)) return "no inner edge";
-    const int start = before.to(h ^ 1), end = before.to(h), removed = effect.removed.idx();
-    if (before.has_several_fans(start) || before.has_several_fans(end)) return "several fans";
-    if (before.has_side(removed) || removed < 0 || static_cast<std::size_t>(removed) >= before.from.size())
-      return "nothing to bring back";
-    const int at_start = gone_at(start, effect.first_ends.from, effect.second_ends.to);
-    const int at_end = gone_at(end, effect.first_ends.to, effect.second_ends.from);
-    return at_start == -2 || at_end == -2 || (at_start == at_end && at_start >= 0) ? "other ends" : "";
-  }();
-  const bool is_fresh = !is_made_up && judge_.records() == records_after;
-  if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
-  const bool done = judge_.compare_back(
-      reason, [&] { meshops::unglue(mesh_, effect); },
-      [&](Model& model) { return by_definition::glue(model, h, effect.removed.idx()); });
-  if (done && is_fresh && snapshot(mesh_) != records_before) judge_.fail("does not restore every record");
-}
-
 void Walk::separate() {
   judge_.begin("separate_fans");
   const int further = judge_.before().excess_fans();

@@ -1,23 +1,18 @@
 // The steps of the stellar operators.
 #include <algorithm>
-#include <cstdint>
 
 #include "meshops/stellar/collapse.h"
 #include "meshops/stellar/remove_vertex.h"
 #include "meshops/stellar/split_edge.h"
 #include "meshops/stellar/split_face.h"
 #include "meshops/stellar/split_vertex.h"
-#include "meshops/stellar/undo.h"
 #include "meshops/stellar/weld_edge.h"
 #include "meshops/stellar/weld_face.h"
+#include "walk/run.h"
 #include "walk/walk.h"
 
 namespace meshops::test {
 namespace {
-
-Halfedge ccw(const Connectivity& mesh, Halfedge h) {
-  return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
-}
 
 /// The names of what a split added; of a split that was refused, any.
 Names names_of(const Model& model, const Connectivity& mesh, const std::optional<SplitEffect>& effect) {
@@ -36,38 +31,6 @@ template <typename Effect>
 std::optional<Delta> delta_of(const std::optional<Effect>& effect) {
   return effect ? std::optional(effect->delta()) : std::nullopt;
 }
-
-/// What a split of a vertex is to be given, seen on the ring of the vertex.
-struct Run {
-  std::string reason;      ///< why there is none
-  std::vector<int> sides;  ///< from left to right
-  std::vector<int> one_fan;
-
-  Run(const TestMesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right) {
-    for (const auto& h : {left, right})
-      if (h && !is_live(mesh, *h)) reason = "no such side";
-    if (!left && !right) reason = "nothing given";
-    if (!reason.empty()) return;
-    const Vertex w = mesh.from_vertex_handle(left ? *left : *right);
-    if (right && mesh.from_vertex_handle(*right) != w) reason = "two vertices";
-    if ((!left || !right) && !mesh.is_boundary(w)) reason = "no boundary";
-    if (!reason.empty()) return;
-    const Halfedge named = mesh.halfedge_handle(w);
-    // A gap lies after each boundary side of the turn. Where one is left out, the gap after the named side is the end.
-    int gaps_within = left && mesh.is_boundary(*left) && (right || *left != named) ? 1 : 0, gaps = 0;
-    const Halfedge first = ccw(mesh, left ? *left : named), end = right ? *right : ccw(mesh, named);
-    for (Halfedge h = first; h != end; h = ccw(mesh, h)) {
-      sides.push_back(h.idx());
-      gaps_within += mesh.is_boundary(h) && (right || h != named);
-    }
-    Halfedge h = named;
-    do {
-      gaps += mesh.is_boundary(h);
-      h = ccw(mesh, h);
-    } while (h != named);
-    if (gaps_within > 0 && gaps > 1) one_fan = {w.idx()};
-  }
-};
 
 struct Stop {};
 constexpr auto stop = [](auto&, const auto&) { throw Stop(); };
@@ -212,81 +175,6 @@ void Walk::remove_vertex() {
     return by_definition::collapse(model, tried.back().idx());
   });
   if (effect) remember(welded_, *effect);
-}
-
-void Walk::take_weld_back() {
-  auto [effect, records_before, records_after] = recall(welded_);
-  const bool is_made_up = choices_.one_in(2);
-  if (is_made_up) {
-    StarElements& removed = effect.removed;
-    const auto other = recall(welded_).effect;
-    if (choices_.one_in(4)) removed.vertex = choices_.one_in(2) ? other.removed.vertex : arguments_.vertex();
-    if (choices_.one_in(4)) removed.edge[choices_.below(3)] = other.removed.edge[choices_.below(3)];
-    if (choices_.one_in(8)) removed.edge[choices_.below(3)] = arguments_.edge();
-    if (choices_.one_in(4)) removed.face[choices_.below(2)] = other.removed.face[choices_.below(2)];
-    if (choices_.one_in(8)) removed.face[choices_.below(2)] = arguments_.face();
-    if (choices_.one_in(4)) removed.at_boundary = !removed.at_boundary;
-    if (choices_.one_in(3)) effect.left = arguments_.halfedge();
-    if (choices_.one_in(3)) effect.right = arguments_.around(effect.left.value_or(Halfedge()));
-    if (choices_.one_in(6)) (choices_.one_in(2) ? effect.left : effect.right).reset();
-    if (const auto& at = effect.left ? effect.left : effect.right; at && is_live(mesh_, *at) && !choices_.one_in(4))
-      effect.survivor = mesh_.from_vertex_handle(*at);
-    for (Halfedge& h : effect.named)
-      if (choices_.one_in(2)) h = arguments_.halfedge();
-    effect.halfedge = Halfedge(static_cast<int>(2U * static_cast<unsigned>(removed.edge[0].idx()) + choices_.below(2)));
-    if (choices_.one_in(8)) effect.halfedge = arguments_.halfedge();
-  }
-  judge_.begin("undo of a weld");
-  const Model& before = judge_.before();
-  const Run run(mesh_, effect.left, effect.right);
-  const auto reason = [&]() -> std::string {
-    std::vector<std::int64_t> names;
-    bool dead = is_dead(effect.removed.vertex.idx(), before.has_vertex);
-    for (const Edge e : effect.removed.edges()) {
-      dead =
-          dead && e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh_.n_edges() && !before.has_side(2 * e.idx());
-      names.push_back(2 * std::int64_t{e.idx()});
-    }
-    for (const Face f : effect.removed.faces()) {
-      dead = dead && f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh_.n_faces() && !before.has_face(f.idx());
-      names.push_back(2 * std::int64_t{f.idx()} + 1);
-    }
-    if (!dead) return "nothing to bring back";
-    std::sort(names.begin(), names.end());
-    if (std::adjacent_find(names.begin(), names.end()) != names.end()) return "an element twice";
-    if (effect.halfedge.idx() >> 1 != effect.removed.edge[0].idx()) return "another halfedge";
-    if (effect.removed.at_boundary != (!effect.left || !effect.right)) return "sides that do not fit";
-    if (!run.reason.empty()) return run.reason;
-    if (judge_.needs_one_fan({.one_fan = run.one_fan})) return "several fans";
-    return mesh_.from_vertex_handle(effect.left ? *effect.left : *effect.right) == effect.survivor ? ""
-                                                                                                   : "another vertex";
-  }();
-  const bool is_fresh = !is_made_up && judge_.records() == records_after;
-  if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
-  const bool done = judge_.compare_back(
-      reason, [&] { undo(mesh_, effect); },
-      [&](Model& model) { return by_definition::collapse(model, effect.halfedge.idx()); });
-  if (done && is_fresh && snapshot(mesh_) != records_before) judge_.fail("does not restore every record");
-}
-
-void Walk::take_flip_back() {
-  auto [effect, records_before, records_after] = recall(flipped_);
-  const bool is_made_up = choices_.one_in(2);
-  if (is_made_up) {
-    if (choices_.one_in(2)) effect.edge = arguments_.edge();
-    for (Halfedge& h : effect.named)
-      if (choices_.one_in(2)) h = arguments_.halfedge();
-  }
-  judge_.begin("undo of a flip");
-  Model expected = judge_.before();
-  std::string reason = by_definition::flip(expected, effect.edge.idx(), true);
-  if (reason.empty()) reason = expected.broken();
-  const bool is_fresh = !is_made_up && judge_.records() == records_after;
-  if (is_fresh && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
-  const bool done = judge_.compare_back(
-      reason, [&] { undo(mesh_, effect); },
-      [&](Model& model) { return by_definition::flip(model, effect.edge.idx()); });
-  if (done && is_fresh && snapshot(mesh_) != records_before) judge_.fail("does not restore every record");
 }
 
 }  // namespace meshops::test
