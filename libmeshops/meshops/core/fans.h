@@ -11,18 +11,19 @@ namespace detail {
 
 inline constexpr const char* several_fans = "a vertex has several fans";
 
-/// The boundary halfedge that comes in at the other end of the fan which the boundary halfedge `out` leaves.
-inline Halfedge end_of_fan(const Connectivity& mesh, Halfedge out) {
-  Halfedge in = mesh.opposite_halfedge_handle(out);
-  do {
-    in = mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(in));
-  } while (!mesh.is_boundary(in));
-  return in;
-}
-
-/// The vertex that the boundary halfedge `out` leaves has other fans.
+/// The vertex that the boundary halfedge `out` leaves has other fans: the fan that begins with `out` is not the one that
+/// ends before it. From both ends at once, as the way to either edge waits for memory.
 inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
-  return mesh.next_halfedge_handle(end_of_fan(mesh, out)) != out;
+  Halfedge first = out, last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(out));
+  while (first != last) {
+    const Halfedge in = mesh.opposite_halfedge_handle(first);
+    if (mesh.is_boundary(in)) return true;
+    first = mesh.next_halfedge_handle(in);
+    if (first == last) return false;
+    if (mesh.is_boundary(last)) return true;
+    last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(last));
+  }
+  return false;
 }
 
 }  // namespace detail

@@ -10,8 +10,8 @@
 namespace meshops {
 namespace {
 
-/// Why the vertex that the boundary halfedge `out` leaves cannot become one with `other`, if that is valid, or be passed
-/// by another boundary. Seen on the way through its fan.
+/// Why the vertex that the boundary halfedge `out` leaves cannot become one with `other`. Seen on the way through its
+/// fan.
 const char* reason_at(const Connectivity& mesh, Halfedge out, Vertex other) {
   for (Halfedge h = out;;) {
     if (mesh.to_vertex_handle(h) == other) return "an edge joins two vertices that would become one";
@@ -37,9 +37,9 @@ Vertex merge(Connectivity& mesh, Vertex a, Vertex b) {
 namespace detail {
 
 const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out) {
-  if (out == other_out) return reason_at(mesh, out, Vertex());
-  if (const char* reason = reason_at(mesh, out, mesh.from_vertex_handle(other_out))) return reason;
-  return reason_at(mesh, other_out, Vertex());
+  if (out != other_out)
+    if (const char* reason = reason_at(mesh, out, mesh.from_vertex_handle(other_out))) return reason;
+  return has_other_fans(mesh, other_out) ? several_fans : nullptr;
 }
 
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {

@@ -75,7 +75,8 @@ FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
 }
 
 void undo(Connectivity& mesh, const FlipEffect& effect) {
-  detail::enforce("undo", refusal(mesh, effect.edge, Keep::manifold));
+  if (const auto blocker = flip_blocker(mesh, effect.edge, Keep::manifold))
+    throw ContractViolation("undo: " + *blocker);
   // Now h = d→c with ca, ad on the left and db, bc on the right.
   const Halfedge h = mesh.halfedge_handle(effect.edge, 0), o = mesh.opposite_halfedge_handle(h);
   const Halfedge ca = mesh.next_halfedge_handle(h), ad = mesh.prev_halfedge_handle(h);

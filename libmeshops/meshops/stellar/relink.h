@@ -40,9 +40,12 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
 /// the new face on its left.
 Halfedge cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added);
 
+[[noreturn]] void refuse(const char* operation, const char* refusal);
+
 /// Throws ContractViolation "operation: reason", unless there is no reason.
 inline void enforce(const char* operation, const char* refusal) {
-  if (refusal) throw ContractViolation(std::string(operation) + ": " + refusal);
+  if (refusal) [[unlikely]]
+    refuse(operation, refusal);
 }
 
 inline void require_status(const Connectivity& mesh, const char* operation) {
@@ -55,6 +58,7 @@ inline std::optional<std::string> as_blocker(const char* refusal) {
 
 /// The vertex names a halfedge again that it named once, if that is one it may name now.
 inline void name_again(Connectivity& mesh, Vertex v, Halfedge named) {
+  if (mesh.halfedge_handle(v) == named) return;
   if (is_live(mesh, named) && mesh.from_vertex_handle(named) == v && (mesh.is_boundary(named) || !mesh.is_boundary(v)))
     mesh.set_halfedge_handle(v, named);
 }
