@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meshops/graph/boundary_graph.h"
+#include "meshops/graph/by_index.h"
 #include "meshops/graph/dual_graph.h"
 #include "meshops/graph/edge_map.h"
 #include "meshops/graph/primal_graph.h"
@@ -39,12 +40,6 @@ Mesh small_mesh() {
     }
   mesh.add_face(mesh.add_vertex({5, 0, 0}), mesh.add_vertex({6, 0, 0}), mesh.add_vertex({5, 1, 0}));
   return mesh;
-}
-
-/// The numbers in `values`, one for each index, as a map from vertices, faces or edges.
-template <typename Value, typename Index>
-auto by_index(std::vector<Value>& values, Index index) {
-  return boost::make_iterator_property_map(values.begin(), index);
 }
 
 template <typename Graph>

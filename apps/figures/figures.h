@@ -21,5 +21,6 @@ std::span<const Figure> shape_figures();
 std::span<const Figure> hierarchy_figures();
 std::span<const Figure> filtration_figures();
 std::span<const Figure> timing_figures();
+std::span<const Figure> cookbook_figures();
 
 }  // namespace figures

@@ -3,11 +3,13 @@
 #include "figures/figures.h"
 #include "figures/sheet.h"
 #include "meshops/stellar/collapse.h"
+#include "meshops/stellar/diagonal.h"
 #include "meshops/stellar/flip.h"
 #include "meshops/stellar/remove_vertex.h"
 #include "meshops/stellar/split_edge.h"
 #include "meshops/stellar/split_face.h"
 #include "meshops/stellar/split_vertex.h"
+#include "meshops/stellar/triangulate_face.h"
 #include "meshops/stellar/weld_edge.h"
 #include "meshops/stellar/weld_face.h"
 
@@ -144,12 +146,36 @@ std::string remove_vertex() {
       .svg();
 }
 
+std::string triangulate_face() {
+  const DrawnMesh before =
+      drawn_mesh({{0.2, 0.3}, {1.3, 0}, {2.1, 0.7}, {3.2, 0.2}, {3.4, 1.5}, {2.4, 2.3}, {1.6, 1.5}, {0.6, 2.2}},
+                 {{0, 1, 2, 3, 4, 5, 6, 7}});
+  DrawnMesh after = before;
+  const auto perimeter = [&](Vertex a, Vertex b, Vertex c) {
+    const Place p = before.place(a), q = before.place(b), r = before.place(c);
+    return length(p - q) + length(q - r) + length(r - p);
+  };
+  const auto effect = meshops::triangulate_face(after.mesh, Face(0), perimeter);
+  DrawnMesh back = after;
+  for (std::size_t i = effect.diagonals.size(); i-- > 0;) meshops::remove_diagonal(back.mesh, effect.diagonals[i]);
+  require_same_counts(before, back);
+  Marks face, diagonals;
+  face.add(Face(0));
+  for (const Halfedge h : effect.diagonals) diagonals.add(after.mesh.edge_handle(h));
+  return Sheet("A polygon is cut into triangles along diagonals; taken out one after the other, they leave it again")
+      .row(counted(before, face), {"triangulate_face", "remove_diagonal"}, counted(after, diagonals))
+      .svg();
+}
+
 }  // namespace
 
 std::span<const Figure> stellar_figures() {
-  static constexpr std::array figures = {
-      Figure{"stellar_split_edge", split_edge}, Figure{"stellar_split_face", split_face}, Figure{"stellar_flip", flip},
-      Figure{"stellar_collapse", collapse}, Figure{"stellar_remove_vertex", remove_vertex}};
+  static constexpr std::array figures = {Figure{"stellar_split_edge", split_edge},
+                                         Figure{"stellar_split_face", split_face},
+                                         Figure{"stellar_flip", flip},
+                                         Figure{"stellar_collapse", collapse},
+                                         Figure{"stellar_remove_vertex", remove_vertex},
+                                         Figure{"stellar_triangulate_face", triangulate_face}};
   return figures;
 }
 

@@ -5,7 +5,9 @@ find_library(OpenMeshCore_LIBRARY OpenMeshCore)
 mark_as_advanced(OpenMeshCore_INCLUDE_DIR OpenMeshCore_LIBRARY)
 
 include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(OpenMeshCore REQUIRED_VARS OpenMeshCore_LIBRARY OpenMeshCore_INCLUDE_DIR)
+# meshopsConfig.cmake includes this file, so that the package that is looked for has another name.
+find_package_handle_standard_args(OpenMeshCore REQUIRED_VARS OpenMeshCore_LIBRARY OpenMeshCore_INCLUDE_DIR
+  NAME_MISMATCHED)
 
 if(OpenMeshCore_FOUND AND NOT TARGET OpenMeshCore::OpenMeshCore)
   add_library(OpenMeshCore::OpenMeshCore UNKNOWN IMPORTED)

@@ -14,9 +14,17 @@ class MESHOPS_API ContractViolation : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
+namespace detail {
+
+/// Out of the way, so that a check costs no more than a comparison.
+[[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* what) { throw ContractViolation(what); }
+
+}  // namespace detail
+
 /// Throws ContractViolation with `what` unless `holds`.
 inline void require(bool holds, const char* what) {
-  if (!holds) throw ContractViolation(what);
+  if (!holds) [[unlikely]]
+    detail::violate(what);
 }
 
 }  // namespace meshops

@@ -8,20 +8,22 @@
 
 namespace meshops {
 
-/// The handle is in range and its element is not marked deleted.
+/// The handle is in range and its element is not marked deleted. (The counts are named in full because they are virtual
+/// functions, which nobody overrides.)
 inline bool is_live(const Connectivity& mesh, Vertex v) {
-  return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.n_vertices() &&
+  return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.Connectivity::n_vertices() &&
          !(mesh.has_vertex_status() && mesh.status(v).deleted());
 }
 inline bool is_live(const Connectivity& mesh, Edge e) {
-  return e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.n_edges() &&
+  return e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.Connectivity::n_edges() &&
          !(mesh.has_edge_status() && mesh.status(e).deleted());
 }
 inline bool is_live(const Connectivity& mesh, Halfedge h) {
-  return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh.n_halfedges() && is_live(mesh, mesh.edge_handle(h));
+  return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh.Connectivity::n_halfedges() &&
+         is_live(mesh, mesh.edge_handle(h));
 }
 inline bool is_live(const Connectivity& mesh, Face f) {
-  return f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh.n_faces() &&
+  return f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < mesh.Connectivity::n_faces() &&
          !(mesh.has_face_status() && mesh.status(f).deleted());
 }
 

@@ -4,9 +4,14 @@
 #include <unordered_set>
 #include <utility>
 
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+
 namespace meshops {
 
 bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b) {
+  for (const Halfedge h : {a, b})
+    require(is_live(mesh, h) && mesh.is_boundary(h), "on_same_curve: not a boundary halfedge");
   if (a == b) return true;
   for (Halfedge from_a = a, from_b = b;;) {
     from_a = mesh.next_halfedge_handle(from_a);
@@ -23,6 +28,7 @@ bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
 }
 
 std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b, Edge without) {
+  require(is_live(mesh, a) && is_live(mesh, b), "smaller_part: no such face");
   if (a == b) return std::nullopt;
   struct Search {
     std::unordered_set<int> seen;

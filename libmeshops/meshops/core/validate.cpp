@@ -69,31 +69,39 @@ class Validator {
   }
 
   void check_faces() {
+    std::vector<std::size_t> sides_of(mesh_.n_faces(), 0);
+    for_each_halfedge(mesh_, [&](Halfedge h) {
+      if (!mesh_.is_boundary(h)) ++sides_of[static_cast<std::size_t>(mesh_.face_handle(h).idx())];
+    });
     for_each_face(mesh_, [&](Face f) {
       const Halfedge first = mesh_.halfedge_handle(f);
       if (mesh_.face_handle(first) != f) {
         add(DefectKind::face_halfedge_elsewhere, ElementKind::face, f.idx());
         return;
       }
-      std::size_t sides = 0;
+      const std::size_t sides = sides_of[static_cast<std::size_t>(f.idx())];
+      std::size_t steps = 0;
       Halfedge h = first;
       do {
         h = mesh_.next_halfedge_handle(h);
-      } while (++sides <= mesh_.n_halfedges() && h != first);
-      if (h != first)
-        add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
-      else if (sides < 3)
-        add(DefectKind::face_too_short, ElementKind::face, f.idx());
+      } while (++steps <= sides && h != first && mesh_.face_handle(h) == f);
+      if (h != first) {
+        // Where the face changes along the loop, that has been said of the halfedge.
+        if (steps > sides) add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
+        return;
+      }
+      if (steps < sides) add(DefectKind::face_has_several_loops, ElementKind::face, f.idx());
+      if (steps < 3) add(DefectKind::face_too_short, ElementKind::face, f.idx());
     });
   }
 
   void check_vertices() {
     std::vector<int> outgoing(mesh_.n_vertices(), 0);
-    std::vector<char> on_boundary(mesh_.n_vertices(), 0);
+    std::vector<int> gaps(mesh_.n_vertices(), 0);
     for_each_halfedge(mesh_, [&](Halfedge h) {
       const auto v = static_cast<std::size_t>(mesh_.from_vertex_handle(h).idx());
       ++outgoing[v];
-      if (mesh_.is_boundary(h)) on_boundary[v] = 1;
+      if (mesh_.is_boundary(h)) ++gaps[v];
     });
     for_each_vertex(mesh_, [&](Vertex v) {
       const int degree = outgoing[static_cast<std::size_t>(v.idx())];
@@ -106,14 +114,17 @@ class Validator {
         add(DefectKind::vertex_halfedge_elsewhere, ElementKind::vertex, v.idx());
         return;
       }
-      if (on_boundary[static_cast<std::size_t>(v.idx())] && !mesh_.is_boundary(first))
+      const int gaps_here = gaps[static_cast<std::size_t>(v.idx())];
+      if (gaps_here > 0 && !mesh_.is_boundary(first))
         add(DefectKind::vertex_halfedge_inner, ElementKind::vertex, v.idx());
       int reached = 0;
       Halfedge h = first;
       do {
         h = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(h));
       } while (++reached <= degree && h != first);
-      if (reached != degree || h != first) add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
+      // Several rings, or one that passes several gaps: between two gaps there is a fan.
+      if (reached != degree || h != first || gaps_here > 1)
+        add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
     });
   }
 
@@ -124,12 +135,12 @@ class Validator {
 }  // namespace
 
 std::string_view name(DefectKind kind) {
-  static constexpr std::array<std::string_view, 12> names = {"handle out of range",     "next and prev disagree",
-                                                             "halfedges do not meet",   "face changes along loop",
-                                                             "face halfedge elsewhere", "face too short",
-                                                             "loop does not close",     "loop edge",
-                                                             "dangling edge",           "vertex halfedge elsewhere",
-                                                             "vertex halfedge inner",   "vertex has several fans"};
+  static constexpr std::array<std::string_view, 13> names = {
+      "handle out of range",     "next and prev disagree",    "halfedges do not meet",
+      "face changes along loop", "face halfedge elsewhere",   "face too short",
+      "loop does not close",     "face has several loops",    "loop edge",
+      "dangling edge",           "vertex halfedge elsewhere", "vertex halfedge inner",
+      "vertex has several fans"};
   return names[static_cast<std::size_t>(kind)];
 }
 

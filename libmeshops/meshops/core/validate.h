@@ -1,5 +1,7 @@
 // What: is a mesh an oriented 2-manifold with boundary whose records agree with each other? All the ways in which not.
-// Law:  every operator of libmeshops keeps a mesh without defects free of them.
+// Law:  empty exactly if the records agree, every edge has a face on one or both of its sides and two ends, every face
+//       is one loop of three sides or more, and the faces around every vertex form one path or one circle. Every
+//       operator of libmeshops keeps a mesh without defects free of them, whatever it is given.
 #pragma once
 
 #include <string>
@@ -19,11 +21,14 @@ enum class DefectKind {
   face_halfedge_elsewhere,    ///< the halfedge of a face belongs to another
   face_too_short,             ///< a face has fewer than three sides
   loop_does_not_close,        ///< following next never returns
+  face_has_several_loops,     ///< halfedges of a face are not on the loop of its halfedge
   loop_edge,                  ///< an edge has one vertex at both ends
   dangling_edge,              ///< an edge has no face on either side
   vertex_halfedge_elsewhere,  ///< the halfedge of a vertex starts at another vertex
   vertex_halfedge_inner,      ///< a vertex lies on the boundary but its halfedge does not (OpenMesh's convention)
-  vertex_has_several_fans     ///< the faces at a vertex do not form one fan: not a manifold there
+  /// The faces at a vertex do not form one fan: not a manifold there, whether they are in several rings, or in one that
+  /// passes several gaps, as OpenMesh's add_face() links them (a bowtie).
+  vertex_has_several_fans
 };
 
 enum class ElementKind { vertex, halfedge, face };

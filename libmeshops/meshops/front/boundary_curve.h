@@ -63,7 +63,7 @@ class MESHOPS_API BoundaryCurve {
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
-  /// Whether a boundary halfedge is on this curve. Cost: the shorter way to it, or the shorter of two curves.
+  /// Whether a boundary halfedge is on this curve. Throws ContractViolation when it is none. Cost: the shorter way to it, or the shorter of two curves.
   bool contains(Halfedge h) const;
 
   /// The number of edges. Cost: linear in it.
@@ -75,7 +75,8 @@ class MESHOPS_API BoundaryCurve {
 };
 
 /// The boundary curve that leaves a vertex, given from there; nothing when the vertex is inner or isolated.
-/// Cost: constant.
+/// Requires: the vertex is live. Throws ContractViolation.
+/// Cost:     constant.
 MESHOPS_API std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v);
 
 /// Every boundary curve once, each given from its least halfedge, in ascending order of that.

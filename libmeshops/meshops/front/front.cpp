@@ -13,14 +13,16 @@ namespace {
 /// The halfedges that leave a site, fan after fan.
 class Leaving {
  public:
-  Leaving(const Connectivity& mesh, const Fans& fans, Site s) : mesh_(mesh), fans_(fans) { begin(fans.first(s)); }
+  Leaving(const Connectivity& mesh, const SiteVertices& vertices, Site s) : mesh_(mesh), vertices_(vertices) {
+    begin(vertices.first(s));
+  }
 
   /// An invalid handle behind the last.
   Halfedge next() {
     const Halfedge found = at_;
     if (!found.is_valid()) return found;
     at_ = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(at_));
-    if (at_ == mesh_.halfedge_handle(fan_)) begin(fans_.next(fan_));
+    if (at_ == mesh_.halfedge_handle(fan_)) begin(vertices_.next(fan_));
     return found;
   }
 
@@ -30,12 +32,12 @@ class Leaving {
     at_ = fan.is_valid() ? mesh_.halfedge_handle(fan) : Halfedge();
   }
   const Connectivity& mesh_;
-  const Fans& fans_;
+  const SiteVertices& vertices_;
   Vertex fan_;
   Halfedge at_;
 };
 
-Fans fans_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
+SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
   if (site_of_vertex.empty()) return {mesh, mesh.n_vertices()};
   return {mesh, site_of_vertex};
 }
@@ -43,14 +45,14 @@ Fans fans_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
 }  // namespace
 
 Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
-    : mesh_(mesh), fans_(mesh, sites), supply_(supply) {
+    : mesh_(mesh), vertices_(mesh, sites), supply_(supply) {
   require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
   require(supply > 0, "Front: supply is 0");
   mesh.resize(sites, 0, 0);
 }
 
 Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
-    : mesh_(mesh), fans_(fans_on(mesh, site_of_vertex)), supply_(1), keeps_handles_(true) {
+    : mesh_(mesh), vertices_(vertices_on(mesh, site_of_vertex)), supply_(1), keeps_handles_(true) {
   require(has_status(mesh), "Front: the mesh needs status of every kind to mark what is deleted");
   if (const auto defects = validate(mesh); !defects.empty())
     throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
@@ -69,7 +71,7 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
 
 Front::Front(AssembledPatches&& assembled, std::size_t supply)
     : mesh_(assembled.mesh_),
-      fans_(std::move(assembled.fans_)),
+      vertices_(std::move(assembled.vertices_)),
       supply_(supply),
       edges_(mesh_.n_edges()),
       faces_(mesh_.n_faces()),
@@ -98,7 +100,7 @@ bool Front::is_boundary(Halfedge h) const {
 
 Halfedge Front::edge_between(Site from, Site to) const {
   // Around both in turns: a site with many edges must not make its neighbours slow.
-  Leaving out_of(mesh_, fans_, from), back_from(mesh_, fans_, to);
+  Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   for (;;) {
     const Halfedge out = out_of.next();
     if (!out.is_valid() || to_site(out) == to) return out;
@@ -145,7 +147,7 @@ Fit Front::fit(Site a, Site b, Site c) const {
   for (unsigned i = 0; i < 3; ++i) {
     const Site s = fit.corners[i];
     if (s == fit.corners[(i + 1) % 3]) fit.refusal = Refusal{RefusalKind::corner_repeated, s};
-    if (s >= end || (s < sites() && !fans_.exists(s))) fit.refusal = Refusal{RefusalKind::no_such_site, s};
+    if (s >= end || (s < sites() && !vertices_.exists(s))) fit.refusal = Refusal{RefusalKind::no_such_site, s};
     if (fit.refusal) return fit;
   }
   for (unsigned side = 0; side < 3; ++side)
@@ -162,7 +164,7 @@ Fit Front::fit(Halfedge h, Site apex) const {
   }
   const Site a = fit.corners[0] = from_site(h), b = fit.corners[1] = to_site(h);
   fit.sides.side[0] = h;
-  if (apex > sites() || (apex < sites() && !fans_.exists(apex)))
+  if (apex > sites() || (apex < sites() && !vertices_.exists(apex)))
     fit.refusal = Refusal{RefusalKind::no_such_site, apex};
   else if (apex == a || apex == b)
     fit.refusal = Refusal{RefusalKind::corner_repeated, apex};
@@ -200,9 +202,10 @@ InsertedTriangle Front::insert(const Fit& fit) {
   if (faces_ == mesh_.n_faces()) supply(0, supply_);
   TriangleSides sides = fit.sides;
   for (unsigned i = 0; i < 3; ++i)
-    if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid()) sides.corner[i] = fans_.take(fit.corners[i]);
+    if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid())
+      sides.corner[i] = vertices_.take(fit.corners[i]);
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
-  for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) fans_.release(result.left_over[i]);
+  for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) vertices_.release(result.left_over[i]);
   for (unsigned i = 0; i < 3; ++i)
     if (!sides.side[i].is_valid()) queue(mesh_.opposite_halfedge_handle(result.side[i]));
   return result;
@@ -234,12 +237,12 @@ DetachedTriangle Front::detach(Face f) {
   for (unsigned i = 0; i < 3; ++i) {
     const Site s = detached.corners[i] = site(rim.corner[i]);
     if (!is_on_boundary(s)) reopened_.push_back(s);
-    if (rim.is_passage[i]) second[i] = fans_.take(s);
+    if (rim.is_passage[i]) second[i] = vertices_.take(s);
   }
   extract_triangle(mesh_, rim, second);
   ++dead_faces_;
   for (unsigned i = 0; i < 3; ++i) {
-    if (mesh_.is_isolated(rim.corner[i])) fans_.release(rim.corner[i]);
+    if (mesh_.is_isolated(rim.corner[i])) vertices_.release(rim.corner[i]);
     if (rim.is_glued[i]) {
       detached.side[i] = rim.side[i];
       queue(rim.side[i]);
@@ -320,7 +323,7 @@ LevelTransfer Front::next_level() {
     some.erase(std::unique(some.begin(), some.end()), some.end());
   };
   for (auto s = static_cast<Site>(carried_before_); s < sites(); ++s)
-    if (fans_.exists(s)) carried_.push_back(s);
+    if (vertices_.exists(s)) carried_.push_back(s);
   carried_before_ = sites();
   if (!reopened_.empty()) {
     carried_.insert(carried_.end(), reopened_.begin(), reopened_.end());
@@ -357,9 +360,9 @@ std::vector<Site> Front::finish() {
     for (std::size_t i = 0; i < site_of.size(); ++i) site_of[i] = site(Vertex(static_cast<int>(i)));
     mesh_.resize(site_of.size(), edges_, faces_);
   } else {
-    site_of = detail::compact(mesh_, fans_, edges_, faces_);
+    site_of = detail::compact(mesh_, vertices_, edges_, faces_);
   }
-  fans_.clear();
+  vertices_.clear();
   state_ = {};
   active_ = {};
   head_ = 0;

@@ -18,7 +18,7 @@
 #include "meshops/front/refusal.h"
 #include "meshops/handle/insert_triangle.h"
 #include "meshops/patch/assembled.h"
-#include "meshops/patch/fans.h"
+#include "meshops/patch/site_vertices.h"
 
 namespace meshops {
 
@@ -74,18 +74,18 @@ class MESHOPS_API Front {
   std::size_t edges() const { return edges_ - dead_edges_; }
   std::size_t faces() const { return faces_ - dead_faces_; }
   /// Sites are 0 to sites() − 1.
-  std::size_t sites() const { return fans_.sites(); }
+  std::size_t sites() const { return vertices_.sites(); }
 
   /// One more site: for methods that place points while they run. Returns: its number, which is what sites() was.
-  Site add_site() { return fans_.add_site(); }
+  Site add_site() { return vertices_.add_site(); }
 
   /// Throws ContractViolation when there is no such vertex, halfedge or site; likewise below.
-  Site site(Vertex v) const { return fans_.site(v); }
+  Site site(Vertex v) const { return vertices_.site(v); }
   Site from_site(Halfedge h) const { return site(mesh_.from_vertex_handle(checked(h))); }
   Site to_site(Halfedge h) const { return site(mesh_.to_vertex_handle(checked(h))); }
 
   /// No triangle has a corner on this site.
-  bool is_free(Site s) const { return fans_.is_free(s); }
+  bool is_free(Site s) const { return vertices_.is_free(s); }
   /// A fan on this site is on the boundary.
   bool is_on_boundary(Site s) const {
     bool found = false;
@@ -95,7 +95,7 @@ class MESHOPS_API Front {
   /// Calls visit(Vertex) for each fan on the site: none when it is free.
   template <typename Visit>
   void for_each_fan(Site s, Visit visit) const {
-    fans_.for_each(s, visit);
+    vertices_.for_each(s, visit);
   }
 
   /// The halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
@@ -216,7 +216,7 @@ class MESHOPS_API Front {
   InsertedTriangle insert_checked(const Fit& fit, const char* operation);
 
   Connectivity& mesh_;
-  Fans fans_;
+  SiteVertices vertices_;
   std::size_t supply_;
   bool keeps_handles_ = false;  // it began with a mesh of the user's
   std::size_t edges_ = 0;       // in use, dead ones included; there may be more in supply

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <boost/property_map/function_property_map.hpp>
+#include <cstddef>
 #include <utility>
 
 #include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
 
 namespace meshops {
 
@@ -14,14 +16,17 @@ template <typename OfEdge>
 auto edge_map(OfEdge of_edge) {
   // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
   return boost::make_function_property_map<Halfedge>(
-      [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() / 2)); });
+      [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() >> 1)); });
 }
 
 /// The map from a halfedge to the distance of its ends, as double, computed when it is asked for.
 /// Requires: `mesh` has point(Vertex), and the difference of two points has norm(); it outlives the map.
+/// Throws:   ContractViolation for an edge that is out of range.
 template <typename Mesh>
 auto length_map(const Mesh& mesh) {
   return edge_map([&mesh](Edge e) {
+    require(e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.Connectivity::n_edges(),
+            "length_map: no such edge");
     const Halfedge h = mesh.halfedge_handle(e, 0);
     const auto along = mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h));
     return static_cast<double>(along.norm());

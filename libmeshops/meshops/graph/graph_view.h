@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
 #include "meshops/graph/view_iterators.h"
 #include "meshops/graph/view_maps.h"
 
@@ -23,6 +24,8 @@ namespace meshops {
 /// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
 /// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
 ///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
+/// Throws:      ContractViolation for the neighbours of a vertex that vertices() does not list, and for the ends of an
+///              edge that is out of range.
 /// Invalidated: by whatever changes the elements of the mesh. Elements marked deleted are passed over.
 template <typename Kind, typename Direction>
 class GraphView {
@@ -57,15 +60,15 @@ class GraphView {
   const Connectivity& mesh() const { return *mesh_; }
   static vertex_descriptor null_vertex() { return vertex_descriptor(); }
 
-  /// Whether vertices() or edges() lists this element. Requires: the handle is in range.
+  /// Whether vertices() or edges() lists this element.
   static bool lists(const Connectivity& mesh, vertex_descriptor v) { return Kind::has(mesh, v); }
   static bool lists(const Connectivity& mesh, Halfedge h) {
     return Kind::has(mesh, h) && (!is_undirected || Kind::names_edge(mesh, h));
   }
 
-  friend vertex_descriptor source(Halfedge h, const GraphView& g) { return Kind::source(*g.mesh_, h); }
+  friend vertex_descriptor source(Halfedge h, const GraphView& g) { return Kind::source(*g.mesh_, g.in_range(h)); }
   friend vertex_descriptor target(Halfedge h, const GraphView& g) {
-    return Kind::source(*g.mesh_, g.mesh_->opposite_halfedge_handle(h));
+    return Kind::source(*g.mesh_, g.mesh_->opposite_halfedge_handle(g.in_range(h)));
   }
 
   friend auto vertices(const GraphView& g) { return vertex_iterator::range(*g.mesh_); }
@@ -105,6 +108,12 @@ class GraphView {
   }
 
  private:
+  Halfedge in_range(Halfedge h) const {
+    require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh_->Connectivity::n_halfedges(),
+            "graph view: no such edge");
+    return h;
+  }
+
   const Connectivity* mesh_;
 };
 

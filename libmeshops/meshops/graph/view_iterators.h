@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
 
 namespace meshops::detail {
 
@@ -76,6 +77,7 @@ class TurnIterator : public boost::iterator_facade<TurnIterator<Kind, Read>, typ
   TurnIterator() = default;
 
   static std::pair<TurnIterator, TurnIterator> range(const Connectivity& mesh, typename Kind::Node node) {
+    require(Kind::has(mesh, node), "graph view: no such vertex");
     const Halfedge first = Kind::first_leaving(mesh, node);
     return {TurnIterator(mesh, first, !first.is_valid()), TurnIterator(mesh, first, true)};
   }

@@ -1,7 +1,9 @@
 #include "meshops/handle/close_curve.h"
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fans.h"
 #include "meshops/core/live.h"
+#include "meshops/handle/unchecked.h"
 
 namespace meshops {
 namespace {
@@ -10,16 +12,39 @@ const char* reason_against_closing(const Connectivity& mesh, Halfedge h) {
   if (!is_live(mesh, h)) return "no such halfedge";
   if (!mesh.is_boundary(h)) return "the halfedge is not on the boundary";
   if (mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == h) return "the curve has two edges: glue them";
+  Halfedge side = h;
+  do {
+    if (detail::has_other_fans(mesh, side)) return detail::several_fans;
+    side = mesh.next_halfedge_handle(side);
+  } while (side != h);
   return nullptr;
+}
+
+/// Another side of the face of h starts where h does.
+bool is_passed_again(const Connectivity& mesh, Halfedge h) {
+  const Face f = mesh.face_handle(h);
+  for (Halfedge out = h;;) {
+    out = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(out));
+    if (out == h) return false;
+    if (mesh.face_handle(out) == f) return true;
+  }
 }
 
 const char* reason_against_opening(const Connectivity& mesh, Face f) {
   if (!is_live(mesh, f)) return "no such face";
   const Halfedge first = mesh.halfedge_handle(f);
   Halfedge h = first;
+  std::size_t sides = 0;
   do {
     if (mesh.is_boundary(mesh.opposite_halfedge_handle(h))) return "a side of the face is on the boundary";
     if (mesh.is_boundary(mesh.from_vertex_handle(h))) return "a corner of the face is on the boundary";
+    if (mesh.face_handle(mesh.opposite_halfedge_handle(h)) == f) return "the face lies on both sides of an edge";
+    ++sides;
+    h = mesh.next_halfedge_handle(h);
+  } while (h != first);
+  if (sides == 3) return nullptr;  // its corners are three vertices, as no edge is a loop
+  do {
+    if (is_passed_again(mesh, h)) return "the face passes a vertex twice";
     h = mesh.next_halfedge_handle(h);
   } while (h != first);
   return nullptr;

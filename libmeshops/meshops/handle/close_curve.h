@@ -22,19 +22,22 @@ struct OpenCurveEffect {
   Delta delta() const { return delta_of_open_curve(); }
 };
 
-/// Why the curve through `h` cannot be closed, or nothing when it can: no such halfedge, not on the boundary, or a
-/// curve of two edges, which glue() closes.
+/// Why the curve through `h` cannot be closed, or nothing when it can: no such halfedge, not on the boundary, a curve of
+/// two edges, which glue() closes, or a vertex on it with several fans (core/fans.h).
+/// Cost:     the degrees of the vertices on the curve.
 MESHOPS_API std::optional<std::string> close_curve_blocker(const Connectivity& mesh, Halfedge h);
 
 /// Fills the boundary curve through `h` with one face, which `h` is the halfedge of.
 /// Δ:        F +1, χ +1, curves −1, others 0.
 /// Requires: close_curve_blocker() is empty. Throws ContractViolation, mesh untouched.
 /// Inverse:  open_curve().
-/// Cost:     the length of the curve.
+/// Cost:     that of the blocker.
 MESHOPS_API CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h);
 
-/// Why the face cannot be taken out, or nothing when it can: no such face; a side of it on the boundary, whose edge
-/// would have no face; a corner on the boundary, at which the rest would have two fans. remove_triangle() does these.
+/// Why the face cannot be taken out, or nothing when it can: no such face; a side of it on the boundary, or the face on
+/// both sides of an edge, which would have no face left; a corner on the boundary, or a vertex that the face passes
+/// twice, at which the rest would have two fans. remove_triangle() takes out the triangles among these.
+/// Cost:     the number of sides; with more than three also the degrees of the corners.
 MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a face as deleted, so that its sides are a boundary curve.
@@ -42,7 +45,7 @@ MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& me
 /// Requires: open_curve_blocker() is empty; the mesh has face status.
 /// Throws:   ContractViolation, mesh untouched.
 /// Inverse:  close_curve(), up to the handle of the face.
-/// Cost:     the number of sides; the blocker also looks around every corner.
+/// Cost:     that of the blocker.
 MESHOPS_API OpenCurveEffect open_curve(Connectivity& mesh, Face f);
 
 }  // namespace meshops

@@ -3,13 +3,14 @@
 #include <array>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fans.h"
 #include "meshops/core/live.h"
-#include "meshops/handle/unglue.h"
+#include "meshops/handle/unchecked.h"
 
 namespace meshops {
 namespace {
 
-const char* reason_against_removing(const Connectivity& mesh, Face f) {
+const char* reason_against_any(const Connectivity& mesh, Face f) {
   if (!is_live(mesh, f)) return "no such face";
   const Halfedge first = mesh.halfedge_handle(f);
   const Halfedge third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(first));
@@ -21,11 +22,33 @@ std::array<Halfedge, 3> sides_of(const Connectivity& mesh, Face f) {
   return {first, second, mesh.next_halfedge_handle(second)};
 }
 
-const char* reason_against(const Connectivity& mesh, Face f) {
-  if (const char* reason = reason_against_removing(mesh, f)) return reason;
+const char* reason_against_destroying(const Connectivity& mesh, Face f) {
+  if (const char* reason = reason_against_any(mesh, f)) return reason;
+  const auto beyond = [&](Halfedge side) { return mesh.opposite_halfedge_handle(side); };
   for (const Halfedge side : sides_of(mesh, f))
-    if (!mesh.is_boundary(mesh.opposite_halfedge_handle(side))) return "a side is glued to another face";
+    if (!mesh.is_boundary(beyond(side))) return "a side is glued to another face";
+  // The boundary turns around the triangle, unless it goes on to another fan in a corner.
+  for (const Halfedge side : sides_of(mesh, f))
+    if (mesh.prev_halfedge_handle(beyond(side)) != beyond(mesh.next_halfedge_handle(side))) return detail::several_fans;
   return nullptr;
+}
+
+const char* reason_against_removing(const Connectivity& mesh, Face f) {
+  if (const char* reason = reason_against_any(mesh, f)) return reason;
+  for (const Halfedge side : sides_of(mesh, f))
+    if (has_several_fans(mesh, mesh.from_vertex_handle(side))) return detail::several_fans;
+  return nullptr;
+}
+
+void destroy(Connectivity& mesh, Face f) {
+  for (const Halfedge side : sides_of(mesh, f)) {
+    mesh.status(mesh.from_vertex_handle(side)).set_deleted(true);
+    mesh.set_isolated(mesh.from_vertex_handle(side));
+    mesh.status(mesh.edge_handle(side)).set_deleted(true);
+    mesh.status(side).set_deleted(true);
+    mesh.status(mesh.opposite_halfedge_handle(side)).set_deleted(true);
+  }
+  mesh.status(f).set_deleted(true);
 }
 
 void require_none(const char* name, const char* reason) {
@@ -39,20 +62,13 @@ std::optional<std::string> as_text(const char* reason) {
 }  // namespace
 
 std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f) {
-  return as_text(reason_against(mesh, f));
+  return as_text(reason_against_destroying(mesh, f));
 }
 
 Delta destroy_triangle(Connectivity& mesh, Face f) {
   require(has_status(mesh), "destroy_triangle: the mesh needs status of every kind to mark what is deleted");
-  require_none("destroy_triangle", reason_against(mesh, f));
-  for (const Halfedge side : sides_of(mesh, f)) {
-    mesh.status(mesh.from_vertex_handle(side)).set_deleted(true);
-    mesh.set_isolated(mesh.from_vertex_handle(side));
-    mesh.status(mesh.edge_handle(side)).set_deleted(true);
-    mesh.status(side).set_deleted(true);
-    mesh.status(mesh.opposite_halfedge_handle(side)).set_deleted(true);
-  }
-  mesh.status(f).set_deleted(true);
+  require_none("destroy_triangle", reason_against_destroying(mesh, f));
+  destroy(mesh, f);
   return delta_of_destroy();
 }
 
@@ -67,9 +83,10 @@ Delta remove_triangle(Connectivity& mesh, Face f) {
   // Given the halfedge on this side, unglue() lets what is beyond keep the edge and the vertices.
   for (const Halfedge side : sides_of(mesh, f)) {
     const Halfedge beyond = mesh.opposite_halfedge_handle(side);
-    if (!mesh.is_boundary(beyond)) delta = delta + unglue(mesh, side).delta();
+    if (!mesh.is_boundary(beyond)) delta = delta + detail::unglue_links(mesh, side).delta();
   }
-  return delta + destroy_triangle(mesh, f);
+  destroy(mesh, f);
+  return delta + delta_of_destroy();
 }
 
 }  // namespace meshops

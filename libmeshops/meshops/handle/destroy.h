@@ -12,8 +12,8 @@
 
 namespace meshops {
 
-/// Why `f` cannot be destroyed, or nothing when it can: no such face, other than three sides, or a side that is glued
-/// to another face.
+/// Why `f` cannot be destroyed, or nothing when it can: no such face, other than three sides, a side that is glued to
+/// another face, or a corner with several fans (core/fans.h).
 MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a triangle that is a component of its own as deleted, with its edges and vertices.
@@ -24,7 +24,9 @@ MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivi
 /// Cost:     constant.
 MESHOPS_API Delta destroy_triangle(Connectivity& mesh, Face f);
 
-/// Why `f` cannot be removed, or nothing when it can: no such face, or other than three sides.
+/// Why `f` cannot be removed, or nothing when it can: no such face, other than three sides, or a corner with several
+/// fans (core/fans.h).
+/// Cost:     the degrees of the corners that are on the boundary.
 MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Unglues the sides of a triangle that are glued, and destroys it. Where the rest would touch itself in a corner, the

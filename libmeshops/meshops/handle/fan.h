@@ -17,16 +17,4 @@ inline void move_fan(Connectivity& mesh, Halfedge first, Vertex to) {
   } while (out != first);
 }
 
-/// Whether an edge joins two vertices, neither of them isolated.
-/// Cost: the degree of `a`.
-inline bool are_neighbours(const Connectivity& mesh, Vertex a, Vertex b) {
-  const Halfedge first = mesh.halfedge_handle(a);
-  Halfedge out = first;
-  do {
-    if (mesh.to_vertex_handle(out) == b) return true;
-    out = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(out));
-  } while (out != first);
-  return false;
-}
-
 }  // namespace meshops::detail

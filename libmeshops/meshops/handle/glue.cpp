@@ -1,28 +1,24 @@
 #include "meshops/handle/glue.h"
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fans.h"
 #include "meshops/core/live.h"
 #include "meshops/core/reach.h"
 #include "meshops/handle/fan.h"
+#include "meshops/handle/unchecked.h"
 
 namespace meshops {
 namespace {
 
-/// Null when nothing blocks. Without memory to allocate, since glue() asks as well.
-const char* reason_against(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
-  if (mesh.edge_handle(first) == mesh.edge_handle(second)) return "both halfedges are of one edge";
-  if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
-  const Vertex a0 = mesh.from_vertex_handle(first), a1 = mesh.to_vertex_handle(second);
-  const Vertex b0 = mesh.to_vertex_handle(first), b1 = mesh.from_vertex_handle(second);
-  if ((a0 != a1 && detail::are_neighbours(mesh, a0, a1)) || (b0 != b1 && detail::are_neighbours(mesh, b0, b1)))
-    return "an edge joins two vertices that would become one";
-  return nullptr;
-}
-
-void require_gluable(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  require(has_status(mesh), "glue: the mesh needs status of every kind to mark what is deleted");
-  if (const char* reason = reason_against(mesh, first, second)) throw ContractViolation(std::string("glue: ") + reason);
+/// Why the vertex that the boundary halfedge `out` leaves cannot become one with `other`. Seen on the way through its
+/// fan.
+const char* reason_at(const Connectivity& mesh, Halfedge out, Vertex other) {
+  for (Halfedge h = out;;) {
+    if (mesh.to_vertex_handle(h) == other) return "an edge joins two vertices that would become one";
+    const Halfedge in = mesh.opposite_halfedge_handle(h);
+    h = mesh.next_halfedge_handle(in);
+    if (mesh.is_boundary(in)) return h == out ? nullptr : detail::several_fans;
+  }
 }
 
 /// Merges the fans of two boundary vertices and returns the survivor.
@@ -36,7 +32,35 @@ Vertex merge(Connectivity& mesh, Vertex a, Vertex b) {
   return survivor;
 }
 
-GlueEffect glue_unchecked(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what) {
+}  // namespace
+
+namespace detail {
+
+const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out) {
+  if (out != other_out)
+    if (const char* reason = reason_at(mesh, out, mesh.from_vertex_handle(other_out))) return reason;
+  return has_other_fans(mesh, other_out) ? several_fans : nullptr;
+}
+
+const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
+  if (mesh.edge_handle(first) == mesh.edge_handle(second)) return "both halfedges are of one edge";
+  if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
+  if (const char* reason = merge_refusal(mesh, first, mesh.next_halfedge_handle(second))) return reason;
+  return merge_refusal(mesh, mesh.next_halfedge_handle(first), second);
+}
+
+GlueCase case_of_glue(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  const bool adjacent_at_end = mesh.next_halfedge_handle(first) == second;
+  const bool adjacent_at_start = mesh.next_halfedge_handle(second) == first;
+  if (adjacent_at_end && adjacent_at_start) return GlueCase::close;
+  if (adjacent_at_end || adjacent_at_start) return GlueCase::zip;
+  if (on_same_curve(mesh, first, second)) return GlueCase::split_curve;
+  const auto face_at = [&](Halfedge h) { return mesh.face_handle(mesh.opposite_halfedge_handle(h)); };
+  return in_same_component(mesh, face_at(first), face_at(second)) ? GlueCase::handle : GlueCase::join;
+}
+
+GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what) {
   const GlueEffect effect{what,
                           first,
                           second,
@@ -77,31 +101,37 @@ GlueEffect glue_unchecked(Connectivity& mesh, Halfedge first, Halfedge second, G
   return effect;
 }
 
+}  // namespace detail
+
+namespace {
+
+void require_gluable(const char* operation, const Connectivity& mesh, Halfedge first, Halfedge second) {
+  if (const char* reason = detail::glue_refusal(mesh, first, second))
+    throw ContractViolation(std::string(operation) + ": " + reason);
+}
+
 }  // namespace
 
 std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (const char* reason = reason_against(mesh, first, second)) return reason;
+  if (const char* reason = detail::glue_refusal(mesh, first, second)) return reason;
   return std::nullopt;
 }
 
 GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  const bool adjacent_at_end = mesh.next_halfedge_handle(first) == second;
-  const bool adjacent_at_start = mesh.next_halfedge_handle(second) == first;
-  if (adjacent_at_end && adjacent_at_start) return GlueCase::close;
-  if (adjacent_at_end || adjacent_at_start) return GlueCase::zip;
-  if (on_same_curve(mesh, first, second)) return GlueCase::split_curve;
-  const auto face_at = [&](Halfedge h) { return mesh.face_handle(mesh.opposite_halfedge_handle(h)); };
-  return in_same_component(mesh, face_at(first), face_at(second)) ? GlueCase::handle : GlueCase::join;
+  require_gluable("glue_case", mesh, first, second);
+  return detail::case_of_glue(mesh, first, second);
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second) {
-  require_gluable(mesh, first, second);
-  return glue_unchecked(mesh, first, second, glue_case(mesh, first, second));
+  require(has_status(mesh), "glue: the mesh needs status of every kind to mark what is deleted");
+  require_gluable("glue", mesh, first, second);
+  return detail::glue_links(mesh, first, second, detail::case_of_glue(mesh, first, second));
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what) {
-  require_gluable(mesh, first, second);
-  return glue_unchecked(mesh, first, second, what);
+  require(has_status(mesh), "glue: the mesh needs status of every kind to mark what is deleted");
+  require_gluable("glue", mesh, first, second);
+  return detail::glue_links(mesh, first, second, what);
 }
 
 }  // namespace meshops

@@ -25,13 +25,14 @@ struct GlueEffect {
   Delta delta() const { return delta_of(what); }
 };
 
-/// Why `first` and `second` cannot be glued, or nothing when they can: not boundary halfedges, one edge, or an edge
-/// between vertices that would become one (it would turn into a loop).
+/// Why `first` and `second` cannot be glued, or nothing when they can: not boundary halfedges, one edge, an edge between
+/// vertices that would become one (it would turn into a loop), or an end with several fans (core/fans.h).
+/// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// What glue() would be for these boundary halfedges.
-/// Requires: glue_blocker() is empty.
-/// Cost:     the shorter of two ways along a curve; the smaller of two components when the edges are on two curves.
+/// Requires: glue_blocker() is empty. Throws ContractViolation.
+/// Cost:     the degrees of the ends; the shorter of two ways along a curve; the smaller of two components when the edges are on two curves.
 MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
@@ -40,12 +41,12 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
 /// Inverse:     unglue().
-/// Cost:        that of glue_case(), plus the degrees of the merged vertices.
+/// Cost:        that of glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// The same when the case is known already, as a tracker does (topology/tracker.h).
 /// Requires: also that `what` is glue_case(), which is not checked.
-/// Cost:     the degrees of the four ends.
+/// Cost:     the degrees of the ends.
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
 
 }  // namespace meshops

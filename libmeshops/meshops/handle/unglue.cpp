@@ -3,18 +3,14 @@
 #include <algorithm>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fans.h"
 #include "meshops/core/live.h"
 #include "meshops/core/reach.h"
 #include "meshops/handle/fan.h"
+#include "meshops/handle/unchecked.h"
 
 namespace meshops {
 namespace {
-
-const char* reason_against(const Connectivity& mesh, Halfedge h) {
-  if (!is_live(mesh, h)) return "no such halfedge";
-  if (mesh.is_boundary(mesh.edge_handle(h))) return "the edge is on the boundary";
-  return nullptr;
-}
 
 /// One end of the edge that is parted: how the boundary passes by it, when it does.
 struct End {
@@ -22,6 +18,7 @@ struct End {
   Halfedge before, after;  // the boundary into the vertex and out of it
   bool on_boundary;
 
+  /// Requires that the vertex has one fan.
   End(const Connectivity& mesh, Vertex v) : vertex(v), on_boundary(mesh.is_boundary(v)) {
     if (!on_boundary) return;
     after = mesh.halfedge_handle(v);
@@ -95,15 +92,7 @@ Halfedge copy_of_edge(Connectivity& mesh, Halfedge h) {
   return copy_of_o;
 }
 
-}  // namespace
-
-std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h) {
-  if (const char* reason = reason_against(mesh, h)) return reason;
-  return std::nullopt;
-}
-
-GlueCase unglue_case(const Connectivity& mesh, Halfedge h) {
-  const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
+GlueCase case_of_unglue(const Connectivity& mesh, Halfedge h, const End& start, const End& end) {
   if (!start.on_boundary && !end.on_boundary) return GlueCase::close;
   if (!start.on_boundary || !end.on_boundary) return GlueCase::zip;
   if (!on_same_curve(mesh, start.after, end.after)) return GlueCase::split_curve;
@@ -111,10 +100,26 @@ GlueCase unglue_case(const Connectivity& mesh, Halfedge h) {
   return in_same_component(mesh, one, other, mesh.edge_handle(h)) ? GlueCase::handle : GlueCase::join;
 }
 
-UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
-  if (const char* reason = reason_against(mesh, h)) throw ContractViolation(std::string("unglue: ") + reason);
-  const GlueCase what = unglue_case(mesh, h);
+void require_ungluable(const char* operation, const Connectivity& mesh, Halfedge h) {
+  if (const char* reason = detail::unglue_refusal(mesh, h))
+    throw ContractViolation(std::string(operation) + ": " + reason);
+}
+
+}  // namespace
+
+namespace detail {
+
+const char* unglue_refusal(const Connectivity& mesh, Halfedge h) {
+  if (!is_live(mesh, h)) return "no such halfedge";
+  if (mesh.is_boundary(mesh.edge_handle(h))) return "the edge is on the boundary";
+  for (const Vertex end : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)})
+    if (has_several_fans(mesh, end)) return several_fans;
+  return nullptr;
+}
+
+UnglueEffect unglue_links(Connectivity& mesh, Halfedge h) {
   const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
+  const GlueCase what = case_of_unglue(mesh, h, start, end);
   const Halfedge second = copy_of_edge(mesh, h);
   UnglueEffect effect{what, h, second, Vertex(), Vertex()};
   if (start.on_boundary) effect.new_start = copy_of(mesh, start.vertex);
@@ -125,9 +130,27 @@ UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
   return effect;
 }
 
+}  // namespace detail
+
+std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h) {
+  if (const char* reason = detail::unglue_refusal(mesh, h)) return reason;
+  return std::nullopt;
+}
+
+GlueCase unglue_case(const Connectivity& mesh, Halfedge h) {
+  require_ungluable("unglue_case", mesh, h);
+  return case_of_unglue(mesh, h, End(mesh, mesh.from_vertex_handle(h)), End(mesh, mesh.to_vertex_handle(h)));
+}
+
+UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
+  require_ungluable("unglue", mesh, h);
+  return detail::unglue_links(mesh, h);
+}
+
 UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
+  require(has_status(mesh), "unglue: the mesh needs status of every kind to know what is deleted");
   const Halfedge h = effect.survivor;
-  if (const char* reason = reason_against(mesh, h)) throw ContractViolation(std::string("unglue: ") + reason);
+  require_ungluable("unglue", mesh, h);
   const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
   const auto is_dead = [&](auto element, std::size_t count) {
     return element.is_valid() && static_cast<std::size_t>(element.idx()) < count && !is_live(mesh, element);
@@ -139,13 +162,14 @@ UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
     return at.vertex == std::min(a, b) && at.on_boundary == gone.is_valid() &&
            (!gone.is_valid() || is_dead(gone, mesh.n_vertices()));
   };
+  const Vertex new_start = deleted_at(effect.first_ends.from, effect.second_ends.to);
+  const Vertex new_end = deleted_at(effect.first_ends.to, effect.second_ends.from);
   require(is_dead(effect.removed, mesh.n_halfedges()) && fits(start, effect.first_ends.from, effect.second_ends.to) &&
-              fits(end, effect.first_ends.to, effect.second_ends.from),
+              fits(end, effect.first_ends.to, effect.second_ends.from) &&
+              (new_start != new_end || !new_start.is_valid()),
           "unglue: the edge is no longer as glue() left it");
 
-  UnglueEffect result{unglue_case(mesh, h), h, effect.removed,
-                      deleted_at(effect.first_ends.from, effect.second_ends.to),
-                      deleted_at(effect.first_ends.to, effect.second_ends.from)};
+  const UnglueEffect result{case_of_unglue(mesh, h, start, end), h, effect.removed, new_start, new_end};
   for (const Vertex v : {result.new_start, result.new_end})
     if (v.is_valid()) mesh.status(v).set_deleted(false);
   mesh.status(mesh.edge_handle(effect.removed)).set_deleted(false);

@@ -25,12 +25,14 @@ struct UnglueEffect {
   Delta delta() const { return -delta_of(what); }
 };
 
-/// Why the edge of `h` cannot be unglued, or nothing when it can: no such halfedge, or its edge is on the boundary.
+/// Why the edge of `h` cannot be unglued, or nothing when it can: no such halfedge, its edge is on the boundary, or an
+/// end has several fans (core/fans.h).
+/// Cost:     the degrees of the ends that are on the boundary.
 MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h);
 
 /// What unglue() would undo.
-/// Requires: unglue_blocker() is empty.
-/// Cost:     constant when an end of the edge is inner; otherwise the shorter way along the curve, and the smaller of
+/// Requires: unglue_blocker() is empty. Throws ContractViolation.
+/// Cost:     that of unglue_blocker(), and no more when an end of the edge is inner; otherwise the shorter way along the curve, and the smaller of
 ///           the two parts when both ends are on one curve.
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
@@ -39,13 +41,15 @@ MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 ///           vertices keep the fan that the opposite of `h` is in, new ones get the fan of what was the face of `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation, mesh untouched.
 /// Inverse:  glue(first, second).
-/// Cost:     that of unglue_case(), plus the degrees of the ends that are on the boundary.
+/// Cost:     that of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 
 /// Takes a glue() back: the edge and the vertices that it marked deleted live again, with their own properties.
 /// Requires: the glued edge is inner and ends at the vertices that glue() left it with; what glue() marked deleted
-///           still is. Throws ContractViolation, mesh untouched.
-/// Cost:     that of unglue_case(), plus the degrees of the ends that are on the boundary.
+///           still is. All of this is checked: a sound mesh stays sound whatever the effect says. The mesh has status of
+///           every kind.
+/// Throws:   ContractViolation, mesh untouched.
+/// Cost:     that of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect);
 
 }  // namespace meshops

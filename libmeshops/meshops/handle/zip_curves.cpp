@@ -3,8 +3,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/core/reach.h"
-#include "meshops/handle/fan.h"
-#include "meshops/handle/glue.h"
+#include "meshops/handle/unchecked.h"
 
 namespace meshops {
 namespace {
@@ -30,8 +29,7 @@ std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge
   // Each vertex of one curve merges with one of the other, so that looking at every pair beforehand looks at all.
   Halfedge h = first, g = second;
   do {
-    if (detail::are_neighbours(mesh, mesh.from_vertex_handle(h), mesh.to_vertex_handle(g)))
-      return "an edge joins two vertices that would become one";
+    if (const char* reason = detail::merge_refusal(mesh, h, mesh.next_halfedge_handle(g))) return reason;
     h = mesh.next_halfedge_handle(h);
     g = mesh.prev_halfedge_handle(g);
   } while (h != first);
@@ -46,10 +44,9 @@ ZipCurvesEffect zip_curves(Connectivity& mesh, Halfedge first, Halfedge second) 
   Halfedge h = first, g = second;
   for (std::size_t i = 0; i < edges; ++i) {
     const Halfedge next = mesh.next_halfedge_handle(h), previous = mesh.prev_halfedge_handle(g);
-    if (i == 0)
-      effect.begins_with = glue(mesh, h, g).what;
-    else
-      glue(mesh, h, g, i + 1 < edges ? GlueCase::zip : GlueCase::close);
+    const GlueCase what = i == 0 ? detail::case_of_glue(mesh, h, g) : i + 1 < edges ? GlueCase::zip : GlueCase::close;
+    if (i == 0) effect.begins_with = what;
+    detail::glue_links(mesh, h, g, what);
     h = next;
     g = previous;
   }

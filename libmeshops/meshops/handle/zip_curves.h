@@ -28,7 +28,8 @@ struct ZipCurvesEffect {
 };
 
 /// Why the curves through `first` and `second` cannot be sewn, or nothing when they can: not boundary halfedges, one
-/// curve, different lengths, or an edge between vertices that would become one.
+/// curve, different lengths, an edge between vertices that would become one, or a vertex with several fans (core/fans.h).
+/// Cost:     the degrees of the vertices on both curves.
 MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues `first` to `second`, the edge after `first` to the edge before `second`, and so on all around: two curves

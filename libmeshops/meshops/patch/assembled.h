@@ -8,7 +8,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/patch/fans.h"
+#include "meshops/patch/site_vertices.h"
 
 namespace meshops {
 
@@ -17,9 +17,9 @@ class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
   std::size_t faces() const { return mesh_.n_faces(); }
-  std::size_t sites() const { return fans_.sites(); }
+  std::size_t sites() const { return vertices_.sites(); }
   /// No triangle has a corner on this site.
-  bool is_free(Site s) const { return fans_.is_free(s); }
+  bool is_free(Site s) const { return vertices_.is_free(s); }
 
   /// Removes the vertices without triangles and renumbers the others, keeping their order.
   /// Returns: the site of each vertex of the mesh.
@@ -28,12 +28,13 @@ class MESHOPS_API AssembledPatches {
  private:
   friend class PatchAssembler;
   friend class Front;
-  AssembledPatches(Connectivity& mesh, Fans fans) : mesh_(mesh), fans_(std::move(fans)) {}
+  AssembledPatches(Connectivity& mesh, SiteVertices vertices) : mesh_(mesh), vertices_(std::move(vertices)) {}
 
   Connectivity& mesh_;
-  Fans fans_;
-  std::vector<Halfedge> open_;             // boundary halfedges beyond which a patch may have had more
-  std::vector<std::array<int, 2>> holes_;  // ranges of edges, halfedge 1 of each a boundary halfedge beyond which is nothing
+  SiteVertices vertices_;
+  std::vector<Halfedge> open_;  // boundary halfedges beyond which a patch may have had more
+  std::vector<std::array<int, 2>>
+      holes_;  // ranges of edges, halfedge 1 of each a boundary halfedge beyond which is nothing
 };
 
 }  // namespace meshops

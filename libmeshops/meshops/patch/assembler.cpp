@@ -24,7 +24,7 @@ int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is
 
 }  // namespace
 
-PatchAssembler::PatchAssembler(Connectivity& mesh, std::size_t sites) : mesh_(mesh), fans_(mesh, sites) {
+PatchAssembler::PatchAssembler(Connectivity& mesh, std::size_t sites) : mesh_(mesh), vertices_(mesh, sites) {
   require(mesh.n_vertices() == 0, "PatchAssembler: the mesh is not empty");
   mesh.resize(sites, 0, 0);
   rims_.begin(sites);
@@ -73,7 +73,7 @@ void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement
 /// A further fan on a site. The vertex comes with join().
 Vertex PatchAssembler::further_vertex(Site s, Halfedge into) {
   holes_.into.push_back(into);
-  return fans_.announce(s);
+  return vertices_.announce(s);
 }
 
 /// Gives the edges of holes their numbers, and the fans between them their vertices: the first on a site that of the site.
@@ -204,12 +204,12 @@ AssembledPatches PatchAssembler::join() && {
   });
   rims_.end();
   // Edges were made for seams that found their other side, too.
-  const std::size_t first_further = fans_.vertices() - holes_.into.size();
-  mesh_.resize(fans_.vertices(), edges_, faces_);
+  const std::size_t first_further = vertices_.vertices() - holes_.into.size();
+  mesh_.resize(vertices_.vertices(), edges_, faces_);
   for (std::size_t i = 0; i < holes_.into.size(); ++i)
     mesh_.set_halfedge_handle(Vertex(static_cast<int>(first_further + i)), mesh_.next_halfedge_handle(holes_.into[i]));
-  fans_.list_announced();
-  AssembledPatches assembled(mesh_, std::move(fans_));
+  vertices_.list_announced();
+  AssembledPatches assembled(mesh_, std::move(vertices_));
   assembled.open_ = std::move(open);
   assembled.holes_ = std::move(holes_.edges);
   return assembled;

@@ -14,11 +14,11 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/patch/assembled.h"
-#include "meshops/patch/fans.h"
 #include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
 #include "meshops/patch/placement.h"
 #include "meshops/patch/seams.h"
+#include "meshops/patch/site_vertices.h"
 
 namespace meshops {
 
@@ -74,7 +74,7 @@ class MESHOPS_API PatchAssembler {
   Vertex further_vertex(Site s, Halfedge into);
 
   Connectivity& mesh_;
-  Fans fans_;
+  SiteVertices vertices_;
   std::size_t edges_ = 0;  // in use; there may be more in the mesh
   std::size_t faces_ = 0;
   Seams<Rim> rims_;  // each at the site that its boundary halfedge leaves

@@ -24,9 +24,10 @@ void renumber(Connectivity& mesh, std::size_t edges, std::size_t first, const st
 
 }  // namespace
 
-std::vector<Site> detail::compact(Connectivity& mesh, const Fans& fans, std::size_t edges, std::size_t faces) {
+std::vector<Site> detail::compact(Connectivity& mesh, const SiteVertices& vertices, std::size_t edges,
+                                  std::size_t faces) {
   const auto is_unused = [&](std::size_t i) { return mesh.is_isolated(Vertex(static_cast<int>(i))); };
-  const auto site = [&](std::size_t i) { return fans.site(Vertex(static_cast<int>(i))); };
+  const auto site = [&](std::size_t i) { return vertices.site(Vertex(static_cast<int>(i))); };
   // Vertices of fans that have grown together are at the end: where no others are unused, none needs a new number.
   std::size_t end = mesh.n_vertices(), left = 0;
   while (end > 0 && is_unused(end - 1)) --end;
@@ -48,7 +49,7 @@ std::vector<Site> detail::compact(Connectivity& mesh, const Fans& fans, std::siz
 }
 
 std::vector<Site> AssembledPatches::finish() && {
-  return detail::compact(mesh_, fans_, mesh_.n_edges(), mesh_.n_faces());
+  return detail::compact(mesh_, vertices_, mesh_.n_edges(), mesh_.n_faces());
 }
 
 }  // namespace meshops

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "meshops/core/connectivity.h"
-#include "meshops/patch/fans.h"
+#include "meshops/patch/site_vertices.h"
 
 namespace meshops::detail {
 
 /// Renumbers the other vertices, which keep their order and properties; the mesh is left with them and with its first
 /// `edges` edges and `faces` faces.
-/// Returns: the site of each vertex that is left. `fans` is of no more use.
+/// Returns: the site of each vertex that is left. `vertices` is of no more use.
 /// Cost:    linear; little where no vertex but the last is to go.
-std::vector<Site> compact(Connectivity& mesh, const Fans& fans, std::size_t edges, std::size_t faces);
+std::vector<Site> compact(Connectivity& mesh, const SiteVertices& vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops::detail

@@ -16,7 +16,7 @@ std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h
 }
 
 WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep) {
-  detail::require_status(mesh);
+  detail::require_status(mesh, "collapse");
   detail::enforce("collapse", refusal(mesh, h, keep));
   return detail::close_edge(mesh, h);
 }

@@ -33,6 +33,14 @@ struct SplitEffect {
   Delta delta() const { return added.sum(); }
 };
 
+struct SplitEdgeEffect : SplitEffect {
+  Halfedge line;  ///< the half that stays, towards the new vertex
+};
+struct SplitFaceEffect : SplitEffect {
+  Face face;  ///< that was split, and is one of three now
+};
+struct SplitVertexEffect : SplitEffect {};
+
 /// Of collapse() and remove_vertex(), and part of that of weld_edge() and weld_face().
 struct WeldEffect {
   StarElements removed;  ///< marked deleted; their records are left as they were, for undo()

@@ -75,20 +75,25 @@ FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
 }
 
 void undo(Connectivity& mesh, const FlipEffect& effect) {
+  if (const auto blocker = flip_blocker(mesh, effect.edge, Keep::manifold))
+    throw ContractViolation("undo: " + *blocker);
   // Now h = d→c with ca, ad on the left and db, bc on the right.
   const Halfedge h = mesh.halfedge_handle(effect.edge, 0), o = mesh.opposite_halfedge_handle(h);
   const Halfedge ca = mesh.next_halfedge_handle(h), ad = mesh.prev_halfedge_handle(h);
   const Halfedge db = mesh.next_halfedge_handle(o), bc = mesh.prev_halfedge_handle(o);
   const Face left = mesh.face_handle(h), right = mesh.face_handle(o);
   const Vertex a = mesh.to_vertex_handle(ca), b = mesh.to_vertex_handle(db);
+  const Vertex c = mesh.to_vertex_handle(h), d = mesh.to_vertex_handle(o);
+  if (mesh.halfedge_handle(c) == o) mesh.set_halfedge_handle(c, ca);  // not after flip(), which leaves others there
+  if (mesh.halfedge_handle(d) == h) mesh.set_halfedge_handle(d, db);
   if (mesh.halfedge_handle(left) == ad) mesh.set_halfedge_handle(left, bc);
   if (mesh.halfedge_handle(right) == bc) mesh.set_halfedge_handle(right, ad);
   mesh.set_vertex_handle(h, b);
   mesh.set_vertex_handle(o, a);
   link(mesh, h, bc, ca);
   link(mesh, o, ad, db);
-  mesh.set_halfedge_handle(a, effect.named[0]);
-  mesh.set_halfedge_handle(b, effect.named[1]);
+  detail::name_again(mesh, a, effect.named[0]);
+  detail::name_again(mesh, b, effect.named[1]);
 }
 
 }  // namespace meshops

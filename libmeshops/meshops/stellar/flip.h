@@ -35,8 +35,11 @@ MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Ed
 /// Cost:        constant; Keep::simplicial: the degree of c.
 MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// Restores every record that a flip changed.
-/// Requires: the mesh is as flip() left it: what was done since has been undone.
+/// Rotates the edge back, clockwise. When the mesh is as flip() left it, what was done since having been undone, that
+/// restores every record.
+/// Requires: flip_blocker(mesh, effect.edge, Keep::manifold) is empty.
+/// Throws:   ContractViolation, mesh untouched.
+/// Cost:     constant.
 MESHOPS_API void undo(Connectivity& mesh, const FlipEffect& effect);
 
 }  // namespace meshops

@@ -1,6 +1,10 @@
 #include "meshops/stellar/relink.h"
 
+#include <array>
+#include <utility>
+
 #include "meshops/core/add_elements.h"
+#include "meshops/core/fans.h"
 
 namespace meshops::detail {
 namespace {
@@ -58,32 +62,13 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
   if (effect.named[1] == s.cv || effect.named[1] == cw_left) mesh.set_halfedge_handle(c, s.dw);
   Halfedge before = mesh.prev_halfedge_handle(cw_left), after = mesh.next_halfedge_handle(cw_left);
   take_place(mesh, s.dw, cw_left, before, after);
-  mark_deleted(mesh, effect.removed);
   return effect;
 }
 
-}  // namespace
-
-constexpr int usual_degree = 12;
-
-bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
-  const Halfedge first_of_a = mesh.halfedge_handle(a), first_of_b = mesh.halfedge_handle(b);
-  Halfedge from_a = first_of_a, from_b = first_of_b;
-  for (int i = 0; i < usual_degree; ++i) {
-    if (mesh.to_vertex_handle(from_a) == b) return true;
-    from_a = cw(mesh, from_a);
-    if (from_a == first_of_a) return false;
-  }
-  // Around both at once then: a vertex of many edges must not make its neighbours slow.
-  do {
-    if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
-    from_a = cw(mesh, from_a);
-    from_b = cw(mesh, from_b);
-  } while (from_a != first_of_a && from_b != first_of_b);
-  return false;
-}
-
-SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
+/// open_vertex() with elements from anywhere: the vertex; the edge to w, and one to the end of each halfedge that is
+/// given; a face for each of these.
+template <typename Elements>
+SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right, Elements elements) {
   const bool has_left = left.is_valid(), has_right = right.is_valid();
   const Halfedge named = mesh.halfedge_handle(w);  // on the boundary, what the boundary leaves w by
   const Halfedge end = has_right ? right : ccw(mesh, named);
@@ -91,7 +76,6 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
   SplitEffect effect;
   StarElements& added = effect.added;
   added.at_boundary = !has_left || !has_right;
-  AddedElements elements(mesh, 1, added.edges().size(), added.faces().size());
   const Vertex v = added.vertex = elements.vertex();
   bool named_moves = left_was_boundary && left == named;
   for (Halfedge out = ccw(mesh, has_left ? left : named); out != end; out = ccw(mesh, out)) {
@@ -117,7 +101,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
     const Halfedge dv = mesh.opposite_halfedge_handle(vd);
     added.edge[has_left ? 2 : 1] = mesh.edge_handle(vd);
     const Face face = added.face[has_left ? 1 : 0] = elements.face();
-    if (mesh.is_boundary(dw)) mesh.set_halfedge_handle(d, dv);
+    if (mesh.is_boundary(dw) && mesh.halfedge_handle(d) == dw) mesh.set_halfedge_handle(d, dv);
     take_place(mesh, dv, dw, mesh.prev_halfedge_handle(dw), mesh.next_halfedge_handle(dw));
     make_triangle(mesh, face, o, vd, dw);
   }
@@ -126,18 +110,83 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
   mesh.set_halfedge_handle(v, named_of_v);
   if (named_moves) mesh.set_halfedge_handle(w, o);
   if (!has_left) {
+    mesh.set_boundary(h);
     mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(named), h);
     mesh.set_next_halfedge_handle(h, named);
   }
   if (!has_right) {
+    mesh.set_boundary(o);
     mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(named_of_v), o);
     mesh.set_next_halfedge_handle(o, named_of_v);
   }
   return effect;
 }
 
-const char* open_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right, Keep keep) {
-  if (keep == Keep::manifold) return nullptr;
+/// What close_inner_path() closed opens again: the edge of `right` becomes two, with v between them.
+void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Halfedge vc, Halfedge wc) {
+  const Halfedge h = effect.halfedge, o = mesh.opposite_halfedge_handle(h);
+  const Halfedge dw = mesh.opposite_halfedge_handle(*effect.right), cw_left = mesh.opposite_halfedge_handle(wc);
+  const Halfedge cv = mesh.opposite_halfedge_handle(vc);
+  const Vertex w = effect.survivor, c = mesh.from_vertex_handle(dw);
+  for (const auto& [halfedge, to] : {std::pair(h, w), {o, v}, {vc, c}, {cv, v}, {wc, c}, {cw_left, w}})
+    mesh.set_vertex_handle(halfedge, to);
+  take_place(mesh, cw_left, dw, mesh.prev_halfedge_handle(dw), mesh.next_halfedge_handle(dw));
+  make_triangle(mesh, effect.removed.face[0], h, wc, cv);
+  make_triangle(mesh, effect.removed.face[1], o, vc, dw);
+  mesh.set_halfedge_handle(v, h);
+  if (mesh.halfedge_handle(c) == dw) mesh.set_halfedge_handle(c, cw_left);
+}
+
+/// Of a dead edge the halfedge that left `v`, as far as its records tell.
+Halfedge leaving(const Connectivity& mesh, Edge e, Vertex v) {
+  return mesh.halfedge_handle(e, mesh.to_vertex_handle(mesh.halfedge_handle(e, 0)) == v ? 1 : 0);
+}
+
+/// The elements of a weld, in the order in which it names them.
+class RevivedElements {
+ public:
+  RevivedElements(Connectivity& mesh, const WeldEffect& effect)
+      : mesh_(mesh), removed_(effect.removed), along_{effect.halfedge, Halfedge(), Halfedge()} {
+    for (std::size_t i = 1; i < removed_.edges().size(); ++i)
+      along_[i] = leaving(mesh, removed_.edge[i], removed_.vertex);
+  }
+  Vertex vertex() const { return removed_.vertex; }
+  Halfedge edge(Vertex from, Vertex to) {
+    const Halfedge h = along_[edges_++];
+    mesh_.set_vertex_handle(h, to);
+    mesh_.set_vertex_handle(mesh_.opposite_halfedge_handle(h), from);
+    return h;
+  }
+  Face face() { return removed_.face[faces_++]; }
+
+ private:
+  Connectivity& mesh_;
+  const StarElements& removed_;
+  std::array<Halfedge, 3> along_;  // of each edge the halfedge from the vertex
+  std::size_t edges_ = 0, faces_ = 0;
+};
+
+/// The boundary passes a vertex in a gap between each boundary halfedge that leaves it and the next edge
+/// counter-clockwise. Whether such a gap lies between left and right and is not the only one: on one side of the split
+/// there would be no telling by which the boundary leaves.
+bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left, std::optional<Halfedge> right) {
+  const Halfedge named = mesh.halfedge_handle(w);
+  const auto gaps_between = [&](Halfedge first, Halfedge end) {
+    int gaps = 0;
+    for (Halfedge out = first; out != end; out = ccw(mesh, out)) gaps += mesh.is_boundary(out);
+    return gaps;
+  };
+  // Left out, a halfedge stands for the gap at the named one.
+  if (!right) return gaps_between(*left, named) > 0;
+  if (!left) return gaps_between(ccw(mesh, named), *right) > 0;
+  const bool full_turn = *left == *right;
+  const int within =
+      (full_turn && mesh.is_boundary(*left) ? 1 : 0) + gaps_between(full_turn ? ccw(mesh, *left) : *left, *right);
+  return within > 1 || (within == 1 && !full_turn && gaps_between(*right, *left) > 0);
+}
+
+/// The new vertex must not be joined to another twice.
+const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
   const char* const reason = "two edges would join the new vertex and the same other";
   const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();
   const Vertex d = right.is_valid() ? mesh.to_vertex_handle(right) : Vertex();
@@ -149,7 +198,80 @@ const char* open_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Half
   return nullptr;
 }
 
-WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
+}  // namespace
+
+void refuse(const char* operation, const char* refusal) {
+  throw ContractViolation(std::string(operation) + ": " + refusal);
+}
+
+constexpr int usual_degree = 12;
+
+bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
+  const Halfedge first_of_a = mesh.halfedge_handle(a), first_of_b = mesh.halfedge_handle(b);
+  Halfedge from_a = first_of_a, from_b = first_of_b;
+  for (int i = 0; i < usual_degree; ++i) {
+    if (mesh.to_vertex_handle(from_a) == b) return true;
+    from_a = cw(mesh, from_a);
+    if (from_a == first_of_a) return false;
+  }
+  // Around both at once then: a vertex of many edges must not make its neighbours slow.
+  do {
+    if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
+    from_a = cw(mesh, from_a);
+    from_b = cw(mesh, from_b);
+  } while (from_a != first_of_a && from_b != first_of_b);
+  return false;
+}
+
+SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
+  const std::size_t sides = (left.is_valid() ? 1U : 0U) + (right.is_valid() ? 1U : 0U);
+  return open_with(mesh, w, left, right, AddedElements(mesh, 1, 1 + sides, sides));
+}
+
+void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
+  const StarElements& removed = effect.removed;
+  const Vertex v = removed.vertex, w = effect.survivor;
+  // The records of what was removed are as they were, and say what no rule tells.
+  const Halfedge h = effect.halfedge, named_by_v = mesh.halfedge_handle(v);
+  const std::array<Halfedge, 2> named_by_face = {
+      mesh.halfedge_handle(removed.face[0]), removed.at_boundary ? Halfedge() : mesh.halfedge_handle(removed.face[1])};
+  const Edge beside_o = mesh.edge_handle(mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h)));
+  const bool v_had_degree_two = !removed.at_boundary && effect.left == effect.right && beside_o == removed.edge[1];
+
+  mesh.status(v).set_deleted(false);
+  for (const Face f : removed.faces()) mesh.status(f).set_deleted(false);
+  for (const Edge e : removed.edges()) {
+    mesh.status(e).set_deleted(false);
+    for (const unsigned side : {0U, 1U}) mesh.status(mesh.halfedge_handle(e, side)).set_deleted(false);
+  }
+  if (v_had_degree_two)
+    open_inner_path(mesh, effect, v, leaving(mesh, removed.edge[1], v), leaving(mesh, removed.edge[2], w));
+  else
+    open_with(mesh, w, effect.left.value_or(Halfedge()), effect.right.value_or(Halfedge()),
+              RevivedElements(mesh, effect));
+
+  name_again(mesh, v, named_by_v);
+  name_again(mesh, w, effect.named[0]);
+  if (effect.left) name_again(mesh, mesh.to_vertex_handle(*effect.left), effect.named[1]);
+  if (effect.right) name_again(mesh, mesh.to_vertex_handle(*effect.right), effect.named[2]);
+  for (std::size_t i = 0; i < removed.faces().size(); ++i)
+    if (const Halfedge side = named_by_face[i]; is_live(mesh, side) && mesh.face_handle(side) == removed.face[i])
+      mesh.set_halfedge_handle(removed.face[i], side);
+}
+
+const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
+                         Keep keep) {
+  if (!left && !right) return "both halfedges are left out";
+  if ((left && !is_live(mesh, *left)) || (right && !is_live(mesh, *right))) return "no such halfedge";
+  const Vertex w = mesh.from_vertex_handle(left ? *left : *right);
+  if (left && right && mesh.from_vertex_handle(*right) != w) return "the halfedges leave different vertices";
+  if ((!left || !right) && !mesh.is_boundary(w)) return "a halfedge is left out and the vertex is not on the boundary";
+  if (mesh.is_boundary(w) && parts_gaps(mesh, w, left, right)) return several_fans;
+  return keep == Keep::manifold ? nullptr
+                                : double_edge_refusal(mesh, w, left.value_or(Halfedge()), right.value_or(Halfedge()));
+}
+
+WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   const Star s(mesh, h);
   const Vertex v = mesh.to_vertex_handle(s.o), w = mesh.to_vertex_handle(s.h);
   WeldEffect effect;
@@ -169,7 +291,7 @@ WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
   const Halfedge end = s.has_right ? s.vd : s.h;
   for (Halfedge out = ccw(mesh, s.has_left ? s.vc : s.h); out != end; out = ccw(mesh, out))
     mesh.set_vertex_handle(mesh.opposite_halfedge_handle(out), w);
-  if (s.has_left && (effect.named[0] == s.o || mesh.is_boundary(named_by_v)))
+  if (s.has_left && (effect.named[0] == s.o || (mesh.is_boundary(named_by_v) && !mesh.is_boundary(effect.named[0]))))
     mesh.set_halfedge_handle(w, named_by_v == s.h || named_by_v == s.vc ? s.wc
                                 : s.has_right && named_by_v == s.vd     ? wd
                                                                         : named_by_v);
@@ -208,6 +330,11 @@ WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
   } else if (s.vc != s.vd) {
     mesh.set_next_halfedge_handle(s.dw, s.vd);  // the boundary before and after o
   }
+  return effect;
+}
+
+WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
+  const WeldEffect effect = close_links(mesh, h);
   mark_deleted(mesh, effect.removed);
   return effect;
 }
@@ -235,8 +362,12 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
 
   const Halfedge end = s.has_right ? s.vd : s.h;
   const Halfedge start = s.v_has_degree_two() ? end : ccw(mesh, s.has_left ? s.vc : s.h);
-  for (Halfedge out = start; out != end; out = ccw(mesh, out))
+  int gaps = (s.has_left ? mesh.is_boundary(s.vc) : 1);
+  for (Halfedge out = start; out != end; out = ccw(mesh, out)) {
     if (mesh.to_vertex_handle(out) == w) return "another edge joins the two vertices: it would become a loop";
+    gaps += mesh.is_boundary(out);
+  }
+  if (gaps > 1) return several_fans;
   if (keep == Keep::manifold) return nullptr;
 
   for (Halfedge out = start; out != end; out = ccw(mesh, out))

@@ -34,7 +34,7 @@ std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Verte
 }
 
 WeldEffect remove_vertex(Connectivity& mesh, Vertex v, Keep keep) {
-  detail::require_status(mesh);
+  detail::require_status(mesh, "remove_vertex");
   const Choice choice = choose(mesh, v, keep);
   if (choice.refusal) throw ContractViolation("remove_vertex: " + *reason(choice));
   return detail::close_edge(mesh, choice.along);

@@ -6,24 +6,14 @@
 namespace meshops {
 namespace {
 
-/// A split of b that gives the new vertex the edge to a, and no other.
-struct Place {
-  Place(const Connectivity& mesh, Halfedge h) : b(mesh.to_vertex_handle(h)) {
-    const Halfedge o = mesh.opposite_halfedge_handle(h);
-    if (!mesh.is_boundary(h)) left = mesh.next_halfedge_handle(h);
-    if (!mesh.is_boundary(o)) right = detail::ccw(mesh, o);
-  }
-  Vertex b;
-  Halfedge left, right;
-};
-
 const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (!is_live(mesh, h)) return "no such edge";
-  for (const Halfedge side : {h, mesh.opposite_halfedge_handle(h)})
+  const Halfedge o = mesh.opposite_halfedge_handle(h);
+  for (const Halfedge side : {h, o})
     if (!mesh.is_boundary(side) && !detail::is_triangle(mesh, side)) return "a face is not a triangle";
-  if (keep == Keep::manifold) return nullptr;
-  const Place at(mesh, h);
-  return detail::open_refusal(mesh, at.b, at.left, at.right, keep);
+  if (keep == Keep::manifold || mesh.is_boundary(h) || mesh.is_boundary(o)) return nullptr;
+  const auto apex = [&](Halfedge side) { return mesh.to_vertex_handle(mesh.next_halfedge_handle(side)); };
+  return apex(h) == apex(o) ? "two edges would join the new vertex and the same other" : nullptr;
 }
 
 /// The face of `side` loses it, and gets `heir` between `before` and `after` instead.
@@ -49,14 +39,15 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
   return split_edge_blocker(mesh, first_halfedge(mesh, e), keep);
 }
 
-SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
+SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", refusal(mesh, h, keep));
   // What detail::open_vertex() does at b, without its questions: the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);
   const Vertex b = mesh.to_vertex_handle(h);
-  SplitEffect effect;
+  SplitEdgeEffect effect;
+  effect.line = h;
   StarElements& added = effect.added;
   added.at_boundary = !has_left || !has_right;
   detail::AddedElements elements(mesh, 1, added.edges().size(), added.faces().size());
@@ -85,12 +76,12 @@ SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
     mesh.set_next_halfedge_handle(bv, o);
   }
   const bool b_named_o = mesh.halfedge_handle(b) == o;
-  mesh.set_halfedge_handle(v, b_named_o ? o : vb);
+  mesh.set_halfedge_handle(v, b_named_o || !has_right ? o : vb);  // b may name another, where it has several fans
   if (b_named_o) mesh.set_halfedge_handle(b, bv);
   return effect;
 }
 
-SplitEffect split_edge(Connectivity& mesh, Edge e, Keep keep) {
+SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep) {
   return split_edge(mesh, first_halfedge(mesh, e), keep);
 }
 

@@ -10,6 +10,7 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/effect.h"
 #include "meshops/stellar/keep.h"
+#include "meshops/stellar/split_hooks.h"
 
 namespace meshops {
 
@@ -22,7 +23,8 @@ MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& me
 
 /// Splits the edge of h = a→b at a new vertex, which is joined to the apex of each triangle beside it.
 /// Effect:      h and its edge stay, from a to the new vertex, and so do the faces, on the side of a; the other half,
-///              to b, is new, as are the faces on the side of b.
+///              to b, is new, as are the faces on the side of b. New elements have default values of all properties;
+///              a default point is unspecified, as OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     what was added, and the halfedge from the new vertex to b.
 /// Requires:    split_edge_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
@@ -30,9 +32,30 @@ MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& me
 /// Inverse:     weld_edge() along the returned halfedge, exactly.
 /// Δ:           V +1, E +3, F +2; on the boundary V +1, E +2, F +1; the topology stays.
 /// Cost:        constant.
-MESHOPS_API SplitEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
+MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
 /// The same along the first halfedge of the edge.
-MESHOPS_API SplitEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
+MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
+
+/// The same, and then hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Throws: also what the hook throws, mesh untouched.
+template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
+SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
+  return detail::with_hook(mesh, split_edge(static_cast<Connectivity&>(mesh), h, keep), hook);
+}
+template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
+SplitEdgeEffect split_edge(Mesh& mesh, Edge e, Hook hook, Keep keep = Keep::simplicial) {
+  return detail::with_hook(mesh, split_edge(static_cast<Connectivity&>(mesh), e, keep), hook);
+}
+
+/// The same, on a mesh with points: the new vertex lies in the middle of the edge.
+template <HasPoints Mesh>
+SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Keep keep = Keep::simplicial) {
+  return split_edge(mesh, h, PlaceVertex(), keep);
+}
+template <HasPoints Mesh>
+SplitEdgeEffect split_edge(Mesh& mesh, Edge e, Keep keep = Keep::simplicial) {
+  return split_edge(mesh, e, PlaceVertex(), keep);
+}
 
 }  // namespace meshops

@@ -17,12 +17,13 @@ std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f) 
   return detail::as_blocker(refusal(mesh, f));
 }
 
-SplitEffect split_face(Connectivity& mesh, Face f) {
+SplitFaceEffect split_face(Connectivity& mesh, Face f) {
   detail::enforce("split_face", refusal(mesh, f));
   // What detail::open_vertex() does at the corner w, without its questions: here no edge moves and nothing is on the
   // boundary.
   const Halfedge wc = mesh.halfedge_handle(f), cd = mesh.next_halfedge_handle(wc), dw = mesh.next_halfedge_handle(cd);
-  SplitEffect effect;
+  SplitFaceEffect effect;
+  effect.face = f;
   detail::AddedElements elements(mesh, 1, 3, 2);
   const Vertex v = effect.added.vertex = elements.vertex();
   const Halfedge vw = effect.halfedge = elements.edge(v, mesh.to_vertex_handle(dw));

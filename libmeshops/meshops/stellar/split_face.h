@@ -9,6 +9,7 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/effect.h"
+#include "meshops/stellar/split_hooks.h"
 
 namespace meshops {
 
@@ -17,7 +18,8 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 
 /// Puts a new vertex into a triangle and joins it to the three corners.
 /// Effect:      let mesh.halfedge_handle(f) leave the corner w. The face stays at the side that does not touch w; the
-///              two beside the new edge to w are new.
+///              two beside the new edge to w are new. New elements have default values of all properties; a default
+///              point is unspecified, as OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     what was added, and the halfedge from the new vertex to w.
 /// Requires:    split_face_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
@@ -25,6 +27,19 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 /// Inverse:     weld_face() of the new vertex, exactly.
 /// Δ:           V +1, E +3, F +2; the topology stays.
 /// Cost:        constant.
-MESHOPS_API SplitEffect split_face(Connectivity& mesh, Face f);
+MESHOPS_API SplitFaceEffect split_face(Connectivity& mesh, Face f);
+
+/// The same, and then hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Throws: also what the hook throws, mesh untouched.
+template <typename Mesh, SplitHook<Mesh, SplitFaceEffect> Hook>
+SplitFaceEffect split_face(Mesh& mesh, Face f, Hook hook) {
+  return detail::with_hook(mesh, split_face(static_cast<Connectivity&>(mesh), f), hook);
+}
+
+/// The same, on a mesh with points: the new vertex lies at the centroid of the triangle.
+template <HasPoints Mesh>
+SplitFaceEffect split_face(Mesh& mesh, Face f) {
+  return split_face(mesh, f, PlaceVertex());
+}
 
 }  // namespace meshops

@@ -10,12 +10,13 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/effect.h"
 #include "meshops/stellar/keep.h"
+#include "meshops/stellar/split_hooks.h"
 
 namespace meshops {
 
 /// Why the vertex cannot be split between these halfedges, or nothing when it can: they do not leave the same vertex,
-/// or one is left out where there is no boundary; Keep::simplicial: two edges would join the new vertex and the same
-/// other.
+/// or one is left out where there is no boundary; the vertex has several fans (core/fans.h), and the boundary passes
+/// between the halfedges; Keep::simplicial: two edges would join the new vertex and the same other.
 MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
                                                             std::optional<Halfedge> right,
                                                             Keep keep = Keep::simplicial);
@@ -25,15 +26,31 @@ MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& 
 /// `right` left out: from `left` to the boundary, `left` left out: from the boundary to `right`; the new edge is on the
 /// boundary. Equal halfedges: the new vertex takes over all edges but this one.
 /// Effect:      `left` and `right` still leave w; a new edge to the same vertex takes the place that they had on the
-///              side of the run. No face loses a side.
+///              side of the run. No face loses a side. New elements have default values of all properties; a default
+///              point is unspecified, as OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     what was added, and the halfedge from the new vertex to w.
 /// Requires:    split_vertex_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.
 /// Inverse:     collapse() along the returned halfedge, exactly.
 /// Δ:           V +1, E +3, F +2; with one left out V +1, E +2, F +1; the topology stays.
-/// Cost:        the number of edges taken over.
-MESHOPS_API SplitEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
-                                     Keep keep = Keep::simplicial);
+/// Cost:        the number of edges taken over; where the boundary passes between them, the degree.
+MESHOPS_API SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left,
+                                           std::optional<Halfedge> right, Keep keep = Keep::simplicial);
+
+/// The same, and then hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Throws: also what the hook throws, mesh untouched.
+template <typename Mesh, SplitHook<Mesh, SplitVertexEffect> Hook>
+SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right, Hook hook,
+                               Keep keep = Keep::simplicial) {
+  return detail::with_hook(mesh, split_vertex(static_cast<Connectivity&>(mesh), left, right, keep), hook);
+}
+
+/// The same, on a mesh with points: the new vertex lies where the old one does.
+template <HasPoints Mesh>
+SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
+                               Keep keep = Keep::simplicial) {
+  return split_vertex(mesh, left, right, PlaceVertex(), keep);
+}
 
 }  // namespace meshops

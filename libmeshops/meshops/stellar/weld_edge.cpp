@@ -33,7 +33,7 @@ std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge 
 }
 
 WeldEdgeEffect weld_edge(Connectivity& mesh, Halfedge h, Keep keep) {
-  detail::require_status(mesh);
+  detail::require_status(mesh, "weld_edge");
   detail::enforce("weld_edge", refusal(mesh, h, keep));
   const Halfedge line = mesh.opposite_halfedge_handle(beyond(mesh, h));
   return {detail::close_edge(mesh, h), line};

@@ -22,7 +22,7 @@ std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
 }
 
 WeldFaceEffect weld_face(Connectivity& mesh, Vertex v, Keep keep) {
-  detail::require_status(mesh);
+  detail::require_status(mesh, "weld_face");
   detail::enforce("weld_face", refusal(mesh, v, keep));
   const Halfedge first = mesh.halfedge_handle(v);
   const Face face = mesh.face_handle(detail::ccw(mesh, first));

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "meshops/core/live.h"
-#include "meshops/front/boundary_curve.h"
 
 namespace meshops {
 
@@ -32,7 +31,14 @@ TopologyCounts count_topology(const Connectivity& mesh) {
     }
   });
   for_each_face(mesh, [&](Face) { ++counts.faces; });
-  counts.boundary_curves = boundary_curves(mesh).size();
+  std::vector<bool> on_known_curve(mesh.n_halfedges(), false);
+  for_each_halfedge(mesh, [&](Halfedge first) {
+    const auto known = [&](Halfedge h) { return on_known_curve[static_cast<std::size_t>(h.idx())]; };
+    if (!mesh.is_boundary(first) || known(first)) return;
+    ++counts.boundary_curves;
+    for (Halfedge h = first; !known(h); h = mesh.next_halfedge_handle(h))
+      on_known_curve[static_cast<std::size_t>(h.idx())] = true;
+  });
   return counts;
 }
 

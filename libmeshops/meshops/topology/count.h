@@ -28,7 +28,8 @@ struct TopologyCounts {
   friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
 };
 
-/// Requires: validate(mesh) is empty. Cost: about linear.
+/// Requires: validate(mesh) is empty; report() (report.h) also counts meshes with bowties right.
+/// Cost:     about linear.
 MESHOPS_API TopologyCounts count_topology(const Connectivity& mesh);
 
 }  // namespace meshops

@@ -5,6 +5,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
+#include "meshops/handle/separate_fans.h"
 #include "meshops/topology/soup_sides.h"
 #include "meshops/topology/z2_rank.h"
 
@@ -152,6 +153,35 @@ class SoupReporter {
   TopologyReport total_;
 };
 
+/// A boundary passes a vertex more than once, or a halfedge is not in the ring of its vertex.
+bool has_several_fans_anywhere(const Connectivity& mesh) {
+  std::size_t in_rings = 0, halfedges = 0;
+  bool found = false;
+  for_each_vertex(mesh, [&](Vertex v) {
+    const Halfedge first = mesh.halfedge_handle(v);
+    if (!first.is_valid() || found) return;
+    int gaps = 0;
+    Halfedge out = first;
+    do {
+      ++in_rings;
+      gaps += mesh.is_boundary(out);
+      out = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(out));
+    } while (out != first);
+    found = gaps > 1;
+  });
+  for_each_edge(mesh, [&](OpenMesh::EdgeHandle) { halfedges += 2; });
+  return found || in_rings != halfedges;
+}
+
+/// The report of a copy in which each fan has a vertex, on the same point.
+TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex) {
+  Connectivity parted = mesh;
+  std::vector<std::uint32_t> points(point_of_vertex.begin(), point_of_vertex.end());
+  for (auto v = static_cast<std::uint32_t>(points.size()); v < mesh.n_vertices(); ++v) points.push_back(v);
+  for (const Vertex v : separate_fans(parted)) points.push_back(points[static_cast<std::size_t>(v.idx())]);
+  return report(parted, points);
+}
+
 }  // namespace
 
 TopologyReport report(const PolygonSoup& soup) { return SoupReporter(soup)(); }
@@ -159,6 +189,7 @@ TopologyReport report(const PolygonSoup& soup) { return SoupReporter(soup)(); }
 TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex) {
   require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
           "report: not one point for each vertex");
+  if (has_several_fans_anywhere(mesh)) return report_of_fans(mesh, point_of_vertex);
   const auto index = [](auto element) { return static_cast<std::uint32_t>(element.idx()); };
   const auto point_of = [&](Vertex v) {
     return point_of_vertex.empty() ? index(v) : point_of_vertex[static_cast<std::size_t>(v.idx())];

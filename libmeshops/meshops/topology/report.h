@@ -65,8 +65,9 @@ struct TopologyReport {
 /// the totals.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup);
 
-/// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own.
-/// Requires: validate(mesh) is empty; `point_of_vertex` is empty or has a value per vertex.
+/// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own. Where
+/// several fans share a vertex, as OpenMesh's readers leave it, it is a pinch: no piece and no curve passes it.
+/// Requires: validate() finds nothing but vertices with several fans; `point_of_vertex` is empty or has a value per vertex.
 MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {});
 
 }  // namespace meshops

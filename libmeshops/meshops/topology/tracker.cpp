@@ -1,9 +1,12 @@
 #include "meshops/topology/tracker.h"
 
+#include <optional>
 #include <utility>
 
+#include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/core/reach.h"
+#include "meshops/handle/unchecked.h"
 
 namespace meshops {
 namespace {
@@ -23,29 +26,30 @@ TopologyTracker::TopologyTracker(Connectivity& mesh)
   });
 }
 
-bool TopologyTracker::in_same_component(Vertex a, Vertex b) { return nodes_.find(node(a)) == nodes_.find(node(b)); }
+bool TopologyTracker::in_same_component(Vertex a, Vertex b) {
+  for (const Vertex v : {a, b}) require(is_live(mesh_, v), "TopologyTracker: no such vertex");
+  return nodes_.find(node(a)) == nodes_.find(node(b));
+}
 
 GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
   // What glue() would refuse is left to it.
-  const bool can_be_joined = is_live(mesh_, first) && is_live(mesh_, second) && mesh_.is_boundary(first) &&
-                             mesh_.is_boundary(second) &&
-                             !in_same_component(mesh_.from_vertex_handle(first), mesh_.from_vertex_handle(second));
-  if (can_be_joined) {
-    const GlueEffect effect = meshops::glue(mesh_, first, second, GlueCase::join);
-    note(effect);
-    return effect;
-  }
-  if (glue_blocker(mesh_, first, second)) return meshops::glue(mesh_, first, second);
-  const bool adjacent = mesh_.next_halfedge_handle(first) == second || mesh_.next_halfedge_handle(second) == first;
-  // In one component two edges of different curves make a handle: no search is needed to know.
-  const GlueCase what =
-      adjacent || on_same_curve(mesh_, first, second) ? glue_case(mesh_, first, second) : GlueCase::handle;
-  const GlueEffect effect = meshops::glue(mesh_, first, second, what);
+  if (!has_status(mesh_) || detail::glue_refusal(mesh_, first, second)) return meshops::glue(mesh_, first, second);
+  const GlueEffect effect = detail::glue_links(mesh_, first, second, case_of(first, second));
   note(effect);
   return effect;
 }
 
+/// What a glue would be: which component is which is known, and in one of them two edges of different curves make a
+/// handle. So no search through faces is needed.
+GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
+  if (!in_same_component(mesh_.from_vertex_handle(first), mesh_.from_vertex_handle(second))) return GlueCase::join;
+  const bool adjacent = mesh_.next_halfedge_handle(first) == second || mesh_.next_halfedge_handle(second) == first;
+  return adjacent || on_same_curve(mesh_, first, second) ? detail::case_of_glue(mesh_, first, second)
+                                                         : GlueCase::handle;
+}
+
 void TopologyTracker::note_created(Halfedge first_side) {
+  require(is_live(mesh_, first_side), "TopologyTracker: no such halfedge");
   change(delta_of_create());
   const std::uint32_t fresh = new_node();
   Halfedge h = first_side;
@@ -58,24 +62,34 @@ void TopologyTracker::note_created(Halfedge first_side) {
 void TopologyTracker::note_destroyed() { change(delta_of_destroy()); }
 
 void TopologyTracker::note(const GlueEffect& effect) {
+  const std::uint32_t a = node(effect.first_ends.from), b = node(effect.second_ends.from);
   change(effect.delta());
-  nodes_.unite(node(effect.first_ends.from), node(effect.second_ends.from));
+  nodes_.unite(a, b);
 }
 
 void TopologyTracker::note(const UnglueEffect& effect) {
-  change(effect.delta());
-  const auto known = [&](Vertex v) { return v != effect.new_start && v != effect.new_end; };
+  for (const Halfedge h : {effect.first, effect.second})
+    require(is_live(mesh_, h) && mesh_.is_boundary(h), "TopologyTracker: not a boundary halfedge");
   // A vertex that was there already is at one end of one of the two halfedges at least.
   const Vertex ends[] = {mesh_.from_vertex_handle(effect.first), mesh_.to_vertex_handle(effect.first),
                          mesh_.from_vertex_handle(effect.second), mesh_.to_vertex_handle(effect.second)};
-  std::uint32_t old = 0;
+  Vertex known;
   for (const Vertex v : ends)
-    if (known(v)) old = node(v);
+    if (v != effect.new_start && v != effect.new_end) known = v;
+  const std::uint32_t old = node(known);
+  std::optional<std::vector<Face>> parted;
+  if (effect.what == GlueCase::join) {
+    const auto face_at = [&](Halfedge h) { return mesh_.face_handle(mesh_.opposite_halfedge_handle(h)); };
+    parted = smaller_part(mesh_, face_at(effect.first), face_at(effect.second));
+    require(parted.has_value(), "TopologyTracker: nothing fell apart");
+  }
+  for (const Vertex v : {effect.new_start, effect.new_end})
+    require(!v.is_valid() || is_live(mesh_, v), "TopologyTracker: no such vertex");
+
+  change(effect.delta());
   for (const Vertex v : {effect.new_start, effect.new_end})
     if (v.is_valid()) put(v, old);
-  if (effect.what != GlueCase::join) return;
-  const auto face_at = [&](Halfedge h) { return mesh_.face_handle(mesh_.opposite_halfedge_handle(h)); };
-  const auto parted = smaller_part(mesh_, face_at(effect.first), face_at(effect.second));
+  if (!parted) return;
   const std::uint32_t fresh = new_node();
   for (const Face f : *parted) {
     const Halfedge first = mesh_.halfedge_handle(f);
@@ -102,15 +116,19 @@ ZipCurvesEffect TopologyTracker::zip_curves(Halfedge first, Halfedge second) {
 }
 
 void TopologyTracker::note(const SplitEffect& effect) {
+  require(is_live(mesh_, effect.halfedge) && is_live(mesh_, effect.added.vertex), "TopologyTracker: no such split");
+  const std::uint32_t old = node(mesh_.to_vertex_handle(effect.halfedge));
   change(effect.delta());
-  put(effect.added.vertex, node(mesh_.to_vertex_handle(effect.halfedge)));
+  put(effect.added.vertex, old);
 }
 
 void TopologyTracker::note(const WeldEffect& effect) { change(effect.delta()); }
 
 void TopologyTracker::note_undone(const WeldEffect& effect) {
+  require(is_live(mesh_, effect.removed.vertex), "TopologyTracker: no such vertex");
+  const std::uint32_t old = node(effect.survivor);
   change(-effect.delta());
-  put(effect.removed.vertex, node(effect.survivor));
+  put(effect.removed.vertex, old);
 }
 
 void TopologyTracker::change(const Delta& delta) {
@@ -125,6 +143,12 @@ void TopologyTracker::put(Vertex v, std::uint32_t node) {
   const auto index = static_cast<std::size_t>(v.idx());
   if (index >= node_of_.size()) node_of_.resize(index + 1, node);
   node_of_[index] = node;
+}
+
+std::uint32_t TopologyTracker::node(Vertex v) const {
+  require(v.is_valid() && static_cast<std::size_t>(v.idx()) < node_of_.size(),
+          "TopologyTracker: a vertex that it was not told of");
+  return node_of_[static_cast<std::size_t>(v.idx())];
 }
 
 std::uint32_t TopologyTracker::new_node() {

@@ -21,6 +21,7 @@ namespace meshops {
 /// Tell it of each operator at once, before the next: with note() and what the operator returned. Those in which it
 /// matters to know the components are also members: these use what the tracker knows instead of a search. A flip
 /// changes nothing that is tracked. A remove_triangle() is to be done as its unglue() and destroy_triangle().
+/// What names elements that are not there, or of which it was not told, is a ContractViolation, and nothing is changed.
 class MESHOPS_API TopologyTracker {
  public:
   /// Counts once. Keeps a reference. Requires: validate(mesh) is empty.
@@ -49,7 +50,8 @@ class MESHOPS_API TopologyTracker {
  private:
   void change(const Delta& delta);
   void put(Vertex v, std::uint32_t node);
-  std::uint32_t node(Vertex v) const { return node_of_[static_cast<std::size_t>(v.idx())]; }
+  std::uint32_t node(Vertex v) const;
+  GlueCase case_of(Halfedge first, Halfedge second);
   std::uint32_t new_node();
   void forget_old_nodes();
 

@@ -4,19 +4,7 @@
 #include <cstdio>
 #include <map>
 
-#include "meshops/core/live.h"
-#include "meshops/core/validate.h"
-#include "meshops/front/boundary_curve.h"
-#include "meshops/handle/close_curve.h"
-#include "meshops/handle/create.h"
-#include "meshops/handle/destroy.h"
-#include "meshops/handle/unglue.h"
-#include "meshops/handle/zip_curves.h"
-#include "meshops/stellar/collapse.h"
-#include "meshops/stellar/flip.h"
-#include "meshops/stellar/split_edge.h"
-#include "meshops/stellar/split_face.h"
-#include "meshops/topology/count.h"
+#include "meshops/meshops.h"
 
 namespace {
 
@@ -99,10 +87,17 @@ int main() {
   check("close and open keep properties");
 
   const meshops::Edge inner = mesh.edge_handle(boundary[0]);
-  const meshops::SplitEffect split = meshops::split_edge(mesh, inner);
+  const meshops::SplitEdgeEffect split = meshops::split_edge(mesh, inner);
   check("an edge split keeps properties");
-  const meshops::SplitEffect face_split = meshops::split_face(mesh, mesh.face_handle(split.halfedge));
+  const auto middle =
+      mesh.point(mesh.from_vertex_handle(split.line)) + mesh.point(mesh.to_vertex_handle(split.halfedge));
+  expect(2.F * mesh.point(split.added.vertex) == middle, "the new vertex is in the middle of the edge");
+  const meshops::Face face = mesh.face_handle(split.halfedge);
+  mesh.data(face).material = 77;
+  const meshops::SplitFaceEffect face_split = meshops::split_face(mesh, face, meshops::CarryOver());
   check("a face split keeps properties");
+  for (const meshops::Face f : face_split.added.faces())
+    expect(mesh.data(f).material == 77, "the new faces have those of the face");
   meshops::collapse(mesh, face_split.halfedge);
   meshops::collapse(mesh, split.halfedge);
   check("collapses keep properties");

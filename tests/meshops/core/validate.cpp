@@ -90,6 +90,27 @@ TEST_SUITE("validate") {
     CHECK(describe(defects[0]) == "vertex " + std::to_string(keep.idx()) + ": vertex has several fans");
   }
 
+  TEST_CASE("two fans that OpenMesh links in one ring are found, and named by describe()") {
+    TestMesh mesh;
+    for (int i = 0; i < 5; ++i) mesh.new_vertex();
+    mesh.add_face(Vertex(0), Vertex(1), Vertex(2));
+    mesh.add_face(Vertex(0), Vertex(3), Vertex(4));
+    const auto defects = validate(mesh);
+    REQUIRE(defects.size() == 1);
+    CHECK(defects[0] == Defect{DefectKind::vertex_has_several_fans, ElementKind::vertex, 0});
+  }
+
+  TEST_CASE("a face that has a second loop is found") {
+    TestMesh mesh;
+    separate_triangles(mesh, 2);
+    Halfedge h = mesh.halfedge_handle(Face(1));
+    for (int i = 0; i < 3; ++i, h = mesh.next_halfedge_handle(h)) mesh.set_face_handle(h, Face(0));
+    mesh.status(Face(1)).set_deleted(true);
+    const auto defects = validate(mesh);
+    REQUIRE(defects.size() == 1);
+    CHECK(defects[0] == Defect{DefectKind::face_has_several_loops, ElementKind::face, 0});
+  }
+
   TEST_CASE("an edge without faces, a loop and a face of two sides are found") {
     TestMesh mesh;
     const Vertex a = mesh.new_vertex(), b = mesh.new_vertex();

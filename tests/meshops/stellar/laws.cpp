@@ -27,6 +27,7 @@ bool is_simplicial(const Connectivity& mesh) {
   });
   for_each_face(mesh, [&](Face f) {
     const Halfedge h = mesh.halfedge_handle(f);
+    if (mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) != mesh.prev_halfedge_handle(h)) return;
     std::array<int, 3> c = {mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(),
                             mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()};
     std::sort(c.begin(), c.end());

@@ -80,4 +80,68 @@ TEST_SUITE("undo") {
     CHECK_THROWS_AS(undo(mesh, again), ContractViolation);
     CHECK_THROWS_AS(undo(mesh, WeldEffect()), ContractViolation);
   }
+
+  TEST_CASE("an effect that is not of this mesh is refused, or leaves a sound mesh") {
+    int refused = 0, opened = 0;
+    std::mt19937 random(12);
+    for (unsigned number = 0; number < 2000; ++number) {
+      CAPTURE(number);
+      TestMesh mesh;
+      random_tiny_mesh(mesh, number);
+      std::vector<WeldEffect> effects;
+      for (int step = 0; step < 30; ++step) {
+        const Halfedge h(static_cast<int>(random() % mesh.n_halfedges()));
+        if (!collapse_blocker(mesh, h, Keep::manifold)) effects.push_back(collapse(mesh, h, Keep::manifold));
+        if (effects.empty()) continue;
+        WeldEffect effect = effects[random() % effects.size()];
+        const WeldEffect& other = effects[random() % effects.size()];
+        const Halfedge any(static_cast<int>(random() % (mesh.n_halfedges() + 1)));
+        if (random() % 4 == 0) effect.removed.vertex = other.removed.vertex;
+        if (random() % 4 == 0) effect.removed.edge[random() % 3] = other.removed.edge[random() % 3];
+        if (random() % 4 == 0) effect.removed.face[random() % 2] = other.removed.face[random() % 2];
+        if (random() % 4 == 0) (random() % 2 ? effect.left : effect.right) = any;
+        if (random() % 4 == 0) effect.removed.at_boundary = !effect.removed.at_boundary;
+        if (random() % 2 == 0 && effect.left && is_live(mesh, *effect.left))
+          effect.survivor = mesh.from_vertex_handle(*effect.left);
+        effect.named[random() % 3] = any;
+        const auto before = snapshot(mesh);
+        try {
+          undo(mesh, effect);
+          check_sound(mesh);
+          ++opened;
+        } catch (const ContractViolation&) {
+          CHECK(snapshot(mesh) == before);
+          ++refused;
+        }
+      }
+    }
+    CHECK(opened > 1000);
+    CHECK(refused > 1000);
+  }
+
+  TEST_CASE("a flip is taken back where there is an edge to flip, and the mesh stays sound") {
+    int refused = 0, flipped = 0;
+    std::mt19937 random(13);
+    for (unsigned number = 0; number < 500; ++number) {
+      TestMesh mesh;
+      random_tiny_mesh(mesh, number);
+      for (int e = -1; e <= static_cast<int>(mesh.n_edges()); ++e) {
+        const auto any = [&] { return Halfedge(static_cast<int>(random() % (mesh.n_halfedges() + 2)) - 1); };
+        const bool can = !flip_blocker(mesh, Edge(e), Keep::manifold);
+        const auto before = snapshot(mesh);
+        try {
+          undo(mesh, FlipEffect{Edge(e), {any(), any()}});
+          CHECK(can);
+          check_sound(mesh);
+          ++flipped;
+        } catch (const ContractViolation&) {
+          CHECK_FALSE(can);
+          CHECK(snapshot(mesh) == before);
+          ++refused;
+        }
+      }
+    }
+    CHECK(flipped > 1000);
+    CHECK(refused > 1000);
+  }
 }

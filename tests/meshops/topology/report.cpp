@@ -6,8 +6,10 @@
 #include <tuple>
 
 #include "meshops/core/contract.h"
+#include "meshops/handle/separate_fans.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/count.h"
+#include "support/bowties.h"
 #include "support/corpus.h"
 #include "support/soups.h"
 
@@ -185,6 +187,56 @@ TEST_SUITE("report") {
     }
     CHECK(pinched > 100);
     CHECK(plain > 200);
+  }
+
+  TEST_CASE("a mesh with bowties has the report of its faces: each fan for itself, no curve through a pinch") {
+    TestMesh two;
+    for (int i = 0; i < 5; ++i) two.new_vertex();
+    two.add_face(Vertex(0), Vertex(1), Vertex(2));
+    two.add_face(Vertex(0), Vertex(3), Vertex(4));
+    const TopologyReport r = report(two);
+    CHECK(r.solid_components == 2);
+    CHECK(r.components == 1);
+    CHECK(r.boundary_curves == 2);
+    CHECK(r.pinches == 1);
+    CHECK(r.genus == 0L);
+    CHECK(r.betti == BettiNumbers{1, 0, 0});
+
+    std::mt19937 random(7);
+    int pinched = 0;
+    for (int round = 0; round < 8000; ++round) {
+      const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
+      if (!is_oriented(s)) continue;
+      TestMesh mesh;
+      tie_points(mesh, build_mesh(mesh, s));
+      INFO(meshops::test::text(s));
+      REQUIRE(text(report(mesh)) == text(report(s)));
+      REQUIRE(report(mesh) == report(s));
+      pinched += report(s).pinches > 0;
+      // Half of the points on the other half.
+      std::vector<std::uint32_t> points(mesh.n_vertices());
+      for (std::uint32_t v = 0; v < points.size(); ++v) points[v] = v / 2;
+      TestMesh apart = mesh;
+      std::vector<std::uint32_t> points_of_fans = points;
+      for (const Vertex v : separate_fans(apart)) points_of_fans.push_back(points[static_cast<std::size_t>(v.idx())]);
+      CHECK(report(mesh, points) == report(apart, points_of_fans));
+    }
+    CHECK(pinched > 200);
+  }
+
+  TEST_CASE("counting a mesh with bowties ends, whatever it counts") {
+    std::mt19937 random(8);
+    for (int round = 0; round < 300; ++round) {
+      TestMesh mesh;
+      separate_triangles(mesh, 6);
+      tie_at_random(mesh, 10, random);
+      CHECK(count_topology(mesh).faces == 6);
+      CHECK(count_topology(mesh).edges == 18);
+    }
+    TestMesh spoilt;
+    const auto b = separate_triangles(spoilt, 2);
+    spoilt.set_next_halfedge_handle(b[0], b[3]);  // three halfedges lead into a loop that does not lead back
+    CHECK(count_topology(spoilt).faces == 2);
   }
 
   TEST_CASE("the corpus has the numbers it is known by, and those of count_topology()") {

@@ -1,10 +1,10 @@
-#include "meshops/patch/fans.h"
+#include "meshops/patch/site_vertices.h"
 
 #include <limits>
 
 namespace meshops {
 
-Fans::Fans(Connectivity& mesh, std::span<const Site> site_of) : mesh_(mesh), first_(0) {
+SiteVertices::SiteVertices(Connectivity& mesh, std::span<const Site> site_of) : mesh_(mesh), first_(0) {
   require(site_of.size() == mesh.n_vertices(), "Front: a site for each vertex of the mesh is needed");
   further_.resize(site_of.size());
   for (std::size_t i = 0; i < site_of.size(); ++i) {
@@ -21,13 +21,13 @@ Fans::Fans(Connectivity& mesh, std::span<const Site> site_of) : mesh_(mesh), fir
   }
 }
 
-Site Fans::add_site() {
+Site SiteVertices::add_site() {
   require(sites() < static_cast<std::size_t>(std::numeric_limits<int>::max()), "Front: too many sites");
   listed_.push_back(none);
   return static_cast<Site>(sites() - 1);
 }
 
-void Fans::clear() {
+void SiteVertices::clear() {
   first_ = 0;
   further_ = {};
   listed_at_first_ = {};
@@ -35,20 +35,20 @@ void Fans::clear() {
   spare_ = {};
 }
 
-int& Fans::link(Site s) {
+int& SiteVertices::link(Site s) {
   if (!is_first(s)) return listed_[s - first_];
   if (listed_at_first_.empty()) listed_at_first_.assign(first_, none);
   return listed_at_first_[s];
 }
 
-void Fans::list(int index) {
+void SiteVertices::list(int index) {
   Further& further = further_[static_cast<std::size_t>(index)];
   int& begin = link(further.site);
   further.next = begin;
   begin = index;
 }
 
-Vertex Fans::take(Site s) {
+Vertex SiteVertices::take(Site s) {
   if (is_first(s) && mesh_.is_isolated(Vertex(static_cast<int>(s)))) return Vertex(static_cast<int>(s));
   if (const int begin = first_listed(s); begin <= waiting) {
     link(s) = none;
@@ -71,7 +71,7 @@ Vertex Fans::take(Site s) {
   return taken;
 }
 
-void Fans::release(Vertex v) {
+void SiteVertices::release(Vertex v) {
   const int index = index_of(v);
   if (index < 0) return;
   const Site s = further_[static_cast<std::size_t>(index)].site;

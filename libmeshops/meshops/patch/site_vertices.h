@@ -16,12 +16,12 @@ namespace meshops {
 
 /// The first vertices of a mesh can have a site each, of their own number: they need no list. Of the others each is
 /// listed at its site.
-class MESHOPS_API Fans {
+class MESHOPS_API SiteVertices {
  public:
   /// Vertex i stands on site i. Keeps a reference to the mesh, which has these vertices.
-  Fans(Connectivity& mesh, std::size_t sites) : mesh_(mesh), first_(sites) {}
+  SiteVertices(Connectivity& mesh, std::size_t sites) : mesh_(mesh), first_(sites) {}
   /// Vertex v stands on site_of[v].
-  Fans(Connectivity& mesh, std::span<const Site> site_of);
+  SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
 
   /// Sites are 0 to sites() − 1, without those whose vertex was marked deleted before it could have a fan.
   std::size_t sites() const { return first_ + listed_.size(); }

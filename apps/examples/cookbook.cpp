@@ -1,0 +1,149 @@
+// The recipes of docs/cookbook.md, one after the other on one mesh.
+#include "meshops/meshops.h"
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <algorithm>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <cmath>
+#include <cstdio>
+#include <queue>
+#include <utility>
+#include <vector>
+
+using namespace meshops;
+
+// A hole becomes a polygon before it becomes triangles, and what is cut or removed is marked deleted.
+struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> {
+  Mesh() {
+    request_vertex_status();
+    request_edge_status();
+    request_halfedge_status();
+    request_face_status();
+  }
+};
+
+namespace {
+
+/// A sheet of 12 by 8 squares, each cut in two, with waves in it and a hump in its middle.
+Mesh sheet() {
+  constexpr std::uint32_t columns = 12, rows = 8;
+  PolygonSoup soup;
+  for (std::uint32_t y = 0; y < rows; ++y)
+    for (std::uint32_t x = 0; x < columns; ++x) {
+      const std::uint32_t a = y * (columns + 1) + x, b = a + 1, d = a + columns + 1, c = d + 1;
+      soup.add_face(std::array{a, b, c});
+      soup.add_face(std::array{a, c, d});
+    }
+  soup.points = (columns + 1) * (rows + 1);
+  Mesh mesh;
+  build_mesh(mesh, soup);
+  for (const Vertex v : mesh.vertices()) {
+    const auto i = static_cast<std::uint32_t>(v.idx());
+    const double x = i % (columns + 1), y = i / (columns + 1);
+    const double height = 3 / (1 + ((x - 6) * (x - 6) + (y - 4) * (y - 4)) / 6);
+    mesh.set_point(v, {x + 0.2 * std::sin(y), y + 0.2 * std::sin(1.3 * x), height});
+  }
+  return mesh;
+}
+
+/// The vertices of a face are all on the upper part of the hump.
+bool is_high(const Mesh& mesh, Face f) {
+  for (const Vertex v : mesh.fv_range(f))
+    if (mesh.point(v)[2] < 1.5) return false;
+  return true;
+}
+
+void print(const char* what, const Mesh& mesh) {
+  const TopologyReport r = report(mesh);
+  std::printf("%s: %zu faces, %zu pieces, %zu boundary curves\n", what, r.faces, r.components, r.boundary_curves);
+}
+
+// A patch comes off where the faces beyond an edge are not of it. Each vertex on the cut is two afterwards, in one place.
+template <typename IsInPatch>
+void cut_out(Mesh& mesh, IsInPatch is_in_patch) {
+  for_each_halfedge(mesh, [&](Halfedge h) {
+    if (mesh.is_boundary(mesh.edge_handle(h))) return;
+    const Face f = mesh.face_handle(h), beyond = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+    if (is_in_patch(f) && !is_in_patch(beyond)) unglue(mesh, h);
+  });
+}
+
+// A hole becomes a face, and the face the triangles with the least area. Holes that are long stay.
+int fill_holes(Mesh& mesh, std::size_t longest) {
+  int filled = 0;
+  for (const BoundaryCurve& hole : boundary_curves(mesh)) {
+    if (hole.length() > longest || close_curve_blocker(mesh, hole.front())) continue;
+    const Face face = close_curve(mesh, hole.front()).face;
+    if (!triangulate_face_blocker(mesh, face)) triangulate_face(mesh, face);
+    ++filled;
+  }
+  return filled;
+}
+
+// The longest edge first, and what comes of it again: new vertices lie in the middle of their edges.
+int split_long_edges(Mesh& mesh, double longest) {
+  const auto length = [&](Edge e) { return get(length_map(mesh), mesh.halfedge_handle(e, 0)); };
+  std::priority_queue<std::pair<double, int>> edges;
+  const auto add = [&](Edge e) { edges.emplace(length(e), e.idx()); };
+  for_each_edge(mesh, add);
+  int splits = 0;
+  while (!edges.empty() && edges.top().first > longest) {
+    const Edge e(edges.top().second);
+    edges.pop();
+    if (split_edge_blocker(mesh, e)) continue;
+    const SplitEdgeEffect split = split_edge(mesh, e);
+    add(e);
+    for (const Edge added : split.added.edges()) add(added);
+    ++splits;
+  }
+  return splits;
+}
+
+// Dijkstra's algorithm of Boost on the vertices and edges of the mesh, weighed by length.
+std::vector<Vertex> shortest_path(const Mesh& mesh, Vertex from, Vertex to) {
+  const PrimalGraph graph(mesh);
+  std::vector<Vertex> before(num_vertices(graph));
+  boost::dijkstra_shortest_paths(
+      graph, from,
+      boost::weight_map(length_map(mesh)).predecessor_map(by_index(before, get(boost::vertex_index, graph))));
+  std::vector<Vertex> path = {to};
+  while (path.back() != from) path.push_back(before[static_cast<std::size_t>(path.back().idx())]);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+// A loop around each hole but one, and two for each handle; short ones, when told the lengths of the edges.
+std::vector<Loop> short_loops(const Mesh& mesh) {
+  std::vector<double> lengths(mesh.n_edges(), 0);
+  for_each_edge(mesh, [&](Edge e) {
+    lengths[static_cast<std::size_t>(e.idx())] = get(length_map(mesh), mesh.halfedge_handle(e, 0));
+  });
+  return homology(mesh, lengths).generators;
+}
+
+}  // namespace
+
+int main() {
+  Mesh mesh = sheet();
+  print("sheet", mesh);
+
+  cut_out(mesh, [&](Face f) { return is_high(mesh, f); });
+  print("with a patch cut out", mesh);
+
+  // Without the patch there is a hole.
+  for (const Face f : mesh.all_faces())
+    if (is_high(mesh, f)) remove_triangle(mesh, f);
+  print("without the patch", mesh);
+
+  const std::vector<Loop> loops = short_loops(mesh);
+  std::printf("loops: %zu, of %zu edges\n", loops.size(), loops.front().size());
+
+  const std::vector<Vertex> around = shortest_path(mesh, Vertex(0), Vertex(116));
+  std::printf("the way around the hole: %zu vertices\n", around.size());
+
+  std::printf("holes filled: %d\n", fill_holes(mesh, 20));
+  print("filled", mesh);
+
+  std::printf("edges split: %d\n", split_long_edges(mesh, 1.5));
+  print("with short edges", mesh);
+}

@@ -1,0 +1,38 @@
+// What: whether the faces at a vertex are one fan, as everywhere on a manifold, or several.
+// Why:  OpenMesh links fans that meet in a vertex in one ring (a bowtie), and add_face() and its readers make them. No
+//       operator of libmeshops does; those that rely on one fan refuse the others.
+#pragma once
+
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+namespace detail {
+
+inline constexpr const char* several_fans = "a vertex has several fans";
+
+/// The vertex that the boundary halfedge `out` leaves has other fans: the fan that begins with `out` is not the one that
+/// ends before it. From both ends at once, as the way to either edge waits for memory.
+inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
+  Halfedge first = out, last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(out));
+  while (first != last) {
+    const Halfedge in = mesh.opposite_halfedge_handle(first);
+    if (mesh.is_boundary(in)) return true;
+    first = mesh.next_halfedge_handle(in);
+    if (first == last) return false;
+    if (mesh.is_boundary(last)) return true;
+    last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(last));
+  }
+  return false;
+}
+
+}  // namespace detail
+
+/// Several fans are linked in the ring of the vertex: more than one boundary halfedge leaves it.
+/// Requires: the vertex is live.
+/// Cost:     the degree; constant for a vertex that is inner or isolated.
+inline bool has_several_fans(const Connectivity& mesh, Vertex v) {
+  return !mesh.is_isolated(v) && mesh.is_boundary(v) && detail::has_other_fans(mesh, mesh.halfedge_handle(v));
+}
+
+}  // namespace meshops

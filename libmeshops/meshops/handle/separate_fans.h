@@ -1,0 +1,20 @@
+// What: makes a manifold of a mesh in which fans touch at vertices, as OpenMesh's add_face() and its readers leave it.
+// Law:  a mesh whose only defects are vertices with several fans has none afterwards; a sound mesh is not touched.
+#pragma once
+
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+
+namespace meshops {
+
+/// Gives each fan at a vertex a vertex of its own: the fan with the least halfedge keeps the old one, further fans get
+/// new ones with copies of its properties, the point among them.
+/// Returns:  of each new vertex, in order, the one of which it is a copy.
+/// Requires: validate() finds nothing but vertices with several fans.
+/// Δ:        V +1 and χ +1 for each further fan. E and F stay.
+/// Cost:     linear.
+MESHOPS_API std::vector<Vertex> separate_fans(Connectivity& mesh);
+
+}  // namespace meshops

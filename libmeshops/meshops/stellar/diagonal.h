@@ -1,0 +1,61 @@
+// What:   the operators that cut a face in two along a diagonal, and that make one face of two.
+// Law:    remove_diagonal(insert_diagonal(from, to).diagonal) restores every live record of the mesh. The topology stays.
+// Source: Mäntylä, An introduction to solid modeling (1988): make edge and face, kill edge and face.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/core/delta.h"
+#include "meshops/stellar/keep.h"
+
+namespace meshops {
+
+struct InsertDiagonalEffect {
+  Halfedge diagonal;  ///< new, with the new face on its left
+  Face face;          ///< new
+  constexpr Delta delta() const { return {.edges = 1, .faces = 1}; }
+};
+
+struct RemoveDiagonalEffect {
+  Edge edge;          ///< marked deleted
+  Face face;          ///< marked deleted
+  Face survivor;      ///< has the sides of both
+  Halfedge from, to;  ///< insert_diagonal(from, to) is the inverse
+  constexpr Delta delta() const { return {.edges = -1, .faces = -1}; }
+};
+
+/// Why no diagonal can join the starts of these halfedges, or nothing when one can: they are not sides of one face; the
+/// corners are neighbours (a face of two sides would be left), or one vertex (a loop); Keep::simplicial: an edge joins
+/// them already, or both faces would be triangles on the same corners, in a face that touches itself.
+MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
+                                                               Keep keep = Keep::simplicial);
+
+/// Cuts the face that `from` and `to` are sides of along a new edge between the corners where they start.
+/// Effect:      the face keeps the part with mesh.halfedge_handle(face); the other part is a new face. New elements have
+///              default values of all properties.
+/// Requires:    insert_diagonal_blocker() is empty.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: nothing.
+/// Inverse:     remove_diagonal(), exactly.
+/// Δ:           E +1, F +1; the topology stays.
+/// Cost:        the number of sides; Keep::simplicial: also twice the lesser degree.
+MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
+                                                 Keep keep = Keep::simplicial);
+
+/// Why the edge of h cannot be taken out, or nothing when it can: it is on the boundary, or one face lies on both sides
+/// of it. What is left is a mesh of polygons; two faces with several common edges become one that touches itself.
+MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
+
+/// Takes an edge out. The face of h is marked deleted with it, and the face beyond gets its sides.
+/// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
+/// Throws:      ContractViolation, mesh untouched.
+/// Invalidates: what is marked deleted.
+/// Inverse:     insert_diagonal(from, to) with what is returned, up to handles.
+/// Δ:           E −1, F −1; the topology stays.
+/// Cost:        the number of sides of the face of h.
+MESHOPS_API RemoveDiagonalEffect remove_diagonal(Connectivity& mesh, Halfedge h);
+
+}  // namespace meshops

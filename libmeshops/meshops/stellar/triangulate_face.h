@@ -1,0 +1,130 @@
+// What:   fills a polygon with triangles along diagonals, of all ways that with the least total weight.
+// Law:    nothing but insert_diagonal(), k − 3 times for k sides: remove_diagonal() of what it returns, from the last to
+//         the first, restores every live record of the mesh.
+// Cost:   O(k³) calls of nothing but + and <, O(k³) weights, O(k²) memory: for holes of up to some hundred edges.
+// Source: Klincsek, Minimal triangulations of polygonal domains (1980); Barequet and Sharir, Filling gaps in the
+//         boundary of a polyhedron (1995).
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
+#include "meshops/core/delta.h"
+#include "meshops/stellar/keep.h"
+#include "meshops/stellar/split_hooks.h"
+#include "meshops/stellar/triangle_area.h"
+
+namespace meshops {
+
+struct TriangulateFaceEffect {
+  std::vector<Halfedge> diagonals;  ///< new, each with a new face on its left
+  std::vector<Face> faces;          ///< new; the face that was given is the triangle at mesh.halfedge_handle(face)
+  Delta delta() const { return {.edges = static_cast<int>(diagonals.size()), .faces = static_cast<int>(faces.size())}; }
+};
+
+/// A weight of triangles: weight(a, b, c) for three corners, in the order in which they lie around the face, is any
+/// type with a sum and an order. A sum that is a maximum makes the worst triangle as good as can be. What a triangle
+/// weighs may not depend on its neighbours, as the angles between them do (Liepa 2003): then parts that are best for
+/// themselves need not be so together, and no table of parts finds the best.
+template <typename Weight>
+concept TriangleWeight = requires(Weight& weight, Vertex v) {
+  { weight(v, v, v) + weight(v, v, v) } -> std::convertible_to<std::remove_cvref_t<decltype(weight(v, v, v))>>;
+  { weight(v, v, v) < weight(v, v, v) } -> std::convertible_to<bool>;
+};
+
+namespace detail {
+
+/// The corners of a face, from that on where its halfedge starts, and the diagonals that may be drawn.
+class MESHOPS_API Polygon {
+ public:
+  Polygon(const Connectivity& mesh, Face face, Keep keep);
+
+  /// Without corners when there is no such face, or it may not be triangulated.
+  std::size_t size() const { return sides_.size(); }
+  /// Why there is no triangulation.
+  const char* reason() const { return reason_; }
+  Vertex corner(std::size_t i) const { return corners_[i]; }
+  /// Corners i < j are neighbours, or a diagonal may join them.
+  bool may_join(std::size_t i, std::size_t j) const {
+    return j == i + 1 || (i == 0 && j + 1 == size()) || allowed_[i * size() + j];
+  }
+  /// Draws the diagonals: corner apex[i · size() + j] makes a triangle with corners i and j.
+  TriangulateFaceEffect cut(Connectivity& mesh, const std::vector<std::uint32_t>& apex) const;
+
+ private:
+  std::vector<Halfedge> sides_;
+  std::vector<Vertex> corners_;
+  std::vector<bool> allowed_;
+  const char* reason_ = "every triangulation has an edge that may not be";
+};
+
+/// For each part of the polygon between corners i < j the apex of the triangle at i and j, in the triangulation of the
+/// part with the least weight; of equal ones the least apex. Nothing when the whole has no triangulation.
+template <typename Weight>
+std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& polygon, Weight& weight) {
+  using Sum = std::remove_cvref_t<decltype(weight(Vertex(), Vertex(), Vertex()))>;
+  const std::size_t k = polygon.size();
+  if (k == 0) return std::nullopt;
+  std::vector<std::optional<Sum>> least(k * k);  // of parts of three corners or more
+  std::vector<std::uint32_t> apex(k * k, 0);
+  for (std::size_t length = 2; length < k; ++length)
+    for (std::size_t i = 0, j = length; j < k; ++i, ++j) {
+      if (!polygon.may_join(i, j)) continue;
+      std::optional<Sum>& best = least[i * k + j];
+      for (std::size_t m = i + 1; m < j; ++m) {
+        const auto& before = least[i * k + m];
+        const auto& after = least[m * k + j];
+        if ((m > i + 1 && !before) || (m + 1 < j && !after)) continue;
+        Sum sum = weight(polygon.corner(i), polygon.corner(m), polygon.corner(j));
+        if (before) sum = sum + *before;
+        if (after) sum = sum + *after;
+        if (best && !(sum < *best)) continue;
+        best = sum;
+        apex[i * k + j] = static_cast<std::uint32_t>(m);
+      }
+    }
+  if (!least[k - 1]) return std::nullopt;
+  return apex;
+}
+
+}  // namespace detail
+
+/// Why the face cannot be triangulated, or nothing when it can: there is no such face; every triangulation has an edge
+/// with one vertex at both ends, or, with Keep::simplicial, one that joins vertices which an edge joins already;
+/// Keep::simplicial: the face passes a vertex twice.
+/// Cost: as above.
+MESHOPS_API std::optional<std::string> triangulate_face_blocker(const Connectivity& mesh, Face face,
+                                                                Keep keep = Keep::simplicial);
+
+/// Triangulates a face with the least total weight. Of triangulations of equal weight always the same is taken: that
+/// whose triangle at the last side, and then in each part likewise, has its apex first, counted from
+/// mesh.halfedge_handle(face) on.
+/// Effect:      the face keeps its halfedge and is the triangle there; everything else is new, with default values of
+///              all properties. A triangle stays as it is.
+/// Requires:    triangulate_face_blocker() is empty.
+/// Throws:      ContractViolation, and what weight() throws, mesh untouched.
+/// Invalidates: nothing.
+/// Δ:           E +k−3, F +k−3; the topology stays.
+template <TriangleWeight Weight>
+TriangulateFaceEffect triangulate_face(Connectivity& mesh, Face face, Weight weight, Keep keep = Keep::simplicial) {
+  const detail::Polygon polygon(mesh, face, keep);
+  const auto apex = detail::least_triangulation(polygon, weight);
+  if (!apex) throw ContractViolation(std::string("triangulate_face: ") + polygon.reason());
+  return polygon.cut(mesh, *apex);
+}
+
+/// The same with the least total area, on a mesh with points: in the plane, triangles that do not overlap.
+template <HasPoints Mesh>
+TriangulateFaceEffect triangulate_face(Mesh& mesh, Face face, Keep keep = Keep::simplicial) {
+  return triangulate_face(mesh, face, TriangleArea(mesh), keep);
+}
+
+}  // namespace meshops

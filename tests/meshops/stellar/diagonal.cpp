@@ -1,0 +1,141 @@
+#include "meshops/stellar/diagonal.h"
+
+#include <random>
+
+#include "meshops/front/boundary_curve.h"
+#include "meshops/handle/close_curve.h"
+#include "stellar/laws.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+/// The meshes of laws.h with their curves closed, and edges taken out: polygons, some of which touch themselves.
+void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
+  std::mt19937 random(31);
+  on_every_mesh([&](TestMesh& mesh, Keep keep) {
+    if (stride(mesh) > 1) return;
+    for (const BoundaryCurve& curve : boundary_curves(mesh))
+      if (random() % 2 && !close_curve_blocker(mesh, curve.front())) close_curve(mesh, curve.front());
+    for (auto tries = mesh.n_edges() / 3; tries > 0; --tries) {
+      const Halfedge h(static_cast<int>(random() % mesh.n_halfedges()));
+      if (!remove_diagonal_blocker(mesh, h)) remove_diagonal(mesh, h);
+    }
+    mesh.garbage_collection();
+    check_sound(mesh);
+    visit(mesh, keep);
+  });
+}
+
+}  // namespace
+
+TEST_SUITE("diagonal") {
+  TEST_CASE("between any two corners of any face: refused with nothing changed, or by the table and taken out again") {
+    int drawn = 0, refused = 0;
+    on_polygons([&](TestMesh& mesh, Keep keep) {
+      for_each_halfedge(mesh, [&](Halfedge from) {
+        Halfedge to = from;
+        for (int step = 0; step < 9; ++step, to = mesh.next_halfedge_handle(to)) {
+          if (refuses(mesh, insert_diagonal_blocker(mesh, from, to, keep),
+                      [&] { insert_diagonal(mesh, from, to, keep); })) {
+            ++refused;
+            continue;
+          }
+          const Face face = mesh.face_handle(from);
+          const Halfedge named = mesh.halfedge_handle(face);
+          check_split(
+              mesh, keep,
+              [&] {
+                const InsertDiagonalEffect effect = insert_diagonal(mesh, from, to, keep);
+                CHECK(mesh.face_handle(effect.diagonal) == effect.face);
+                CHECK(mesh.face_handle(mesh.opposite_halfedge_handle(effect.diagonal)) == face);
+                CHECK(mesh.face_handle(named) == face);
+                return effect;
+              },
+              [&](const InsertDiagonalEffect& effect) { remove_diagonal(mesh, effect.diagonal); });
+          ++drawn;
+        }
+      });
+    });
+    CHECK(drawn > 1000);
+    CHECK(refused > 1000);
+  }
+
+  TEST_CASE("any halfedge: refused with nothing changed, or two faces are one and can be cut again") {
+    int removed = 0, refused = 0;
+    on_polygons([&](TestMesh& whole, Keep) {
+      const std::string shape = isomorphism_class(whole);
+      for_each_halfedge(whole, [&](Halfedge h) {
+        TestMesh mesh = whole;
+        if (refuses(mesh, remove_diagonal_blocker(mesh, h), [&] { remove_diagonal(mesh, h); })) {
+          ++refused;
+          return;
+        }
+        const Delta before = counts(mesh);
+        const Face gone = mesh.face_handle(h), stays = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+        const RemoveDiagonalEffect effect = remove_diagonal(mesh, h);
+        CHECK(effect.face == gone);
+        CHECK(effect.survivor == stays);
+        check_sound(mesh);
+        CHECK(counts(mesh) == before + effect.delta());
+        insert_diagonal(mesh, effect.from, effect.to, Keep::manifold);
+        CHECK(isomorphism_class(mesh) == shape);
+        ++removed;
+      });
+    });
+    CHECK(removed > 1000);
+    CHECK(refused > 1000);
+  }
+
+  TEST_CASE("every reason") {
+    TestMesh mesh;
+    for (int i = 0; i < 5; ++i) mesh.new_vertex();
+    mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
+    mesh.add_face({Vertex(2), Vertex(1), Vertex(4)});
+    const auto side = [&](int from, int to) { return mesh.find_halfedge(Vertex(from), Vertex(to)); };
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), Halfedge()) == "no such halfedge");
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(2, 1)) == "the halfedges are not sides of one face");
+    CHECK(*insert_diagonal_blocker(mesh, side(1, 0), side(3, 2)) == "the halfedges are not sides of one face");
+    const char* const neighbours = "the corners are neighbours: a face of two sides would be left";
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(0, 1)) == neighbours);
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(1, 2)) == neighbours);
+    CHECK(*insert_diagonal_blocker(mesh, side(1, 2), side(0, 1)) == neighbours);
+    insert_diagonal(mesh, side(1, 2), side(3, 0));
+    check_sound(mesh);
+    CHECK(side(1, 3).is_valid());
+    CHECK(*remove_diagonal_blocker(mesh, side(0, 1)) == "the edge is on the boundary");
+    CHECK(*remove_diagonal_blocker(mesh, Halfedge(99)) == "no such halfedge");
+
+    // Around a square the other way is another face; its diagonal would join what is joined.
+    TestMesh pillow;
+    for (int i = 0; i < 4; ++i) pillow.new_vertex();
+    pillow.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
+    close_curve(pillow, pillow.find_halfedge(Vertex(1), Vertex(0)));
+    insert_diagonal(pillow, pillow.find_halfedge(Vertex(0), Vertex(1)), pillow.find_halfedge(Vertex(2), Vertex(3)));
+    const Halfedge from = pillow.find_halfedge(Vertex(0), Vertex(3)), to = pillow.find_halfedge(Vertex(2), Vertex(1));
+    CHECK(*insert_diagonal_blocker(pillow, from, to) == "two edges would join the same vertices");
+    CHECK_FALSE(insert_diagonal_blocker(pillow, from, to, Keep::manifold));
+
+    // With one edge of a pillow taken out, the others are a path, and the face that is left on both sides of each.
+    TestMesh path;
+    for (int i = 0; i < 4; ++i) path.new_vertex();
+    path.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
+    close_curve(path, path.find_halfedge(Vertex(1), Vertex(0)));
+    remove_diagonal(path, path.find_halfedge(Vertex(0), Vertex(1)));
+    check_sound(path);
+    const Halfedge onward = path.find_halfedge(Vertex(2), Vertex(3)), back = path.find_halfedge(Vertex(2), Vertex(1));
+    CHECK(*remove_diagonal_blocker(path, onward) == "the face lies on both sides of the edge");
+    CHECK(*insert_diagonal_blocker(path, onward, back, Keep::manifold) ==
+          "both corners are one vertex: the edge would be a loop");
+    // A path of two edges in a sphere: the triangles beside its two ends would have the same corners.
+    TestMesh two;
+    add_triangles(two, 3, {{0, 1, 2}});
+    close_curve(two, two.find_halfedge(Vertex(1), Vertex(0)));
+    remove_diagonal(two, two.find_halfedge(Vertex(0), Vertex(1)));
+    const Halfedge one_end = two.find_halfedge(Vertex(0), Vertex(2)),
+                   other_end = two.find_halfedge(Vertex(1), Vertex(2));
+    CHECK(*insert_diagonal_blocker(two, one_end, other_end) == "two triangles would have the same corners");
+    CHECK_FALSE(insert_diagonal_blocker(two, one_end, other_end, Keep::manifold));
+  }
+}

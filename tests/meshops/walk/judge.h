@@ -1,0 +1,145 @@
+// What: compares a step of an operator with the same step on a model (model.h), done or refused.
+// Law:  what is done leaves what the model says, sound as before; what is refused leaves every bit, and would have been
+//       bad: no manifold, not simplicial where that is asked, or what the operator says it is not for.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
+#include "meshops/stellar/keep.h"
+#include "support/meshes.h"
+#include "support/snapshot.h"
+#include "walk/model.h"
+
+namespace meshops::test {
+
+/// A step broke the law; says which and how.
+struct WalkFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a refusal may rest on, apart from what an operator is for.
+struct Rules {
+  Keep keep = Keep::manifold;
+  std::vector<int> one_fan = {};  ///< vertices that must have one
+  std::vector<int> touched = {};  ///< vertices at which a doubled edge or triangle is laid to the operator
+};
+
+class Judge {
+ public:
+  struct Tally {
+    int done = 0, refused = 0;
+  };
+
+  Judge(const TestMesh& mesh, bool with_bowties) : mesh_(mesh), with_bowties_(with_bowties) {}
+
+  void begin(std::string name) {
+    name_ = std::move(name);
+    before_ = Model(mesh_);
+    records_ = snapshot(mesh_);
+  }
+  const Model& before() const { return before_; }
+  const std::vector<int>& records() const { return records_; }
+  const std::map<std::string, Tally>& tally() const { return tally_; }
+  [[noreturn]] void fail(const std::string& what) const { throw WalkFailure(name_ + " " + what); }
+
+  /// Runs an operator, which must do as its blocker says. Returns its effect when it was done.
+  template <typename Operate>
+  auto run(const std::optional<std::string>& blocker, Operate operate) -> std::optional<decltype(operate())> {
+    blocker_ = blocker;
+    try {
+      auto effect = operate();
+      if (blocker) fail("was done in spite of: " + *blocker);
+      return effect;
+    } catch (const ContractViolation& violation) {
+      if (!blocker) fail("was refused without a blocker: " + std::string(violation.what()));
+      if (!std::string(violation.what()).ends_with(": " + *blocker))
+        fail("said \"" + std::string(violation.what()) + "\" and not: " + *blocker);
+      if (snapshot(mesh_) != records_) fail("changed what it refused to change");
+      return std::nullopt;
+    }
+  }
+
+  /// Compares with what `apply(model)` makes of the mesh before; it says why the step has no meaning, or "". Where the
+  /// step was done, `delta` is what it says to have done to the counts.
+  template <typename Apply>
+  void compare(const std::optional<Delta>& delta, const Rules& rules, Apply apply) {
+    Model expected = before_;
+    std::string bad = apply(expected);
+    if (bad.empty()) bad = badness(expected, rules);
+    if (!delta) {
+      if (bad.empty() && !is_doubled_at(rules, expected)) fail("was refused, but would have been right: " + *blocker_);
+      ++tally_[name_].refused;
+      return;
+    }
+    if (!bad.empty()) fail("was done, but is bad: " + bad);
+    if (!(Model(mesh_) == expected)) fail("left another mesh than it should");
+    check_sound();
+    if (!with_bowties_ && !(expected.counts() == before_.counts() + *delta)) fail("told a wrong delta");
+    ++tally_[name_].done;
+  }
+
+  /// Of what takes an effect back: done unless there is `reason` against it; and `apply(model)` of the mesh as it is
+  /// then gives the mesh before. Returns whether it was done.
+  template <typename TakeBack, typename Apply>
+  bool compare_back(const std::string& reason, TakeBack take_back, Apply apply) {
+    try {
+      take_back();
+    } catch (const ContractViolation& violation) {
+      if (snapshot(mesh_) != records_) fail("changed what it refused to change");
+      if (reason.empty()) fail("was refused, but would have been right: " + std::string(violation.what()));
+      ++tally_[name_].refused;
+      return false;
+    }
+    if (!reason.empty()) fail("was done, but is bad: " + reason);
+    check_sound();
+    Model back(mesh_);
+    if (const std::string bad = badness(back, {}); !bad.empty()) fail("was done, but is bad: " + bad);
+    if (const std::string bad = apply(back); !bad.empty()) fail("left what cannot be done again: " + bad);
+    if (!(back == before_)) fail("is not the inverse");
+    ++tally_[name_].done;
+    return true;
+  }
+
+  /// Nothing but what is bad from the beginning: in a walk with bowties, vertices with several fans.
+  void check_sound() const {
+    for (const Defect& defect : validate(mesh_))
+      if (!with_bowties_ || defect.kind != DefectKind::vertex_has_several_fans) fail("left " + describe(defect));
+  }
+
+  bool needs_one_fan(const Rules& rules) const {
+    for (const int v : rules.one_fan)
+      if (before_.has_several_fans(v)) return true;
+    return false;
+  }
+
+ private:
+  std::string badness(const Model& after, const Rules& rules) const {
+    if (needs_one_fan(rules)) return "a vertex has several fans";
+    if (std::string broken = after.broken(); !broken.empty()) return broken;
+    if (after.excess_fans() > before_.excess_fans()) return "a vertex gets several fans";
+    if (rules.keep == Keep::simplicial && after.doubled() > before_.doubled()) return "not simplicial";
+    return "";
+  }
+  static bool is_doubled_at(const Rules& rules, const Model& after) {
+    if (rules.keep == Keep::manifold) return false;
+    for (const int v : rules.touched)
+      if (after.doubled(v) > 0) return true;
+    return false;
+  }
+
+  const TestMesh& mesh_;
+  bool with_bowties_;
+  std::string name_;
+  Model before_;
+  std::vector<int> records_;
+  std::optional<std::string> blocker_;
+  std::map<std::string, Tally> tally_;
+};
+
+}  // namespace meshops::test

@@ -1,0 +1,57 @@
+// A random walk over all operators: see judge.h for the law.
+#include <doctest/doctest.h>
+
+#include "walk/walk.h"
+
+using namespace meshops::test;
+
+namespace {
+
+std::map<std::string, Judge::Tally> walk(Walk::On on, std::uint64_t first_seed, int steps) {
+  std::map<std::string, Judge::Tally> sum;
+  constexpr int steps_on_a_mesh = 250;
+  for (int done = 0; done < steps; done += steps_on_a_mesh) {
+    const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(done);
+    RandomChoices random(seed);
+    Walk walk(random, on);
+    for (int step = 0; step < steps_on_a_mesh; ++step) {
+      try {
+        walk.step();
+      } catch (const WalkFailure& failure) {
+        FAIL("seed " << seed << ", step " << step << ": " << std::string(failure.what()));
+      }
+    }
+    for (const auto& [name, tally] : walk.tally()) {
+      sum[name].done += tally.done;
+      sum[name].refused += tally.refused;
+    }
+  }
+  return sum;
+}
+
+void check_tally(const std::map<std::string, Judge::Tally>& sum, int least) {
+  for (const auto& [name, tally] : sum) {
+    INFO(name, ": ", tally.done, " done, ", tally.refused, " refused");
+    CHECK(tally.done >= least);
+    CHECK((tally.refused >= least || name == "create_triangle"));
+  }
+  CHECK(sum.size() == 22);
+}
+
+}  // namespace
+
+TEST_SUITE("walk") {
+  TEST_CASE("100,000 steps on manifolds: what is done is as the model says, what is refused would have been bad") {
+    check_tally(walk(Walk::On::manifolds, 1, 100000), 200);
+  }
+
+  TEST_CASE("50,000 steps where fans touch: nothing crashes, nothing becomes worse") {
+    check_tally(walk(Walk::On::bowties, 1, 50000), 50);
+  }
+}
+
+// Too long for every run: the nightly tests ask for it.
+TEST_SUITE("long walk" * doctest::skip()) {
+  TEST_CASE("3,000,000 steps on manifolds") { check_tally(walk(Walk::On::manifolds, 1000000, 3000000), 6000); }
+  TEST_CASE("1,000,000 steps where fans touch") { check_tally(walk(Walk::On::bowties, 1000000, 1000000), 1000); }
+}
