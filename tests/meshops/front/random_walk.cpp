@@ -15,7 +15,7 @@ std::size_t times(std::size_t usual, std::size_t many) {
 
 TEST_SUITE("front walk") {
   TEST_CASE("a front does what its model does, refuses what the model refuses, and changes nothing when it refuses") {
-    Choices choices(1);
+    RandomChoices choices(1);
     FrontWalkCounts counts;
     CHECK_NOTHROW(walk_on_front(choices, times(100'000, 1'000'000), counts));
     CHECK(counts.attached > counts.steps / 40);
@@ -29,7 +29,7 @@ TEST_SUITE("front walk") {
   }
 
   TEST_CASE("an advancing front is sound whatever a policy answers, in any order, and when it throws") {
-    Choices choices(2);
+    RandomChoices choices(2);
     AdvanceCounts counts;
     CHECK_NOTHROW(advance_at_random(choices, times(100'000, 1'000'000), counts));
     CHECK(counts.attached > counts.proposals / 20);

@@ -18,6 +18,9 @@ namespace {
 using Corners3 = std::array<Site, 3>;
 using State = FrontModel::State;
 
+/// Of nothing the first.
+unsigned below(Choices& choices, std::uint32_t bound) { return bound < 2 ? 0 : choices.below(bound); }
+
 std::size_t index(RefusalKind kind) { return static_cast<std::size_t>(kind); }
 
 class Walk {
@@ -26,7 +29,7 @@ class Walk {
 
   void step() {
     ++counts_.steps;
-    switch (choices_.below(16)) {
+    switch (below(choices_, 16)) {
       case 0:
       case 1:
       case 2:
@@ -54,10 +57,10 @@ class Walk {
         pop();
         break;
       case 14:
-        choices_.once_in(8) ? begin_anew() : next_level();
+        choices_.one_in(8) ? begin_anew() : next_level();
         break;
       default:
-        if (choices_.once_in(4))
+        if (choices_.one_in(4))
           add_site();
         else
           ask();
@@ -75,22 +78,22 @@ class Walk {
 
   void begin() {
     mesh_.emplace();
-    if (choices_.once_in(3)) {
+    if (choices_.one_in(3)) {
       const std::vector<Specimen>& all = corpus();
-      const Specimen& specimen = all[choices_.below(static_cast<std::uint32_t>(all.size()))];
+      const Specimen& specimen = all[below(choices_, static_cast<std::uint32_t>(all.size()))];
       specimen.build(*mesh_);
       if (!specimen.simplicial || mesh_->n_faces() > 60) mesh_->clear();
       log("on " + specimen.name);
-      if (const auto curves = boundary_curves(*mesh_); !curves.empty() && choices_.once_in(3)) {
+      if (const auto curves = boundary_curves(*mesh_); !curves.empty() && choices_.one_in(3)) {
         log("one curve closed");
         close_curve(*mesh_, curves.front().front());  // a polygon
       }
       begin_on_mesh({});
     } else {
-      const std::size_t sites = 3 + choices_.below(8);
+      const std::size_t sites = 3 + below(choices_, 8);
       log("sites " + std::to_string(sites));
       model_.emplace(sites);
-      has_spare_ = choices_.once_in(2);
+      has_spare_ = choices_.one_in(2);
       front_.emplace(*mesh_, sites, has_spare_ ? 8 : 1);
     }
     behind_.clear();
@@ -114,7 +117,7 @@ class Walk {
   }
 
   void begin_anew() {
-    const bool by_map = choices_.once_in(2);
+    const bool by_map = choices_.one_in(2);
     log(by_map ? "begin anew by map" : "begin anew");
     std::vector<Site> site_of = front_->finish();
     demand(validate(*mesh_).empty(), "what finish() leaves is sound");
@@ -124,26 +127,26 @@ class Walk {
   }
 
   Site any_site() {
-    if (choices_.once_in(40)) return static_cast<Site>(-1) - choices_.below(3);
-    return choices_.below(static_cast<std::uint32_t>(model_->sites()) + (choices_.once_in(8) ? 3 : 0));
+    if (choices_.one_in(40)) return static_cast<Site>(-1) - below(choices_, 3);
+    return below(choices_, static_cast<std::uint32_t>(model_->sites()) + (choices_.one_in(8) ? 3 : 0));
   }
   /// One that is on the boundary, where most triangles fit.
   Site near_site() { return any_arrow().first; }
   Arrow any_arrow() {
     const auto& boundary = model_->boundary();
     if (boundary.empty()) return {any_site(), any_site()};
-    return std::next(boundary.begin(), choices_.below(static_cast<std::uint32_t>(boundary.size())))->first;
+    return std::next(boundary.begin(), below(choices_, static_cast<std::uint32_t>(boundary.size())))->first;
   }
   Halfedge any_halfedge() {
-    if (choices_.once_in(10))
-      return Halfedge(static_cast<int>(choices_.below(static_cast<std::uint32_t>(mesh_->n_halfedges()) + 4)) - 2);
+    if (choices_.one_in(10))
+      return Halfedge(static_cast<int>(below(choices_, static_cast<std::uint32_t>(mesh_->n_halfedges()) + 4)) - 2);
     const Arrow arrow = any_arrow();
     return arrow.first < front_->sites() && arrow.second < front_->sites()
                ? front_->boundary_into(arrow.first, arrow.second)
                : Halfedge();
   }
   Face any_face() {
-    return Face(static_cast<int>(choices_.below(static_cast<std::uint32_t>(mesh_->n_faces()) + 4)) - 2);
+    return Face(static_cast<int>(below(choices_, static_cast<std::uint32_t>(mesh_->n_faces()) + 4)) - 2);
   }
 
   Cycle cycle(Face f) const {
@@ -242,7 +245,7 @@ class Walk {
 
   void set_state() {
     const Halfedge h = any_halfedge();
-    const bool freezes = choices_.once_in(2);
+    const bool freezes = choices_.one_in(2);
     log((freezes ? "freeze " : "activate ") + std::to_string(h.idx()));
     const bool is_boundary = front_->is_boundary(h);
     try {
@@ -306,7 +309,7 @@ class Walk {
   /// Questions about what is not there.
   void ask() {
     const Site s = any_site();
-    const Halfedge h(static_cast<int>(choices_.below(2000)) - 1000);
+    const Halfedge h(static_cast<int>(below(choices_, 2000)) - 1000);
     log("ask " + std::to_string(s) + ' ' + std::to_string(h.idx()));
     const auto throws = [](auto question) {
       try {
@@ -386,7 +389,7 @@ class Walk {
     counts_.pinches += count > 1;
     if (model_->exists(s)) demand(front_->is_free(s) == model_->is_free(s), "is_free() is what the model says");
     demand(front_->is_on_boundary(s) == open, "is_on_boundary() is what the fans say");
-    const Site t = choices_.below(static_cast<std::uint32_t>(model_->sites()));
+    const Site t = below(choices_, static_cast<std::uint32_t>(model_->sites()));
     const Halfedge h = front_->edge_between(s, t);
     demand(h.is_valid() == (model_->has_side({s, t}) || model_->has_side({t, s})), "edge_between() finds every edge");
     if (h.is_valid()) demand(front_->from_site(h) == s && front_->to_site(h) == t, "and in the right direction");
@@ -412,27 +415,27 @@ struct AnyPolicy {
   AdvanceCounts& counts;
   std::size_t questions;
 
-  bool tired() { return counts.proposals >= questions || choices.ended(); }
+  bool tired() { return counts.proposals >= questions || !choices.any_left(); }
   Site any_site(const Front& front) {
-    if (choices.once_in(60)) return static_cast<Site>(-1);
-    return choices.below(static_cast<std::uint32_t>(front.sites()) +
-                         (choices.once_in(12) && front.sites() < 60 ? 2 : 0));
+    if (choices.one_in(60)) return static_cast<Site>(-1);
+    return below(choices,
+                 static_cast<std::uint32_t>(front.sites()) + (choices.one_in(12) && front.sites() < 60 ? 2 : 0));
   }
   std::optional<std::array<Site, 3>> seed(const Front& front) {
-    if (tired() || choices.once_in(6)) return std::nullopt;
+    if (tired() || choices.one_in(6)) return std::nullopt;
     return std::array{any_site(front), any_site(front), any_site(front)};
   }
   Proposal propose(const Front& front, Halfedge h) {
     ++counts.proposals;
     if (tired()) return std::nullopt;
-    if (choices.once_in(400)) throw std::runtime_error("tired");
-    switch (choices.below(8)) {
+    if (choices.one_in(400)) throw std::runtime_error("tired");
+    switch (below(choices, 8)) {
       case 0:
         return std::nullopt;
       case 1:
-        return choices.once_in(4)
+        return choices.one_in(4)
                    ? Proposal::detach(
-                         Face(static_cast<int>(choices.below(static_cast<std::uint32_t>(front.faces()) + 3)) - 1))
+                         Face(static_cast<int>(below(choices, static_cast<std::uint32_t>(front.faces()) + 3)) - 1))
                    : Proposal(std::nullopt);
       case 2:
         return front.to_site(front.mesh().next_halfedge_handle(h));
@@ -440,7 +443,7 @@ struct AnyPolicy {
         return any_site(front);
     }
   }
-  std::uint32_t key(const Front&, Halfedge) requires ordered { return choices.below(5); }
+  std::uint32_t key(const Front&, Halfedge) requires ordered { return below(choices, 5); }
 };
 static_assert(FrontPolicy<AnyPolicy<false>> && !OrderedFrontPolicy<AnyPolicy<false>>);
 static_assert(OrderedFrontPolicy<AnyPolicy<true>>);
@@ -452,7 +455,7 @@ void demand(bool holds, const char* law) {
 template <bool ordered>
 void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
   TestMesh mesh;
-  Front front(mesh, 3 + choices.below(choices.once_in(3) ? 40 : 10));
+  Front front(mesh, 3 + below(choices, choices.one_in(3) ? 40 : 10));
   /// Keeps its own account of triangles, halfedges and curves.
   struct Account : CurveVisitor {
     explicit Account(AdvanceCounts& all) : counts(all) {}
@@ -518,17 +521,17 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
 }  // namespace
 
 void walk_on_front(Choices& choices, std::size_t steps, FrontWalkCounts& counts) {
-  for (std::size_t done = 0; done < steps && !choices.ended();) {
+  for (std::size_t done = 0; done < steps && choices.any_left();) {
     Walk walk(choices, counts);
-    const std::size_t length = 10 + choices.below(120);
-    for (std::size_t i = 0; i < length && !choices.ended(); ++i, ++done) walk.step();
+    const std::size_t length = 10 + below(choices, 120);
+    for (std::size_t i = 0; i < length && choices.any_left(); ++i, ++done) walk.step();
   }
 }
 
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
-  while (counts.proposals < questions && !choices.ended())
-    choices.once_in(2) ? advance_once<true>(choices, questions, counts)
-                       : advance_once<false>(choices, questions, counts);
+  while (counts.proposals < questions && choices.any_left())
+    choices.one_in(2) ? advance_once<true>(choices, questions, counts)
+                      : advance_once<false>(choices, questions, counts);
 }
 
 }  // namespace meshops::test

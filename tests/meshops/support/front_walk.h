@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "support/choices.h"
+#include "walk/choices.h"
 
 namespace meshops::test {
 
