@@ -12,7 +12,7 @@
 #include "bench/arguments.h"
 #include "bench/memory.h"
 #include "bench/workload.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/remainder/remainder.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/tile/for_each_tile.h"

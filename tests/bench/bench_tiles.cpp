@@ -5,7 +5,7 @@
 
 #include "bench/arguments.h"
 #include "bench/workload.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/search/point_grid.h"
 #include "rbpa/tile/for_each_tile.h"

@@ -16,17 +16,17 @@ set(arrows
   rbpa/seed>meshops/front
   rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate
   rbpa/shape>meshops/front rbpa/shape>meshops/topology
-  rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search rbpa/run>rbpa/pivot
+  rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search
   rbpa/run>meshops/core rbpa/run>meshops/front
   rbpa/hierarchy>rbpa/core rbpa/hierarchy>rbpa/predicate rbpa/hierarchy>rbpa/search rbpa/hierarchy>rbpa/pivot
   rbpa/hierarchy>rbpa/seed rbpa/hierarchy>rbpa/tile rbpa/hierarchy>rbpa/remainder rbpa/hierarchy>rbpa/parallel
   rbpa/hierarchy>rbpa/run rbpa/hierarchy>meshops/core rbpa/hierarchy>meshops/front
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/pivot rbpa>rbpa/seed rbpa>rbpa/run rbpa>rbpa/hierarchy
-  rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>rbpa/pivot rbpa/tile>meshops/front
+  rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>meshops/front
   rbpa>rbpa/tile
   rbpa/tile>rbpa/parallel rbpa/search>rbpa/parallel rbpa/run>rbpa/parallel rbpa>rbpa/parallel
   rbpa/remainder>rbpa/core rbpa/remainder>rbpa/predicate rbpa/remainder>meshops/front
-  rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/pivot rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
+  rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology)
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 
 namespace rbpa {
 

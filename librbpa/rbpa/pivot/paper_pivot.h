@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "rbpa/pivot/candidate.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 
 namespace rbpa {
 

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "rbpa/pivot/candidate.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/search/convex_hull.h"
 #include "rbpa/search/point_grid.h"
 

@@ -14,7 +14,7 @@
 
 #include "meshops/front/patch.h"
 #include "rbpa/parallel/threads.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/tile/triangulate.h"
 
 namespace rbpa {

@@ -10,8 +10,8 @@
 
 #include "rbpa/core/point.h"
 #include "rbpa/parallel/threads.h"
-#include "rbpa/pivot/radius.h"
 #include "rbpa/predicate/magnitude.h"
+#include "rbpa/predicate/radius.h"
 
 namespace rbpa {
 

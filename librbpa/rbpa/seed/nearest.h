@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/search/point_grid.h"
 
 namespace rbpa {

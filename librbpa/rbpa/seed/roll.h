@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/search/point_grid.h"
 
 namespace rbpa {

@@ -5,7 +5,7 @@
 // Cost: for each point, with m others within 2 alpha: O(m³), in vectors; a few dozen nanoseconds up to m = 6.
 #pragma once
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/tile/tile.h"
 #include "rbpa/tile/triangulate.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rbpa/parallel/in_order.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/search/point_grid.h"
 #include "rbpa/tile/cut.h"
 #include "rbpa/tile/triangulate.h"

@@ -3,7 +3,7 @@
 //       are written without branches: the next entry always, and counted if it is one.
 #pragma once
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/tile/tile.h"
 #include "rbpa/tile/triangulate.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "meshops/front/front.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/search/point_grid.h"
 #include "rbpa/tile/for_each_tile.h"
 

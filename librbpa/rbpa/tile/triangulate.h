@@ -13,7 +13,7 @@
 
 #include "meshops/front/outline.h"
 #include "meshops/front/patch.h"
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/tile/coordinates.h"
 #include "rbpa/tile/local_front.h"
 #include "rbpa/tile/tile.h"

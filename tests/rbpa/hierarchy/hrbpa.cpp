@@ -11,8 +11,8 @@
 
 #include "far_sets.h"
 #include "rbpa/core/error.h"
-#include "rbpa/pivot/radius.h"
 #include "rbpa/predicate/magnitude.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/levels.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/pivot/radius.h"
+#include "rbpa/predicate/radius.h"
 #include "rbpa/search/point_grid.h"
 #include "rbpa/tile/triangulate.h"
 #include "support/triangle.h"
