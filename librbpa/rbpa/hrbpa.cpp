@@ -11,6 +11,7 @@
 #include "rbpa/hierarchy/growth_by_pivots.h"
 #include "rbpa/hierarchy/growth_by_tiles.h"
 #include "rbpa/hierarchy/quadtree.h"
+#include "rbpa/paper/hrbpa.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
@@ -29,17 +30,11 @@ class Levels {
   /// `Growth` makes the mesh the complex of one level after another, as GrowthByTiles does.
   template <typename Real, typename Growth>
   void run(const Ladder<Real>& ladder, Growth& growth) {
-    using Clock = std::chrono::steady_clock;
-    auto start = Clock::now();
     Level level{.transferred = front_.sites()};
-    for (;; start = Clock::now()) {
+    for (;;) {
       const bool is_last = ladder.is_last(level.number);
-      // As given: a radius beyond all circumradii is infinite to the ladder.
-      level.alpha = is_last ? alpha_ : ladder.radius(level.number).value();
       level.taking_part = growth.grow(level.number, front_);
-      level.triangles = front_.faces();
-      level.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      const bool is_left_out = end(level, is_last);
+      end(level, ladder.radius(level.number), is_last);
       if (is_last) return;
 
       meshops::LevelTransfer transfer = front_.next_level();
@@ -47,22 +42,35 @@ class Levels {
       const int next = growth.next(level.number, std::move(transfer.carried));
       level = {.number = std::clamp(next, level.number + 1, ladder.end()),
                .transferred = transferred,
-               .advancing = transfer.reactivated,
-               .seconds = is_left_out ? level.seconds : 0};
+               .advancing = transfer.reactivated};
     }
   }
 
+  /// Of the paper's run, on which every point carried on takes part.
+  void end(const paper::Level& level) {
+    end({.number = level.number,
+         .transferred = level.transferred,
+         .taking_part = level.transferred,
+         .advancing = level.advancing},
+        level.radius, level.is_last);
+  }
+
  private:
-  /// Returns: whether the level is left out.
-  bool end(const Level& level, bool is_last) {
+  using Clock = std::chrono::steady_clock;
+
+  void end(Level level, const Radius& radius, bool is_last) {
+    // As given: a radius beyond all circumradii is infinite to the run.
+    level.alpha = is_last ? alpha_ : radius.value();
+    level.triangles = front_.faces();
     // Sites may have been looked at in vain: which, depends on the order of the input.
     if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
       result_.looked_in_vain += level.taking_part;
-      return true;
+      return;
     }
+    level.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     result_.levels.push_back(level);
     if (ended_) ended_({result_.levels.back(), front_, input_index_});
-    return false;
+    start_ = Clock::now();
   }
 
   double alpha_;
@@ -70,12 +78,14 @@ class Levels {
   std::span<const std::uint32_t> input_index_;
   meshops::Front& front_;
   Hierarchy& result_;
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace
 
 Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options) {
-  meshops::require(options.leaf_capacity > 0, "hrbpa: leaf_capacity is 0, expected at least 1");
+  const std::size_t leaf_capacity = options.leaf_capacity.value_or(usual_leaf_capacity(options.search));
+  meshops::require(leaf_capacity > 0, "hrbpa: leaf_capacity is 0, expected at least 1");
   check(points, alpha);
   Hierarchy result;
   Threads threads = threads_for(points.size(), options.threads);
@@ -83,20 +93,25 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
     Assembly<Real> assembly(points, result.complex, threads);
     const auto& grid = assembly.grid();
     if (!are_collinear(grid.points())) {
-      const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
-      result.least_radius =
-          std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
-                     std::numeric_limits<double>::max());
-      const Ladder<Real> ladder(result.least_radius, radius, grid.diameter_bound());
       Report report(options.progress, grid.points().size());
       Levels levels(alpha, options.level_ended, grid.input_index(), assembly.front(), result);
-      if constexpr (std::is_same_v<Real, double>) {
-        GrowthByTiles growth(grid, ladder, threads, report);
-        levels.run(ladder, growth);
+      if (options.search == Search::paper) {
+        result.least_radius = paper::hrbpa(grid.points(), radius, leaf_capacity, assembly.front(), report,
+                                           [&](const paper::Level& level) { levels.end(level); });
       } else {
-        // Extreme exponents do without tiles.
-        GrowthByPivots growth(grid, ladder, grid_unit, report);
-        levels.run(ladder, growth);
+        const Real side = Quadtree<Real>(grid.points(), leaf_capacity).smallest_side();
+        result.least_radius =
+            std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
+                       std::numeric_limits<double>::max());
+        const Ladder<Real> ladder(result.least_radius, radius, grid.diameter_bound());
+        if constexpr (std::is_same_v<Real, double>) {
+          GrowthByTiles growth(grid, ladder, threads, report);
+          levels.run(ladder, growth);
+        } else {
+          // Extreme exponents do without tiles.
+          GrowthByPivots growth(grid, ladder, grid_unit, report);
+          levels.run(ladder, growth);
+        }
       }
     }
     assembly.finish();

@@ -12,13 +12,12 @@
 
 namespace rbpa {
 
-/// `FrontPivot` finds the apex of a front edge: Pivot, or PaperPivot for comparison. `Observer` has a member
-/// searched(front), which is called while seeds are searched, and may throw to end the run.
-template <typename Real, typename FrontPivot, typename Observer>
+/// `Observer` has a member searched(front), which is called while seeds are searched, and may throw to end the run.
+template <typename Real, typename Observer>
 class RestrictedBallPivoting {
  public:
   /// Keeps references.
-  RestrictedBallPivoting(Seeds<Real>& seeds, const FrontPivot& pivot, Observer& observer)
+  RestrictedBallPivoting(Seeds<Real>& seeds, const Pivot<Real>& pivot, Observer& observer)
       : seeds_(seeds), pivot_(pivot), observer_(observer) {}
 
   std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) {
@@ -31,7 +30,7 @@ class RestrictedBallPivoting {
 
  private:
   Seeds<Real>& seeds_;
-  const FrontPivot& pivot_;
+  const Pivot<Real>& pivot_;
   Observer& observer_;
 };
 

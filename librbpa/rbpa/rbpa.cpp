@@ -4,8 +4,8 @@
 
 #include "meshops/front/engine.h"
 #include "rbpa/collinear.h"
+#include "rbpa/paper/rbpa.h"
 #include "rbpa/parallel/threads.h"
-#include "rbpa/pivot/paper_pivot.h"
 #include "rbpa/pivot/pivot.h"
 #include "rbpa/policy.h"
 #include "rbpa/remainder/remainder.h"
@@ -32,15 +32,11 @@ class Run {
       by_tiles(front);
     } else {
       // Extreme exponents do without tiles.
-      const Pivot<Real> pivot(grid_, radius_, grid_unit_);
-      advance(front, pivot);
+      advance(front);
     }
   }
 
-  void by_the_paper(meshops::Front& front) {
-    const PaperPivot<Real> pivot(grid_.points(), grid_.diameter_bound(), radius_, grid_unit_);
-    advance(front, pivot);
-  }
+  void by_the_paper(meshops::Front& front) { paper::rbpa(grid_.points(), radius_, front, report_); }
 
  private:
   void by_tiles(meshops::Front& front) {
@@ -57,11 +53,10 @@ class Run {
     report_.completed(front);
   }
 
-  template <typename FrontPivot>
-  void advance(meshops::Front& front, const FrontPivot& front_pivot) {
+  void advance(meshops::Front& front) {
     const Pivot<Real> pivot(grid_, radius_, grid_unit_);
     Seeds<Real> seeds(grid_, radius_, pivot);
-    RestrictedBallPivoting policy(seeds, front_pivot, report_);
+    RestrictedBallPivoting policy(seeds, pivot, report_);
     meshops::advance(front, policy, report_);
   }
 

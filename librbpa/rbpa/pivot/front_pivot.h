@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// The apex that a pivot (Pivot, or PaperPivot for comparison) finds left of a boundary halfedge.
+/// The apex that a Pivot finds left of a boundary halfedge.
 template <typename AnyPivot>
 std::optional<std::uint32_t> pivot_on(const AnyPivot& pivot, const meshops::Front& front, meshops::Halfedge h) {
   const auto& mesh = front.mesh();

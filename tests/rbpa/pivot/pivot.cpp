@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "rbpa/predicate/magnitude.h"
-#include "rbpa/pivot/paper_pivot.h"
 #include "support/exact.h"
 #include "support/generate.h"
 #include "support/samples.h"
@@ -59,7 +58,6 @@ void check_all_pairs(const Points& input, const std::vector<double>& radii, Rand
     CAPTURE(alpha);
     const Radius radius = std::isinf(alpha) ? Radius() : Radius(alpha);
     const Pivot<Real> pivot(grid, radius, unit);
-    const rbpa::PaperPivot<Real> paper(grid.points(), grid.diameter_bound(), radius, unit);
     for (Site a = 0; a < count; ++a)
       for (Site b = 0; b < count; ++b) {
         if (a == b) continue;
@@ -70,7 +68,6 @@ void check_all_pairs(const Points& input, const std::vector<double>& radii, Rand
             exact::compare_circumradius(points[a], points[b], points[*expected], alpha) > 0)
           expected.reset();
         CHECK(pivot(a, b) == expected);
-        CHECK(paper(a, b) == expected);
         const auto any = [&] { return static_cast<Site>(random.below(count)); };
         CHECK(pivot(a, b, {any()}) == expected);
         CHECK(pivot(a, b, {any(), any()}) == expected);
@@ -96,7 +93,7 @@ void check_kind(Kind kind, int sets, std::size_t count, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the pivot is the winner among all points, by either search and with any hints: kinds of points") {
+TEST_CASE("the pivot is the winner among all points, with any hints: kinds of points") {
   Random random(51);
   for (const Kind kind : kinds_that_fit_double) {
     check_kind<double>(kind, 3, 11, random);

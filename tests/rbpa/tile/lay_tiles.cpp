@@ -95,7 +95,7 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
 void check_searches(const Points& points, const std::vector<double>& alphas) {
   for (const double alpha : alphas) {
     CAPTURE(alpha);
-    const auto paper = rbpa::rbpa(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+    const auto paper = rbpa::rbpa(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
     const auto tiles = rbpa::rbpa(points, alpha);
     CHECK(meshops::validate(tiles.mesh).empty());
     CHECK(difference(rbpa::triangles(paper), rbpa::triangles(tiles)) == "");
