@@ -82,7 +82,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_output_options(verb, arguments, output_formats);
   verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
   add_method_options(verb, arguments.method);
-  verb.add_option("--search", arguments.method.search, "near, or paper (the grid of the paper); the result is the same")
+  verb.add_option("--search", arguments.method.search, "near, or paper (as it was published, slow); the result is the same")
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--levels", arguments.levels,

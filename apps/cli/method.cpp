@@ -9,7 +9,7 @@ namespace {
 
 Search parse_search(const std::string& text) {
   if (text == "near") return Search::near_to_far;
-  if (text == "paper") return Search::paper_grid;
+  if (text == "paper") return Search::paper;
   throw WrongUsage("--search: found " + in_quotes(text) + ", expected near or paper");
 }
 
@@ -20,8 +20,6 @@ Method parse_method(const MethodArguments& arguments) {
   if (arguments.method != "rbpa" && arguments.method != "hrbpa")
     throw WrongUsage("--method: found " + in_quotes(arguments.method) + ", expected rbpa or hrbpa");
   const bool hierarchical = arguments.method == "hrbpa";
-  if (hierarchical && method.search != Search::near_to_far)
-    throw WrongUsage("--search: found " + in_quotes(arguments.search) + " with --method hrbpa, expected near");
   if (arguments.leaf_capacity) {
     if (!hierarchical) throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
     if (*arguments.leaf_capacity < 1)
@@ -29,8 +27,8 @@ Method parse_method(const MethodArguments& arguments) {
                        ", expected at least 1 point");
   }
   if (hierarchical)
-    method.leaf_capacity =
-        arguments.leaf_capacity ? static_cast<std::size_t>(*arguments.leaf_capacity) : HierarchyOptions().leaf_capacity;
+    method.leaf_capacity = arguments.leaf_capacity ? static_cast<std::size_t>(*arguments.leaf_capacity)
+                                                   : usual_leaf_capacity(method.search);
   return method;
 }
 
@@ -38,7 +36,10 @@ Hierarchy build(const std::vector<Point>& points, double alpha, const Method& me
   if (!method.leaf_capacity) return {.complex = build(points, alpha, run, method.search), .levels = {}};
   ProgressLine line(!run.quiet);
   return hrbpa(points, alpha,
-               {.leaf_capacity = *method.leaf_capacity, .threads = run.threads, .progress = line.watch()});
+               {.search = method.search,
+                .leaf_capacity = *method.leaf_capacity,
+                .threads = run.threads,
+                .progress = line.watch()});
 }
 
 }  // namespace rbpa::app

@@ -12,6 +12,7 @@
 #include "figures/sheet.h"
 #include "meshops/core/live.h"
 #include "rbpa/hrbpa.h"
+#include "rbpa/paper/quadtree.h"
 
 namespace figures {
 namespace {
@@ -30,31 +31,11 @@ struct Leaf {
   }
 };
 
-void cut(const Points& points, Leaf square, std::size_t capacity, std::vector<Leaf>& leaves) {
-  if (points.size() <= capacity) {
-    leaves.push_back({square.low, square.side, points.size()});
-    return;
-  }
-  const Place middle = square.middle();
-  for (const bool up : {false, true})
-    for (const bool right : {false, true}) {
-      Points quarter;
-      for (const rbpa::Point& p : points)
-        if ((p.x >= middle.x) == right && (p.y >= middle.y) == up) quarter.push_back(p);
-      cut(quarter, {{right ? middle.x : square.low.x, up ? middle.y : square.low.y}, square.side / 2, 0}, capacity,
-          leaves);
-    }
-}
-
-/// The leaves, as the paper says it: a square with more points than the capacity is cut in four.
 std::vector<Leaf> quadtree(const Points& points, std::size_t capacity) {
-  Place low = place_of(points[0]), high = low;
-  for (const rbpa::Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
   std::vector<Leaf> leaves;
-  cut(points, {low, std::max(high.x - low.x, high.y - low.y), 0}, capacity, leaves);
+  for (const rbpa::paper::Leaf& leaf : rbpa::paper::quadtree(points, capacity))
+    leaves.push_back(
+        {{static_cast<double>(leaf.x), static_cast<double>(leaf.y)}, static_cast<double>(leaf.side), leaf.points});
   return leaves;
 }
 
@@ -63,12 +44,15 @@ double smallest_side(const std::vector<Leaf>& leaves) {
       ->side;
 }
 
+/// By the paper's own method.
 Hierarchy hierarchy_of(const Points& points, double alpha, std::size_t leaf_capacity) {
-  return rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
+  return rbpa::hrbpa(points, alpha, {.search = rbpa::Search::paper, .leaf_capacity = leaf_capacity, .progress = {}});
 }
 
-void require_least_radius(const Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
-  if (smallest_side(leaves) / 2 != hierarchy.least_radius)
+/// The default search counts points in squares in another way.
+void require_least_radius(const Points& points, std::size_t leaf_capacity, const std::vector<Leaf>& leaves) {
+  const double side = smallest_side(leaves);
+  if (rbpa::hrbpa(points, side, {.leaf_capacity = leaf_capacity, .progress = {}}).least_radius != side / 2)
     throw std::logic_error("the leaves that are drawn are not those of the library");
 }
 
@@ -202,8 +186,7 @@ std::string paper_4_least_radius() {
   constexpr std::size_t capacity = 4;
   const Points points = thinning_out({2.1, 1.65}, {6, 6}, 6000, 0.05, 0.25, 6);
   const std::vector<Leaf> leaves = quadtree(points, capacity);
-  const Hierarchy hierarchy = hierarchy_of(points, std::numeric_limits<double>::infinity(), capacity);
-  require_least_radius(hierarchy, leaves);
+  require_least_radius(points, capacity, leaves);
   const double side = smallest_side(leaves);
   const Leaf smallest = *std::max_element(leaves.begin(), leaves.end(), [&](const Leaf& a, const Leaf& b) {
     return std::pair(-a.side, a.points) < std::pair(-b.side, b.points);
@@ -230,7 +213,7 @@ std::string paper_4_least_radius() {
     canvas.closed_lines({border}, {colour::text, 1.2, true});
   };
   Panel radius = panel_over(points, "(b) the smallest leaves, " + rounded(times) + " times as large",
-                            {"side " + rounded(side) + " · α₀ " + rounded(hierarchy.least_radius)});
+                            {"side " + rounded(side) + " · α₀ " + rounded(side / 2)});
   radius.extent = tree.extent;
   radius.more = [=](Canvas& canvas, const Frame& frame) {
     const Place corner = frame({0, 0});
@@ -305,7 +288,7 @@ std::string paper_9_two_levels() {
   const std::vector<Leaf> leaves = quadtree(points, capacity);
   const double side = smallest_side(leaves);
   const Hierarchy hierarchy = hierarchy_of(points, side, capacity);
-  require_least_radius(hierarchy, leaves);
+  require_least_radius(points, capacity, leaves);
   const auto& levels = hierarchy.levels;
   if (levels.size() != 2 || rbpa::triangles(hierarchy.complex) != rbpa::triangles(rbpa::rbpa(points, side)))
     throw std::logic_error("the sampling does not have two levels");

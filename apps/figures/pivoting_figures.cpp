@@ -11,6 +11,7 @@
 #include "figures/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/engine.h"
+#include "rbpa/paper/rbpa.h"
 
 namespace figures {
 namespace {
@@ -28,91 +29,29 @@ Place left_of(Place d) { return {-d.y, d.x}; }
 double dot(Place a, Place b) { return a.x * b.x + a.y * b.y; }
 double cross(Place a, Place b) { return a.x * b.y - a.y * b.x; }
 
-/// A ball that lies against the ends of an edge and turns over it.
-struct Turn {
-  Disc from;  ///< before
-  Disc to;    ///< at the point it touches; at its largest when it touches none
-  std::optional<Site> apex;
-};
-
-/// Ball pivoting as the paper says it: of the points left of a front edge, the ball touches the one first that sees the
-/// edge under the largest angle. All points are tried.
-/// Requires: no three points on a line, no four on a circle.
-class PaperBall {
+/// The ball of radius alpha as it lies against the points at rest, or between.
+class BallInPlane {
  public:
-  PaperBall(const std::vector<Place>& places, double alpha) : places_(places), alpha_(alpha) {}
+  BallInPlane(const std::vector<Place>& places, double alpha) : places_(places), alpha_(alpha) {}
 
-  std::optional<std::array<Site, 3>> seed(const Front& front) {
-    for (Site a = 0; a < count(); ++a)
-      for (Site b = 0; b < count(); ++b) {
-        const auto c = a == b ? std::nullopt : first_contact(a, b);
-        if (!c || has_triangle(front, {a, b, *c}) || !is_free_behind(a, b, *c)) continue;
-        return std::array{a, b, *c};
-      }
-    return std::nullopt;
+  /// At rest on three points.
+  Disc on(Site a, Site b, Site c) const {
+    const Place e = at(c) - at(a), f = at(c) - at(b), d = at(b) - at(a);
+    const double half_chords = dot(e, f) / cross(d, e);  // of the centre, left of the edge
+    return {middle(a, b) + (half_chords / 2) * left_of(d), length(d) / 2 * std::sqrt(1 + half_chords * half_chords)};
   }
-
-  std::optional<Site> propose(const Front& front, Halfedge h) {
-    const Site a = front.from_site(h), b = front.to_site(h);
-    const Halfedge inside = front.mesh().opposite_halfedge_handle(h);
-    const Site behind = front.to_site(front.mesh().next_halfedge_handle(inside));
-    const auto apex = first_contact(a, b);
-    turn_ = {circle(a, b, behind), apex ? circle(a, b, *apex) : largest_left_of(a, b), apex};
-    return apex;
-  }
-
-  /// For the edge that was proposed last.
-  const Turn& turn() const { return turn_; }
-  Disc circle(Site a, Site b, Site c) const {
-    const double k = position(a, b, c), half = length(at(b) - at(a)) / 2;
-    return {middle(a, b) + (k / 2) * left_of(at(b) - at(a)), half * std::sqrt(1 + k * k)};
+  /// At its equator on two, having turned to the left of the edge without touching a third.
+  Disc largest_left_of(Site a, Site b) const {
+    const Place d = at(b) - at(a);
+    return {middle(a, b) + std::sqrt(alpha_ * alpha_ - dot(d, d) / 4) * direction(left_of(d)), alpha_};
   }
 
  private:
-  Site count() const { return static_cast<Site>(places_.size()); }
   Place at(Site s) const { return places_[static_cast<std::size_t>(s)]; }
   Place middle(Site a, Site b) const { return 0.5 * (at(a) + at(b)); }
 
-  /// Of the centre of the circle through a, b and c: how far left of the edge, in halves of its length.
-  double position(Site a, Site b, Site c) const {
-    const Place e = at(c) - at(a), f = at(c) - at(b), d = at(b) - at(a);
-    return dot(e, f) / cross(d, e);
-  }
-  Disc largest_left_of(Site a, Site b) const {
-    const double half = length(at(b) - at(a)) / 2;
-    return {middle(a, b) + std::sqrt(alpha_ * alpha_ - half * half) * direction(left_of(at(b) - at(a))), alpha_};
-  }
-  std::optional<Site> first_contact(Site a, Site b) const {
-    std::optional<Site> best;
-    for (Site s = 0; s < count(); ++s)
-      if (s != a && s != b && cross(at(b) - at(a), at(s) - at(a)) > 0 &&
-          (!best || position(a, b, s) < position(a, b, *best)))
-        best = s;
-    return best && circle(a, b, *best).radius <= alpha_ ? best : std::nullopt;
-  }
-  /// No point right of the edge lies in the circle through it and c.
-  bool is_free_behind(Site a, Site b, Site c) const {
-    for (Site s = 0; s < count(); ++s)
-      if (s != a && s != b && cross(at(b) - at(a), at(s) - at(a)) < 0 && position(a, b, s) > position(a, b, c))
-        return false;
-    return true;
-  }
-  static bool has_triangle(const Front& front, std::array<Site, 3> sites) {
-    std::sort(sites.begin(), sites.end());
-    bool found = false;
-    meshops::for_each_face(front.mesh(), [&](Face f) {
-      std::array<Site, 3> corners{};
-      std::size_t i = 0;
-      for (const Vertex v : front.mesh().fv_range(f)) corners[i++] = front.site(v);
-      std::sort(corners.begin(), corners.end());
-      found = found || corners == sites;
-    });
-    return found;
-  }
-
   const std::vector<Place>& places_;
   double alpha_;
-  Turn turn_{};
 };
 
 /// What a run looked like after one of its events.
@@ -130,26 +69,34 @@ struct Moment {
 /// Keeps every moment of a run.
 class Recorder : public meshops::FrontVisitor {
  public:
-  Recorder(const Mesh& mesh, const std::vector<Place>& places, const PaperBall& ball)
-      : mesh_(mesh), places_(places), ball_(ball) {}
+  Recorder(const Mesh& mesh, const std::vector<Place>& places, double alpha)
+      : mesh_(mesh), places_(places), ball_(places, alpha) {}
 
   void seeded(const Front& front, const meshops::InsertedTriangle& triangle) {
     std::array<Site, 3> corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = front.to_site(triangle.side[i]);
-    keep(front, Moment::Event::seeded, triangle.face, {ball_.circle(corner[0], corner[1], corner[2])});
+    keep(front, Moment::Event::seeded, triangle.face, {ball_.on(corner[0], corner[1], corner[2])});
   }
-  void attached(const Front& front, Halfedge, const meshops::InsertedTriangle& triangle) {
-    keep(front, Moment::Event::attached, triangle.face, {ball_.turn().from, ball_.turn().to});
+  void attached(const Front& front, Halfedge h, const meshops::InsertedTriangle& triangle) {
+    keep(front, Moment::Event::attached, triangle.face, {at_rest_right_of(front, h), at_rest_left_of(front, h)});
   }
   void frozen(const Front& front, Halfedge h) {
     frozen_.insert(h);
-    keep(front, Moment::Event::frozen, std::nullopt, {ball_.turn().from, ball_.turn().to});
+    keep(front, Moment::Event::frozen, std::nullopt,
+         {at_rest_right_of(front, h), ball_.largest_left_of(front.from_site(h), front.to_site(h))});
   }
   static constexpr bool follows_curves = true;
   void curve_split(const Front&, Halfedge, Halfedge) { moments_.back().splits = true; }
   const std::vector<Moment>& moments() const { return moments_; }
 
  private:
+  /// On the triangle left of a halfedge.
+  Disc at_rest_left_of(const Front& front, Halfedge h) const {
+    return ball_.on(front.from_site(h), front.to_site(h), front.to_site(mesh_.next_halfedge_handle(h)));
+  }
+  Disc at_rest_right_of(const Front& front, Halfedge h) const {
+    return at_rest_left_of(front, mesh_.opposite_halfedge_handle(h));
+  }
   void keep(const Front& front, Moment::Event event, std::optional<Face> fresh, std::vector<Disc> balls) {
     Moment moment{event, drawn_front(front, mesh_, places_), {}, fresh, false, false, std::move(balls), front.faces(),
                   0};
@@ -169,7 +116,7 @@ class Recorder : public meshops::FrontVisitor {
 
   const Mesh& mesh_;
   const std::vector<Place>& places_;
-  const PaperBall& ball_;
+  BallInPlane ball_;
   std::set<Halfedge> frozen_;
   std::size_t free_ = 0;
   std::vector<Moment> moments_;
@@ -223,9 +170,9 @@ std::string paper_2_pivoting() {
   for (const Place p : places) points.push_back({p.x, p.y});
   Mesh mesh;
   Front front(mesh, places.size());
-  PaperBall ball(places, alpha);
-  Recorder recorder(mesh, places, ball);
-  meshops::advance(front, ball, recorder);
+  rbpa::paper::RestrictedBallPivoting policy(points, front.next_level().carried, rbpa::Radius(alpha));
+  Recorder recorder(mesh, places, alpha);
+  meshops::advance(front, policy, recorder);
   require_complex(front, points, alpha);
 
   const std::vector<Moment>& moments = recorder.moments();

@@ -9,6 +9,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/hierarchy/growth_by_tiles.h"
 #include "rbpa/hierarchy/quadtree.h"
+#include "rbpa/paper/hrbpa.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
@@ -19,60 +20,59 @@ namespace {
 /// The levels of a run, from the first to the last.
 class Levels {
  public:
-  /// Keeps references.
-  Levels(double alpha, const std::function<void(const EndedLevel&)>& ended, Hierarchy& result)
-      : alpha_(alpha), ended_(ended), result_(result) {}
+  /// Keeps references. The clock of the first level runs from now on.
+  Levels(double alpha, const std::function<void(const EndedLevel&)>& ended, std::span<const std::uint32_t> input_index,
+         Hierarchy& result)
+      : alpha_(alpha), ended_(ended), input_index_(input_index), result_(result) {}
 
   /// `growth` makes the mesh the complex of one level after another.
-  void run(const Ladder& ladder, GrowthByTiles growth, Assembly& assembly) {
-    input_index_ = assembly.sites().input_index();
-    const auto start = Clock::now();
-    meshops::Front front = growth.begin(assembly);
-    run(ladder, growth, front, start);
-    assembly.finish(front);
+  void run(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front) {
+    Level level{.transferred = front.sites()};
+    for (;;) {
+      const bool is_last = ladder.is_last(level.number);
+      level.taking_part = growth.grow(level.number, front);
+      end(level, ladder.radius(level.number), is_last, front);
+      if (is_last) return;
+
+      const meshops::LevelTransfer transfer = front.next_level();
+      level = {.number = std::clamp(growth.next(level.number), level.number + 1, ladder.end()),
+               .transferred = transfer.carried.size(),
+               .advancing = transfer.reactivated};
+    }
+  }
+
+  /// Of the paper's run, on which every point carried on takes part.
+  void end(const paper::Level& level, const meshops::Front& front) {
+    end({.number = level.number,
+         .transferred = level.transferred,
+         .taking_part = level.transferred,
+         .advancing = level.advancing},
+        level.radius, level.is_last, front);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void run(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front, Clock::time_point start) {
-    Level level{.transferred = front.sites()};
-    for (;; start = Clock::now()) {
-      const bool is_last = ladder.is_last(level.number);
-      // As given: a radius beyond all circumradii is infinite to the ladder.
-      level.alpha = is_last ? alpha_ : ladder.radius(level.number).value();
-      level.taking_part = growth.grow(level.number, front);
-      level.triangles = front.faces();
-      level.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      const bool is_left_out = end(level, is_last, front);
-      if (is_last) return;
-
-      meshops::LevelTransfer transfer = front.next_level();
-      const std::size_t transferred = transfer.carried.size();
-      const int next = growth.next(level.number, std::move(transfer.carried));
-      level = {.number = std::clamp(next, level.number + 1, ladder.end()),
-               .transferred = transferred,
-               .advancing = transfer.reactivated,
-               .seconds = is_left_out ? level.seconds : 0};
-    }
-  }
-
-  /// Returns: whether the level is left out.
-  bool end(const Level& level, bool is_last, const meshops::Front& front) {
+  void end(Level level, const Radius& radius, bool is_last, const meshops::Front& front) {
+    // As given: a radius beyond all circumradii is infinite to the run.
+    level.alpha = is_last ? alpha_ : radius.value();
+    level.triangles = front.faces();
     // Sites may have been looked at in vain: which, depends on the order of the input.
     if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
       result_.looked_in_vain += level.taking_part;
-      return true;
+      return;
     }
+    level.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     result_.levels.push_back(level);
     if (ended_) ended_({result_.levels.back(), front, input_index_});
-    return false;
+    start_ = Clock::now();
   }
 
   double alpha_;
   const std::function<void(const EndedLevel&)>& ended_;
   std::span<const std::uint32_t> input_index_;
   Hierarchy& result_;
+  Clock::time_point start_ = Clock::now();
 };
 
 /// α₀: half the side of the smallest leaf of a quadtree.
@@ -91,7 +91,8 @@ double least_radius(const Sites& sites, std::size_t leaf_capacity) {
 }  // namespace
 
 Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options) {
-  meshops::require(options.leaf_capacity > 0, "hrbpa: leaf_capacity is 0, expected at least 1");
+  const std::size_t leaf_capacity = options.leaf_capacity.value_or(usual_leaf_capacity(options.search));
+  meshops::require(leaf_capacity > 0, "hrbpa: leaf_capacity is 0, expected at least 1");
   check(points, alpha);
   Hierarchy result;
   Threads threads = threads_for(points.size(), options.threads);
@@ -101,12 +102,23 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
     assembly.finish(assembly.front());
     return result;
   }
-  result.least_radius = least_radius(sites, options.leaf_capacity);
   const bool is_above_all = sites.beyond().empty() && sites.window().scaled(Radius::of(alpha)).is_infinite();
-  const Ladder ladder(result.least_radius, is_above_all ? Radius() : Radius::of(alpha), sites.diameter_bound());
+  const Radius radius = is_above_all ? Radius() : Radius::of(alpha);
   Report report(options.progress, sites.size());
-  Levels levels(alpha, options.level_ended, result);
-  levels.run(ladder, GrowthByTiles(sites, ladder, threads, report), assembly);
+  Levels levels(alpha, options.level_ended, sites.input_index(), result);
+  if (options.search == Search::paper) {
+    meshops::Front front = assembly.front();
+    result.least_radius = paper::hrbpa(sites.points(), radius, leaf_capacity, front, report,
+                                       [&](const paper::Level& level) { levels.end(level, front); });
+    assembly.finish(front);
+    return result;
+  }
+  result.least_radius = least_radius(sites, leaf_capacity);
+  const Ladder ladder(result.least_radius, radius, sites.diameter_bound());
+  GrowthByTiles growth(sites, ladder, threads, report);
+  meshops::Front front = growth.begin(assembly);
+  levels.run(ladder, growth, front);
+  assembly.finish(front);
   return result;
 }
 

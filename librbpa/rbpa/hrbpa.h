@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "rbpa/core/complex.h"
 #include "rbpa/core/point.h"
 #include "rbpa/core/progress.h"
+#include "rbpa/core/search.h"
 
 namespace rbpa {
 
@@ -26,7 +28,7 @@ struct Level {
   std::size_t taking_part = 0;  ///< of those, how many got a triangle or were looked at; the others sleep
   std::size_t advancing = 0;    ///< halfedges on the front when the level began
   std::size_t triangles = 0;    ///< of the mesh when the level ended; those added are the last
-  double seconds = 0;           ///< with that of levels left out before it
+  double seconds = 0;           ///< with what came before it: α₀ or the transfer, and levels left out
 };
 
 /// A level that has just ended, and what the run has built so far: exactly the complex of `level.alpha`, an oriented
@@ -39,9 +41,14 @@ struct EndedLevel {
   std::span<const std::uint32_t> input_index;  ///< of each site of the front, the input point it is
 };
 
+/// How many points a leaf of the quadtree holds where nothing else is asked for. The paper's grid is as coarse as they are
+/// large.
+constexpr std::size_t usual_leaf_capacity(Search search) { return search == Search::paper ? 32 : 16384; }
+
 struct HierarchyOptions {
-  /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1.
-  std::size_t leaf_capacity = 16384;
+  Search search = Search::near_to_far;
+  /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1; absent: the usual.
+  std::optional<std::size_t> leaf_capacity = std::nullopt;
   /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors. The result
   /// is the same.
   unsigned threads = 0;

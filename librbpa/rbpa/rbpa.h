@@ -14,14 +14,9 @@
 #include "rbpa/core/complex.h"
 #include "rbpa/core/point.h"
 #include "rbpa/core/progress.h"
+#include "rbpa/core/search.h"
 
 namespace rbpa {
-
-/// How the points that a ball may touch are searched. The result is the same.
-enum class Search {
-  near_to_far,  ///< grid whose cells follow the points, searched outward and bounded by the candidate's circle
-  paper_grid    ///< the paper's grid: cells of side 2α, nine cells scanned each time; cost grows with α²
-};
 
 struct Options {
   Search search = Search::near_to_far;

@@ -67,6 +67,34 @@ TEST_SUITE("hierarchy") {
     }
   }
 
+  TEST_CASE(
+      "the paper's own search makes no difference to the bytes, nor to what is said of a level but who took part") {
+    const Folder folder;
+    for (const std::string alpha : {"0.02", "inf"}) {
+      CAPTURE(alpha);
+      const std::string run = "mesh " + data + "--alpha " + alpha + " --method hrbpa -q --leaf-capacity 9 --search ";
+      REQUIRE(folder.rbpa(run + "near -o near.off -o near.npy --levels near.json").code == 0);
+      REQUIRE(folder.rbpa(run + "paper -o paper.off -o paper.npy --levels paper.json").code == 0);
+      CHECK(folder.content("near.off") == folder.content("paper.off"));
+      CHECK(folder.content("near.npy") == folder.content("paper.npy"));
+      const json near = json::parse(folder.content("near.json")), paper = json::parse(folder.content("paper.json"));
+      CHECK(near["least_radius"] == paper["least_radius"]);
+      REQUIRE(near["levels"].size() == paper["levels"].size());
+      for (std::size_t i = 0; i < near["levels"].size(); ++i)
+        for (const auto& [key, value] : near["levels"][i].items()) {
+          const json& other = paper["levels"][i][key];
+          if (key == "taking_part")
+            CHECK(other == paper["levels"][i]["transferred"]);
+          else if (key != "seconds")
+            CHECK(other == value);
+        }
+    }
+    REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.02 --method hrbpa --search paper --levels l.json -q").code == 0);
+    CHECK(json::parse(folder.content("l.json"))["leaf_capacity"] == 32);
+    REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.02 --method hrbpa --levels l.json -q").code == 0);
+    CHECK(json::parse(folder.content("l.json"))["leaf_capacity"] == 16384);
+  }
+
   TEST_CASE("the topology of a level is that of a run at its radius, and of the last that of the whole run") {
     const Folder folder;
     REQUIRE(folder
@@ -159,8 +187,9 @@ TEST_SUITE("hierarchy") {
             "--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
     refuses("mesh p.xy --alpha 1 --method hrbpa --leaf-capacity 0 -o m.off",
             "--leaf-capacity: found 0, expected at least 1 point");
-    refuses("mesh p.xy --alpha 1 --method hrbpa --search paper -o m.off",
-            "--search: found 'paper' with --method hrbpa, expected near");
+    for (const char* method : {"", " --method hrbpa"})
+      refuses(std::string("mesh p.xy --alpha 1 --search far -o m.off") + method,
+              "--search: found 'far', expected near or paper");
     const Folder folder;
     folder.file("p.csv", corner);
     for (const char* twice : {"--levels p.csv", "--levels a.csv --stats a.csv", "--levels - --stats -"})

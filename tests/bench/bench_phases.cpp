@@ -53,7 +53,7 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   Stopwatch watch(seconds);
   rbpa::Assembly assembly(points, complex, threads);
   const rbpa::Sites& sites = assembly.sites();
-  const rbpa::PointGrid<double>& grid = sites.grid();
+  const rbpa::PointGrid& grid = sites.grid();
   meshops::PatchAssembler assembler = assembly.assembler();
   rbpa::Remainder remainder(sites, radius);
   assembler.reserve(3 * grid.points().size(), 2 * grid.points().size());

@@ -33,7 +33,7 @@ Told told_by_tiles(const rbpa::Sites& sites, double alpha) {
 }
 
 /// Points of all tiles, those around their own included.
-std::size_t points_of_tiles(const rbpa::PointGrid<double>& grid, std::uint32_t points_per_tile) {
+std::size_t points_of_tiles(const rbpa::PointGrid& grid, std::uint32_t points_per_tile) {
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
   std::size_t points = 0;
@@ -47,7 +47,7 @@ std::size_t points_of_tiles(const rbpa::PointGrid<double>& grid, std::uint32_t p
 void print_row(const std::string& set, const rbpa_test::Points& points, double alpha, const char* alpha_text) {
   rbpa::Threads threads;
   const rbpa::Sites sites(points, threads);
-  const rbpa::PointGrid<double>& grid = sites.grid();
+  const rbpa::PointGrid& grid = sites.grid();
   const Told told = told_by_tiles(sites, alpha);
   const std::size_t triangles = rbpa::rbpa(points, alpha).mesh.n_faces();
   const auto distinct = static_cast<double>(grid.points().size());

@@ -1,4 +1,4 @@
-// The data of figure 6: hrbpa(), also with leaves of 16 points, rbpa() and the paper's RBPA on uniform points at alpha = 3
+// The data of figure 6: hrbpa(), also with leaves of 16 points, rbpa() and the paper's RBPA and HRBPA on uniform points at alpha = 3
 // mean spacings, against their number. CSV on standard output, which draw_figures draws; seconds are medians.
 //   bench_timing [--runs=N] [--points=N] > docs/figures/paper_6_timing.csv      5 runs of each, up to 1,000,000 points
 #include <algorithm>
@@ -47,13 +47,13 @@ void print_head(int runs) {
               unsigned(today.month()), unsigned(today.day()), processor().c_str(), memory().c_str(), compiler().c_str(),
               compiler_flags().c_str(), runs);
   std::printf("# uniform points, alpha = %g mean spacings; seconds from points in memory to the mesh\n", alpha);
-  std::printf("points,triangles,hrbpa,hrbpa_small_leaves,rbpa,paper\n");
+  std::printf("points,triangles,hrbpa,hrbpa_small_leaves,rbpa,paper,paper_hrbpa\n");
 }
 
 /// False when the contestants disagree.
 bool print_row(std::size_t count, int runs) {
   const rbpa_test::Points points = uniform.make(count);
-  const std::array contestants{hrbpa, hrbpa_small_leaves(), rbpa_with(1), rbpa_paper_grid};
+  const std::array contestants{hrbpa, hrbpa_small_leaves(), rbpa_with(1), paper_rbpa, paper_hrbpa};
   std::array<Timings, contestants.size()> times;
   std::vector<std::size_t> triangles;
   for (int run = 0; run < runs; ++run)

@@ -20,27 +20,32 @@ Run timed(std::span<const rbpa::Point> points, double alpha, const rbpa::Options
   return {seconds.count(), complex.mesh.n_faces()};
 }
 
+Run timed_levels(std::span<const rbpa::Point> points, double alpha, const rbpa::HierarchyOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, options);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  return {seconds.count(), hierarchy.complex.mesh.n_faces()};
+}
+
 }  // namespace
 
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
   return timed(points, alpha, options_for(rbpa::Search::near_to_far, threads), list);
 }
 
-Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha) {
-  return timed(points, alpha, options_for(rbpa::Search::paper_grid, 1), nullptr);
+Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha) {
+  return timed(points, alpha, options_for(rbpa::Search::paper, 1), nullptr);
+}
+
+Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha) {
+  return timed_levels(points, alpha, {.search = rbpa::Search::paper, .threads = 1, .progress = {}});
 }
 
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
-  const auto start = std::chrono::steady_clock::now();
-  const rbpa::Hierarchy hierarchy =
-      rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return {seconds.count(), hierarchy.complex.mesh.n_faces()};
+  return timed_levels(points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
 }
 
-Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) {
-  return run_hrbpa_with(points, alpha, rbpa::HierarchyOptions().leaf_capacity);
-}
+Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) { return run_hrbpa_with(points, alpha, usual_leaves); }
 
 Contestant rbpa_with(unsigned threads) {
   return {threads == 1 ? "rbpa" : "rbpa " + (threads == 0 ? "all" : std::to_string(threads)) + " threads",
@@ -49,9 +54,12 @@ Contestant rbpa_with(unsigned threads) {
           }};
 }
 
-const Contestant rbpa_paper_grid{
-    "rbpa with the paper's grid",
-    [](std::span<const rbpa::Point> points, double alpha, Triangles*) { return run_rbpa_paper_grid(points, alpha); }};
+const Contestant paper_rbpa{"the paper's RBPA", [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
+                              return run_paper_rbpa(points, alpha);
+                            }};
+const Contestant paper_hrbpa{"the paper's HRBPA", [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
+                               return run_paper_hrbpa(points, alpha);
+                             }};
 const Contestant hrbpa{
     "hrbpa", [](std::span<const rbpa::Point> points, double alpha, Triangles*) { return run_hrbpa(points, alpha); }};
 const Contestant cgal_indices{"CGAL indices",

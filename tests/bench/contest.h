@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rbpa/core/point.h"
+#include "rbpa/hrbpa.h"
 #include "support/triangle.h"
 
 namespace rbpa_bench {
@@ -43,11 +44,13 @@ struct Contestant {
 /// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
-/// The same by the paper's grid.
-Run run_rbpa_paper_grid(std::span<const rbpa::Point> points, double alpha);
+/// The same as the paper says it.
+Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha);
+Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha);
 
 /// rbpa::hrbpa(): the same mesh, from the bottom up, with one thread.
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
+constexpr std::size_t usual_leaves = rbpa::usual_leaf_capacity(rbpa::Search::near_to_far);
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
 
 /// Whether triangles are left out by their circumradius, in plain double arithmetic.
@@ -64,7 +67,7 @@ Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter fi
 Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha);
 
 Contestant rbpa_with(unsigned threads);
-extern const Contestant rbpa_paper_grid;
+extern const Contestant paper_rbpa, paper_hrbpa;
 extern const Contestant hrbpa;
 extern const Contestant cgal_indices;  ///< without a filter
 extern const Contestant cgal_indices_filtered;

@@ -147,8 +147,8 @@ std::string report(const std::string& complaint, const Points& points, double al
   const auto fails = [&](const Points& some) {
     return Clock::now() < deadline && !wrong_with_rbpa(some, alpha, options).empty();
   };
-  std::string text = complaint + "\n  alpha " + literal(alpha) +
-                     (options.search == rbpa::Search::paper_grid ? ", the paper's grid" : "");
+  std::string text =
+      complaint + "\n  alpha " + literal(alpha) + (options.search == rbpa::Search::paper ? ", the paper's search" : "");
   if (!fails(points)) return text + "\n  (not seen when run alone)";
   const Points few = shrink(points, fails);
   return text + "\n  shrunk to " + std::to_string(few.size()) + " points: " + wrong_with_rbpa(few, alpha, options) +

@@ -63,14 +63,15 @@ TEST_CASE("the order of the input does not matter") {
   }
 }
 
-TEST_CASE("the paper's grid finds the same complex") {
-  const rbpa::Options paper{.search = rbpa::Search::paper_grid, .progress = {}};
+TEST_CASE("the paper's RBPA finds the same complex") {
+  const rbpa::Options paper{.search = rbpa::Search::paper, .progress = {}};
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
     if (!of_asked_size(points)) continue;
     const DelaunayOracle oracle(points);
     for (const double alpha : all_alphas(set, points)) {
-      if (std::isinf(alpha)) continue;
+      // Cells of side 2α hold all points then.
+      if (std::isinf(alpha) && points.size() > 1000) continue;
       INFO(set.name, ", ", points.size(), " points, alpha ", literal(alpha));
       const std::string wrong = wrong_with(rbpa::rbpa(points, alpha, paper), points, oracle.triangles(alpha));
       CHECK_MESSAGE(wrong.empty(), report(wrong, points, alpha, paper));

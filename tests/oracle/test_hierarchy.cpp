@@ -22,13 +22,14 @@ namespace {
 
 constexpr std::size_t most_levels = 5;  // of a set with many, those looked at
 
-void check_set(const std::string& name, const Points& points, std::vector<double> alphas, Random& random) {
+void check_set(const std::string& name, const Points& points, std::vector<double> alphas, Random& random,
+               rbpa::Search search = rbpa::Search::near_to_far) {
   const DelaunayOracle oracle(points);
   alphas.push_back(INFINITY);
   for (const double alpha : alphas) {
     const std::size_t capacity = std::size_t{1} << random.below(7);
     INFO(name, ", ", points.size(), " points, alpha ", literal(alpha), ", leaf capacity ", capacity);
-    const rbpa::Hierarchy h = hierarchy(points, alpha, capacity);
+    const rbpa::Hierarchy h = hierarchy(points, alpha, capacity, search);
     const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
     CHECK_MESSAGE(wrong.empty(), wrong);
     const std::size_t step = std::max<std::size_t>(1, h.levels.size() / most_levels);
@@ -47,6 +48,14 @@ TEST_CASE("generated sets: after every level the mesh is the Delaunay triangles 
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
     if (of_asked_size(points)) check_set(std::string(set.name), points, set.alphas, random);
+  }
+}
+
+TEST_CASE("generated sets: the same of the paper's HRBPA") {
+  Random random(23);
+  for (const NamedSet& set : generated_sets()) {
+    const Points points = set.make();
+    if (of_asked_size(points)) check_set(std::string(set.name), points, set.alphas, random, rbpa::Search::paper);
   }
 }
 

@@ -92,9 +92,10 @@ void check_against_cgal(const Points& points, double alpha, const rbpa::Options&
 }
 
 /// The final complex, and the mesh after every level. Returns how many there were.
-std::size_t check_hierarchy(const Points& points, double alpha, std::size_t capacity, const DelaunayOracle& oracle) {
+std::size_t check_hierarchy(const Points& points, double alpha, std::size_t capacity, const DelaunayOracle& oracle,
+                            rbpa::Search search = rbpa::Search::near_to_far) {
   INFO("leaf capacity ", capacity, ", alpha ", literal(alpha));
-  const rbpa::Hierarchy h = hierarchy(points, alpha, capacity);
+  const rbpa::Hierarchy h = hierarchy(points, alpha, capacity, search);
   const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
   REQUIRE_MESSAGE(wrong.empty(), wrong);
   const std::string wrong_levels = wrong_numbers(h, alpha);
@@ -152,7 +153,7 @@ TEST_CASE("sets that were once wrong stay right") {
   };
   for (const auto& [points, alpha] : cases) {
     check_against_brute_force(points, alpha);
-    check_against_cgal(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+    check_against_cgal(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
   }
 }
 
@@ -160,15 +161,21 @@ TEST_CASE("random sets on small grids: the complex is what its definition says")
   for_random_sets(1, [](const Points& points, double alpha, Random&) { check_against_brute_force(points, alpha); });
 }
 
-TEST_CASE("random sets on small grids: the paper's grid finds the same complex") {
+TEST_CASE("random sets on small grids: the paper's RBPA finds the same complex") {
   for_random_sets(2, [](const Points& points, double alpha, Random&) {
-    if (!std::isinf(alpha)) check_against_cgal(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+    check_against_cgal(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
   });
 }
 
 TEST_CASE("random sets on small grids: after every level of hrbpa() the mesh is the complex of its radius") {
   for_random_sets(7, [](const Points& points, double alpha, Random& random) {
     check_hierarchy(points, alpha, random.below(5) + 1, DelaunayOracle(points));
+  });
+}
+
+TEST_CASE("random sets on small grids: the same after every level of the paper's HRBPA") {
+  for_random_sets(8, [](const Points& points, double alpha, Random& random) {
+    check_hierarchy(points, alpha, random.below(5) + 1, DelaunayOracle(points), rbpa::Search::paper);
   });
 }
 
@@ -216,6 +223,7 @@ TEST_CASE("every subset of a small grid: the complex is what its definition says
   for_subsets(even, [](const Points& points) {
     for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
       INFO("alpha ", literal(alpha));
+      check_against_cgal(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
       if (points.size() <= 8)
         check_against_brute_force(points, alpha);
       else
@@ -230,8 +238,10 @@ TEST_CASE("every subset of a small grid: after every level of hrbpa() the mesh i
     for_subsets(coordinates, [&](const Points& points) {
       const DelaunayOracle oracle(points);
       for (const std::size_t capacity : {1u, 2u, 5u})
-        for (const double alpha : {0.75, 1.25, 10.0, double(INFINITY)})
+        for (const double alpha : {0.75, 1.25, 10.0, double(INFINITY)}) {
           most = std::max(most, check_hierarchy(points, alpha, capacity, oracle));
+          check_hierarchy(points, alpha, capacity, oracle, rbpa::Search::paper);
+        }
     });
   CHECK(most >= 5);
 }

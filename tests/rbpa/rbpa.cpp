@@ -82,7 +82,7 @@ void check_bookkeeping(const Points& points, const SolidAlphaComplex& complex) {
 SolidAlphaComplex checked(const Points& points, double alpha) {
   SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
   check_bookkeeping(points, complex);
-  SolidAlphaComplex paper = rbpa::rbpa(points, alpha, {.search = rbpa::Search::paper_grid});
+  SolidAlphaComplex paper = rbpa::rbpa(points, alpha, {.search = rbpa::Search::paper});
   check_bookkeeping(points, paper);
   CHECK(rbpa::triangles(complex) == rbpa::triangles(paper));
   return complex;

@@ -14,8 +14,9 @@
 
 namespace rbpa_test {
 
-inline rbpa::Hierarchy hierarchy(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
-  return rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
+inline rbpa::Hierarchy hierarchy(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity,
+                                 rbpa::Search search = rbpa::Search::near_to_far) {
+  return rbpa::hrbpa(points, alpha, {.search = search, .leaf_capacity = leaf_capacity, .progress = {}});
 }
 
 inline std::size_t sum_of_taking_part(const rbpa::Hierarchy& h) {

@@ -35,7 +35,7 @@ class GrowthByTiles {
   std::size_t grow(int level, meshops::Front& front);
 
   /// The first level after this one on which there is anything to do.
-  int next(int level, std::vector<meshops::Site>) const { return waiting_.after(level); }
+  int next(int level) const { return waiting_.after(level); }
 
  private:
   meshops::AssembledPatches lay(meshops::PatchAssembler assembler);

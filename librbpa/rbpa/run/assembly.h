@@ -41,14 +41,11 @@ class Assembly {
     return meshops::Front(std::move(assembled), elements_at_a_time);
   }
 
-  /// Makes the complex of what was built, AssembledPatches or a Front. Once. `names` tells which sites it was built on,
-  /// where these are not its numbers.
+  /// Makes the complex of what was built, AssembledPatches or a Front. Once.
   template <typename Built>
-  void finish(Built&& built, std::span<const std::uint32_t> names = {}) {
-    complex_.isolated = isolated(built, names);
-    std::vector<meshops::Site> site = std::forward<Built>(built).finish();
-    if (!names.empty())
-      for (meshops::Site& s : site) s = names[s];
+  void finish(Built&& built) {
+    complex_.isolated = isolated(built);
+    const std::vector<meshops::Site> site = std::forward<Built>(built).finish();
     const auto index = sites_.input_index();
     complex_.input_index.resize(site.size());
     for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
@@ -63,10 +60,8 @@ class Assembly {
  private:
   /// The input indices of sites without a triangle, ascending: not sorted but marked, as they may be most.
   template <typename Built>
-  std::vector<std::uint32_t> isolated(const Built& built, std::span<const std::uint32_t> names) const {
-    std::vector<std::uint32_t> renamed;
-    for (const std::uint32_t s : names) renamed.push_back(sites_.input_index()[s]);
-    const std::span<const std::uint32_t> index = names.empty() ? sites_.input_index() : renamed;
+  std::vector<std::uint32_t> isolated(const Built& built) const {
+    const auto index = sites_.input_index();
     const auto is_isolated = [&](std::size_t s) -> std::size_t {
       return built.is_free(static_cast<meshops::Site>(s)) ? 1 : 0;
     };

@@ -34,14 +34,13 @@ class HiddenPoints {
   /// Calls visit(place) for those in a box, and others near it.
   template <typename Visit>
   void in_box(const Box& box, Visit visit) const {
-    places_.scan(Region<double>::box({box.low.x, box.high.x}, {box.low.y, box.high.y}),
-                 [&](std::uint32_t first, std::uint32_t last) {
-                   for (std::uint32_t i = first; i < last; ++i) visit(places_.points()[i]);
-                 });
+    places_.scan(box, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t i = first; i < last; ++i) visit(places_.points()[i]);
+    });
   }
 
  private:
-  PointGrid<double> places_{std::span<const Point>()};
+  PointGrid places_{std::span<const Point>()};
   bool left_ = false, right_ = false, below_ = false, above_ = false;
 };
 

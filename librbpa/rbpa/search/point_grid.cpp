@@ -14,8 +14,7 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
 
 }  // namespace
 
-template <typename Real>
-PointGrid<Real>::PointGrid(const NamedPoints& input, Threads& threads) {
+PointGrid::PointGrid(const NamedPoints& input, Threads& threads) {
   const std::size_t count = input.points.size();
   if (count == 0) return;
   points_.resize(count + padding);
@@ -27,22 +26,20 @@ PointGrid<Real>::PointGrid(const NamedPoints& input, Threads& threads) {
   remove_repetitions(threads);
 }
 
-template <typename Real>
-PointGrid<Real>::PointGrid(std::span<const Point> input) {
+PointGrid::PointGrid(std::span<const Point> input) {
   Threads one;
   *this = PointGrid(input, one);
 }
 
 /// A grid over the box of some points, its cells still empty.
-template <typename Real>
-auto PointGrid<Real>::make_level(std::span<const Point> points, Threads& threads) -> Level {
+auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> Level {
   const auto [low, high] = box_of(points, threads);
   Level level;
   level.x = low.x;
   level.y = low.y;
-  level.width = Real(high.x) - Real(low.x);
-  level.height = Real(high.y) - Real(low.y);
-  const Real count = Real(points.size());
+  level.width = high.x - low.x;
+  level.height = high.y - low.y;
+  const auto count = static_cast<double>(points.size());
   // Square cells; a long thin box gets no more than a few cells per point either.
   level.cell = std::max(std::sqrt(level.width) * std::sqrt(level.height) * std::sqrt(points_per_cell / count),
                         std::max(level.width, level.height) * points_per_cell / count);
@@ -50,16 +47,15 @@ auto PointGrid<Real>::make_level(std::span<const Point> points, Threads& threads
   level.per_unit = 1 / level.cell;
   level.columns = static_cast<int>(level.width * level.per_unit) + 1;
   level.rows = static_cast<int>(level.height * level.per_unit) + 1;
-  const auto largest = [](double a, double b) { return Real(std::max(std::abs(a), std::abs(b))); };
+  const auto largest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
   level.slack =
-      16 * Predicates<Real>::unit * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
+      16 * 0x1p-53 * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
   return level;
 }
 
 /// Makes a grid of every cell with too many points, unless all are one, and of the cells of these: each grid parts its
 /// points.
-template <typename Real>
-void PointGrid<Real>::refine(Threads& threads) {
+void PointGrid::refine(Threads& threads) {
   struct Crowd {
     std::uint32_t level, cell, first, last;
   };
@@ -84,8 +80,7 @@ void PointGrid<Real>::refine(Threads& threads) {
 }
 
 /// A grid of sites, which it sorts; none when all are one point.
-template <typename Real>
-auto PointGrid<Real>::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
+auto PointGrid::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
   const std::vector<Point> points(points_.begin() + first, points_.begin() + last);
   const std::vector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
   if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; })) return std::nullopt;
@@ -94,8 +89,7 @@ auto PointGrid<Real>::level_of(std::uint32_t first, std::uint32_t last, Threads&
   return level;
 }
 
-template <typename Real>
-void PointGrid<Real>::index_children(Level& level) {
+void PointGrid::index_children(Level& level) {
   if (level.children.empty()) return;
   level.child.resize(static_cast<std::size_t>(level.rows) + 1);
   std::size_t next = 0;
@@ -107,8 +101,7 @@ void PointGrid<Real>::index_children(Level& level) {
 }
 
 /// Finds every point of [first, last) that equals one before it. The range is in input order.
-template <typename Real>
-void PointGrid<Real>::find_repetitions(std::uint32_t first, std::uint32_t last, Repeated& found) const {
+void PointGrid::find_repetitions(std::uint32_t first, std::uint32_t last, Repeated& found) const {
   const auto note = [&](std::uint32_t repetition, std::uint32_t original) {
     found.sites.push_back(repetition);
     found.repetitions.push_back({index_[repetition], index_[original]});
@@ -137,8 +130,7 @@ void PointGrid<Real>::find_repetitions(std::uint32_t first, std::uint32_t last, 
 }
 
 /// Those in some cells of a level, but for cells that are grids of their own.
-template <typename Real>
-void PointGrid<Real>::find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell,
+void PointGrid::find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell,
                                        Repeated& found) const {
   auto child = std::lower_bound(level.children.begin(), level.children.end(), first_cell,
                                 [](const Child& c, std::size_t cell) { return c.cell < cell; });
@@ -151,8 +143,7 @@ void PointGrid<Real>::find_repetitions(const Level& level, std::size_t first_cel
 }
 
 /// Leaves one of all equal points, in every cell where it was. Equal points share a cell at every level.
-template <typename Real>
-void PointGrid<Real>::remove_repetitions(Threads& threads) {
+void PointGrid::remove_repetitions(Threads& threads) {
   const std::size_t cells = levels_[0].start.size() - 1, parts = (cells + cells_at_a_time - 1) / cells_at_a_time;
   std::vector<Repeated> found(parts + levels_.size() - 1);
   for_each_index(threads, found.size(), [&](std::size_t i) {
@@ -169,8 +160,7 @@ void PointGrid<Real>::remove_repetitions(Threads& threads) {
   if (!repeated.empty()) leave_out(std::move(repeated));
 }
 
-template <typename Real>
-void PointGrid<Real>::leave_out(std::vector<std::uint32_t> repeated) {
+void PointGrid::leave_out(std::vector<std::uint32_t> repeated) {
   std::sort(repeated.begin(), repeated.end());
   std::sort(repetitions_.begin(), repetitions_.end(),
             [](const Repetition& a, const Repetition& b) { return a.index < b.index; });
@@ -192,8 +182,5 @@ void PointGrid<Real>::leave_out(std::vector<std::uint32_t> repeated) {
   points_.resize(kept + padding);
   index_.resize(kept);
 }
-
-template class PointGrid<double>;
-template class PointGrid<long double>;
 
 }  // namespace rbpa

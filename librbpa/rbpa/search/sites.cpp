@@ -7,8 +7,8 @@ namespace rbpa {
 namespace {
 
 /// The grid of the points in the window.
-PointGrid<double> grid_of(std::span<const Point> input, const Window& window, Threads& threads) {
-  if (window.exponent == 0 && window.beyond.empty()) return PointGrid<double>(input, threads);
+PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads) {
+  if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads);
   const double scale = std::ldexp(1.0, window.exponent);
   std::vector<Point> scaled;
   std::vector<std::uint32_t> names;
@@ -23,7 +23,7 @@ PointGrid<double> grid_of(std::span<const Point> input, const Window& window, Th
     scaled.push_back({input[i].x * scale, input[i].y * scale});
     names.push_back(i);
   }
-  return PointGrid<double>(NamedPoints{scaled, names.data()}, threads);
+  return PointGrid(NamedPoints{scaled, names.data()}, threads);
 }
 
 }  // namespace

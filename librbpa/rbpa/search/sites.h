@@ -25,7 +25,7 @@ class Sites {
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
   /// The points in the window, times 2^exponent.
-  const PointGrid<double>& grid() const { return grid_; }
+  const PointGrid& grid() const { return grid_; }
   const Window& window() const { return window_; }
   /// The points beyond the window, as they are; the first is the site behind those of the grid.
   std::span<const Point> beyond() const { return beyond_; }
@@ -50,7 +50,7 @@ class Sites {
 
   Window window_;
   double unscale_;
-  PointGrid<double> grid_;
+  PointGrid grid_;
   std::vector<Point> beyond_;
   std::vector<Duplicate> repeated_beyond_;
   std::vector<std::uint32_t> index_;  // of all sites; empty when none is beyond

@@ -7,7 +7,7 @@
 namespace rbpa {
 namespace {
 
-using Level = PointGrid<double>::Level;
+using Level = PointGrid::Level;
 
 constexpr double points_per_cell = 2;
 constexpr double most_contrast = 3;           // of density between the halves of a block
@@ -96,7 +96,7 @@ void divide(const Level& level, const Block& block, std::uint32_t most_points, s
 
 }  // namespace
 
-std::vector<Block> blocks(const PointGrid<double>& grid, std::uint32_t most_points) {
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points) {
   const std::uint32_t merged = most_points / 4;  // measured: smaller tiles have too many points around them
   std::vector<Block> found;
   for (std::size_t i = 0; i < grid.levels().size(); ++i) {
@@ -216,7 +216,7 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
     }
   };
   // A range may begin or end inside.
-  grid_.scan(Region<double>::box({tile.x0, tile.x1()}, {tile.y0, tile.y1()}),
+  grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}},
              [&](std::uint32_t first, std::uint32_t last) {
                if (first < first_inside) take(first, std::min(last, first_inside));
                if (last > last_inside) take(std::max(first, last_inside), last);

@@ -23,13 +23,13 @@ struct Block {
 
 /// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
 /// `most_points`.
-std::vector<Block> blocks(const PointGrid<double>& grid, std::uint32_t most_points);
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points);
 
 /// Cuts tiles out of a grid, one after another with the same memory.
 class Cutter {
  public:
   /// Keeps references. Where a hidden point lies, and beyond it, a tile does not know what there is.
-  explicit Cutter(const PointGrid<double>& grid, const HiddenPoints& hidden = none_hidden())
+  explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden())
       : grid_(grid), hidden_(hidden) {}
 
   /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
@@ -37,7 +37,7 @@ class Cutter {
   void cut(const Block& block, Tile& tile);
 
  private:
-  using Level = PointGrid<double>::Level;
+  using Level = PointGrid::Level;
 
   void lay_cells(const Level& level, const Block& block, Tile& tile);
   void gather(const Level& level, const Block& block, Tile& tile);
@@ -47,7 +47,7 @@ class Cutter {
   void forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high);
   void sort_into_cells(Tile& tile);
 
-  const PointGrid<double>& grid_;
+  const PointGrid& grid_;
   const HiddenPoints& hidden_;
   struct Range {
     std::uint32_t first, last;

@@ -31,7 +31,7 @@ TEST_SUITE_BEGIN("remainder");
 namespace {
 
 /// What each tile tells, in any order; of some tiles nothing.
-std::vector<TileTriangles> tell(const PointGrid<double>& grid, const Radius& radius, std::uint32_t most_points,
+std::vector<TileTriangles> tell(const PointGrid& grid, const Radius& radius, std::uint32_t most_points,
                                 double share_told, Random& random) {
   std::vector<TileTriangles> told;
   rbpa::Cutter cutter(grid);
@@ -61,7 +61,7 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   Random random(seed);
   rbpa::Threads one;
   const rbpa::Sites sites(input, one);
-  const PointGrid<double>& grid = sites.grid();
+  const PointGrid& grid = sites.grid();
   const Points points(grid.points().begin(), grid.points().end());
   std::set<Triangle> complex;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Triangle> at_side;

@@ -54,7 +54,7 @@ std::vector<Triangle> Sites::within(const Radius& radius) const {
   return found;
 }
 
-std::vector<TileTriangles> tell(const rbpa::PointGrid<double>& grid, const Radius& radius, std::uint32_t most_points) {
+std::vector<TileTriangles> tell(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t most_points) {
   std::vector<TileTriangles> told;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;

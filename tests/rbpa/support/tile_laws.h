@@ -17,7 +17,7 @@ namespace rbpa_test {
 /// The Delaunay triangles of the sites of a grid, once for many radii.
 struct Sites {
   explicit Sites(const Points& input);
-  rbpa::PointGrid<double> grid;
+  rbpa::PointGrid grid;
   Points points;
   std::vector<Triangle> delaunay;
 
@@ -25,7 +25,7 @@ struct Sites {
 };
 
 /// What each tile tells.
-std::vector<rbpa::TileTriangles> tell(const rbpa::PointGrid<double>& grid, const rbpa::Radius& radius,
+std::vector<rbpa::TileTriangles> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius,
                                       std::uint32_t most_points);
 
 bool same(const rbpa::TileTriangles& a, const rbpa::TileTriangles& b);

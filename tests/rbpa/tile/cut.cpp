@@ -31,7 +31,7 @@ bool same(const Tile& a, const Tile& b) {
 }
 
 /// The first law of a tile that is broken, "" when none is.
-std::string wrong_with(const Tile& tile, const Block& block, const PointGrid<double>& grid) {
+std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& grid) {
   const auto points = grid.points();
   const std::size_t n = tile.points.size(), cells = tile.cells();
   if (tile.columns < 1 || tile.rows < 1 || !(tile.cell > 0)) return "no cells";
@@ -80,7 +80,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid<dou
 /// Cuts a set into tiles of up to so many points; counts those with unknown cells.
 int check_tiles(const Points& points, std::uint32_t most_points) {
   CAPTURE(most_points);
-  const PointGrid<double> grid(points);
+  const PointGrid grid(points);
   Cutter cutter(grid);
   Tile tile;
   int with_unknown = 0;
@@ -154,7 +154,7 @@ TEST_CASE("a tile in a grid of its own has what is beyond, or says where not: a 
 
 TEST_CASE("a block of more points than a tile can have gives an empty tile") {
   const Points points = jittered_grid(110, 0.9, 2);
-  const PointGrid<double> grid(points);
+  const PointGrid grid(points);
   const auto blocks = rbpa::blocks(grid, 1000000);
   REQUIRE(blocks.size() == 1);
   REQUIRE(blocks[0].points > Tile::most_points);
@@ -170,7 +170,7 @@ TEST_CASE("a tile does not depend on what was cut before it") {
   Random random(3);
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
-    const PointGrid<double> grid(set.points);
+    const PointGrid grid(set.points);
     auto blocks = rbpa::blocks(grid, 20);
     const auto coarse = rbpa::blocks(grid, 2048);
     blocks.insert(blocks.end(), coarse.begin(), coarse.end());

@@ -32,7 +32,7 @@ namespace {
 
 using P = rbpa::Predicates<double>;
 
-std::vector<Tile> tiles_of(const rbpa::PointGrid<double>& grid, std::uint32_t most_points) {
+std::vector<Tile> tiles_of(const rbpa::PointGrid& grid, std::uint32_t most_points) {
   std::vector<Tile> tiles;
   rbpa::Cutter cutter(grid);
   for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) cutter.cut(block, tiles.emplace_back());
@@ -194,14 +194,14 @@ TEST_CASE("where alpha is small a tile knows all of its sites but those beside o
 TEST_CASE("nothing is enumerated where it would not pay, or where points are not known") {
   TileWorkspace workspace;
   const auto is_first_enumerated = [&](const Points& points, double alpha) {
-    const Tile tile = tiles_of(rbpa::PointGrid<double>(points), 2048).front();
+    const Tile tile = tiles_of(rbpa::PointGrid(points), 2048).front();
     return is_enumerated(tile, Radius(alpha), workspace);
   };
   const Points even = uniform(1000, 14);
   CHECK(is_first_enumerated(even, 0.5));
   CHECK_FALSE(is_first_enumerated(even, 1));
 
-  Tile tile = tiles_of(rbpa::PointGrid<double>(even), 2048).front();
+  Tile tile = tiles_of(rbpa::PointGrid(even), 2048).front();
   CHECK_FALSE(is_enumerated(tile, Radius(), workspace));
   tile.unknown.assign(tile.cells() + 1, 0);
   CHECK_FALSE(is_enumerated(tile, Radius(0.5), workspace));

@@ -28,7 +28,7 @@ struct Counts {
 
 /// Hides some points, and lets tiles of the others tell what they know.
 Counts check_hidden(const Points& points, const Points& hidden, const Radius& radius) {
-  const PointGrid<double> grid(points);
+  const PointGrid grid(points);
   const auto& all = grid.levels()[0];
   const rbpa::HiddenPoints places(hidden, {{all.x, all.y}, {all.x + all.width, all.y + all.height}});
   // The complex of all, on their positions here: those of the grid first.

@@ -50,7 +50,7 @@ std::vector<Triangle> triangles_on(const meshops::Front& front) {
 std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   rbpa::Threads threads(2);
   const rbpa::Sites sites(input, threads);
-  const PointGrid<double>& grid = sites.grid();
+  const PointGrid& grid = sites.grid();
   const Points points(grid.points().begin(), grid.points().end());
   std::vector<Triangle> complex = delaunay_by_winners(points);
   std::erase_if(complex,
@@ -96,7 +96,7 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
 void check_searches(const Points& points, const std::vector<double>& alphas) {
   for (const double alpha : alphas) {
     CAPTURE(alpha);
-    const auto paper = rbpa::rbpa(points, alpha, {.search = rbpa::Search::paper_grid, .progress = {}});
+    const auto paper = rbpa::rbpa(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
     const auto tiles = rbpa::rbpa(points, alpha);
     CHECK(meshops::validate(tiles.mesh).empty());
     CHECK(difference(rbpa::triangles(paper), rbpa::triangles(tiles)) == "");

@@ -110,7 +110,7 @@ TEST_CASE("a tile tells the same whatever the workspace and the result were used
   TileTriangles again;
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
-    const PointGrid<double> grid(set.points);
+    const PointGrid grid(set.points);
     auto blocks = rbpa::blocks(grid, 10);
     const auto coarse = rbpa::blocks(grid, 2048);
     blocks.insert(blocks.end(), coarse.begin(), coarse.end());

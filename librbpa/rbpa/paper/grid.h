@@ -1,0 +1,83 @@
+// What:   the uniform grid of the method: cells of side 2α, and what lies in the nine around a place.
+// Law:    every site within 2α of a site is in the nine cells around it; every site that the ball can touch together with
+//         both ends of an edge is in those around the middle of the edge. For any exponents: docs/paper.md, section 2.
+// Cost:   linear to build, without sorting; a look costs what the nine cells hold, #V_p, which grows with α².
+// Source: Restricted BPA, section 3.1, "Data structure", and section 3.2: 9 pixels instead of 27 voxels.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "meshops/patch/site.h"
+#include "rbpa/core/point.h"
+#include "rbpa/predicate/radius.h"
+
+namespace rbpa::paper {
+
+using meshops::Site;
+using Real = long double;  ///< one arithmetic for all of the method: its exponents fit any input
+
+class Grid {
+ public:
+  /// Holds the given sites. Refers to the points, of which a site is the index.
+  Grid(std::span<const Point> points, std::span<const Site> sites, Radius alpha)
+      : points_(points), side_(alpha.is_infinite() ? infinity : 2 * Real(alpha.value()) * widened) {
+    for (const Site s : sites) cells_[cell_at(Real(points[s].x), Real(points[s].y))].push_back(s);
+  }
+
+  /// Calls visit(Site) for each site in the nine cells around site v, v itself included.
+  template <typename Visit>
+  void for_each_near(Site v, Visit visit) const {
+    for_each_in_nine(cell_at(Real(points_[v].x), Real(points_[v].y)), visit);
+  }
+
+  /// The same around the middle of the edge ab.
+  template <typename Visit>
+  void for_each_near(Site a, Site b, Visit visit) const {
+    const Point &p = points_[a], &q = points_[b];
+    for_each_in_nine(cell_at((Real(p.x) + Real(q.x)) / 2, (Real(p.y) + Real(q.y)) / 2), visit);
+  }
+
+ private:
+  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  static constexpr Real widened = 1 + 0x1p-6L;  // by more than cells are misnumbered
+
+  /// Numbered from the origin, in whole numbers of any size.
+  struct Cell {
+    Real column, row;
+    friend bool operator==(const Cell&, const Cell&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Cell& c) const {
+      const std::hash<Real> hash;
+      return hash(c.column) * 0x9e3779b97f4a7c15u ^ hash(c.row);
+    }
+  };
+
+  Cell cell_at(Real x, Real y) const { return {std::floor(x / side_), std::floor(y / side_)}; }
+
+  /// From 2⁵⁴ on a number stands for one coordinate, to which no other double is as near as 2α.
+  static int neighbours(Real number) { return std::abs(number) < 0x1p62L ? 1 : 0; }
+
+  template <typename Visit>
+  void for_each_in_nine(const Cell& middle, Visit& visit) const {
+    const int columns = neighbours(middle.column), rows = neighbours(middle.row);
+    for (int row = -rows; row <= rows; ++row)
+      for (int column = -columns; column <= columns; ++column) {
+        const auto cell = cells_.find({middle.column + Real(column), middle.row + Real(row)});
+        if (cell == cells_.end()) continue;
+        for (const Site s : cell->second) visit(s);
+      }
+  }
+
+  std::span<const Point> points_;
+  Real side_;
+  std::unordered_map<Cell, std::vector<Site>, Hash> cells_;
+};
+
+}  // namespace rbpa::paper

@@ -1,0 +1,39 @@
+// What:   the quadtree over the points, for the minimal radius of HRBPA.
+// Law:    a function of the set of points and the capacity.
+// Cost:   O((d + 1) n) for depth d, as the paper says; d is up to two thousand.
+// Source: Restricted BPA, section 6, "Minimal radius estimation", and figure 4.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/point.h"
+
+namespace rbpa::paper {
+
+struct Box {
+  long double x, y;  ///< the lower left corner
+  long double width, height;
+};
+
+/// The least box around points, at least one.
+Box box_of(std::span<const Point> points);
+
+/// A square that is not cut.
+struct Leaf {
+  long double x, y;  ///< the lower left corner
+  long double side;
+  std::size_t points;
+};
+
+/// The leaves of a quadtree. The root is the least square that begins at the lower left corner of the points' box and
+/// covers it; a square with more points than `capacity` is cut in four, unless it is so small that long double has no
+/// corner between its own. A point on a cut is in the upper or right square.
+/// Requires: distinct points, at least one; capacity ≥ 1.
+std::vector<Leaf> quadtree(std::span<const Point> points, std::size_t capacity);
+
+/// The minimal radius α₀: half the side of the smallest leaf, as a double above 0.
+double minimal_radius(std::span<const Leaf> leaves);
+
+}  // namespace rbpa::paper

@@ -1,0 +1,20 @@
+#include "rbpa/paper/rbpa.h"
+
+#include "meshops/front/engine.h"
+
+namespace rbpa::paper {
+
+std::optional<Site> RestrictedBallPivoting::propose(const Front& front, Halfedge h) {
+  if (asked_) asked_(front);
+  return ball_.pivot(front.from_site(h), front.to_site(h));
+}
+
+// Section 3.1, "Algorithm outline". Seed after seed, and a pivot on each edge of the front: meshops::advance(). Boundary
+// curves joined and separated by gluing: Front::attach().
+void rbpa(std::span<const Point> points, Radius alpha, Front& front, Report& report) {
+  RestrictedBallPivoting policy(points, front.next_level().carried, alpha,
+                                [&](const Front& seen) { report.searched(seen); });
+  meshops::advance(front, policy, report);
+}
+
+}  // namespace rbpa::paper

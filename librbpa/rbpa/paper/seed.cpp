@@ -1,0 +1,52 @@
+// Ideal seeds, which Theorem 1 asks for. A triangle that the front does not reach has no edge in the mesh, and its corners
+// are isolated or on the boundary. At such a corner v:
+//   1. The ball rests on v and a point beside which nothing is missing: at the last edge of a fan, or at the nearest point.
+//   2. It rolls around v until it touches a point q. The edge vq has no triangle on its right; pivoting tells whether it has
+//      one on its left. That is a seed.
+//   3. If not, the ball rolls on, until it is back or at the first edge of a fan.
+// docs/seeding.md proves that every triangle is found so.
+#include "rbpa/paper/rbpa.h"
+
+namespace rbpa::paper {
+
+std::optional<Triangle> RestrictedBallPivoting::seed(const Front& front) {
+  // Without a radius the complex is connected through edges: one seed is all there is.
+  if (ball_.alpha().is_infinite() && front.faces() > 0) return std::nullopt;
+  for (; next_ < sites_.size(); ++next_) {
+    if (asked_) asked_(front);
+    const Site v = sites_[next_];
+    const auto seed = front.is_free(v) ? seed_at_isolated(front, v) : seed_at_boundary(front, v);
+    if (seed) return seed;
+  }
+  return std::nullopt;
+}
+
+std::optional<Triangle> RestrictedBallPivoting::seed_at_isolated(const Front& front, Site v) const {
+  const auto u = ball_.nearest(v);
+  if (!u) return std::nullopt;
+  if (const auto seed = triangle_left_of(v, *u)) return seed;
+  if (const auto seed = triangle_left_of(*u, v)) return seed;
+  return ball_.alpha().is_infinite() ? std::nullopt : roll_to_seed(front, v, *u);
+}
+
+std::optional<Triangle> RestrictedBallPivoting::seed_at_boundary(const Front& front, Site v) const {
+  std::optional<Triangle> seed;
+  front.for_each_fan(v, [&](meshops::Vertex fan) {
+    const Halfedge last = front.mesh().halfedge_handle(fan);
+    if (!seed && front.mesh().is_boundary(last)) seed = roll_to_seed(front, v, front.to_site(last));
+  });
+  return seed;
+}
+
+std::optional<Triangle> RestrictedBallPivoting::roll_to_seed(const Front& front, Site v, Site from) const {
+  for (Site q = ball_.roll(v, from); q != from && !front.edge_between(v, q).is_valid(); q = ball_.roll(v, q))
+    if (const auto seed = triangle_left_of(v, q)) return seed;
+  return std::nullopt;
+}
+
+std::optional<Triangle> RestrictedBallPivoting::triangle_left_of(Site a, Site b) const {
+  const auto apex = ball_.pivot(a, b);
+  return apex ? std::optional(Triangle{a, b, *apex}) : std::nullopt;
+}
+
+}  // namespace rbpa::paper

@@ -1,0 +1,323 @@
+// The paper's HRBPA: level after level, beside rbpa() at the radius of the level and hrbpa() with tiles.
+#include "rbpa/hrbpa.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "far_sets.h"
+#include "meshops/core/validate.h"
+#include "paper/small_sets.h"
+#include "rbpa/core/error.h"
+#include "rbpa/core/mesh.h"
+#include "rbpa/paper/hrbpa.h"
+#include "rbpa/rbpa.h"
+#include "support/generate.h"
+#include "support/levels.h"
+#include "support/sets.h"
+#include "support/shrink.h"
+#include "support/spacing.h"
+
+using namespace rbpa_test;
+using rbpa::EndedLevel;
+using rbpa::Hierarchy;
+using rbpa::Level;
+using rbpa::Point;
+using rbpa::Search;
+
+TEST_SUITE_BEGIN("paper");
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+Hierarchy by_the_paper(const Points& points, double alpha, std::size_t leaf_capacity) {
+  return rbpa::hrbpa(points, alpha, {.search = Search::paper, .leaf_capacity = leaf_capacity});
+}
+
+bool admits(const Point& a, const Point& b, const Point& c, double alpha) {
+  return radius_of(alpha).admits<long double>(a, b, c);
+}
+
+/// What happened on the levels, but for who was looked at.
+std::string differing_levels(const Hierarchy& paper, const Hierarchy& direct) {
+  if (paper.least_radius != direct.least_radius) return "least radius";
+  if (paper.levels.size() != direct.levels.size()) return "number of levels";
+  for (std::size_t i = 0; i < paper.levels.size(); ++i) {
+    const Level &p = paper.levels[i], &d = direct.levels[i];
+    if (p.alpha != d.alpha || p.number != d.number || p.triangles != d.triangles || p.transferred != d.transferred ||
+        p.advancing != d.advancing)
+      return "level " + std::to_string(i);
+  }
+  return "";
+}
+
+std::string wrong_with_paper(const Points& points, double alpha, std::size_t leaf_capacity) {
+  const Hierarchy paper = by_the_paper(points, alpha, leaf_capacity);
+  const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, alpha);
+  if (std::string wrong = difference(rbpa::triangles(direct), rbpa::triangles(paper.complex)); !wrong.empty())
+    return wrong;
+  if (paper.complex.isolated != direct.isolated) return "isolated points";
+  if (paper.complex.duplicates != direct.duplicates || paper.complex.distinct != direct.distinct) return "duplicates";
+  if (paper.complex.mesh.n_vertices() != direct.mesh.n_vertices() ||
+      paper.complex.mesh.n_edges() != direct.mesh.n_edges())
+    return "vertices or edges";
+  if (const auto defects = meshops::validate(paper.complex.mesh); !defects.empty())
+    return meshops::describe(defects.front());
+  if (std::string wrong = wrong_numbers(paper, alpha); !wrong.empty()) return wrong;
+  for (const Level& level : paper.levels)
+    if (level.taking_part != level.transferred) return "taking part";
+  // Each face came on the first level that admits it: so each level was the complex of its radius.
+  if (std::string wrong = wrong_level(paper, points, admits); !wrong.empty()) return wrong;
+  if (is_lost_in_rounding(paper.least_radius, points)) return "";
+  return differing_levels(paper, hierarchy(points, alpha, leaf_capacity));
+}
+
+/// Returns: how many levels there are.
+std::size_t check(const Points& points, double alpha, std::size_t leaf_capacity) {
+  CAPTURE(alpha);
+  CAPTURE(leaf_capacity);
+  const std::string wrong = wrong_with_paper(points, alpha, leaf_capacity);
+  if (wrong.empty()) return by_the_paper(points, alpha, leaf_capacity).levels.size();
+  const Points few =
+      shrink(points, [&](const Points& some) { return !wrong_with_paper(some, alpha, leaf_capacity).empty(); });
+  FAIL_CHECK(wrong, "\nshrunk: ", wrong_with_paper(few, alpha, leaf_capacity), "\n", literal(few));
+  return 0;
+}
+
+/// A run of paper::hrbpa() by itself, with all that it tells.
+struct Told {
+  double least_radius = 0;
+  std::vector<rbpa::paper::Level> levels;
+  std::vector<std::size_t> triangles;  ///< after each
+};
+
+Told run(const Points& points, double alpha, std::size_t leaf_capacity) {
+  Told told;
+  rbpa::Mesh mesh;
+  meshops::Front front(mesh, points.size());
+  const std::function<bool(const rbpa::Progress&)> no_progress;
+  rbpa::Report report(no_progress, points.size());
+  told.least_radius =
+      rbpa::paper::hrbpa(points, radius_of(alpha), leaf_capacity, front, report, [&](const rbpa::paper::Level& level) {
+        told.levels.push_back(level);
+        told.triangles.push_back(front.faces());
+        for (const auto& curve : front.curves())
+          for (const meshops::Halfedge h : curve) CHECK(front.is_frozen(h));
+      });
+  return told;
+}
+
+}  // namespace
+
+TEST_CASE("HRBPA ends in the complex of every kind of set, and its levels are those of the default search") {
+  std::size_t levels = 0;
+  for (const NamedSet& set : generated_sets()) {
+    // The beginning of the set, and a part of it here and there.
+    Points points = set.make(), some = points;
+    Random random(points.size());
+    random.shuffle(some);
+    if (points.size() > 100) points.resize(100);
+    if (some.size() > 100) some.resize(100);
+    CAPTURE(set.name);
+    for (const std::size_t k : {1u, 6u, 32u}) levels += check(points, infinity, k);
+    for (const double alpha : set.alphas) levels += check(points, alpha, 4);
+    for (const double alpha : usual_alphas(points)) levels += check(points, alpha, 2);
+    levels += check(some, infinity, 3);
+    for (const double alpha : set.alphas) levels += check(some, alpha, 16);
+  }
+  CHECK(levels > 1000);
+}
+
+TEST_CASE("after each level the mesh is what rbpa() makes with its radius") {
+  struct Seen {
+    double alpha;
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> isolated;
+  };
+  for (const Points& points : {uniform(300, 1), sparse_grid(18, 0.4, 2), clusters(15, 3), star(325), far_and_tiny(8, 4),
+                               mixed_exponents(15, 5), denormals(9, 40, 6)}) {
+    std::vector<Seen> seen;
+    rbpa::hrbpa(points, infinity,
+                {.search = Search::paper, .leaf_capacity = 2, .level_ended = [&](const EndedLevel& ended) {
+                   const meshops::Front& front = ended.front;
+                   Seen& now = seen.emplace_back(Seen{ended.level.alpha, {}, {}});
+                   for (std::size_t f = 0; f < front.faces(); ++f) {
+                     meshops::Halfedge h = front.mesh().halfedge_handle(meshops::Face(static_cast<int>(f)));
+                     Triangle& corners = now.triangles.emplace_back();
+                     for (std::uint32_t& corner : corners) {
+                       corner = ended.input_index[front.from_site(h)];
+                       h = front.mesh().next_halfedge_handle(h);
+                     }
+                   }
+                   now.triangles = canonical(std::move(now.triangles));
+                   for (meshops::Site s = 0; s < front.sites(); ++s)
+                     if (front.is_free(s)) now.isolated.push_back(ended.input_index[s]);
+                   std::sort(now.isolated.begin(), now.isolated.end());
+                 }});
+    REQUIRE(seen.size() >= 3);
+    for (const Seen& level : seen) {
+      const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, level.alpha);
+      CHECK(difference(rbpa::triangles(direct), level.triangles) == "");
+      CHECK(level.isolated == direct.isolated);
+    }
+  }
+}
+
+TEST_CASE("every subset of a grid of 3 by 3, even and stretched") {
+  for (const auto& at : {std::array{0.0, 1.0, 2.0}, std::array{0.0, 1.0, 5.0}})
+    for (std::uint32_t subset = 0; subset < 512; ++subset) {
+      Points points;
+      for (std::uint32_t i = 0; i < 9; ++i)
+        if (subset >> i & 1U) points.push_back({at[i % 3], at[i / 3]});
+      for (const double alpha : {0.75, 1.25, 2.5, infinity})
+        for (const std::size_t k : {1u, 3u}) check(points, alpha, k);
+    }
+}
+
+TEST_CASE("where exponents are extreme triangles and levels are those of the same points elsewhere") {
+  for_each_far_set([&](std::string_view name, const Points& points, const Points& far) {
+    if (points.size() > 400) return;
+    const double spacing = mean_spacing(points);
+    for (const double alpha : {3 * spacing, infinity}) {
+      INFO(name, ", alpha ", alpha);
+      const Hierarchy near_run = by_the_paper(points, alpha, 4),
+                      far_run = by_the_paper(far, std::ldexp(alpha, far_exponent), 4);
+      CHECK(rbpa::triangles(near_run.complex) == rbpa::triangles(far_run.complex));
+      REQUIRE(near_run.levels.size() == far_run.levels.size());
+      for (std::size_t i = 0; i < near_run.levels.size(); ++i) {
+        CHECK(near_run.levels[i].triangles == far_run.levels[i].triangles);
+        if (i + 1 < near_run.levels.size())
+          CHECK(std::ldexp(near_run.levels[i].alpha, far_exponent) == far_run.levels[i].alpha);
+      }
+    }
+  });
+}
+
+TEST_CASE("levels are told in ascending order, each the complex of its radius, and the last is alpha's") {
+  Random random(103);
+  const Points points = distinct(clusters(12, 7), random);
+  for (const double alpha : {1e-4, 3.0, infinity}) {
+    const Told told = run(points, alpha, 1);
+    REQUIRE(told.levels.size() > 3);
+    CHECK(told.levels.front().number == 0);
+    CHECK(told.levels.front().transferred == points.size());
+    CHECK(told.levels.front().advancing == 0);
+    for (std::size_t i = 0; i < told.levels.size(); ++i) {
+      const rbpa::paper::Level& level = told.levels[i];
+      const bool is_last = i + 1 == told.levels.size();
+      CHECK(level.is_last == is_last);
+      if (i > 0) CHECK(level.number > told.levels[i - 1].number);
+      if (is_last)
+        CHECK(level.radius.is_infinite() == std::isinf(alpha));
+      else
+        CHECK(level.radius.value() == std::ldexp(told.least_radius, level.number));
+      CHECK(told.triangles[i] ==
+            rbpa::rbpa(points, level.radius.is_infinite() ? infinity : level.radius.value()).mesh.n_faces());
+    }
+    if (!std::isinf(alpha)) CHECK(told.levels.back().radius.value() == alpha);
+  }
+}
+
+TEST_CASE("a radius that is one of the dyadic ones is run once") {
+  Random random(104);
+  const Points points = distinct(uniform(100, 8), random);
+  const double least = run(points, 1e-9, 2).least_radius;
+  for (const int i : {0, 1, 2, 3}) {
+    const Told told = run(points, std::ldexp(least, i), 2);
+    CHECK(told.levels.size() == static_cast<std::size_t>(i + 1));
+    CHECK(told.levels.back().number == i);
+  }
+  CHECK(run(points, std::nextafter(least, 0.0), 2).levels.size() == 1);
+  CHECK(run(points, std::nextafter(least, 1.0), 2).levels.size() == 2);
+}
+
+TEST_CASE("of levels without a triangle a logarithm is looked at, and none beyond is missed") {
+  Random random(105);
+  Points points = distinct(uniform(60, 9), random);
+  points.push_back({100, 0});
+  for (const double distance : {1e-12, 1e-100, 1e-300}) {
+    // The pair waits for a third point through all levels up to that of the others.
+    points.back() = {0, distance};
+    points.push_back({0, 0});
+    const Told told = run(points, infinity, 1);
+    points.pop_back();
+    const double doublings = std::log2(1 / told.least_radius);
+    CHECK(doublings > -std::log2(distance) - 2);
+    CHECK(told.levels.size() < 2 * std::log2(doublings) + 16);
+    const Hierarchy direct = [&] {
+      Points both = points;
+      both.push_back({0, 0});
+      return hierarchy(both, infinity, 1);
+    }();
+    // Every level on which something happened was run, and by itself.
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < direct.levels.size(); ++i) {
+      while (next < told.levels.size() && told.levels[next].number < direct.levels[i].number) ++next;
+      REQUIRE(next < told.levels.size());
+      CHECK(told.levels[next].number == direct.levels[i].number);
+      CHECK(told.triangles[next] == direct.levels[i].triangles);
+    }
+  }
+}
+
+TEST_CASE("many levels between two on which something happens, wherever the next one is") {
+  // A small triangle, and a large one 2 to the power of `apart` times as large: any gap, so any way of closing in on it.
+  for (int apart = 1; apart < 70; ++apart) {
+    CAPTURE(apart);
+    const double size = std::ldexp(1.0, apart);
+    const Points points = {{0, 0}, {1, 0}, {0, 1}, {4 * size, 0}, {5 * size, 0}, {4 * size, size}};
+    check(points, infinity, 1);
+    check(points, size, 1);
+  }
+}
+
+TEST_CASE("points that a level looked at in vain are counted") {
+  Points points = uniform(60, 10);
+  points.push_back({points[7].x, points[7].y + 1e-9});
+  const Hierarchy paper = by_the_paper(points, infinity, 1);
+  CHECK(paper.looked_in_vain > 3 * points.size());
+  CHECK(paper.looked_in_vain % points.size() == 0);  // no triangle before
+  CHECK(paper.looked_in_vain < 16 * points.size());
+}
+
+TEST_CASE("the usual capacity of leaves is a small one, as the grid of the first level is as coarse") {
+  const Points points = uniform(3000, 11);
+  const double least = rbpa::hrbpa(points, 3, {.search = Search::paper}).least_radius;
+  CHECK(least == by_the_paper(points, 3, rbpa::usual_leaf_capacity(Search::paper)).least_radius);
+  CHECK(least < 4);
+  CHECK(rbpa::hrbpa(points, 3).least_radius == hierarchy(points, 3, rbpa::usual_leaf_capacity({})).least_radius);
+}
+
+TEST_CASE("who throws, a visitor of levels or of progress, ends the run") {
+  const Points points = uniform(500, 12);
+  const std::size_t all = by_the_paper(points, infinity, 1).levels.size();
+  REQUIRE(all > 3);
+  for (std::size_t last = 1; last <= all; ++last) {
+    std::size_t calls = 0;
+    const auto stop = [&](const EndedLevel&) {
+      if (++calls == last) throw std::string("seen enough");
+    };
+    CHECK_THROWS_AS(rbpa::hrbpa(points, infinity, {.search = Search::paper, .leaf_capacity = 1, .level_ended = stop}),
+                    std::string);
+    CHECK(calls == last);
+  }
+  const auto cancel = [](const rbpa::Progress&) { return false; };
+  CHECK_THROWS_AS(rbpa::hrbpa(uniform(20000, 13), 2, {.search = Search::paper, .progress = cancel}), rbpa::Cancelled);
+  CHECK_THROWS(by_the_paper(points, 1, 0));
+}
+
+TEST_CASE("fewer than three points, or all on a line, have no levels") {
+  for (const Points& points : {Points{}, Points{{1, 2}}, Points(9, Point{0.1, 0.2}), collinear_run(20, 3, -7, 1)}) {
+    const Hierarchy h = by_the_paper(points, infinity, 1);
+    CHECK(h.levels.empty());
+    CHECK(h.least_radius == 0);
+    CHECK(h.complex.mesh.n_faces() == 0);
+  }
+}
+
+TEST_SUITE_END();
