@@ -100,19 +100,29 @@ TEST_CASE("cells that are tiny beside the coordinates are numbered well enough")
   CHECK(statistics.near > 1000);
 }
 
-TEST_CASE("nothing is looked at beyond cells that touch the one in the middle") {
+TEST_CASE("nothing is looked at beyond the cells that touch the one in the middle") {
   const Points points = uniform(400, 93);
   for (const double alpha : {0.2, 0.7, 2.0}) {
     const Grid grid(points, all_sites(points), rbpa::Radius(alpha));
-    const double farthest = 2 * 2 * alpha * (1 + 0x1p-6);
-    std::size_t looked_at = 0;
-    for (Site v = 0; v < points.size(); ++v)
+    const double two_cells = 2 * 2 * alpha * (1 + 0x1p-6);
+    std::size_t looked_at = 0, by_edges = 0;
+    for (Site v = 0; v < points.size(); ++v) {
       grid.for_each_near(v, [&](Site q) {
         ++looked_at;
-        CHECK(std::abs(points[q].x - points[v].x) <= farthest);
-        CHECK(std::abs(points[q].y - points[v].y) <= farthest);
+        CHECK(std::abs(points[q].x - points[v].x) <= two_cells);
+        CHECK(std::abs(points[q].y - points[v].y) <= two_cells);
       });
+      for (Site u = 0; u < v; ++u) {
+        if (std::hypot(points[u].x - points[v].x, points[u].y - points[v].y) > 2 * alpha) continue;
+        grid.for_each_near(u, v, [&](Site q) {
+          ++by_edges;
+          REQUIRE(std::abs(points[q].x - (points[u].x + points[v].x) / 2) <= two_cells);
+          REQUIRE(std::abs(points[q].y - (points[u].y + points[v].y) / 2) <= two_cells);
+        });
+      }
+    }
     CHECK(looked_at <= 400 * (36 * alpha * alpha * 1.1 + 3));  // density 1, nine cells of 4α²
+    CHECK(by_edges > 50);
   }
 }
 
