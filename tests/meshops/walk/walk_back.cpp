@@ -10,7 +10,8 @@
 namespace meshops::test {
 
 void Walk::take_glue_back() {
-  auto [effect, records_before, records_after] = recall(glued_);
+  Done<GlueEffect> remembered = recall(glued_);
+  GlueEffect& effect = remembered.effect;
   const bool is_made_up = choices_.one_in(2);
   if (is_made_up) {
     Vertex* const vertices[] = {&effect.first_ends.from, &effect.first_ends.to, &effect.second_ends.from,
@@ -40,16 +41,17 @@ void Walk::take_glue_back() {
     const int at_end = gone_at(end, effect.first_ends.to, effect.second_ends.from);
     return at_start == -2 || at_end == -2 || (at_start == at_end && at_start >= 0) ? "other ends" : "";
   }();
-  const bool is_fresh = !is_made_up && judge_.records() == records_after;
+  const bool is_fresh = !is_made_up && judge_.records() == remembered.after;
   if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
   const bool done = judge_.compare_back(
       reason, [&] { meshops::unglue(mesh_, effect); },
       [&](Model& model) { return by_definition::glue(model, h, effect.removed.idx()); });
-  if (done && is_fresh && snapshot(mesh_) != records_before) judge_.fail("does not restore every record");
+  if (done && is_fresh && snapshot(mesh_) != remembered.before) judge_.fail("does not restore every record");
 }
 
 void Walk::take_weld_back() {
-  auto [effect, records_before, records_after] = recall(welded_);
+  Done<WeldEffect> remembered = recall(welded_);
+  WeldEffect& effect = remembered.effect;
   const bool is_made_up = choices_.one_in(2);
   if (is_made_up) {
     StarElements& removed = effect.removed;
@@ -95,16 +97,17 @@ void Walk::take_weld_back() {
     return mesh_.from_vertex_handle(effect.left ? *effect.left : *effect.right) == effect.survivor ? ""
                                                                                                    : "another vertex";
   }();
-  const bool is_fresh = !is_made_up && judge_.records() == records_after;
+  const bool is_fresh = !is_made_up && judge_.records() == remembered.after;
   if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
   const bool done = judge_.compare_back(
       reason, [&] { undo(mesh_, effect); },
       [&](Model& model) { return by_definition::collapse(model, effect.halfedge.idx()); });
-  if (done && is_fresh && snapshot(mesh_) != records_before) judge_.fail("does not restore every record");
+  if (done && is_fresh && snapshot(mesh_) != remembered.before) judge_.fail("does not restore every record");
 }
 
 void Walk::take_flip_back() {
-  auto [effect, records_before, records_after] = recall(flipped_);
+  Done<FlipEffect> remembered = recall(flipped_);
+  FlipEffect& effect = remembered.effect;
   const bool is_made_up = choices_.one_in(2);
   if (is_made_up) {
     if (choices_.one_in(2)) effect.edge = arguments_.edge();
@@ -115,12 +118,12 @@ void Walk::take_flip_back() {
   Model expected = judge_.before();
   std::string reason = by_definition::flip(expected, effect.edge.idx(), true);
   if (reason.empty()) reason = expected.broken();
-  const bool is_fresh = !is_made_up && judge_.records() == records_after;
+  const bool is_fresh = !is_made_up && judge_.records() == remembered.after;
   if (is_fresh && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
   const bool done = judge_.compare_back(
       reason, [&] { undo(mesh_, effect); },
       [&](Model& model) { return by_definition::flip(model, effect.edge.idx()); });
-  if (done && is_fresh && snapshot(mesh_) != records_before) judge_.fail("does not restore every record");
+  if (done && is_fresh && snapshot(mesh_) != remembered.before) judge_.fail("does not restore every record");
 }
 
 }  // namespace meshops::test
