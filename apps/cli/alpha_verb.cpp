@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/number.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
@@ -245,7 +245,7 @@ void run_alpha(const AlphaArguments& arguments) {
   files.publish();
   if (report.filtration.steps.empty()) {
     const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
-    std::fprintf(stderr, "rbpa: the complex is empty at every alpha: %s\n", why);
+    say("rbpa", std::string("the complex is empty at every alpha: ") + why);
   }
 }
 

@@ -80,7 +80,9 @@ std::string as_json(const Info& info) {
 
 void run_info(const InfoArguments& arguments) {
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
-  if (arguments.stats) require_different({"-", *arguments.stats}, arguments.points, "points");
+  std::vector<std::string> outputs{"-"};
+  if (arguments.stats) outputs.push_back(*arguments.stats);
+  require_different(outputs, arguments.points, "points");
   Stopwatch watch;
   std::vector<Point> points = read_points(source);
   Stats stats{.read_seconds = watch.lap()};

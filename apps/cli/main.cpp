@@ -1,6 +1,7 @@
 // The program `rbpa`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cli/narrow_help.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
+#include "io/descriptor.h"
 #include "io/exit_code.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -169,6 +171,7 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
 }
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   catch_interrupts();
   CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
   app.formatter(std::make_shared<NarrowHelp>());
@@ -187,7 +190,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version
-    return app.exit(e);
+    std::ostringstream text, nothing;
+    app.exit(e, text, nothing);
+    return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
     // What is missing may be there under a wrong name.
     const std::vector<std::string> unknown = app.remaining(true);

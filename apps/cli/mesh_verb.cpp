@@ -1,6 +1,5 @@
 #include "cli/mesh_verb.h"
 
-#include <cstdio>
 #include <limits>
 
 #include "cli/alpha_choice.h"
@@ -11,6 +10,7 @@
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/output_file.h"
 #include "io/write_triangles.h"
 #include "picture/png.h"
@@ -105,13 +105,11 @@ void run_mesh(const MeshArguments& arguments) {
   }
   outputs.publish();
 
-  if (complex.mesh.n_faces() == 0) {
-    const std::string reason = reason_for_empty(points, complex.distinct, arguments.alpha);
-    std::fprintf(stderr, "rbpa: the complex is empty: %s\n", reason.c_str());
-  }
+  if (complex.mesh.n_faces() == 0)
+    say("rbpa", "the complex is empty: " + reason_for_empty(points, complex.distinct, arguments.alpha));
   if (!run.quiet) {
     const std::string chosen_alpha = said(choice, stats.alpha);
-    std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, chosen_alpha, targets).c_str());
+    say("rbpa", summary(points.size(), complex, chosen_alpha, targets));
   }
 }
 

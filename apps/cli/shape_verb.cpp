@@ -10,6 +10,7 @@
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/output_file.h"
 #include "io/write_polygons.h"
 #include "picture/png.h"
@@ -108,13 +109,11 @@ void run_shape(const ShapeArguments& arguments) {
   outputs.publish();
 
   if (shape.empty()) {
-    const std::string reason = reason_for_no_polygon(points, complex, arguments);
-    std::fprintf(stderr, "rbpa: the shape is empty: %s\n", reason.c_str());
+    say("rbpa", "the shape is empty: " + reason_for_no_polygon(points, complex, arguments));
   }
   if (!run.quiet) {
     const std::string chosen_alpha = said(choice, stats.alpha);
-    std::fprintf(stderr, "rbpa: %s\n",
-                 summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets).c_str());
+    say("rbpa", summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "io/failure.h"
 
+#include "io/message.h"
+
 namespace rbpa::app {
 
 void bad_input(const std::string& where, const std::string& found, const std::string& expected) {
@@ -17,8 +19,8 @@ std::string in_quotes(std::string_view text) {
     text = text.substr(0, end);
   }
   std::string result = "'";
-  for (const char c : text) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-  return result + (clipped ? "...'" : "'");
+  result += printable(text);
+  return result += clipped ? "...'" : "'";
 }
 
 std::string counted(std::size_t count, std::string_view noun) {

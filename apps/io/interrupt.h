@@ -1,9 +1,10 @@
-// What: Ctrl-C and a polite kill as something the program notices between two steps, so that it can tidy up.
+// What: Ctrl-C, a polite kill and the end of the terminal as something the program notices between two steps, so that it can tidy up.
 #pragma once
 
 namespace rbpa::app {
 
-/// From now on SIGINT and SIGTERM only set a flag, and a pipe closed by its reader is an error of write().
+/// From now on SIGINT, SIGTERM and SIGHUP only set a flag, and a pipe closed by its reader, or a file as large as may
+/// be, is an error of write().
 void catch_interrupts();
 
 /// In any thread.

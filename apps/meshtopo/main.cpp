@@ -1,9 +1,11 @@
 // The program `meshtopo`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "cli/narrow_help.h"
+#include "io/descriptor.h"
 #include "io/exit_code.h"
 #include "io/interrupt.h"
 #include "io/write_mesh.h"
@@ -15,6 +17,7 @@ namespace {
 constexpr const char* program = "meshtopo";
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   catch_interrupts();
   CLI::App app("Topology of a mesh: what it has of everything, and where it is no surface", program);
   app.formatter(std::make_shared<NarrowHelp>());
@@ -50,7 +53,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version
-    return app.exit(e);
+    std::ostringstream text, nothing;
+    app.exit(e, text, nothing);
+    return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
     return report(program, std::string(e.what()) + " (see meshtopo --help)", wrong_usage);
   }
