@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
 
 namespace rbpa::app {
@@ -25,12 +26,11 @@ double parse_radius(const std::string& text) {
 
 }  // namespace
 
-std::size_t parse_components(long components) {
-  if (components < 1) throw WrongUsage("--components: found " + std::to_string(components) + ", expected at least 1");
-  return static_cast<std::size_t>(components);
+std::size_t parse_components(const std::string& components) {
+  return parse_whole("--components", components, {.least = 1});
 }
 
-AlphaChoice parse_alpha(const std::string& text, std::optional<long> components) {
+AlphaChoice parse_alpha(const std::string& text, const std::optional<std::string>& components) {
   AlphaChoice choice;
   if (text == "auto")
     choice.rule = AlphaRule::automatic;

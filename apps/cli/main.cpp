@@ -22,6 +22,11 @@ namespace {
 
 constexpr const char* program = "rbpa";
 
+/// Present or not: nothing like --quiet=7.
+CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, const std::string& what) {
+  return verb.add_flag(names, flag, what)->disable_flag_override();
+}
+
 template <typename Arguments>
 void add_point_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("POINTS", arguments.points, "File of points, or - for standard input")->required();
@@ -74,7 +79,7 @@ void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string&
   verb.add_option("--threads", arguments.threads,
                   "Threads for the triangulation, at most; all processors by default; the result is the same")
       ->type_name("N");
-  verb.add_flag("-q,--quiet", arguments.quiet, quiet);
+  add_switch(verb, "-q,--quiet", arguments.quiet, quiet);
 }
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
@@ -82,7 +87,8 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, output_formats);
-  verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  add_switch(verb, "--compact", arguments.compact,
+             "Leave out vertices that no triangle uses (.npy keeps input indices)");
   add_method_options(verb, arguments.method);
   verb.add_option("--search", arguments.method.search, "near, or paper (the grid of the paper); the result is the same")
       ->type_name("NAME")
@@ -110,9 +116,10 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
       ->type_name("K")
       ->capture_default_str();
-  CLI::Option* json = verb.add_flag("--json", arguments.json, "Everything as JSON");
-  verb.add_flag("--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")->excludes(json);
-  verb.add_flag("--persistence", arguments.persistence, "Births and deaths of components and holes");
+  CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
+  add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
+      ->excludes(json);
+  add_switch(verb, "--persistence", arguments.persistence, "Births and deaths of components and holes");
   verb.add_option("--complex", arguments.complex,
                   "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
       ->type_name("NAME");
@@ -155,8 +162,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
 void add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
   add_point_options(verb, arguments);
-  verb.add_flag("--json", arguments.json, "As JSON");
-  verb.add_flag("-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
+  add_switch(verb, "--json", arguments.json, "As JSON");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
   verb.footer("The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
 }

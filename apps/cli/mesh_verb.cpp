@@ -22,7 +22,7 @@ namespace {
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
 
 void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const std::vector<Point>& points,
-                   const SolidAlphaComplex& complex, const MeshArguments& arguments) {
+                   const SolidAlphaComplex& complex, bool compacted, int width) {
   std::vector<Triangle> all;
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
@@ -31,12 +31,12 @@ void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const
     OutputFile& file = outputs.add(target.path);
     if (is_picture(target.format)) {
       if (!drawing) drawing = drawing_of(points, complex);
-      const Scene scene = place(*drawing, arguments.width);
+      const Scene scene = place(*drawing, width);
       target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
     } else {
       if (all.empty()) all = triangles(complex);
       // An .npy file has no vertices: its indices mean input points whatever other files hold.
-      if (arguments.compact && target.format != OutputFormat::npy) {
+      if (compacted && target.format != OutputFormat::npy) {
         if (!compact) compact.emplace(points, all);
         write_triangles(file, target.format, {compact->vertices, compact->triangles});
       } else {
@@ -74,7 +74,7 @@ void run_mesh(const MeshArguments& arguments) {
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   const std::vector<Target> targets =
       parse_targets(arguments.outputs, arguments.output_format, reports(arguments), arguments.points);
-  check_width(arguments.width);
+  const int width = parse_width(arguments.width);
 
   Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
@@ -89,7 +89,7 @@ void run_mesh(const MeshArguments& arguments) {
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, complex, arguments);
+  write_targets(outputs, targets, points, complex, arguments.compact, width);
   if (levels) write_levels(outputs.add(*arguments.levels), *levels, hierarchy, method);
   stats.write_seconds = watch.lap();
   if (arguments.stats) {

@@ -3,6 +3,7 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
+#include "io/whole_number.h"
 
 namespace rbpa::app {
 namespace {
@@ -22,15 +23,12 @@ Method parse_method(const MethodArguments& arguments) {
   const bool hierarchical = arguments.method == "hrbpa";
   if (hierarchical && method.search != Search::near_to_far)
     throw WrongUsage("--search: found " + in_quotes(arguments.search) + " with --method hrbpa, expected near");
-  if (arguments.leaf_capacity) {
-    if (!hierarchical) throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
-    if (*arguments.leaf_capacity < 1)
-      throw WrongUsage("--leaf-capacity: found " + std::to_string(*arguments.leaf_capacity) +
-                       ", expected at least 1 point");
-  }
+  if (arguments.leaf_capacity && !hierarchical)
+    throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
   if (hierarchical)
-    method.leaf_capacity =
-        arguments.leaf_capacity ? static_cast<std::size_t>(*arguments.leaf_capacity) : HierarchyOptions().leaf_capacity;
+    method.leaf_capacity = arguments.leaf_capacity
+                               ? parse_whole("--leaf-capacity", *arguments.leaf_capacity, {.least = 1}, "points")
+                               : HierarchyOptions().leaf_capacity;
   return method;
 }
 

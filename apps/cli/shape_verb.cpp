@@ -74,7 +74,7 @@ void run_shape(const ShapeArguments& arguments) {
   if (arguments.stats) reports.push_back(*arguments.stats);
   const std::vector<ShapeTarget> targets =
       parse_shape_targets(arguments.outputs, arguments.output_format, reports, arguments.points);
-  check_width(arguments.width);
+  const int width = parse_width(arguments.width);
 
   Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
@@ -91,7 +91,7 @@ void run_shape(const ShapeArguments& arguments) {
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, shape, complex, arguments.width);
+  write_targets(outputs, targets, points, shape, complex, width);
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
     stats.points = points.size();

@@ -4,7 +4,7 @@
 
 #include "io/failure.h"
 #include "io/same_file.h"
-#include "io/vertex_lines.h"
+#include "io/whole_number.h"
 #include "io/write_mesh.h"
 
 namespace rbpa::app {
@@ -39,19 +39,13 @@ GeneratorTarget parse_generator_target(const std::string& path) {
                    std::string(polyline_formats));
 }
 
-std::size_t parse_max_defects(const std::string& text) {
-  const std::optional<std::size_t> number = parse_count(text);
-  if (!number) throw WrongUsage("--max-defects: found " + in_quotes(text) + ", expected a number from 0");
-  return *number;
-}
-
 }  // namespace
 
 TopologyPlan plan(const TopologyArguments& arguments) {
   TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format),
-                    .max_defects = parse_max_defects(arguments.max_defects)};
+                    .max_defects = parse_whole("--max-defects", arguments.max_defects, {})};
   const bool reports = arguments.json || !arguments.quiet;
-  if (reports) plan.report = "-";
+  if (reports) plan.report = std::string("-");
   if (arguments.repair) {
     if (!arguments.output) throw WrongUsage("--repair: found no -o OUT, expected a file for the repaired mesh");
     plan.repaired = parse_repair_target(*arguments.output, arguments.output_format);

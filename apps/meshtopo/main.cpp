@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   app.add_option("--format", arguments.format,
                  "Format of MESH, where its ending does not say: " + std::string(mesh_formats))
       ->type_name("NAME");
-  app.add_flag("--json", arguments.json, "The report as JSON");
+  app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
   app.add_option("-o,--output", arguments.output,
                  "File to write: the report, or with --repair the mesh, by its ending: " +
                      std::string(written_mesh_formats) + "; - is standard output")
@@ -35,14 +35,15 @@ int main(int argc, char** argv) {
   app.add_option("--output-format", arguments.output_format,
                  "Format of the repaired mesh, where its ending does not say")
       ->type_name("NAME");
-  app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done");
+  app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done")
+      ->disable_flag_override();
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
   app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.quiet, "No report for people");
+  app.add_flag("-q,--quiet", arguments.quiet, "No report for people")->disable_flag_override();
   app.footer(
       "Examples:\n"
       "  meshtopo bunny.ply\n"

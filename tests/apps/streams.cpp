@@ -144,6 +144,6 @@ TEST_SUITE("messages") {
     CHECK(folder.meshtopo("'" + name + "' --format off").err ==
           "meshtopo: " + shown + ":2: found '1 0', expected nothing behind the 0 face lines as line 1 says\n");
     CHECK(folder.meshtopo("m.off --max-defects '\x1b'").err ==
-          "meshtopo: --max-defects: found '\\x1b', expected a number from 0\n");
+          "meshtopo: --max-defects: found '\\x1b', expected a whole number from 0\n");
   }
 }
