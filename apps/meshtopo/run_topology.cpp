@@ -8,6 +8,7 @@
 #include "io/output_file.h"
 #include "io/write_mesh.h"
 #include "meshops/topology/build_mesh.h"
+#include "meshops/topology/examine.h"
 #include "meshtopo/generators.h"
 #include "meshtopo/places.h"
 #include "meshtopo/report_json.h"
@@ -44,7 +45,8 @@ void run_topology(const TopologyArguments& arguments) {
   const TopologyPlan todo = plan(arguments);
   const MeshFile mesh = read_mesh(todo.source);
   stop_if_interrupted();
-  Findings findings{.mesh = mesh, .topology = meshops::report(mesh.soup), .defects = meshops::find_defects(mesh.soup)};
+  meshops::Examination examination = meshops::examine(mesh.soup);
+  Findings findings{.mesh = mesh, .topology = std::move(examination.report), .defects = std::move(examination.defects)};
   stop_if_interrupted();
 
   OutputSet outputs;
