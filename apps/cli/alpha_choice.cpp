@@ -6,6 +6,7 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
@@ -59,8 +60,8 @@ const char* name_of(AlphaRule rule) {
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
   const SolidAlphaComplex delaunay = build(points, infinity, run);
-  ProgressLine line(!run.quiet);
-  const Filtration all = filtration(delaunay, points, line.watch("choosing alpha"));
+  const ProgressLine line("rbpa", !run.quiet, "choosing alpha");
+  const Filtration all = filtration(delaunay, points, until_interrupted());
   return choice.rule == AlphaRule::least ? smallest_covering(all) : smallest_covering(all, choice.most_components);
 }
 

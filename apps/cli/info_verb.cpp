@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/build.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
@@ -25,10 +28,15 @@ struct Info {
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); none when the area is zero
 };
 
-Info examine(std::vector<Point> points) {
+Info examine(std::vector<Point> points, bool shown) {
+  const ProgressLine line("rbpa", shown, "sorting " + short_number(static_cast<double>(points.size())) + " points");
   Info info{.points = points.size()};
   if (points.empty()) return info;
-  std::sort(points.begin(), points.end());
+  std::size_t compared = 0;
+  std::sort(points.begin(), points.end(), [&compared](const Point& a, const Point& b) {
+    if (++compared % 65536 == 0) stop_if_interrupted();
+    return a < b;
+  });
   info.distinct = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
   Box box{points.front(), points.front()};
   for (std::size_t i = 0; i < info.distinct; ++i) {
@@ -84,9 +92,9 @@ void run_info(const InfoArguments& arguments) {
   if (arguments.stats) outputs.push_back(*arguments.stats);
   require_different(outputs, arguments.points, "points");
   Stopwatch watch;
-  std::vector<Point> points = read_points(source);
+  std::vector<Point> points = read(source, arguments.quiet);
   Stats stats{.read_seconds = watch.lap()};
-  const Info info = examine(std::move(points));
+  const Info info = examine(std::move(points), !arguments.quiet);
 
   OutputSet files;
   if (arguments.stats) {

@@ -7,6 +7,7 @@
 #include "cli/build.h"
 #include "cli/levels.h"
 #include "cli/method.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -22,7 +23,8 @@ namespace {
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
 
 void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const std::vector<Point>& points,
-                   const SolidAlphaComplex& complex, bool compacted, int width) {
+                   const SolidAlphaComplex& complex, bool compacted, int width, bool shown) {
+  const ProgressLine line("rbpa", shown, "writing");
   std::vector<Triangle> all;
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
@@ -78,7 +80,7 @@ void run_mesh(const MeshArguments& arguments) {
 
   Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
-  const std::vector<Point> points = read_points(source);
+  const std::vector<Point> points = read(source, run.quiet);
   stats.read_seconds = watch.lap();
   stats.alpha = choose_alpha(choice, points, run);
   if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
@@ -89,7 +91,8 @@ void run_mesh(const MeshArguments& arguments) {
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, complex, arguments.compact, width);
+  write_targets(outputs, targets, points, complex, arguments.compact, width,
+                !run.quiet && !written_to_terminal(arguments.outputs));
   if (levels) write_levels(outputs.add(*arguments.levels), *levels, hierarchy, method);
   stats.write_seconds = watch.lap();
   if (arguments.stats) {

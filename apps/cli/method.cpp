@@ -34,9 +34,9 @@ Method parse_method(const MethodArguments& arguments) {
 
 Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run) {
   if (!method.leaf_capacity) return {.complex = build(points, alpha, run, method.search), .levels = {}};
-  ProgressLine line(!run.quiet);
+  TriangleProgress progress(!run.quiet);
   return hrbpa(points, alpha,
-               {.leaf_capacity = *method.leaf_capacity, .threads = run.threads, .progress = line.watch()});
+               {.leaf_capacity = *method.leaf_capacity, .threads = run.threads, .progress = progress.watch()});
 }
 
 }  // namespace rbpa::app

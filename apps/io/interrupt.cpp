@@ -31,6 +31,10 @@ void catch_interrupts() {
 
 bool interrupted() { return signal_came; }
 
+std::function<bool()> until_interrupted() {
+  return [] { return !interrupted(); };
+}
+
 void stop_if_interrupted() {
   if (interrupted()) throw Cancelled();
 }

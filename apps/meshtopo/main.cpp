@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
       ->type_name("NAME");
   app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
   app.add_option("-o,--output", arguments.output,
-                 "File to write: the report, or with --repair the mesh, by its ending: " +
+                 "File to write: the report, by its ending json or txt, or with --repair the mesh: " +
                      std::string(written_mesh_formats) + "; - is standard output")
       ->type_name("OUT");
   app.add_option("--output-format", arguments.output_format,
@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.quiet, "No report for people")->disable_flag_override();
+  app.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor a report for people")->disable_flag_override();
   app.footer(
       "Examples:\n"
       "  meshtopo bunny.ply\n"

@@ -236,11 +236,7 @@ Homology compute(const Connectivity& mesh, std::span<const double> lengths, cons
   return {trees.generators(), trees.cut_graph()};
 }
 
-}  // namespace
-
-Homology homology(const Connectivity& mesh, const GoOn& go_on) { return compute(mesh, {}, go_on); }
-
-Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
+void check(const Connectivity& mesh, std::span<const double> lengths) {
   require(lengths.size() == mesh.n_edges(), "homology: one length for each edge");
   double sum = 0;
   for_each_edge(mesh, [&](Edge e) {
@@ -248,7 +244,21 @@ Homology homology(const Connectivity& mesh, std::span<const double> lengths, con
     sum += lengths[at(e)];
   });
   require(std::isfinite(sum), "homology: the sum of the lengths is not finite");
+}
+
+}  // namespace
+
+Homology homology(const Connectivity& mesh, const GoOn& go_on) { return compute(mesh, {}, go_on); }
+
+Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
+  check(mesh, lengths);
   return compute(mesh, lengths, go_on);
+}
+
+std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
+  check(mesh, lengths);
+  detail::Steps step(go_on);
+  return TreeCotree(mesh, lengths, step).generators();
 }
 
 }  // namespace meshops

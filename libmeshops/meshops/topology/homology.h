@@ -39,4 +39,8 @@ MESHOPS_API Homology homology(const Connectivity& mesh, const GoOn& go_on = {});
 /// Throws:   ContractViolation; Cancelled.
 MESHOPS_API Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on = {});
 
+/// The generators of homology() alone, in about half its time.
+MESHOPS_API std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths,
+                                                  const GoOn& go_on = {});
+
 }  // namespace meshops
