@@ -9,10 +9,10 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
-#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
+#include "io/sort.h"
 
 namespace rbpa::app {
 namespace {
@@ -32,11 +32,7 @@ Info examine(std::vector<Point> points, bool shown) {
   const ProgressLine line("rbpa", shown, "sorting " + short_number(static_cast<double>(points.size())) + " points");
   Info info{.points = points.size()};
   if (points.empty()) return info;
-  std::size_t compared = 0;
-  std::sort(points.begin(), points.end(), [&compared](const Point& a, const Point& b) {
-    if (++compared % 65536 == 0) stop_if_interrupted();
-    return a < b;
-  });
+  sort(points);
   info.distinct = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
   Box box{points.front(), points.front()};
   for (std::size_t i = 0; i < info.distinct; ++i) {

@@ -6,6 +6,7 @@
 
 #include "io/equal_positions.h"
 #include "io/interrupt.h"
+#include "io/sort.h"
 #include "rbpa/collinear.h"
 
 namespace rbpa::app {
@@ -66,11 +67,7 @@ void find_coincident(const MeshFile& mesh, std::vector<GeometricDefect>& defects
     if (i % 16384 == 0) stop_if_interrupted();
     if (const std::uint32_t first = places.first_at(mesh.positions, i); first != i) repeated.emplace_back(first, i);
   }
-  std::size_t compared = 0;
-  std::sort(repeated.begin(), repeated.end(), [&compared](const auto& a, const auto& b) {
-    if (++compared % 65536 == 0) stop_if_interrupted();
-    return a < b;
-  });
+  sort(repeated);
   for (std::size_t k = 0; k < repeated.size(); ++k) {
     if (k % 16384 == 0) stop_if_interrupted();
     const auto& [first, later] = repeated[k];

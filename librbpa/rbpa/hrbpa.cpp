@@ -80,10 +80,11 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   Hierarchy result;
   Threads threads = threads_for(points.size(), options.threads);
   const auto run = [&]<typename Real>(Radius radius, Real grid_unit, double below_all) {
-    Assembly<Real> assembly(points, result.complex, threads);
+    Assembly<Real> assembly(points, result.complex, threads, options.progress);
     const auto& grid = assembly.grid();
     if (!are_collinear(grid.points())) {
-      const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity).smallest_side();
+      const Real side = Quadtree<Real>(grid.points(), options.leaf_capacity)
+                            .smallest_side(asking(options.progress, grid.points().size()));
       result.least_radius =
           std::clamp(static_cast<double>(side / 2), std::max(below_all, std::numeric_limits<double>::denorm_min()),
                      std::numeric_limits<double>::max());

@@ -53,6 +53,7 @@ class Run {
     meshops::Outline outline;
     remainder.complete(missing, outline, threads_, [&] { report_.worked(front); });
     front.lay(missing, outline);
+    report_.worked(front);
     front.join();
     report_.completed(front);
   }
@@ -79,7 +80,7 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   SolidAlphaComplex complex;
   Threads threads = threads_for(points.size(), options.threads);
   with_arithmetic_for(points, alpha, [&]<typename Real>(Radius radius, Real grid_unit, double) {
-    Assembly<Real> assembly(points, complex, threads);
+    Assembly<Real> assembly(points, complex, threads, options.progress);
     if (!are_collinear(assembly.grid().points())) {
       Run<Real> run(assembly.grid(), radius, grid_unit, options, threads);
       if (options.search == Search::near_to_far)

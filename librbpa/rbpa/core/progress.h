@@ -5,7 +5,7 @@
 
 namespace rbpa {
 
-/// Triangles attached so far, and distinct points.
+/// Triangles attached so far, and distinct points (all points until these are known).
 struct Progress {
   std::size_t triangles;
   std::size_t points;

@@ -60,14 +60,18 @@ void GrowthByTiles::lay(meshops::Front& front) {
   remainder.complete(missing, outline, threads_, [&] { report_.worked(front); });
   LevelPatch levels;
   levels.part(missing, points, ladder_);
+  report_.worked(front);
   if (levels.later.empty())
     front.lay(missing, outline);
   else
     front.lay(levels.first);
+  report_.worked(front);
   front.join();
   report_.completed(front);
   waiting_.add(levels.later);
+  report_.worked(front);
   waiting_.sort(ladder_.end());
+  report_.worked(front);
 }
 
 std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {

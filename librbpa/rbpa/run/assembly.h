@@ -18,9 +18,10 @@ namespace rbpa {
 template <typename Real>
 class Assembly {
  public:
-  /// Keeps references; the complex is empty yet.
-  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads)
-      : grid_(input, threads),
+  /// Keeps references; the complex is empty yet. Asks `progress`, if any, while points are sorted. Throws Cancelled.
+  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads,
+           const std::function<bool(const Progress&)>& progress = {})
+      : grid_(input, threads, asking(progress, input.size())),
         threads_(threads),
         complex_(begin(complex)),
         front_(complex.mesh, grid_.points().size(), elements_at_a_time) {}

@@ -15,14 +15,14 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
 }  // namespace
 
 template <typename Real>
-PointGrid<Real>::PointGrid(std::span<const Point> input, Threads& threads) {
+PointGrid<Real>::PointGrid(std::span<const Point> input, Threads& threads, const std::function<void()>& ask) {
   if (input.empty()) return;
   points_.resize(input.size() + padding);
   index_.resize(input.size());
   std::fill_n(points_.end() - padding, padding, Point());
   levels_.push_back(make_level(input, threads));
   sort_by_cell({input}, levels_[0], 0, points_.data(), index_.data(), threads);
-  refine(threads);
+  refine(threads, ask);
   remove_repetitions(threads);
 }
 
@@ -58,11 +58,12 @@ auto PointGrid<Real>::make_level(std::span<const Point> points, Threads& threads
 /// Makes a grid of every cell with too many points, unless all are one, and of the cells of these: each grid parts its
 /// points.
 template <typename Real>
-void PointGrid<Real>::refine(Threads& threads) {
+void PointGrid<Real>::refine(Threads& threads, const std::function<void()>& ask) {
   struct Crowd {
     std::uint32_t level, cell, first, last;
   };
   for (std::size_t from = 0, to = 1; from < to; from = to, to = levels_.size()) {
+    if (ask) ask();
     std::vector<Crowd> crowds;
     for (std::size_t i = from; i < to; ++i) {
       const std::vector<std::uint32_t>& start = levels_[i].start;
