@@ -37,7 +37,9 @@ class ClosedPipe : public std::runtime_error {
 /// "FILE:LINE", the way compilers name a place in a text.
 std::string at_line(std::string_view file, std::size_t line);
 
-/// The text in single quotes, printable() and clipped when long.
+/// The text printable() and clipped when long: a piece of input in a message, which a zero byte would cut off.
+std::string shown(std::string_view text);
+/// The same in single quotes.
 std::string in_quotes(std::string_view text);
 
 /// "1 column", "2 columns".

@@ -28,12 +28,17 @@ void make_inputs(const apps_test::Folder& folder);
 
 apps_test::Child::Command command_of(const Run& run, const apps_test::Folder& folder);
 
-/// A run that nothing hinders.
+/// A run that nothing hinders, of the whole input or of its first half, which it may refuse.
 struct Reference {
   double seconds = 0;
+  bool is_done = false;
   std::map<std::string, std::string> outputs = {};  ///< contents by name
   std::string printed = {};                         ///< standard output
 };
-const Reference& reference_of(const Run& run);
+enum class Input { whole, half };
+const Reference& reference_of(const Run& run, Input input = Input::whole);
+
+/// Cuts the input of a run in half.
+void shorten(const std::string& path);
 
 }  // namespace robustness

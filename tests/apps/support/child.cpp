@@ -10,10 +10,17 @@ namespace apps_test {
 
 Child::Child(const Command& command, const std::function<void()>& prepare) {
   std::vector<std::string> words = command;
+  // A signal that comes before the handlers of the test are taken out would be answered by them.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, &before);
   id_ = fork();
+  if (id_ != 0) pthread_sigmask(SIG_SETMASK, &before, nullptr);
   REQUIRE(id_ >= 0);
   if (id_ > 0) return;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
+  sigemptyset(&before);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   redirect(STDERR_FILENO, "/dev/null", O_WRONLY);
   prepare();
   std::vector<char*> pointers;
