@@ -64,7 +64,7 @@ void OutputFile::write_through(std::string_view bytes) {
     const ssize_t count = ::write(descriptor_, bytes.data(), std::min(bytes.size(), buffer_size));
     if (count >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(count));
-      written_ += static_cast<std::size_t>(count);
+      size_ += static_cast<std::size_t>(count);
     } else if (errno == EAGAIN) {
       wait_to_write(descriptor_);
     } else if (errno != EINTR) {
@@ -76,7 +76,7 @@ void OutputFile::write_through(std::string_view bytes) {
 /// Part by part, so that a signal is noticed between two: fsync() of a large file may wait for seconds.
 void OutputFile::reach_disk() {
   constexpr std::size_t part = std::size_t{8} << 20U;
-  for (std::size_t at = 0; at < written_; at += part) {
+  for (std::size_t at = 0; at < size_; at += part) {
     stop_if_interrupted();
     constexpr unsigned wait_for_it = SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
     // Where it fails, fsync() has all to do.

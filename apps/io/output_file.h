@@ -75,7 +75,7 @@ class OutputFile {
   std::optional<TemporaryFile> temporary_ = std::nullopt;  // one of these two
   std::optional<Descriptor> direct_ = std::nullopt;
   int descriptor_ = -1;  // of that
-  std::size_t written_ = 0;
+  std::size_t size_ = 0;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
 };

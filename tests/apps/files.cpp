@@ -117,6 +117,13 @@ TEST_SUITE("input files") {
           "rbpa: /proc/self/comm:1: found 'rbpa', expected two numbers\n");
   }
 
+  TEST_CASE("a disk that fails while a file is read ends in a sentence") {
+    // There is no memory at address 0, and the system says so as it does of a bad disk.
+    const Outcome outcome = Folder().rbpa("info /proc/self/mem --format text");
+    CHECK(outcome.code == 1);
+    CHECK(outcome.err == "rbpa: /proc/self/mem: cannot read: Input/output error\n");
+  }
+
   TEST_CASE("standard input and output that do not wait by themselves are waited for") {
     const Folder folder;
     signal(SIGPIPE, SIG_IGN);  // should it end early
