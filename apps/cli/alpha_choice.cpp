@@ -6,7 +6,9 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/number.h"
+#include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
 
 namespace rbpa::app {
@@ -25,12 +27,11 @@ double parse_radius(const std::string& text) {
 
 }  // namespace
 
-std::size_t parse_components(long components) {
-  if (components < 1) throw WrongUsage("--components: found " + std::to_string(components) + ", expected at least 1");
-  return static_cast<std::size_t>(components);
+std::size_t parse_components(const std::string& components) {
+  return parse_whole("--components", components, {.least = 1});
 }
 
-AlphaChoice parse_alpha(const std::string& text, std::optional<long> components) {
+AlphaChoice parse_alpha(const std::string& text, const std::optional<std::string>& components) {
   AlphaChoice choice;
   if (text == "auto")
     choice.rule = AlphaRule::automatic;
@@ -59,8 +60,8 @@ const char* name_of(AlphaRule rule) {
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
   const SolidAlphaComplex delaunay = build(points, infinity, run);
-  ProgressLine line(!run.quiet);
-  const Filtration all = filtration(delaunay, points, line.watch("choosing alpha"));
+  const ProgressLine line("rbpa", !run.quiet, "choosing alpha");
+  const Filtration all = filtration(delaunay, points, until_interrupted());
   return choice.rule == AlphaRule::least ? smallest_covering(all) : smallest_covering(all, choice.most_components);
 }
 

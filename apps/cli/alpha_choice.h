@@ -24,10 +24,10 @@ struct AlphaChoice {
 };
 
 /// A number of solid components: at least 1. Throws WrongUsage.
-std::size_t parse_components(long components);
+std::size_t parse_components(const std::string& components);
 
 /// `components` as --components says; only "auto" takes it. Throws WrongUsage naming the value.
-AlphaChoice parse_alpha(const std::string& text, std::optional<long> components);
+AlphaChoice parse_alpha(const std::string& text, const std::optional<std::string>& components);
 
 /// "given", "auto", "min".
 const char* name_of(AlphaRule rule);

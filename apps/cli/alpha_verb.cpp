@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/number.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
@@ -48,16 +48,15 @@ Report examine(const std::vector<Point>& points, std::size_t most_components, co
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
   Report report{.points = points.size(), .most_components = most_components};
   {
-    ProgressLine line(!run.quiet);
-    const std::string doing = "radii of " + counted(delaunay.mesh.n_faces(), "triangle");
-    report.filtration = filtration(delaunay, points, line.watch(doing));
+    const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
+    report.filtration = filtration(delaunay, points, until_interrupted());
   }
   stop_if_interrupted();
   report.least_covering = smallest_covering(report.filtration);
   report.least_connected = smallest_covering(report.filtration, report.most_components);
   if (arguments.persistence || arguments.picture) {
-    ProgressLine line(!run.quiet);
-    report.pairs = persistence(delaunay, points, report.filtration, kind, line.watch("persistence"));
+    const ProgressLine line("rbpa", !run.quiet, "persistence");
+    report.pairs = persistence(delaunay, points, report.filtration, kind, until_interrupted());
   }
   return report;
 }
@@ -219,7 +218,7 @@ void run_alpha(const AlphaArguments& arguments) {
   if (arguments.stats) outputs.push_back(*arguments.stats);
   require_different(outputs, arguments.points, "points");
   Stopwatch watch;
-  const std::vector<Point> points = read_points(source);
+  const std::vector<Point> points = read(source, run.quiet);
   Stats stats{.read_seconds = watch.lap()};
   Report report = examine(points, most_components, arguments, kind, run);
   stats.build_seconds = watch.lap();
@@ -228,6 +227,7 @@ void run_alpha(const AlphaArguments& arguments) {
   OutputSet files;
   OutputFile* picture = arguments.picture ? &files.add(*arguments.picture) : nullptr;
   OutputFile* stats_file = arguments.stats ? &files.add(*arguments.stats) : nullptr;
+  std::optional<ProgressLine> line(std::in_place, "rbpa", !run.quiet && !written_to_terminal(outputs), "writing");
   if (picture) {
     picture->write(svg_of({report.filtration.steps, *report.pairs, report.least_covering, report.least_connected}));
     picture->finish();
@@ -243,9 +243,10 @@ void run_alpha(const AlphaArguments& arguments) {
     stats_file->finish();
   }
   files.publish();
+  line.reset();
   if (report.filtration.steps.empty()) {
     const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
-    std::fprintf(stderr, "rbpa: the complex is empty at every alpha: %s\n", why);
+    say("rbpa", std::string("the complex is empty at every alpha: ") + why);
   }
 }
 

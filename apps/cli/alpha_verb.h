@@ -16,7 +16,7 @@ struct AlphaArguments {
   PixelArguments pixels;
   std::optional<std::string> stats;
   std::optional<std::string> picture;  ///< an .svg to write
-  long components = 1;                 ///< at most, at `auto`
+  std::string components = "1";        ///< at most, at `auto`
   bool json = false;
   bool csv = false;
   bool persistence = false;

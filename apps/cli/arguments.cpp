@@ -6,6 +6,7 @@
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/same_file.h"
+#include "io/whole_number.h"
 #include "picture/scene.h"
 
 namespace rbpa::app {
@@ -50,10 +51,8 @@ double parse_area(const std::string& option, const std::string& text) {
   return number.value;
 }
 
-void check_width(int width) {
-  if (width < least_width || width > greatest_width)
-    throw WrongUsage("--width: found " + std::to_string(width) + ", expected " + std::to_string(least_width) + " to " +
-                     std::to_string(greatest_width) + " pixels");
+int parse_width(const std::string& text) {
+  return static_cast<int>(parse_whole("--width", text, {.least = least_width, .greatest = greatest_width}, "pixels"));
 }
 
 PointSource parse_source(const std::string& path, const std::optional<std::string>& format,

@@ -18,8 +18,8 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
 /// A bound on areas: a number >= 0, or "inf".
 double parse_area(const std::string& option, const std::string& text);
 
-/// Throws WrongUsage unless a picture can be `width` pixels wide.
-void check_width(int width);
+/// Pixels that a picture can be wide.
+int parse_width(const std::string& text);
 
 template <typename Format>
 struct TargetOf {

@@ -5,9 +5,14 @@
 
 namespace rbpa::app {
 
+std::vector<Point> read(const PointSource& source, bool quiet) {
+  const ProgressLine line("rbpa", !quiet && !read_from_terminal(source.path), "reading");
+  return read_points(source);
+}
+
 SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run, Search search) {
-  ProgressLine line(!run.quiet);
-  return rbpa(points, alpha, {.search = search, .threads = run.threads, .progress = line.watch()});
+  TriangleProgress progress(!run.quiet);
+  return rbpa(points, alpha, {.search = search, .threads = run.threads, .progress = progress.watch()});
 }
 
 std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/build.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/number.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
+#include "io/sort.h"
 
 namespace rbpa::app {
 namespace {
@@ -25,10 +28,11 @@ struct Info {
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); none when the area is zero
 };
 
-Info examine(std::vector<Point> points) {
+Info examine(std::vector<Point> points, bool shown) {
+  const ProgressLine line("rbpa", shown, "sorting " + short_number(static_cast<double>(points.size())) + " points");
   Info info{.points = points.size()};
   if (points.empty()) return info;
-  std::sort(points.begin(), points.end());
+  sort(points);
   info.distinct = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
   Box box{points.front(), points.front()};
   for (std::size_t i = 0; i < info.distinct; ++i) {
@@ -80,11 +84,13 @@ std::string as_json(const Info& info) {
 
 void run_info(const InfoArguments& arguments) {
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
-  if (arguments.stats) require_different({"-", *arguments.stats}, arguments.points, "points");
+  std::vector<std::string> outputs{"-"};
+  if (arguments.stats) outputs.push_back(*arguments.stats);
+  require_different(outputs, arguments.points, "points");
   Stopwatch watch;
-  std::vector<Point> points = read_points(source);
+  std::vector<Point> points = read(source, arguments.quiet);
   Stats stats{.read_seconds = watch.lap()};
-  const Info info = examine(std::move(points));
+  const Info info = examine(std::move(points), !arguments.quiet);
 
   OutputSet files;
   if (arguments.stats) {

@@ -1,6 +1,7 @@
 // The program `rbpa`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cli/narrow_help.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
+#include "io/descriptor.h"
 #include "io/exit_code.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -19,6 +21,11 @@ namespace rbpa::app {
 namespace {
 
 constexpr const char* program = "rbpa";
+
+/// Present or not: nothing like --quiet=7.
+CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, const std::string& what) {
+  return verb.add_flag(names, flag, what)->disable_flag_override();
+}
 
 template <typename Arguments>
 void add_point_options(CLI::App& verb, Arguments& arguments) {
@@ -72,7 +79,7 @@ void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string&
   verb.add_option("--threads", arguments.threads,
                   "Threads for the triangulation, at most; all processors by default; the result is the same")
       ->type_name("N");
-  verb.add_flag("-q,--quiet", arguments.quiet, quiet);
+  add_switch(verb, "-q,--quiet", arguments.quiet, quiet);
 }
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
@@ -80,7 +87,8 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, output_formats);
-  verb.add_flag("--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  add_switch(verb, "--compact", arguments.compact,
+             "Leave out vertices that no triangle uses (.npy keeps input indices)");
   add_method_options(verb, arguments.method);
   verb.add_option("--search", arguments.method.search, "near, or paper (as it was published, slow); the result is the same")
       ->type_name("NAME")
@@ -108,9 +116,10 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
       ->type_name("K")
       ->capture_default_str();
-  CLI::Option* json = verb.add_flag("--json", arguments.json, "Everything as JSON");
-  verb.add_flag("--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")->excludes(json);
-  verb.add_flag("--persistence", arguments.persistence, "Births and deaths of components and holes");
+  CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
+  add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
+      ->excludes(json);
+  add_switch(verb, "--persistence", arguments.persistence, "Births and deaths of components and holes");
   verb.add_option("--complex", arguments.complex,
                   "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
       ->type_name("NAME");
@@ -153,8 +162,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
 void add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
   add_point_options(verb, arguments);
-  verb.add_flag("--json", arguments.json, "As JSON");
-  verb.add_flag("-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
+  add_switch(verb, "--json", arguments.json, "As JSON");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
   verb.footer("The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
               "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
 }
@@ -169,6 +178,7 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
 }
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   catch_interrupts();
   CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
   app.formatter(std::make_shared<NarrowHelp>());
@@ -187,7 +197,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version
-    return app.exit(e);
+    std::ostringstream text, nothing;
+    app.exit(e, text, nothing);
+    return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
     // What is missing may be there under a wrong name.
     const std::vector<std::string> unknown = app.remaining(true);

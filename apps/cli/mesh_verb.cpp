@@ -1,6 +1,5 @@
 #include "cli/mesh_verb.h"
 
-#include <cstdio>
 #include <limits>
 
 #include "cli/alpha_choice.h"
@@ -8,9 +7,11 @@
 #include "cli/build.h"
 #include "cli/levels.h"
 #include "cli/method.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/output_file.h"
 #include "io/write_triangles.h"
 #include "picture/png.h"
@@ -22,7 +23,8 @@ namespace {
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
 
 void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const std::vector<Point>& points,
-                   const SolidAlphaComplex& complex, const MeshArguments& arguments) {
+                   const SolidAlphaComplex& complex, bool compacted, int width, bool shown) {
+  const ProgressLine line("rbpa", shown, "writing");
   std::vector<Triangle> all;
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
@@ -31,12 +33,12 @@ void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const
     OutputFile& file = outputs.add(target.path);
     if (is_picture(target.format)) {
       if (!drawing) drawing = drawing_of(points, complex);
-      const Scene scene = place(*drawing, arguments.width);
+      const Scene scene = place(*drawing, width);
       target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
     } else {
       if (all.empty()) all = triangles(complex);
       // An .npy file has no vertices: its indices mean input points whatever other files hold.
-      if (arguments.compact && target.format != OutputFormat::npy) {
+      if (compacted && target.format != OutputFormat::npy) {
         if (!compact) compact.emplace(points, all);
         write_triangles(file, target.format, {compact->vertices, compact->triangles});
       } else {
@@ -74,11 +76,11 @@ void run_mesh(const MeshArguments& arguments) {
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   const std::vector<Target> targets =
       parse_targets(arguments.outputs, arguments.output_format, reports(arguments), arguments.points);
-  check_width(arguments.width);
+  const int width = parse_width(arguments.width);
 
   Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
-  const std::vector<Point> points = read_points(source);
+  const std::vector<Point> points = read(source, run.quiet);
   stats.read_seconds = watch.lap();
   stats.alpha = choose_alpha(choice, points, run);
   if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
@@ -89,7 +91,8 @@ void run_mesh(const MeshArguments& arguments) {
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, complex, arguments);
+  write_targets(outputs, targets, points, complex, arguments.compact, width,
+                !run.quiet && !written_to_terminal(arguments.outputs));
   if (levels) write_levels(outputs.add(*arguments.levels), *levels, hierarchy, method);
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
@@ -105,13 +108,11 @@ void run_mesh(const MeshArguments& arguments) {
   }
   outputs.publish();
 
-  if (complex.mesh.n_faces() == 0) {
-    const std::string reason = reason_for_empty(points, complex.distinct, arguments.alpha);
-    std::fprintf(stderr, "rbpa: the complex is empty: %s\n", reason.c_str());
-  }
+  if (complex.mesh.n_faces() == 0)
+    say("rbpa", "the complex is empty: " + reason_for_empty(points, complex.distinct, arguments.alpha));
   if (!run.quiet) {
     const std::string chosen_alpha = said(choice, stats.alpha);
-    std::fprintf(stderr, "rbpa: %s\n", summary(points.size(), complex, chosen_alpha, targets).c_str());
+    say("rbpa", summary(points.size(), complex, chosen_alpha, targets));
   }
 }
 

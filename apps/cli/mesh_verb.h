@@ -21,13 +21,13 @@ struct MeshArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::string alpha;
-  std::optional<long> components;  ///< at most, at `auto`; 1 if absent
+  std::optional<std::string> components;  ///< at most, at `auto`; 1 if absent
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;
   std::optional<std::string> levels;
   MethodArguments method;
-  int width = 1200;
+  std::string width = "1200";
   bool compact = false;
   RunArguments run;
 };

@@ -3,6 +3,7 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
+#include "io/whole_number.h"
 
 namespace rbpa::app {
 namespace {
@@ -20,26 +21,23 @@ Method parse_method(const MethodArguments& arguments) {
   if (arguments.method != "rbpa" && arguments.method != "hrbpa")
     throw WrongUsage("--method: found " + in_quotes(arguments.method) + ", expected rbpa or hrbpa");
   const bool hierarchical = arguments.method == "hrbpa";
-  if (arguments.leaf_capacity) {
-    if (!hierarchical) throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
-    if (*arguments.leaf_capacity < 1)
-      throw WrongUsage("--leaf-capacity: found " + std::to_string(*arguments.leaf_capacity) +
-                       ", expected at least 1 point");
-  }
+  if (arguments.leaf_capacity && !hierarchical)
+    throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
   if (hierarchical)
-    method.leaf_capacity = arguments.leaf_capacity ? static_cast<std::size_t>(*arguments.leaf_capacity)
-                                                   : usual_leaf_capacity(method.search);
+    method.leaf_capacity = arguments.leaf_capacity
+                               ? parse_whole("--leaf-capacity", *arguments.leaf_capacity, {.least = 1}, "points")
+                               : usual_leaf_capacity(method.search);
   return method;
 }
 
 Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run) {
   if (!method.leaf_capacity) return {.complex = build(points, alpha, run, method.search), .levels = {}};
-  ProgressLine line(!run.quiet);
+  TriangleProgress progress(!run.quiet);
   return hrbpa(points, alpha,
                {.search = method.search,
                 .leaf_capacity = *method.leaf_capacity,
                 .threads = run.threads,
-                .progress = line.watch()});
+                .progress = progress.watch()});
 }
 
 }  // namespace rbpa::app

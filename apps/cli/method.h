@@ -17,7 +17,7 @@ namespace rbpa::app {
 struct MethodArguments {
   std::string method = "rbpa";
   std::string search = "near";
-  std::optional<long> leaf_capacity;
+  std::optional<std::string> leaf_capacity;
 };
 
 struct Method {

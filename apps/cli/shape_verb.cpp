@@ -7,9 +7,11 @@
 #include "cli/arguments.h"
 #include "cli/build.h"
 #include "cli/method.h"
+#include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/output_file.h"
 #include "io/write_polygons.h"
 #include "picture/png.h"
@@ -20,7 +22,8 @@ namespace rbpa::app {
 namespace {
 
 void write_targets(OutputSet& outputs, const std::vector<ShapeTarget>& targets, const std::vector<Point>& points,
-                   const std::vector<Polygon>& shape, const SolidAlphaComplex& complex, int width) {
+                   const std::vector<Polygon>& shape, const SolidAlphaComplex& complex, int width, bool shown) {
+  const ProgressLine line("rbpa", shown, "writing");
   std::optional<Drawing> drawing;
   for (const ShapeTarget& target : targets) {
     stop_if_interrupted();
@@ -41,6 +44,11 @@ void write_targets(OutputSet& outputs, const std::vector<ShapeTarget>& targets, 
     }
     file.finish();
   }
+}
+
+std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFilter& filter, const RunOptions& run) {
+  const ProgressLine line("rbpa", !run.quiet, "polygons");
+  return polygons(complex, filter);
 }
 
 std::string reason_for_no_polygon(const std::vector<Point>& points, const SolidAlphaComplex& complex,
@@ -73,11 +81,11 @@ void run_shape(const ShapeArguments& arguments) {
   if (arguments.stats) reports.push_back(*arguments.stats);
   const std::vector<ShapeTarget> targets =
       parse_shape_targets(arguments.outputs, arguments.output_format, reports, arguments.points);
-  check_width(arguments.width);
+  const int width = parse_width(arguments.width);
 
   Stats stats{.alpha_rule = name_of(choice.rule)};
   Stopwatch watch;
-  const std::vector<Point> points = read_points(source);
+  const std::vector<Point> points = read(source, run.quiet);
   stats.read_seconds = watch.lap();
   stats.alpha = choose_alpha(choice, points, run);
   if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
@@ -85,12 +93,12 @@ void run_shape(const ShapeArguments& arguments) {
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
   const SolidAlphaComplex complex = build(points, alpha, method, run).complex;
   stop_if_interrupted();
-  const std::vector<Polygon> shape = polygons(complex, filter);
+  const std::vector<Polygon> shape = outlined(complex, filter, run);
   const PolygonTotals totals = total(shape);
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, shape, complex, arguments.width);
+  write_targets(outputs, targets, points, shape, complex, width, !run.quiet && !written_to_terminal(arguments.outputs));
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
     stats.points = points.size();
@@ -107,14 +115,10 @@ void run_shape(const ShapeArguments& arguments) {
   }
   outputs.publish();
 
-  if (shape.empty()) {
-    const std::string reason = reason_for_no_polygon(points, complex, arguments);
-    std::fprintf(stderr, "rbpa: the shape is empty: %s\n", reason.c_str());
-  }
+  if (shape.empty()) say("rbpa", "the shape is empty: " + reason_for_no_polygon(points, complex, arguments));
   if (!run.quiet) {
     const std::string chosen_alpha = said(choice, stats.alpha);
-    std::fprintf(stderr, "rbpa: %s\n",
-                 summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets).c_str());
+    say("rbpa", summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets));
   }
 }
 

@@ -18,14 +18,14 @@ struct ShapeArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::string alpha;
-  std::optional<long> components;  ///< at most, at `auto`; 1 if absent
+  std::optional<std::string> components;  ///< at most, at `auto`; 1 if absent
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;
   MethodArguments method;
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
-  int width = 1200;
+  std::string width = "1200";
   RunArguments run;
 };
 

@@ -4,29 +4,39 @@
 #include <charconv>
 
 #include "io/failure.h"
+#include "io/lines.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {
 
-Column parse_column(const std::string& text) {
-  const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!digits) return {.number = 0, .name = text};
+Column parse_column(std::string_view text) {
+  // What is a number is no name: -1 and 1.5 are mistakes.
+  const NumberFault fault = parse_whole_number(text).fault;
+  if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
+    return {.number = 0, .name = std::string(text)};
   Column column;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), column.number);
-  if (error != std::errc() || column.number == 0)
+  if (error != std::errc() || end != text.data() + text.size() || column.number == 0)
     throw WrongUsage("--columns: found " + in_quotes(text) + ", expected a column number from 1 or a column name");
   return column;
 }
 
 }  // namespace
 
+void refuse_one_column(std::string_view columns) {
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", which is one column, expected two");
+}
+
 Columns parse_columns(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const bool two = comma != std::string::npos && comma > 0 && comma + 1 < text.size() &&
-                   text.find(',', comma + 1) == std::string::npos;
-  if (!two)
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view x = trimmed(std::string_view(text).substr(0, comma));
+  const std::string_view y = trimmed(std::string_view(text).substr(std::min(comma + 1, text.size())));
+  if (x.empty() || y.empty() || y.find(',') != std::string_view::npos)
     throw WrongUsage("--columns: found " + in_quotes(text) + ", expected X,Y (two column numbers or names)");
-  return {parse_column(text.substr(0, comma)), parse_column(text.substr(comma + 1))};
+  const Columns columns{parse_column(x), parse_column(y)};
+  if (columns.x == columns.y) refuse_one_column(text);
+  return columns;
 }
 
 }  // namespace rbpa::app

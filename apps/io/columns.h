@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace rbpa::app {
 
@@ -10,6 +11,7 @@ namespace rbpa::app {
 struct Column {
   std::size_t number = 0;  ///< from 1; 0 when the name counts
   std::string name = {};
+  friend bool operator==(const Column&, const Column&) = default;
 };
 
 struct Columns {
@@ -17,7 +19,10 @@ struct Columns {
   Column y{.number = 2};
 };
 
-/// "X,Y", each a number from 1 or a name. Throws WrongUsage.
+/// Throws WrongUsage: `columns` are the same.
+[[noreturn]] void refuse_one_column(std::string_view columns);
+
+/// "X,Y", each a number from 1 or a name, and not the same. Throws WrongUsage.
 Columns parse_columns(const std::string& text);
 
 }  // namespace rbpa::app

@@ -1,16 +1,24 @@
 #include "io/exit_code.h"
 
-#include <cstdio>
 #include <new>
 
 #include "io/failure.h"
+#include "io/message.h"
+#include "io/output_file.h"
+#include "meshops/topology/progress.h"
 #include "rbpa/core/error.h"
 
 namespace rbpa::app {
 
 int report(const std::string& program, const std::string& message, ExitCode code) {
-  std::fprintf(stderr, "%s: %s\n", program.c_str(), message.c_str());
+  say(program, message);
   return code;
+}
+
+void print(const std::string& text) {
+  OutputFile out("-");
+  out.write(text);
+  out.finish();
 }
 
 int run(const std::string& program, const std::function<void()>& work) {
@@ -25,6 +33,10 @@ int run(const std::string& program, const std::function<void()>& work) {
     return report(program, e.what(), bad_input_given);
   } catch (const Cancelled&) {
     return report(program, "cancelled", cancelled);
+  } catch (const meshops::Cancelled&) {
+    return report(program, "cancelled", cancelled);
+  } catch (const ClosedPipe&) {
+    return closed_pipe;
   } catch (const std::bad_alloc&) {
     return report(program, "out of memory", failed);
   } catch (const std::exception& e) {

@@ -25,13 +25,21 @@ class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Nobody reads what is written any more (exit code 141). Nothing is said about it: `rbpa alpha --csv | head` is no failure.
+class ClosedPipe : public std::runtime_error {
+ public:
+  ClosedPipe() : std::runtime_error("the reader of the output is gone") {}
+};
+
 /// Throws BadInput "WHERE: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
 
 /// "FILE:LINE", the way compilers name a place in a text.
 std::string at_line(std::string_view file, std::size_t line);
 
-/// The text in single quotes, fit for one line of a terminal: control characters replaced, clipped when long.
+/// The text printable() and clipped when long: a piece of input in a message, which a zero byte would cut off.
+std::string shown(std::string_view text);
+/// The same in single quotes.
 std::string in_quotes(std::string_view text);
 
 /// "1 column", "2 columns".

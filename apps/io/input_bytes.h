@@ -2,32 +2,39 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace rbpa::app {
 
-/// A regular file is mapped, so that its bytes are neither copied nor counted twice; anything else is read to its end.
+/// The bytes are read, not mapped: a mapped file that somebody shortens kills whoever looks at it. What the difference
+/// costs is in docs/io.md.
 class InputBytes {
  public:
   /// `name` is a path, or "-" for standard input; `expected` is what it should hold. Throws BadInput when there is no
-  /// such file, Failure when reading breaks off, Cancelled.
+  /// such file, or when a regular file changes while it is read; Failure when reading breaks off; Cancelled.
   InputBytes(const std::string& name, const std::string& expected);
-  ~InputBytes();
-  InputBytes(const InputBytes&) = delete;
-  InputBytes& operator=(const InputBytes&) = delete;
 
-  std::string_view bytes() const { return {data_, size_}; }
+  std::string_view bytes() const { return {data_.get(), size_}; }
   /// What messages call it.
   const std::string& name() const { return name_; }
 
  private:
-  void read_to_end(int descriptor);
+  struct Free {
+    void operator()(char* data) const { std::free(data); }
+  };
+
+  void make_room(std::size_t size);
+  bool read_some(int descriptor);
+  void read_all(int descriptor);
+  void read_file(int descriptor);
 
   std::string name_;
-  char* data_ = nullptr;
+  std::unique_ptr<char, Free> data_;
+  std::size_t room_ = 0;
   std::size_t size_ = 0;
-  bool mapped_ = false;
 };
 
 }  // namespace rbpa::app

@@ -21,11 +21,19 @@ void catch_interrupts() {
   action.sa_flags = 0;  // no SA_RESTART: a read or write that waits must return
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // else by nohup, to go on
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 bool interrupted() { return signal_came; }
+
+std::function<bool()> until_interrupted() {
+  return [] { return !interrupted(); };
+}
 
 void stop_if_interrupted() {
   if (interrupted()) throw Cancelled();

@@ -1,13 +1,19 @@
-// What: Ctrl-C and a polite kill as something the program notices between two steps, so that it can tidy up.
+// What: Ctrl-C, a polite kill and the end of the terminal as something the program notices between two steps, so that it can tidy up.
 #pragma once
+
+#include <functional>
 
 namespace rbpa::app {
 
-/// From now on SIGINT and SIGTERM only set a flag, and a pipe closed by its reader is an error of write().
+/// From now on SIGINT, SIGTERM and SIGHUP only set a flag, and a pipe closed by its reader, or a file as large as may
+/// be, is an error of write().
 void catch_interrupts();
 
 /// In any thread.
 bool interrupted();
+
+/// For a computation to ask whether to go on: false once a signal has come.
+std::function<bool()> until_interrupted();
 
 /// Throws Cancelled once a signal has come. Cost: a load.
 void stop_if_interrupted();

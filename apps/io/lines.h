@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "io/interrupt.h"
+
 namespace rbpa::app {
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -18,11 +20,12 @@ inline std::string_view trimmed(std::string_view text) {
   return {first, static_cast<std::size_t>(last - first)};
 }
 
-/// How often a line ends in `text`.
+/// How often a line ends in `text`. Throws Cancelled.
 inline std::size_t count_line_ends(std::string_view text) {
   constexpr std::size_t block_size = 240;  // so that a count fits into a byte, and many lie in one register
   std::size_t count = 0;
-  while (!text.empty()) {
+  for (std::size_t blocks = 0; !text.empty(); ++blocks) {
+    if (blocks % 65536 == 0) stop_if_interrupted();
     const std::string_view block = text.substr(0, block_size);
     std::uint8_t ends = 0;
     for (const char c : block) ends = static_cast<std::uint8_t>(ends + (c == '\n' ? 1 : 0));
@@ -39,7 +42,7 @@ class Lines {
   explicit Lines(std::string_view text, std::size_t before = 0)
       : at_(text.data()), end_(text.data() + text.size()), number_(before) {}
 
-  /// Goes to the next line; false when there is none.
+  /// Goes to the next line; false when there is none. Throws Cancelled.
   bool next() {
     if (at_ == end_) return false;
     const auto left = static_cast<std::size_t>(end_ - at_);
@@ -47,7 +50,7 @@ class Lines {
     if (stop == nullptr) stop = end_;
     line_ = trimmed({at_, static_cast<std::size_t>(stop - at_)});
     at_ = stop == end_ ? end_ : stop + 1;
-    ++number_;
+    if (++number_ % 65536 == 0) stop_if_interrupted();  // also where line after line is passed over
     return true;
   }
   /// next(), passing over blank lines and lines that begin with '#'.

@@ -6,61 +6,41 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/links.h"
 #include "io/number.h"
 
 namespace rbpa::app {
-namespace {
-
-/// The file behind symbolic links, so that renaming does not replace a link.
-std::string behind_links(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path real = std::filesystem::canonical(path, error);
-  return error ? path : real.string();
-}
-
-std::string temporary_beside(const std::string& path, int attempt) {
-  const std::size_t slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-  return folder + ".rbpa-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
-}
-
-}  // namespace
 
 OutputFile::OutputFile(const std::string& path)
-    : name_(path == "-" ? "standard output" : path), path_(path), buffer_(new char[buffer_size]) {
-  if (path == "-") {
-    descriptor_ = STDOUT_FILENO;
-    return;
-  }
+    : name_(path == "-" ? "standard output" : path), buffer_(new char[buffer_size]) {
   struct stat status {};
-  const bool exists = stat(path.c_str(), &status) == 0;
-  if (exists && !S_ISREG(status.st_mode)) {
-    descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail("cannot open");
-    return;
+  if (path == "-") {
+    direct_.emplace(STDOUT_FILENO);
+  } else if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    direct_.emplace(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (direct_->number() < 0) fail("cannot open");
+  } else {
+    open_beside(behind_links(path));
   }
-  if (exists && access(path.c_str(), W_OK) != 0) fail("cannot write");
-  path_ = behind_links(path);
-  for (int attempt = 0; descriptor_ < 0; ++attempt) {
-    temporary_ = temporary_beside(path_, attempt);
-    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0 || errno == EEXIST) continue;
-    temporary_.clear();
-    fail("cannot create");
-  }
-  if (exists) (void)fchmod(descriptor_, status.st_mode & 07777U);  // best effort: the permissions it had
+  descriptor_ = direct_ ? direct_->number() : temporary_->descriptor();
 }
 
-OutputFile::~OutputFile() {
-  if (descriptor_ >= 0 && path_ != "-") close(descriptor_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+void OutputFile::open_beside(const std::string& path) {
+  struct stat status {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (exists && access(path.c_str(), W_OK) != 0) fail("cannot write");
+  try {
+    temporary_.emplace(path);
+  } catch (const std::system_error& error) {
+    errno = error.code().value();
+    fail("cannot create");
+  }
+  if (exists) (void)fchmod(temporary_->descriptor(), status.st_mode & 07777U);  // best effort: the permissions it had
 }
 
 void OutputFile::write_far(std::string_view bytes) {
@@ -78,37 +58,64 @@ void OutputFile::flush() {
   used_ = 0;
 }
 
-void OutputFile::write_through(std::string_view bytes) const {
+void OutputFile::write_through(std::string_view bytes) {
   while (!bytes.empty()) {
     stop_if_interrupted();
     const ssize_t count = ::write(descriptor_, bytes.data(), std::min(bytes.size(), buffer_size));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("cannot write");
-    bytes.remove_prefix(static_cast<std::size_t>(count));
+    if (count >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+      size_ += static_cast<std::size_t>(count);
+    } else if (errno == EAGAIN) {
+      wait_to_write(descriptor_);
+    } else if (errno != EINTR) {
+      fail("cannot write");
+    }
   }
+}
+
+/// Part by part, so that a signal is noticed between two: fsync() of a large file may wait for seconds.
+void OutputFile::reach_disk() {
+  constexpr std::size_t part = std::size_t{8} << 20U;
+  for (std::size_t at = 0; at < size_; at += part) {
+    stop_if_interrupted();
+    constexpr unsigned wait_for_it = SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
+    // Where it fails, fsync() has all to do.
+    (void)sync_file_range(descriptor_, static_cast<off_t>(at), static_cast<off_t>(part), wait_for_it);
+  }
+  if (fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("cannot write");
 }
 
 void OutputFile::finish() {
   flush();
-  if (path_ == "-") return;
-  // A network or a full disk may refuse only now.
-  if (!temporary_.empty() && fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("cannot write");
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  if (close(descriptor) != 0 && errno != EINTR) fail("cannot write");
+  if (temporary_) reach_disk();
+  // A network or a full disk may refuse only when the file is closed. A second name for it is enough to see that.
+  const int second = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+  if (second >= 0 && close(second) != 0 && errno != EINTR) fail("cannot write");
   stop_if_interrupted();
 }
 
 void OutputFile::publish() {
-  if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot rename the finished file");
-  temporary_.clear();
+  if (!temporary_) return;
+  try {
+    temporary_->take_place();
+  } catch (const std::system_error& error) {
+    errno = error.code().value();
+    fail("cannot rename the finished file");
+  }
+  temporary_.reset();
 }
 
 void OutputFile::fail(const std::string& doing) const {
   const int reason = errno;
   if (reason == EINTR) stop_if_interrupted();
+  if (reason == EPIPE) throw ClosedPipe();
   throw Failure(name_ + ": " + doing + ": " + std::strerror(reason));
+}
+
+OutputFile& OutputSet::add(const std::string& path) {
+  files_.push_back(std::make_unique<OutputFile>(path));
+  if (path != "-") clear_abandoned(behind_links(path));
+  return *files_.back();
 }
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
 // What: a file that appears whole or not at all.
-// Law:  until publish() nothing is seen under its name; without publish() nothing is left behind.
+// Law:  until publish() nothing is seen under its name; without publish() nothing is left behind (temporary_file.h).
 #pragma once
 
 #include <bit>
@@ -7,20 +7,23 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/descriptor.h"
+#include "io/temporary_file.h"
+
 namespace rbpa::app {
 
-/// Bytes go to a temporary file in the same folder, which publish() renames. What exists and is not a regular file (a
-/// device, a pipe), and "-", standard output, is written directly.
+/// Bytes go to a temporary file in the folder of the file, or of the one that a symbolic link leads to, and publish()
+/// renames it. What exists and is not a regular file (a device, a pipe), and "-", standard output, is written directly.
 class OutputFile {
  public:
-  /// Throws Failure when it cannot be written; Cancelled.
+  /// Throws Failure when it cannot be written; here as below ClosedPipe when nobody reads it, Cancelled.
   explicit OutputFile(const std::string& path);
-  ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
@@ -61,15 +64,18 @@ class OutputFile {
  private:
   static constexpr std::size_t buffer_size = std::size_t{1} << 20U;
 
+  void open_beside(const std::string& path);
   void flush();
   void write_far(std::string_view bytes);
-  void write_through(std::string_view bytes) const;
+  void write_through(std::string_view bytes);
+  void reach_disk();
   [[noreturn]] void fail(const std::string& doing) const;
 
   std::string name_;
-  std::string path_;
-  std::string temporary_ = {};  // empty when written directly
-  int descriptor_ = -1;
+  std::optional<TemporaryFile> temporary_ = std::nullopt;  // one of these two
+  std::optional<Descriptor> direct_ = std::nullopt;
+  int descriptor_ = -1;  // of that
+  std::size_t size_ = 0;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
 };
@@ -77,10 +83,8 @@ class OutputFile {
 /// The files of one run: all are complete before the first takes its name.
 class OutputSet {
  public:
-  OutputFile& add(const std::string& path) {
-    files_.push_back(std::make_unique<OutputFile>(path));
-    return *files_.back();
-  }
+  /// Throws as OutputFile() does.
+  OutputFile& add(const std::string& path);
   void publish() {
     for (const auto& file : files_) file->publish();
   }

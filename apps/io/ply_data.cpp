@@ -8,7 +8,8 @@
 namespace rbpa::app {
 
 std::string announced(const PlyElement& element) {
-  return counted(element.count, element.name + " element") + " as line " + std::to_string(element.line) + " says";
+  return counted(element.count, shown(element.name) + " element") + " as line " + std::to_string(element.line) +
+         " says";
 }
 
 const PlyElement& vertices_of(const PlyHeader& header, const std::string& name) {
@@ -44,14 +45,14 @@ void PlyBinary::pass_any(const PlyProperty& property, const PlyElement& element,
     take(size_of(*property.count_type), element, index);
     const double count = load_number(*property.count_type, length, order_);
     if (count < 0)
-      bad_input(name_ + ": " + element.name + " " + std::to_string(index), "a negative list length", "none");
+      bad_input(name_ + ": " + shown(element.name) + " " + std::to_string(index), "a negative list length", "none");
     values = count > static_cast<double>(left()) ? left() + 1 : static_cast<std::size_t>(count);
   }
   take(values * size_of(property.type), element, index);
 }
 
 void PlyBinary::take(std::size_t size, const PlyElement& element, std::size_t index) {
-  if (size > left()) bad_input(name_, counted(index, "whole " + element.name + " element"), announced(element));
+  if (size > left()) bad_input(name_, counted(index, "whole " + shown(element.name) + " element"), announced(element));
   at_ += size;
 }
 
@@ -71,7 +72,8 @@ void PlyText::pass_words(const PlyProperty& property, std::string_view& rest) co
 }
 
 void PlyText::next(const PlyElement& element, std::size_t index) {
-  if (!lines_.next_with_content()) bad_input(name_, counted(index, element.name + " element"), announced(element));
+  if (!lines_.next_with_content())
+    bad_input(name_, counted(index, shown(element.name) + " element"), announced(element));
 }
 
 }  // namespace rbpa::app

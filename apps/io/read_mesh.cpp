@@ -30,14 +30,17 @@ MeshFile parse(MeshFormat format, std::string_view bytes, const std::string& nam
 
 MeshFile read_mesh(const MeshSource& source) {
   const InputBytes input(source.path, "a mesh file");
+  return mesh_in(input.bytes(), input.name(), source.format);
+}
+
+MeshFile mesh_in(std::string_view bytes, const std::string& name, MeshFormat format) {
   // A mesh without faces may be meant; no bytes at all come from a command that failed before.
-  if (input.bytes().empty()) bad_input(input.name(), "an empty file", "a mesh");
-  MeshFile mesh = parse(source.format, input.bytes(), input.name());
+  if (bytes.empty()) bad_input(name, "an empty file", "a mesh");
+  MeshFile mesh = parse(format, bytes, name);
   // A halfedge mesh numbers its elements with int, and a soup its corners with 32 bits.
   constexpr std::size_t most = std::numeric_limits<int>::max() / 2;
   if (mesh.positions.size() > most || mesh.soup.corners.size() > most)
-    bad_input(input.name(),
-              counted(mesh.positions.size(), "point") + " and " + counted(mesh.soup.corners.size(), "corner"),
+    bad_input(name, counted(mesh.positions.size(), "point") + " and " + counted(mesh.soup.corners.size(), "corner"),
               "at most " + std::to_string(most) + " of each");
   mesh.soup.points = mesh.positions.size();
   return mesh;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/formats.h"
@@ -34,5 +35,8 @@ struct MeshSource {
 /// Every coordinate is finite and every corner a point. Throws BadInput naming the file, the line or the element, what
 /// was found and what was expected; Failure; Cancelled.
 MeshFile read_mesh(const MeshSource& source);
+
+/// The same of the content of a file, which messages call `name`.
+MeshFile mesh_in(std::string_view bytes, const std::string& name, MeshFormat format);
 
 }  // namespace rbpa::app

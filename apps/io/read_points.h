@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/columns.h"
@@ -21,5 +22,8 @@ struct PointSource {
 /// The points in the order of the file, all finite. Throws BadInput naming the file, the line or the point, what was
 /// found and what was expected; Failure; Cancelled.
 std::vector<Point> read_points(const PointSource& source);
+
+/// The same of the content of a file, which messages call `name`: the path does not count.
+std::vector<Point> points_in(std::string_view bytes, const std::string& name, const PointSource& source);
 
 }  // namespace rbpa::app

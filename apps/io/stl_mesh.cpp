@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 
+#include "io/equal_positions.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -16,37 +16,26 @@
 namespace rbpa::app {
 namespace {
 
-using Position = std::array<double, 3>;
-
-struct PositionHash {
-  std::size_t operator()(const Position& p) const {
-    std::uint64_t hash = 0;
-    for (const double coordinate : p) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15U;
-      hash ^= hash >> 32U;
-    }
-    return hash;
-  }
-};
-
 /// Gives equal corners one number.
 class Corners {
  public:
-  explicit Corners(MeshFile& mesh) : mesh_(mesh) {}
+  explicit Corners(MeshFile& mesh, std::size_t places = 0) : mesh_(mesh), places_(places) {}
 
   std::uint32_t number(Position p, std::optional<std::size_t> line) {
     for (double& coordinate : p) coordinate += 0.0;  // −0 becomes +0
-    const auto [found, is_new] = numbers_.emplace(p, static_cast<std::uint32_t>(mesh_.positions.size()));
-    if (is_new) {
-      mesh_.positions.push_back(p);
-      if (line) mesh_.point_lines.push_back(*line);
-    }
-    return found->second;
+    const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
+    mesh_.positions.push_back(p);
+    const std::uint32_t first = places_.first_at(mesh_.positions, next);
+    if (first != next)
+      mesh_.positions.pop_back();
+    else if (line)
+      mesh_.point_lines.push_back(*line);
+    return first;
   }
 
  private:
   MeshFile& mesh_;
-  std::unordered_map<Position, std::uint32_t, PositionHash> numbers_ = {};
+  EqualPositions places_;
 };
 
 constexpr std::size_t header_size = 84, facet_size = 50;
@@ -78,7 +67,8 @@ MeshFile read_binary(std::string_view bytes, const std::string& name) {
               std::to_string(header_size + facet_size * facets) + " for the " + counted(facets, "facet") +
                   " that byte 80 announces");
   MeshFile mesh;
-  Corners corners(mesh);
+  Corners corners(mesh, facets / 2);  // as a closed surface has
+  mesh.reserve_faces(facets);
   for (std::size_t f = 0; f < facets; ++f) {
     if (f % 16384 == 0) stop_if_interrupted();
     const char* at = bytes.data() + header_size + facet_size * f + 3 * sizeof(float);  // behind the normal

@@ -137,6 +137,7 @@ class TextReader {
                 needed == 2 ? (text_only ? "two numbers" : "two columns")
                             : "at least " + counted(needed, "column") + ", as --columns asks");
     }
+    if (x_ == y_) refuse_one_column(fields[x_]);  // under two names, or by name and by number
     if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) return false;
     first_line_ = lines_.number();
     header_ = lines_.line();

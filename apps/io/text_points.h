@@ -14,7 +14,8 @@ namespace rbpa::app {
 
 /// The separator is the first of comma, semicolon, tab and blanks that the first line of data contains. Fields may stand
 /// in double quotes (not with blanks). A first line without a number in either column is a header. All lines have the
-/// same number of columns. Throws BadInput naming the line.
+/// same number of columns. Throws BadInput naming the line, and
+/// WrongUsage when both columns turn out to be one.
 std::vector<Point> read_text_points(std::string_view text, const std::string& name, const Columns& columns);
 
 }  // namespace rbpa::app

@@ -1,10 +1,11 @@
 #include "meshtopo/arguments.h"
 
-#include <vector>
+#include <algorithm>
+#include <cctype>
 
 #include "io/failure.h"
 #include "io/same_file.h"
-#include "io/vertex_lines.h"
+#include "io/whole_number.h"
 #include "io/write_mesh.h"
 
 namespace rbpa::app {
@@ -39,35 +40,56 @@ GeneratorTarget parse_generator_target(const std::string& path) {
                    std::string(polyline_formats));
 }
 
-std::size_t parse_max_defects(const std::string& text) {
-  const std::optional<std::size_t> number = parse_count(text);
-  if (!number) throw WrongUsage("--max-defects: found " + in_quotes(text) + ", expected a number from 0");
-  return *number;
+/// By the ending, or by --json.
+ReportTarget parse_report_target(const std::string& path, bool json) {
+  if (path == "-") return {path, json ? ReportFormat::json : ReportFormat::text};
+  const std::string_view name = ending(path);
+  const auto is = [name](std::string_view known) {
+    return std::equal(name.begin(), name.end(), known.begin(), known.end(),
+                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+  };
+  if (mesh_format(name))
+    throw WrongUsage(path + ": found the ending " + in_quotes(name) +
+                     " of a mesh, expected json or txt for a report, or --repair to write a mesh");
+  if (is("txt") && json) throw WrongUsage(path + ": found the ending 'txt' with --json, expected json");
+  if (json || is("json")) return {path, ReportFormat::json};
+  if (name.empty() || is("txt")) return {path, ReportFormat::text};
+  refuse_ending(path, "json, txt", "--json");
 }
 
 }  // namespace
 
+std::vector<std::string> TopologyPlan::outputs() const {
+  std::vector<std::string> paths;
+  if (repaired) paths.push_back(repaired->path);
+  if (generators) paths.push_back(generators->path);
+  if (report) paths.push_back(report->path);
+  return paths;
+}
+
 TopologyPlan plan(const TopologyArguments& arguments) {
   TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format),
-                    .max_defects = parse_max_defects(arguments.max_defects)};
-  const bool reports = arguments.json || !arguments.quiet;
-  if (reports) plan.report = "-";
+                    .max_defects = parse_whole("--max-defects", arguments.max_defects, {}),
+                    .quiet = arguments.quiet};
+  const bool is_report = arguments.output && !arguments.repair;
+  if (is_report) {
+    if (arguments.output_format) throw WrongUsage("--output-format: found no --repair, expected it");
+    plan.report = parse_report_target(*arguments.output, arguments.json);
+    if (arguments.quiet && plan.report->format == ReportFormat::text)
+      throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
+  } else if (arguments.json || !arguments.quiet) {
+    plan.report = parse_report_target("-", arguments.json);
+  }
   if (arguments.repair) {
     if (!arguments.output) throw WrongUsage("--repair: found no -o OUT, expected a file for the repaired mesh");
     plan.repaired = parse_repair_target(*arguments.output, arguments.output_format);
-    if (reports && *arguments.output == "-")
+    if (plan.report && *arguments.output == "-")
       throw WrongUsage("-o -: found standard output for the report and the mesh, expected another file or --quiet");
-  } else {
-    if (arguments.output_format) throw WrongUsage("--output-format: found no --repair, expected it");
-    if (arguments.output && !reports) throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
-    if (arguments.output) plan.report = arguments.output;
+  } else if (arguments.output_format) {
+    throw WrongUsage("--output-format: found no --repair, expected it");
   }
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
-
-  std::vector<std::string> outputs;
-  if (arguments.output) outputs.push_back(*arguments.output);
-  if (arguments.generators) outputs.push_back(*arguments.generators);
-  require_different(outputs, arguments.mesh, "the mesh");
+  require_different(plan.outputs(), arguments.mesh, "the mesh");
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/read_mesh.h"
 
@@ -22,6 +23,13 @@ struct TopologyArguments {
   bool quiet = false;
 };
 
+enum class ReportFormat { text, json };
+
+struct ReportTarget {
+  std::string path;  ///< "-" is standard output
+  ReportFormat format;
+};
+
 struct RepairTarget {
   std::string path;
   MeshFormat format;
@@ -36,9 +44,12 @@ struct GeneratorTarget {
 struct TopologyPlan {
   MeshSource source;
   std::size_t max_defects;
-  std::optional<std::string> report = std::nullopt;  ///< where it goes, "-" for standard output; none: nowhere
+  bool quiet;  ///< no progress
+  std::optional<ReportTarget> report = std::nullopt;
   std::optional<RepairTarget> repaired = std::nullopt;
   std::optional<GeneratorTarget> generators = std::nullopt;
+
+  std::vector<std::string> outputs() const;  ///< of all three, in the order of writing
 };
 
 /// Throws WrongUsage naming the value.

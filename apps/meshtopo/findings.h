@@ -9,6 +9,7 @@
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
+#include "meshtopo/geometry.h"
 
 namespace rbpa::app {
 
@@ -16,6 +17,7 @@ struct Findings {
   const MeshFile& mesh;
   meshops::TopologyReport topology;
   std::vector<meshops::SoupDefect> defects;
+  std::vector<GeometricDefect> geometric_defects;
   std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not asked for
 };
 

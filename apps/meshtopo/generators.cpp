@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/interrupt.h"
 #include "meshops/core/live.h"
 #include "meshops/topology/homology.h"
 
@@ -19,7 +20,9 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
     for (const double coordinate : p) greatest = std::max(greatest, std::abs(coordinate));
   const int exponent = greatest > 0 ? std::ilogb(greatest) + 1 : 0;
   std::vector<double> lengths(mesh.n_edges(), 0);
+  std::size_t done = 0;
   meshops::for_each_edge(mesh, [&](meshops::Edge e) {
+    if (++done % 16384 == 0) stop_if_interrupted();
     const auto position = [&](meshops::Vertex v) { return positions[point_of[static_cast<std::size_t>(v.idx())]]; };
     const meshops::Halfedge h = mesh.halfedge_handle(e, 0);
     const std::array<double, 3> a = position(mesh.from_vertex_handle(h)), b = position(mesh.to_vertex_handle(h));
@@ -34,7 +37,8 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
 std::vector<Polyline> generators(const Connectivity& mesh, std::span<const std::uint32_t> point_of,
                                  std::span<const std::array<double, 3>> positions) {
   std::vector<Polyline> polylines;
-  for (const meshops::Loop& loop : meshops::homology(mesh, edge_lengths(mesh, point_of, positions)).generators) {
+  const std::vector<double> lengths = edge_lengths(mesh, point_of, positions);
+  for (const meshops::Loop& loop : meshops::homology_generators(mesh, lengths, until_interrupted())) {
     Polyline& polyline = polylines.emplace_back();
     for (const meshops::Halfedge h : loop)
       polyline.push_back(point_of[static_cast<std::size_t>(mesh.from_vertex_handle(h).idx())]);

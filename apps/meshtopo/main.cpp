@@ -1,9 +1,11 @@
 // The program `meshtopo`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "cli/narrow_help.h"
+#include "io/descriptor.h"
 #include "io/exit_code.h"
 #include "io/interrupt.h"
 #include "io/write_mesh.h"
@@ -15,6 +17,7 @@ namespace {
 constexpr const char* program = "meshtopo";
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   catch_interrupts();
   CLI::App app("Topology of a mesh: what it has of everything, and where it is no surface", program);
   app.formatter(std::make_shared<NarrowHelp>());
@@ -24,22 +27,23 @@ int main(int argc, char** argv) {
   app.add_option("--format", arguments.format,
                  "Format of MESH, where its ending does not say: " + std::string(mesh_formats))
       ->type_name("NAME");
-  app.add_flag("--json", arguments.json, "The report as JSON");
+  app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
   app.add_option("-o,--output", arguments.output,
-                 "File to write: the report, or with --repair the mesh, by its ending: " +
+                 "File to write: the report, by its ending json or txt, or with --repair the mesh: " +
                      std::string(written_mesh_formats) + "; - is standard output")
       ->type_name("OUT");
   app.add_option("--output-format", arguments.output_format,
                  "Format of the repaired mesh, where its ending does not say")
       ->type_name("NAME");
-  app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done");
+  app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done")
+      ->disable_flag_override();
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
   app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.quiet, "No report for people");
+  app.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor a report for people")->disable_flag_override();
   app.footer(
       "Examples:\n"
       "  meshtopo bunny.ply\n"
@@ -50,7 +54,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version
-    return app.exit(e);
+    std::ostringstream text, nothing;
+    app.exit(e, text, nothing);
+    return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
     return report(program, std::string(e.what()) + " (see meshtopo --help)", wrong_usage);
   }

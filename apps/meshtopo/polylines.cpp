@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/interrupt.h"
 #include "io/polygon_files.h"
 
 namespace rbpa::app {
@@ -20,13 +21,17 @@ void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> po
 void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
                       std::span<const Polyline> loops) {
   using Json = nlohmann::ordered_json;
-  Json list = Json::array();
+  file.write("[");
+  std::string_view before = "";
   for (const Polyline& loop : loops) {
+    stop_if_interrupted();
     Json points = Json::array();
     for (const std::uint32_t v : loop) points.push_back(positions[v]);
-    list.push_back({{"vertices", loop}, {"positions", points}});
+    file.write(before);
+    file.write(Json{{"vertices", loop}, {"positions", points}}.dump());
+    before = ",";
   }
-  file.write(list.dump() + "\n");
+  file.write("]\n");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/interrupt.h"
 #include "meshtopo/places.h"
 
 namespace rbpa::app {
@@ -20,13 +21,10 @@ std::string identifier(std::string_view words) {
   return text;
 }
 
-/// Defects, or steps of a repair.
+/// What is wrong, or a step of a repair.
 template <typename Item>
-Json listed(const std::vector<Item>& items, const MeshFile& mesh) {
-  Json list = Json::array();
-  for (const Item& item : items)
-    list.push_back({{"kind", identifier(name(item.kind))}, {"where", as_json({item.points, item.faces}, mesh)}});
-  return list;
+Json listed(const Item& item, const MeshFile& mesh) {
+  return {{"kind", identifier(name(item.kind))}, {"where", as_json({item.points, item.faces}, mesh)}};
 }
 
 Json piece(const meshops::ComponentReport& p) {
@@ -35,47 +33,60 @@ Json piece(const meshops::ComponentReport& p) {
           {"orientable", p.orientable}, {"genus", or_null(p.genus())}, {"betti", p.betti()}};
 }
 
-/// A member a line, and of a list of objects an object a line.
-std::string in_lines(const Json& object) {
-  std::string text = "{";
-  const char* before = "\n  ";
-  for (const auto& [key, value] : object.items()) {
-    text.append(before).append(Json(key).dump()).append(": ");
-    before = ",\n  ";
-    if (!value.is_array() || value.empty() || !value[0].is_object()) {
-      text += value.dump();
-      continue;
-    }
-    const char* before_item = "[\n    ";
-    for (const Json& item : value) {
-      text.append(before_item).append(item.dump());
-      before_item = ",\n    ";
-    }
-    text += "\n  ]";
+/// One object, a member a line, and of a list an item a line: one after the other, as there may be millions.
+class Object {
+ public:
+  explicit Object(OutputFile& file) : file_(file) {}
+
+  void member(const std::string& key, const Json& value) {
+    begin(key);
+    file_.write(value.dump());
   }
-  return text + "\n}\n";
-}
+  template <typename Items, typename AsJson>
+  void list(const std::string& key, const Items& items, AsJson as_json) {
+    begin(key);
+    std::string_view before = "[\n    ";
+    for (const auto& item : items) {
+      stop_if_interrupted();
+      file_.write(before);
+      file_.write(as_json(item).dump());
+      before = ",\n    ";
+    }
+    file_.write(items.empty() ? "[]" : "\n  ]");
+  }
+  void end() { file_.write("\n}\n"); }
+
+ private:
+  void begin(const std::string& key) {
+    file_.write(before_ + Json(key).dump() + ": ");
+    before_ = ",\n  ";
+  }
+
+  OutputFile& file_;
+  std::string before_ = "{\n  ";
+};
 
 }  // namespace
 
-std::string report_json(const Findings& findings) {
+void write_report_json(OutputFile& file, const Findings& findings) {
   const meshops::TopologyReport& t = findings.topology;
-  Json pieces = Json::array();
-  for (const meshops::ComponentReport& p : t.per_component) pieces.push_back(piece(p));
-  Json report = {{"vertices", t.vertices},
-                 {"edges", t.edges},
-                 {"faces", t.faces},
-                 {"euler", t.euler()},
-                 {"components", t.components},
-                 {"boundary_curves", t.boundary_curves},
-                 {"genus", or_null(t.genus)},
-                 {"betti", t.betti},
-                 {"pinches", t.pinches},
-                 {"isolated", t.isolated},
-                 {"defects", listed(findings.defects, findings.mesh)},
-                 {"per_component", pieces}};
-  if (findings.repair) report["repair"] = listed(*findings.repair, findings.mesh);
-  return in_lines(report);
+  const auto in_file = [&](const auto& item) { return listed(item, findings.mesh); };
+  Object report(file);
+  report.member("vertices", t.vertices);
+  report.member("edges", t.edges);
+  report.member("faces", t.faces);
+  report.member("euler", t.euler());
+  report.member("components", t.components);
+  report.member("boundary_curves", t.boundary_curves);
+  report.member("genus", or_null(t.genus));
+  report.member("betti", t.betti);
+  report.member("pinches", t.pinches);
+  report.member("isolated", t.isolated);
+  report.list("defects", findings.defects, in_file);
+  report.list("geometric_defects", findings.geometric_defects, in_file);
+  report.list("per_component", t.per_component, piece);
+  if (findings.repair) report.list("repair", *findings.repair, in_file);
+  report.end();
 }
 
 }  // namespace rbpa::app

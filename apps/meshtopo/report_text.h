@@ -8,7 +8,8 @@
 
 namespace rbpa::app {
 
-/// One number a line; pieces of surface when there are several; defects and what repair did, each up to `most` of them
+/// One number a line; pieces of surface when there are several; defects of topology and of geometry, and what repair
+/// did, each up to `most` of them
 /// and how many more there are.
 std::string report_text(const Findings& findings, std::size_t most);
 

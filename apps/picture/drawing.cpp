@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/interrupt.h"
+#include "io/sort.h"
 #include "meshops/front/boundary_curve.h"
 
 namespace rbpa::app {
@@ -28,21 +29,21 @@ Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& compl
 
   drawing.inner_edges.reserve(mesh.n_edges());
   for (const auto edge : mesh.edges()) {
+    if (edge.idx() % 16384 == 0) stop_if_interrupted();
     if (mesh.is_boundary(edge)) continue;
     const auto halfedge = mesh.halfedge_handle(edge, 0);
     const std::uint32_t a = input(mesh.from_vertex_handle(halfedge)), b = input(mesh.to_vertex_handle(halfedge));
     drawing.inner_edges.push_back({std::min(a, b), std::max(a, b)});
   }
-  stop_if_interrupted();
-  std::sort(drawing.inner_edges.begin(), drawing.inner_edges.end());
-  stop_if_interrupted();
+  sort(drawing.inner_edges);
 
   for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {
+    stop_if_interrupted();
     std::vector<std::uint32_t> curve;
     for (const meshops::Halfedge halfedge : boundary) curve.push_back(input(mesh.from_vertex_handle(halfedge)));
     drawing.curves.push_back(from_least_edge(std::move(curve)));
   }
-  std::sort(drawing.curves.begin(), drawing.curves.end());
+  sort(drawing.curves);
   return drawing;
 }
 

@@ -75,8 +75,10 @@ Canvas draw(const Scene& scene) {
   canvas.paint(boundary.values(), boundary_colour);
 
   LineCoverage isolated(scene.width, scene.height);
-  for (const std::uint32_t point : scene.drawing->isolated)
+  for (const std::uint32_t point : scene.drawing->isolated) {
+    if (++done % 4096 == 0) stop_if_interrupted();
     isolated.add_dot(scene.at[point], scene.strokes.dot_radius);
+  }
   canvas.paint(isolated.values(), isolated_colour);
   return canvas;
 }

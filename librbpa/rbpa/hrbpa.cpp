@@ -76,13 +76,13 @@ class Levels {
 };
 
 /// α₀: half the side of the smallest leaf of a quadtree.
-double least_radius(const Sites& sites, std::size_t leaf_capacity) {
+double least_radius(const Sites& sites, std::size_t leaf_capacity, const std::function<void()>& ask) {
   long double side = 0;
   if (sites.beyond().empty()) {
-    side = std::ldexp(static_cast<long double>(Quadtree<double>(sites.grid().points(), leaf_capacity).smallest_side()),
-                      -sites.window().exponent);
+    const Quadtree<double> tree(sites.grid().points(), leaf_capacity);
+    side = std::ldexp(static_cast<long double>(tree.smallest_side(ask)), -sites.window().exponent);
   } else {
-    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side();
+    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side(ask);
   }
   using Limits = std::numeric_limits<double>;
   return static_cast<double>(std::clamp<long double>(side / 2, Limits::denorm_min(), Limits::max()));
@@ -96,7 +96,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   check(points, alpha);
   Hierarchy result;
   Threads threads = threads_for(points.size(), options.threads);
-  Assembly assembly(points, result.complex, threads);
+  Assembly assembly(points, result.complex, threads, options.progress);
   const Sites& sites = assembly.sites();
   if (assembly.are_collinear()) {
     assembly.finish(assembly.front());
@@ -113,7 +113,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
     assembly.finish(front);
     return result;
   }
-  result.least_radius = least_radius(sites, leaf_capacity);
+  result.least_radius = least_radius(sites, leaf_capacity, asking(options.progress, sites.size()));
   const Ladder ladder(result.least_radius, radius, sites.diameter_bound());
   GrowthByTiles growth(sites, ladder, threads, report);
   meshops::Front front = growth.begin(assembly);

@@ -24,6 +24,7 @@ meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, mes
   meshops::Outline outline;
   remainder.complete(missing, outline, threads, [&] { report.worked(assembler.faces()); });
   assembler.lay(missing, outline);
+  report.worked(assembler.faces());
   auto assembled = std::move(assembler).join();
   report.completed(assembled.mesh());
   return assembled;
@@ -35,7 +36,7 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   check(points, alpha);
   SolidAlphaComplex complex;
   Threads threads = threads_for(points.size(), options.threads);
-  Assembly assembly(points, complex, threads);
+  Assembly assembly(points, complex, threads, options.progress);
   const Sites& sites = assembly.sites();
   const Radius radius = Radius::of(alpha);
   Report report(options.progress, sites.size());

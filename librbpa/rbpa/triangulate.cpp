@@ -54,6 +54,7 @@ struct Run {
     list.prepare(missing, place);
     list.place(missing, place);
     list.fill(missing, place);
+    worked();
     return list.take();
   }
 
@@ -116,7 +117,7 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   const Run run{points, alpha, options, options.neighbors || options.boundary, threads};
   std::optional<TriangleList::Lists> lists;
   {
-    const Sites sites(points, threads);
+    const Sites sites(points, threads, asking(options.progress, points.size()));
     result.distinct = sites.size();
     result.duplicates = sites.duplicates();
     if (!are_collinear(points)) lists = run.find_triangles(sites);

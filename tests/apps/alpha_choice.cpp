@@ -191,8 +191,8 @@ TEST_SUITE("alpha choice") {
     for (const std::string alpha : {"0.5", "inf", "min"})
       refuses(alpha + " --components 2",
               "--components: found --alpha " + alpha + ", expected --alpha auto, which is what it is about");
-    refuses("auto --components 0", "--components: found 0, expected at least 1");
-    refuses("auto --components -3", "--components: found -3, expected at least 1");
+    refuses("auto --components 0", "--components: found '0', expected a whole number from 1");
+    refuses("auto --components -3", "--components: found '-3', expected a whole number from 1");
     CHECK(folder.rbpa("mesh no_such_file.xy -o s.svg --alpha auto --components two").code == 2);
   }
 }

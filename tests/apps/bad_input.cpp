@@ -1,6 +1,7 @@
 // Every way in which input can be bad: the exit code, the whole message, and no output left.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -173,6 +174,63 @@ TEST_SUITE("wrong usage") {
     refuses(folder, "mesh p.xy --alpha 1 -o ''", 2, "-o: found an empty name, expected a path or -");
     refuses(folder, "mesh p.xy --alpha 1 -o m.off --stats ''", 2,
             "found an empty name of a file to write, expected a path");
+  }
+
+  TEST_CASE("a number is the whole of a value, and in its range") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    const std::string far = "99999999999999999999";
+    for (const std::string value : {far.c_str(), "0", "-1", "+3", "1e3", "1.5", "0x10", "2x", " 3", "3 ", "", "nan"}) {
+      CAPTURE(value);
+      const auto refuses_value = [&](const std::string& run, const std::string& option, const std::string& expected) {
+        refuses(folder, run + " " + option + " '" + value + "'", 2,
+                option + ": found '" + value + "', expected a whole number " + expected);
+      };
+      refuses_value("mesh p.xy --alpha auto -o m.off", "--components", "from 1");
+      refuses_value("shape p.xy --alpha auto -o m.wkt", "--components", "from 1");
+      refuses_value("alpha p.xy", "--components", "from 1");
+      refuses_value("mesh p.xy --alpha 1 -o m.off --method hrbpa", "--leaf-capacity", "of points from 1");
+      refuses_value("mesh p.xy --alpha 1 -o m.png", "--width", "of pixels from 64 to 8192");
+      refuses_value("shape p.xy --alpha 1 -o m.png", "--width", "of pixels from 64 to 8192");
+      refuses_value("mesh p.xy --alpha 1 -o m.off", "--threads", "from 1 to 1024");
+      if (value == "0") continue;
+      CHECK(folder.meshtopo("m.off --max-defects '" + value + "'").err ==
+            "meshtopo: --max-defects: found '" + value + "', expected a whole number from 0\n");
+    }
+  }
+
+  TEST_CASE("two columns are two") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("p.csv", "lon,lat\n0,0\n1,0\n0,1\n");
+    const auto refuses_columns = [&](const std::string& columns, const std::string& found) {
+      refuses(folder, "mesh p.csv --alpha 1 -o m.off --columns '" + columns + "'", 2,
+              "--columns: found '" + found + "', which is one column, expected two");
+    };
+    refuses_columns("1,1", "1,1");
+    refuses_columns("1,01", "1,01");
+    refuses_columns("lon,lon", "lon,lon");
+    refuses_columns("lon,LON", "lon");  // found in the header only
+    refuses_columns("1,lon", "lon");
+    CHECK(folder.rbpa("mesh p.csv --alpha 1 -o m.off --columns ' lat , lon ' -q").code == 0);
+    for (const std::string number : {"0", "-1", "1.5", "1e0", "99999999999999999999", "1e999"})
+      refuses(folder, "info p.xy --columns=2," + number, 2,
+              "--columns: found '" + number + "', expected a column number from 1 or a column name");
+  }
+
+  TEST_CASE("a switch has no value, and an option one") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    for (const std::string run : {"mesh p.xy --alpha 1 -o m.off --compact=7", "info p.xy --quiet=false",
+                                  "alpha p.xy --json=abc", "info p.xy --format xy --format xy",
+                                  "mesh p.xy --alpha 1 --alpha 1 -o m.off", "mesh p.xy -o m.off --alpha"}) {
+      CAPTURE(run);
+      const Outcome outcome = folder.rbpa(run);
+      CHECK(outcome.code == 2);
+      CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    }
+    CHECK(folder.meshtopo("m.off --json=2").code == 2);
+    CHECK(folder.names().size() == 1);
   }
 
   TEST_CASE("an unknown ending lists those that are known") {

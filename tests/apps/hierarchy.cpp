@@ -186,7 +186,7 @@ TEST_SUITE("hierarchy") {
     refuses("shape p.xy --alpha 1 --leaf-capacity 9 -o s.wkt",
             "--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
     refuses("mesh p.xy --alpha 1 --method hrbpa --leaf-capacity 0 -o m.off",
-            "--leaf-capacity: found 0, expected at least 1 point");
+            "--leaf-capacity: found '0', expected a whole number of points from 1");
     for (const char* method : {"", " --method hrbpa"})
       refuses(std::string("mesh p.xy --alpha 1 --search far -o m.off") + method,
               "--search: found 'far', expected near or paper");

@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <functional>
@@ -12,32 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "support/child.h"
 #include "support/program.h"
 
 using namespace apps_test;
 
 namespace {
-
-pid_t start(std::vector<std::string> command) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const int null = open("/dev/null", O_WRONLY);
-    dup2(null, 2);
-    std::vector<char*> words;
-    for (std::string& word : command) words.push_back(word.data());
-    words.push_back(nullptr);
-    execv(words[0], words.data());
-    _exit(127);
-  }
-  return child;
-}
-
-int exit_code(pid_t child) {
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  REQUIRE(WIFEXITED(status));
-  return WEXITSTATUS(status);
-}
 
 void send(int pipe, const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
@@ -56,15 +35,15 @@ void stops(int sig, bool input_ends, const std::string& pipe_name,
   CAPTURE(input_ends);
   const Folder folder;
   REQUIRE(mkfifo(folder.path(pipe_name).c_str(), 0600) == 0);
-  const pid_t child = start(command_for(folder));
+  Child child(command_for(folder));
   // Opening waits for the program to read.
   const int pipe = open(folder.path(pipe_name).c_str(), O_WRONLY);
   REQUIRE(pipe >= 0);
   send_input(pipe);
   // Not closed before the signal is sent: the program is then reading, or has just begun to compute.
   if (input_ends) close(pipe);
-  REQUIRE(kill(child, sig) == 0);
-  CHECK(exit_code(child) == 130);
+  child.send(sig);
+  CHECK(child.wait() == Ending{130, 0});
   if (!input_ends) close(pipe);
   CHECK(folder.names() == std::vector<std::string>{pipe_name});
 }
@@ -72,7 +51,7 @@ void stops(int sig, bool input_ends, const std::string& pipe_name,
 }  // namespace
 
 TEST_CASE("a signal while points are read, and one while triangles are made, by either method") {
-  for (const int sig : {SIGINT, SIGTERM})
+  for (const int sig : {SIGINT, SIGTERM, SIGHUP})
     for (const auto& [method, all_points_sent] : {std::pair{"rbpa", false}, {"rbpa", true}, {"hrbpa", true}})
       stops(
           sig, all_points_sent, "pipe.f64xy",
@@ -101,9 +80,8 @@ TEST_CASE("a signal while the output waits for who reads it, after several threa
   for (std::size_t i = 0; i < points.size() / sizeof(double); ++i) values[i] = state = state * 1664525u + 1013904223u;
   folder.file("p.f64xy", points);
   REQUIRE(mkfifo(folder.path("pipe.off").c_str(), 0600) == 0);
-  for (const int sig : {SIGINT, SIGTERM}) {
-    const pid_t child =
-        start({RBPA_PROGRAM, "mesh", folder.path("p.f64xy"), "--alpha", "inf", "-o", folder.path("pipe.off")});
+  for (const int sig : {SIGINT, SIGTERM, SIGHUP}) {
+    Child child({RBPA_PROGRAM, "mesh", folder.path("p.f64xy"), "--alpha", "inf", "-o", folder.path("pipe.off")});
     const int pipe = open(folder.path("pipe.off").c_str(), O_RDONLY);
     REQUIRE(pipe >= 0);
     // As long as bytes come in, the pipe is not full.
@@ -113,19 +91,18 @@ TEST_CASE("a signal while the output waits for who reads it, after several threa
       if (now == 0) before = -1;
     }
     // Once more, should the program have been about to wait.
-    int status = 0;
-    while (waitpid(child, &status, WNOHANG) == 0) {
-      REQUIRE(kill(child, sig) == 0);
+    while (!child.has_ended()) {
+      child.send(sig);
       usleep(50'000);
     }
-    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(child.wait() == Ending{130, 0});
     close(pipe);
   }
   CHECK(folder.names() == std::vector<std::string>{"p.f64xy", "pipe.off"});
 }
 
 TEST_CASE("a signal while a mesh is read, and one while its topology is computed") {
-  for (const int sig : {SIGINT, SIGTERM})
+  for (const int sig : {SIGINT, SIGTERM, SIGHUP})
     for (const bool all_sent : {false, true})
       stops(
           sig, all_sent, "pipe.obj",

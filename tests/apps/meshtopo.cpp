@@ -29,6 +29,14 @@ json report_of_text(const std::string& content, const std::string& options = "")
   return report_of(folder, "m.off " + options);
 }
 
+/// What stands behind a label in the report for people.
+std::string row(const std::string& label, const std::string& text) {
+  const std::size_t at = text.find(label + " ");
+  REQUIRE(at != std::string::npos);
+  const std::size_t first = text.find_first_not_of(' ', at + label.size());
+  return text.substr(first, text.find('\n', first) - first);
+}
+
 struct Known {
   const char* name;
   long vertices, faces, components, boundary_curves, euler, genus;
@@ -92,7 +100,8 @@ TEST_SUITE("meshtopo") {
     std::vector<std::string> keys;
     for (const auto& [key, value] : r.items()) keys.push_back(key);
     CHECK(keys == std::vector<std::string>{"vertices", "edges", "faces", "euler", "components", "boundary_curves",
-                                           "genus", "betti", "pinches", "isolated", "defects", "per_component"});
+                                           "genus", "betti", "pinches", "isolated", "defects", "geometric_defects",
+                                           "per_component"});
     CHECK(r["per_component"] ==
           nlohmann::ordered_json::parse(R"([{"first_face": 0, "vertices": 5, "edges": 8, "faces": 5, "euler": 2,
             "boundary_curves": 0, "orientable": true, "genus": 0, "betti": [1, 0, 1]}])"));
@@ -158,6 +167,79 @@ TEST_SUITE("meshtopo") {
     CHECK(r["per_component"][0]["orientable"] == false);
   }
 
+  TEST_CASE("where there is no genus the report for people says why") {
+    const Folder folder;
+    folder.file("band.off", moebius);
+    folder.file("book.off", broken);
+    folder.file("both.off",
+                "OFF\n6 7 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n5 5 5\n3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n"
+                "3 4 0 1\n3 0 1 5\n3 0 2 5\n");
+    const auto genus = [&](const std::string& name) { return row("genus", folder.meshtopo(name).out); };
+    CHECK(genus("band.off") == "not orientable");
+    CHECK(genus("book.off") == "not a manifold");
+    folder.file("pieces.off", moebius.substr(0, 4) +
+                                  "8 6 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n5 0 0\n6 0 1\n7 1 0\n"
+                                  "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n3 5 6 7\n");
+    CHECK(genus("pieces.off") == "not orientable");
+    // In the table of pieces: of the one, and not of the other.
+    const std::string table = folder.meshtopo("pieces.off").out;
+    CHECK(table.find("not orientable\n") != table.rfind("not orientable\n"));
+    CHECK(table.find(" 1               0\n") != std::string::npos);
+  }
+
+  TEST_CASE("faces without area, exactly") {
+    const json r = report_of_text(
+        "OFF\n9 5 0\n0 0 0\n1 1 1\n3 3 3\n3 3 3.0000000000000004\n0.1 0.1 0.1\n0.2 0.2 0.2\n0.30000000000000004 "
+        "0.30000000000000004 0.30000000000000004\n0.3 0.3 0.3\n5 5 5\n"
+        "3 0 1 2\n3 0 1 3\n3 4 5 6\n4 0 1 2 8\n3 0 1 1\n");
+    json zero;
+    for (const json& defect : r["geometric_defects"])
+      if (defect["kind"] == "zero_area_face") zero.push_back(defect["where"]);
+    REQUIRE(zero.size() == 3);
+    CHECK(zero[0] == json::parse(R"({"vertices": [0, 1, 2], "faces": [0], "vertex_lines": [3, 4, 5],
+                                    "face_lines": [12]})"));
+    CHECK(zero[1]["faces"] == json::array({2}));  // on the diagonal, whatever the last bits are
+    CHECK(zero[2]["faces"] == json::array({3}));  // not the last one, which is degenerate without looking at it
+  }
+
+  TEST_CASE("faces without area at the ends of double, and those with very little") {
+    const json r = report_of_text(
+        "OFF\n9 5 0\n-1.7e308 -1.7e308 0\n0 0 0\n1.7e308 1.7e308 0\n1.7e308 1.6999999999999e308 0\n"
+        "5e-324 0 0\n0 5e-324 0\n1e-324 0 1e-320\n0 0 2e-320\n0 0 3e-320\n"
+        "3 0 1 2\n3 0 1 3\n3 1 4 5\n3 1 7 8\n3 4 7 8\n");
+    std::vector<int> zero;
+    for (const json& defect : r["geometric_defects"])
+      if (defect["kind"] == "zero_area_face") zero.push_back(defect["where"]["faces"][0]);
+    CHECK(zero == std::vector<int>{0, 3});
+  }
+
+  TEST_CASE("vertices at one place, exactly") {
+    const json r = report_of_text(
+        "OFF\n8 1 0\n1 2 3\n0 0 0\n1 2 3.0000000000000004\n-0 0 -0\n1 2 3\n9 9 9\n1 2 3\n0 0 5e-324\n3 0 1 5\n");
+    REQUIRE(r["geometric_defects"].size() == 2);
+    CHECK(r["geometric_defects"][0] ==
+          json::parse(R"({"kind": "coincident_vertices", "where": {"vertices": [0, 4, 6], "faces": [],
+                          "vertex_lines": [3, 7, 9], "face_lines": []}})"));
+    CHECK(r["geometric_defects"][1]["where"]["vertices"] == json::array({1, 3}));
+    CHECK(r["defects"].empty());
+  }
+
+  TEST_CASE("defects of geometry are counted and listed for people, up to as many as those of topology") {
+    const Folder folder;
+    std::string content = "OFF\n60 0 0\n";
+    for (int i = 0; i < 60; ++i) content += std::to_string(i / 2) + " 0 0\n";
+    folder.file("m.off", content);
+    const std::string text = folder.meshtopo("m.off --max-defects 2").out;
+    CHECK(row("geometric defects", text) == "30");
+    CHECK(
+        text.ends_with("\n\ngeometric defects\n  coincident vertices: vertices 0 1, lines 3 4\n"
+                       "  coincident vertices: vertices 2 3, lines 5 6\n  ... and 28 more\n"));
+    CHECK(report_of(folder, "m.off --max-defects 2")["geometric_defects"].size() == 30);
+    folder.file("m.off", pyramid_off);
+    CHECK(row("geometric defects", folder.meshtopo("m.off").out) == "0");
+    CHECK(report_of(folder, "m.off")["geometric_defects"].empty());
+  }
+
   TEST_CASE("isolated vertices, pieces, and a mesh without faces") {
     const json r =
         report_of_text("OFF\n8 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n7 7 7\n8 8 8\n3 0 1 2\n3 3 4 5\n");
@@ -214,6 +296,15 @@ TEST_SUITE("meshtopo") {
     CHECK(folder.content("r.txt") == text);
     CHECK(folder.meshtopo("m.off --json -q -o r.json").out.empty());
     CHECK(folder.content("r.json") == report);
+    // The ending says which report it is, as --json does.
+    CHECK(folder.meshtopo("m.off -o e.JSON -q").code == 0);
+    CHECK(folder.content("e.JSON") == report);
+    CHECK(folder.meshtopo("m.off --json -o r.log").code == 0);
+    CHECK(folder.content("r.log") == report);
+    CHECK(folder.meshtopo("m.off -o report").code == 0);
+    CHECK(folder.content("report") == text);
+    CHECK(folder.meshtopo("m.off -o -").out == text);
+    CHECK(folder.meshtopo("m.off -o - --json -q").out == report);
     CHECK(folder.meshtopo("m.off --json -q").out == report);
     CHECK(folder.meshtopo("m.off -q").out.empty());
   }

@@ -181,6 +181,18 @@ TEST_SUITE("meshtopo: wrong usage") {
             "--generators: found the ending 'off', expected one of obj, json");
   }
 
+  TEST_CASE("a report with the ending of something else") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    for (const std::string ending : {"ply", "off", "OBJ", "stl"})
+      for (const std::string json : {"", " --json"})
+        refuses(folder, "m.off -o x." + ending + json, 2,
+                "x." + ending + ": found the ending '" + ending +
+                    "' of a mesh, expected json or txt for a report, or --repair to write a mesh");
+    refuses(folder, "m.off -o x.csv", 2, "x.csv: found the ending 'csv', expected one of json, txt, or --json");
+    refuses(folder, "m.off -o x.txt --json", 2, "x.txt: found the ending 'txt' with --json, expected json");
+  }
+
   TEST_CASE("arguments that do not go together") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
@@ -201,8 +213,8 @@ TEST_SUITE("meshtopo: wrong usage") {
     folder.file("m.off", pyramid_off);
     CHECK(folder.meshtopo("").code == 2);
     CHECK(folder.meshtopo("m.off --jsno").code == 2);
-    refuses(folder, "m.off --max-defects many", 2, "--max-defects: found 'many', expected a number from 0");
-    refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a number from 0");
+    refuses(folder, "m.off --max-defects many", 2, "--max-defects: found 'many', expected a whole number from 0");
+    refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a whole number from 0");
   }
 
   TEST_CASE("help and version are answers") {

@@ -198,7 +198,8 @@ TEST_SUITE("shape") {
     refuses(folder, "shape p.xy --alpha 1 -o -",
             "-o -: found no --output-format, expected one of geojson, json, wkt, svg, png");
     refuses(folder, "shape p.xy --alpha 1", "found no -o OUT, expected at least one (or --stats)");
-    refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1", "--width: found 1, expected 64 to 8192 pixels");
+    refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1",
+            "--width: found '1', expected a whole number of pixels from 64 to 8192");
     CHECK(folder.rbpa("shape p.xy -o s.wkt").code == 2);
   }
 

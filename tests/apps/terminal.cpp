@@ -2,47 +2,53 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <stdlib.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <string>
-#include <vector>
 
+#include "cli/progress.h"
+#include "support/child.h"
+#include "support/mesh_files.h"
 #include "support/program.h"
 
 using namespace apps_test;
 
 namespace {
 
-/// Runs `rbpa ARGUMENTS` with a terminal as standard error; returns all that appears there.
-std::string seen_on_terminal(std::vector<std::string> command) {
-  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+/// Runs `command` with a terminal as standard error, and as standard output where `output_too`; returns all that appears
+/// there.
+std::string seen_on_terminal(const Child::Command& command, bool output_too = false) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
   REQUIRE(terminal >= 0);
   REQUIRE(grantpt(terminal) == 0);
   REQUIRE(unlockpt(terminal) == 0);
   const std::string name = ptsname(terminal);
-  command.insert(command.begin(), RBPA_PROGRAM);
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(open("/dev/null", O_WRONLY), 1);
-    dup2(open(name.c_str(), O_WRONLY | O_NOCTTY), 2);
-    std::vector<char*> words;
-    for (std::string& word : command) words.push_back(word.data());
-    words.push_back(nullptr);
-    execv(words[0], words.data());
-    _exit(127);
-  }
+  Child child(command, [&] {
+    redirect(STDOUT_FILENO, output_too ? name : "/dev/null", O_WRONLY | O_NOCTTY);
+    redirect(STDERR_FILENO, name, O_WRONLY | O_NOCTTY);
+  });
   std::string text;
   char buffer[4096];
   // Once nobody writes any more, reading fails. Before the child has opened it, too.
-  for (int status = 0, ended = 0; !ended;) {
-    ended = waitpid(child, &status, WNOHANG) == child;
-    if (ended) CHECK(WEXITSTATUS(status) == 0);
+  for (bool ended = false; !ended;) {
+    ended = child.has_ended();
     for (ssize_t n; (n = read(terminal, buffer, sizeof buffer)) > 0;) text.append(buffer, static_cast<std::size_t>(n));
     usleep(1000);
   }
+  CHECK(child.wait() == Ending{0, 0});
   close(terminal);
   return text;
+}
+
+std::string seen_of_rbpa(Child::Command arguments, bool output_too = false) {
+  arguments.insert(arguments.begin(), RBPA_PROGRAM);
+  return seen_on_terminal(arguments, output_too);
+}
+
+std::string seen_of_meshtopo(Child::Command arguments, bool output_too = false) {
+  arguments.insert(arguments.begin(), MESHTOPO_PROGRAM);
+  return seen_on_terminal(arguments, output_too);
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -55,20 +61,82 @@ std::string many_points() {
   return text;
 }
 
+const std::string gone = "\r\x1b[K";
+
 }  // namespace
 
-TEST_CASE("every part of a run says on a terminal that it goes on, and leaves nothing there; with --quiet none does") {
-  const Folder folder;
-  const std::string points = folder.file("p.xy", many_points());
-  const std::string gone = "\r\x1b[K";
-  const std::string alpha = seen_on_terminal({"alpha", points, "--persistence"});
-  CHECK(contains(alpha, "rbpa: "));
-  CHECK(contains(alpha, " triangles, "));
-  CHECK(contains(alpha, "radii of "));
-  CHECK(contains(alpha, "persistence, "));
-  CHECK(alpha.ends_with(gone));
-  const std::string mesh = seen_on_terminal({"mesh", points, "--alpha", "auto", "--stats", folder.path("s.json")});
-  CHECK(contains(mesh, "choosing alpha, "));
-  CHECK(seen_on_terminal({"alpha", points, "--persistence", "-q"}).empty());
-  CHECK(seen_on_terminal({"mesh", points, "--alpha", "auto", "-q", "--stats", folder.path("s.json")}).empty());
+TEST_SUITE("terminal") {
+  TEST_CASE(
+      "every part of a run says on a terminal that it goes on, and leaves nothing there; with --quiet none does") {
+    const Folder folder;
+    const std::string points = folder.file("p.xy", many_points());
+    const std::string alpha = seen_of_rbpa({"alpha", points, "--persistence"});
+    CHECK(contains(alpha, "rbpa: "));
+    for (const char* part : {"reading, ", " triangles, ", "radii of ", "persistence, ", "writing, "})
+      CHECK(contains(alpha, part));
+    CHECK(alpha.ends_with(gone));
+    const std::string mesh = seen_of_rbpa({"mesh", points, "--alpha", "auto", "-o", folder.path("m.off")});
+    CHECK(contains(mesh, "choosing alpha, "));
+    CHECK(contains(mesh, "writing, "));
+    CHECK(contains(seen_of_rbpa({"shape", points, "--alpha", "9", "-o", folder.path("s.wkt")}), "polygons, "));
+    const std::string info = seen_of_rbpa({"info", points});
+    CHECK(contains(info, "sorting 22.5 k points, "));
+    CHECK(info.ends_with(gone));
+    CHECK(seen_of_rbpa({"alpha", points, "--persistence", "-q"}).empty());
+    CHECK(seen_of_rbpa({"mesh", points, "--alpha", "auto", "-q", "-o", folder.path("m.off")}).empty());
+    CHECK(seen_of_rbpa({"shape", points, "--alpha", "9", "-q", "-o", folder.path("s.wkt")}).empty());
+    CHECK(seen_of_rbpa({"info", points, "-q"}).empty());
+  }
+
+  TEST_CASE("so does every part of a run of meshtopo") {
+    const Folder folder;
+    const std::string mesh = folder.file("m.off", pyramid_off);
+    const std::string seen =
+        seen_of_meshtopo({mesh, "--repair", "-o", folder.path("r.off"), "--generators", folder.path("l.obj")});
+    for (const char* part : {"meshtopo: ", "reading, ", "topology of 5 faces, ", "repair, ", "loops, ", "writing, "})
+      CHECK(contains(seen, part));
+    CHECK(seen.ends_with(gone));
+    CHECK(seen_of_meshtopo({mesh, "-q", "--repair", "-o", folder.path("r.off")}).empty());
+    CHECK(seen_of_meshtopo({mesh, "-q"}).empty());
+  }
+
+  TEST_CASE("the line goes on while a program waits") {
+    const Folder folder;
+    const std::string pipe = folder.path("p.xy");
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    Child late({"/bin/sh", "-c", "exec 3>'" + pipe + "'; sleep 1.3; printf '0 0\\n1 0\\n0 1\\n' >&3"});
+    const std::string seen = seen_of_rbpa({"info", pipe});
+    CHECK(contains(seen, "reading, 0 s"));
+    CHECK(contains(seen, "reading, 1 s"));
+  }
+
+  TEST_CASE("the line is not in the way of what is written to the terminal") {
+    const Folder folder;
+    const std::string points = folder.file("p.xy", corner), mesh = folder.file("m.off", pyramid_off);
+    CHECK_FALSE(contains(seen_of_rbpa({"alpha", points, "--csv"}, true), "writing"));
+    CHECK_FALSE(
+        contains(seen_of_rbpa({"mesh", points, "--alpha", "1", "-o", "-", "--output-format", "off"}, true), "writing"));
+    CHECK_FALSE(contains(seen_of_meshtopo({mesh}, true), "writing"));
+    CHECK(contains(seen_of_meshtopo({mesh, "-o", folder.path("r.txt")}, true), "writing"));
+  }
+}
+
+TEST_SUITE("progress") {
+  using rbpa::app::progress_text;
+
+  TEST_CASE("what is left is said when there is something to judge by") {
+    CHECK(progress_text({0, 1000}, 0.1) == "0 triangles");
+    CHECK(progress_text({100, 1000000}, 0.02) == "100 triangles, 5.00 k/s");
+    CHECK(progress_text({19999, 1000000}, 60) == "20.0 k triangles, 333/s");
+    CHECK(progress_text({1000000, 1000000}, 1.9) == "1.00 M triangles, 526 k/s");
+    CHECK(progress_text({1000000, 1000000}, 2) == "1.00 M triangles, 500 k/s, at most 2 s left");
+  }
+
+  TEST_CASE("a long time is said in minutes and hours") {
+    CHECK(progress_text({20000, 1000000}, 1) == "20.0 k triangles, 20.0 k/s");
+    CHECK(progress_text({20000, 1000000}, 3) == "20.0 k triangles, 6.67 k/s, at most 4 min left");
+    CHECK(progress_text({20000, 1000000}, 100) == "20.0 k triangles, 200/s, at most 2 h left");
+    CHECK(rbpa::app::short_duration(119.9) == "119 s");
+    CHECK(rbpa::app::short_duration(7199) == "119 min");
+  }
 }

@@ -1,9 +1,5 @@
-// Fuzz target: a walk over all operators of libmeshops (tests/meshops/walk), with the bytes for its choices.
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-
+// Operators: a walk over all of them, right and wrong (tests/meshops/walk), with the bytes of a fuzzer for its choices.
+#include "fuzz/target.h"
 #include "walk/walk.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,8 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     for (int step = 0; step < 300 && choices.any_left(); ++step) walk.step();
   } catch (const WalkFailure& failure) {
-    std::fprintf(stderr, "%s\n", failure.what());
-    std::abort();
+    fuzz::require(false, failure.what());
   }
   return 0;
 }

@@ -1,3 +1,4 @@
+#include "support/check_sound.h"
 #include "support/corpus.h"
 
 #include <doctest/doctest.h>

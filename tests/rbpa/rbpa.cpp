@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -220,6 +221,32 @@ TEST_CASE("a progress callback that returns false cancels at once") {
                     rbpa::Cancelled);
     CHECK(calls == last);
   }
+}
+
+TEST_CASE("progress is called as often where a triangle takes long") {
+  const auto is_called_often = [](const Points& points, double alpha, rbpa::Search search) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    int calls = 0;
+    rbpa::rbpa(points, alpha, {.search = search, .threads = 1, .progress = [&](const rbpa::Progress&) {
+                                 ++calls;
+                                 return true;
+                               }});
+    const std::chrono::duration<double> passed = Clock::now() - start;
+    CAPTURE(passed.count());
+    CAPTURE(calls);
+    CHECK(passed.count() > 0.05);  // else there is nothing to see
+    CHECK(calls > passed.count() / 0.01);
+  };
+  // A ball that reaches most points, in cells as large.
+  is_called_often(jittered_grid(70, 0.8, 1), 20, rbpa::Search::paper);
+  // Exponents that double does not hold, and a density that rises by 170 powers of ten.
+  Points points;
+  for (int i = 0; i < 200000; ++i) {
+    const double scale = std::exp(-0.002 * i), angle = 2.4 * i;
+    points.push_back({scale * std::cos(angle), scale * std::sin(angle)});
+  }
+  is_called_often(points, infinity, rbpa::Search::near_to_far);
 }
 
 TEST_CASE("what a progress callback throws reaches the caller") {

@@ -5,6 +5,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
+#include "meshops/core/reserve.h"
 #include "meshops/topology/soup_defects.h"
 #include "meshops/topology/soup_sides.h"
 
@@ -12,9 +13,11 @@ namespace meshops {
 namespace {
 
 /// Edges with their faces. Returns the halfedge of each corner, by which its face leaves it.
-std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides) {
+std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
+                                 detail::Steps& step) {
   std::vector<Halfedge> side_of_corner(soup.corners.size());
   for (std::size_t e = 0; e < sides.edges(); ++e) {
+    step();
     const auto edge = sides.edge(e);
     const Halfedge h = mesh.halfedge_handle(Edge(static_cast<int>(e)), 0);
     side_of_corner[edge[0].corner] = h;
@@ -25,6 +28,7 @@ std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, co
     const Face face(static_cast<int>(f));
     mesh.set_halfedge_handle(face, side_of_corner[begin]);
     for (std::size_t c = begin; c < end; ++c) {
+      step();
       mesh.set_face_handle(side_of_corner[c], face);
       mesh.set_next_halfedge_handle(side_of_corner[c], side_of_corner[c + 1 < end ? c + 1 : begin]);
     }
@@ -51,24 +55,17 @@ void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
   mesh.set_next_halfedge_handle(in, out);
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup) {
-  require(mesh.n_vertices() == 0 && mesh.n_edges() == 0 && mesh.n_faces() == 0, "build_mesh: the mesh is not empty");
-  const auto refuse = [&soup] {
-    for (const SoupDefect& defect : find_defects(soup))
-      if (defect.kind != SoupDefectKind::pinch) throw ContractViolation("build_mesh: " + describe(defect));
-  };
-  if (!detail::has_sound_faces(soup)) refuse();
-  const detail::SoupSides sides(soup);
-  if (!detail::is_manifold(soup, sides)) refuse();
-
+/// Fills `mesh`. Returns the point of each vertex.
+std::vector<std::uint32_t> fill(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
+                                detail::Steps& step) {
+  reserve(mesh, soup.points, sides.edges(), soup.faces());
   mesh.resize(soup.points, sides.edges(), soup.faces());
-  const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides);
+  const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides, step);
   std::vector<std::uint32_t> point_of_vertex(soup.points);
   std::iota(point_of_vertex.begin(), point_of_vertex.end(), 0U);
   // A fan gets its vertex at its least corner; a halfedge that ends at none yet is of a fan without one.
   for (std::size_t c = 0; c < soup.corners.size(); ++c) {
+    step();
     const Halfedge out = side_of_corner[c];
     if (mesh.to_vertex_handle(mesh.opposite_halfedge_handle(out)).is_valid()) continue;
     Vertex v(static_cast<int>(soup.corners[c]));
@@ -79,6 +76,26 @@ std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& sou
     give_fan(mesh, out, v);
   }
   return point_of_vertex;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup, const GoOn& go_on) {
+  require(mesh.n_vertices() == 0 && mesh.n_edges() == 0 && mesh.n_faces() == 0, "build_mesh: the mesh is not empty");
+  const auto refuse = [&] {
+    for (const SoupDefect& defect : find_defects(soup, go_on))
+      if (defect.kind != SoupDefectKind::pinch) throw ContractViolation("build_mesh: " + describe(defect));
+  };
+  if (!detail::has_sound_faces(soup, go_on)) refuse();
+  const detail::SoupSides sides(soup, go_on);
+  if (!detail::is_manifold(soup, sides, go_on)) refuse();
+  try {
+    detail::Steps step(go_on);
+    return fill(mesh, soup, sides, step);
+  } catch (...) {  // cancelled, or out of memory
+    mesh.resize(0, 0, 0);
+    throw;
+  }
 }
 
 PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex) {

@@ -8,6 +8,7 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/topology/polygon_soup.h"
+#include "meshops/topology/progress.h"
 
 namespace meshops {
 
@@ -15,9 +16,9 @@ namespace meshops {
 /// last point. Face i is face i of the soup, and its halfedge is the first side. Edges are in the order of their ends.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the soup has no defects but pinches (find_defects()).
-/// Throws:   ContractViolation that names the first other defect, mesh untouched.
+/// Throws:   ContractViolation that names the first other defect, mesh untouched; Cancelled, mesh empty.
 /// Cost:     near-linear; nothing is looked up that the kernel would have to search for.
-MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup);
+MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// The faces of a mesh as a soup, in the order of their handles; deleted ones are left out. A deleted vertex keeps its
 /// number, as a point without a face.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/graph/breadth_first_search.hpp>
-#include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "meshops/core/live.h"
 #include "meshops/graph/edge_map.h"
 #include "meshops/graph/primal_graph.h"
+#include "meshops/topology/disjoint_sets.h"
 
 namespace meshops {
 namespace {
@@ -35,17 +35,36 @@ struct Tree {
   }
 };
 
+/// A visitor of Boost that counts the edges looked at.
+struct Counting : boost::base_visitor<Counting> {
+  using event_filter = boost::on_examine_edge;
+  explicit Counting(detail::Steps& steps) : step(&steps) {}
+  template <typename E, typename Graph>
+  void operator()(E, const Graph&) const {
+    (*step)();
+  }
+  detail::Steps* step;
+};
+
 /// Homology, or homology modulo the boundary: there all points of the boundary are as one, and a way between two of
 /// them is a loop. The generators come from the one, the cut from the other; on a closed mesh they are the same.
 enum class Modulo { nothing, boundary };
 
 class TreeCotree {
  public:
-  TreeCotree(const Connectivity& mesh, std::span<const double> lengths) : mesh_(mesh), lengths_(lengths) {
-    const PrimalGraph graph(mesh);
-    component_.resize(num_vertices(graph));
-    components_ = boost::connected_components(
-        graph, boost::make_iterator_property_map(component_.begin(), get(boost::vertex_index, graph)));
+  TreeCotree(const Connectivity& mesh, std::span<const double> lengths, detail::Steps& step)
+      : mesh_(mesh), lengths_(lengths), step_(step), component_(mesh.n_vertices()) {
+    DisjointSets connected(mesh.n_vertices());
+    const auto number = [](Vertex v) { return static_cast<std::uint32_t>(v.idx()); };
+    for_each_edge(mesh, [&](Edge e) {
+      step_();
+      const Halfedge h = mesh.halfedge_handle(e, 0);
+      connected.unite(number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)));
+    });
+    for_each_vertex(mesh, [&](Vertex v) {
+      step_();
+      component_[at(v)] = connected.find(number(v));
+    });
   }
 
   std::vector<Loop> generators() const {
@@ -59,6 +78,7 @@ class TreeCotree {
     const Tree tree = spanning_tree(roots(Modulo::boundary));
     std::vector<Edge> cut = left_over(tree, Modulo::boundary);
     for_each_edge(mesh_, [&](Edge e) {
+      step_();
       if (tree.has(mesh_, e)) cut.push_back(e);
     });
     std::sort(cut.begin(), cut.end());
@@ -70,7 +90,7 @@ class TreeCotree {
   /// The vertices from which the tree grows: the least of every component, or all its boundary vertices if it has any.
   std::vector<Vertex> roots(Modulo modulo) const {
     std::vector<Vertex> found;
-    std::vector<char> has_root(components_, 0);
+    std::vector<char> has_root(component_.size(), 0);  // by the least vertex of the component
     const auto add = [&](Vertex v) {
       found.push_back(v);
       has_root[component_[at(v)]] = 1;
@@ -95,14 +115,17 @@ class TreeCotree {
       boost::queue<Vertex> queue;
       boost::breadth_first_search(
           graph, roots.begin(), roots.end(), queue,
-          boost::make_bfs_visitor(std::pair(boost::record_distances(distance, boost::on_tree_edge()),
-                                            boost::record_edge_predecessors(reached_by, boost::on_tree_edge()))),
+          boost::make_bfs_visitor(std::pair(
+              Counting(step_), std::pair(boost::record_distances(distance, boost::on_tree_edge()),
+                                         boost::record_edge_predecessors(reached_by, boost::on_tree_edge())))),
           boost::make_two_bit_color_map(num_vertices(graph), index));
     } else {
       boost::dijkstra_shortest_paths(
-          graph, roots.begin(), roots.end(), boost::dummy_property_map(), distance,
-          edge_map([this](Edge e) { return lengths_[at(e)]; }), index, std::less<>(), std::plus<>(),
-          std::numeric_limits<double>::infinity(), 0.0,
+          graph, roots.begin(), roots.end(), boost::dummy_property_map(), distance, edge_map([this](Edge e) {
+            step_();
+            return lengths_[at(e)];
+          }),
+          index, std::less<>(), std::plus<>(), std::numeric_limits<double>::infinity(), 0.0,
           boost::make_dijkstra_visitor(boost::record_edge_predecessors(reached_by, boost::on_edge_relaxed())));
     }
     return tree;
@@ -118,14 +141,17 @@ class TreeCotree {
     };
     std::vector<Candidate> candidates;
     for_each_edge(mesh_, [&](Edge e) {
+      step_();
       if (tree.has(mesh_, e) || (modulo == Modulo::boundary && mesh_.is_boundary(e))) return;
       const Halfedge h = mesh_.halfedge_handle(e, 0);
       const double length = lengths_.empty() ? 1 : lengths_[at(e)];
       candidates.push_back(
           {tree.distance[at(mesh_.from_vertex_handle(h))] + tree.distance[at(mesh_.to_vertex_handle(h))] + length, e});
     });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.loop > b.loop; });
+    std::stable_sort(candidates.begin(), candidates.end(), [this](const Candidate& a, const Candidate& b) {
+      step_();
+      return a.loop > b.loop;
+    });
 
     // One place more, for what lies outside. All components may share it: no cycle runs from one to another through it.
     const std::size_t outside = mesh_.n_faces();
@@ -139,6 +165,7 @@ class TreeCotree {
     };
     std::vector<Edge> left;
     for (const Candidate& candidate : candidates) {
+      step_();
       const std::size_t a = side(candidate.edge, 0), b = side(candidate.edge, 1);
       if (a == b)
         left.push_back(candidate.edge);
@@ -156,6 +183,7 @@ class TreeCotree {
       std::vector<Halfedge> way;
       for (Halfedge h = tree.reached_by[at(v)]; h.is_valid(); h = tree.reached_by[at(mesh_.from_vertex_handle(h))])
         way.push_back(h);
+      step_(1 + way.size());
       return way;
     };
     std::vector<Halfedge> up = to_root(mesh_.to_vertex_handle(closing));
@@ -188,6 +216,7 @@ class TreeCotree {
       while (degree[at(v)] == 1 && !mesh_.is_boundary(v)) {
         const Edge last(edges[at(v)]);
         const Halfedge h = mesh_.halfedge_handle(last, 0);
+        step_();
         v = mesh_.to_vertex_handle(h) == v ? mesh_.from_vertex_handle(h) : mesh_.to_vertex_handle(h);
         toggle(last);
       }
@@ -197,20 +226,17 @@ class TreeCotree {
 
   const Connectivity& mesh_;
   std::span<const double> lengths_;
-  std::vector<std::size_t> component_;
-  std::size_t components_ = 0;
+  detail::Steps& step_;
+  std::vector<std::uint32_t> component_;  // of each vertex: the least one
 };
 
-Homology compute(const Connectivity& mesh, std::span<const double> lengths) {
-  const TreeCotree trees(mesh, lengths);
+Homology compute(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
+  detail::Steps step(go_on);
+  const TreeCotree trees(mesh, lengths, step);
   return {trees.generators(), trees.cut_graph()};
 }
 
-}  // namespace
-
-Homology homology(const Connectivity& mesh) { return compute(mesh, {}); }
-
-Homology homology(const Connectivity& mesh, std::span<const double> lengths) {
+void check(const Connectivity& mesh, std::span<const double> lengths) {
   require(lengths.size() == mesh.n_edges(), "homology: one length for each edge");
   double sum = 0;
   for_each_edge(mesh, [&](Edge e) {
@@ -218,7 +244,21 @@ Homology homology(const Connectivity& mesh, std::span<const double> lengths) {
     sum += lengths[at(e)];
   });
   require(std::isfinite(sum), "homology: the sum of the lengths is not finite");
-  return compute(mesh, lengths);
+}
+
+}  // namespace
+
+Homology homology(const Connectivity& mesh, const GoOn& go_on) { return compute(mesh, {}, go_on); }
+
+Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
+  check(mesh, lengths);
+  return compute(mesh, lengths, go_on);
+}
+
+std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
+  check(mesh, lengths);
+  detail::Steps step(go_on);
+  return TreeCotree(mesh, lengths, step).generators();
 }
 
 }  // namespace meshops

@@ -11,6 +11,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/topology/progress.h"
 
 namespace meshops {
 
@@ -28,13 +29,18 @@ struct Homology {
 
 /// Loops with few edges: the tree from the least vertex of a component is breadth-first.
 /// Requires: validate(mesh) is empty.
-MESHOPS_API Homology homology(const Connectivity& mesh);
+/// Throws:   Cancelled.
+MESHOPS_API Homology homology(const Connectivity& mesh, const GoOn& go_on = {});
 
 /// Loops and cut that are short by the lengths of the edges, by edge index; places of deleted edges are not read. Of
 /// all bases of loops from and to the least vertex of their component these have the least total length, as long as the
 /// way from that vertex and back is counted with the loop; the generators leave it out.
 /// Requires: validate(mesh) is empty; a length for each edge, none negative, with a finite sum.
-/// Throws:   ContractViolation.
-MESHOPS_API Homology homology(const Connectivity& mesh, std::span<const double> lengths);
+/// Throws:   ContractViolation; Cancelled.
+MESHOPS_API Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on = {});
+
+/// The generators of homology() alone, in about half its time.
+MESHOPS_API std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths,
+                                                  const GoOn& go_on = {});
 
 }  // namespace meshops

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "meshops/topology/soup_sides.h"
 
@@ -16,23 +17,25 @@ using Edge = std::span<const SoupSide>;
 
 class Repairer {
  public:
-  explicit Repairer(const PolygonSoup& given) : given_(given) {}
+  Repairer(const PolygonSoup& given, const GoOn& go_on) : given_(given), go_on_(go_on), step_(go_on) {}
 
   Repair operator()() {
     take_faces();
-    orient();
+    SoupSides oriented(result_.soup, go_on_);
+    if (orient(oriented)) oriented = SoupSides(result_.soup, go_on_);
     // Points are still those that were given.
-    const SoupSides oriented = sides();
     part_fans(oriented);
     find_cuts(oriented);
     find_splits();
-    std::stable_sort(result_.steps.begin(), result_.steps.end(),
-                     [](const RepairStep& a, const RepairStep& b) { return a.kind < b.kind; });
+    std::stable_sort(result_.steps.begin(), result_.steps.end(), [this](const RepairStep& a, const RepairStep& b) {
+      step_();
+      return a.kind < b.kind;
+    });
     return std::move(result_);
   }
 
  private:
-  void step(RepairKind kind, std::vector<std::uint32_t> points, std::vector<std::size_t> faces) {
+  void did(RepairKind kind, std::vector<std::uint32_t> points, std::vector<std::size_t> faces) {
     result_.steps.push_back({kind, std::move(points), std::move(faces)});
   }
 
@@ -40,56 +43,64 @@ class Repairer {
   void take_faces() {
     PolygonSoup cleaned;
     cleaned.points = given_.points;
+    for (PolygonSoup* soup : {&cleaned, &result_.soup}) {
+      soup->corners.reserve(given_.corners.size());
+      soup->begin.reserve(given_.begin.size());
+    }
     std::vector<std::uint32_t> cycle;
     for (std::size_t f = 0; f < given_.faces(); ++f) {
       const auto face = given_.face(f);
+      step_(1 + face.size());
       cycle.clear();
       for (const std::uint32_t corner : face)
         if (cycle.empty() || cycle.back() != corner) cycle.push_back(corner);
       while (cycle.size() > 1 && cycle.front() == cycle.back()) cycle.pop_back();
       cleaned.add_face(cycle);
     }
-    const detail::FaceFaults faults = detail::find_face_faults(cleaned);
+    const detail::FaceFaults faults = detail::find_face_faults(cleaned, go_on_);
     result_.soup.points = given_.points;
-    for (std::uint32_t p = 0; p < given_.points; ++p) result_.stands_on.push_back(p);
+    result_.steps.reserve(faults.of.size() -
+                          static_cast<std::size_t>(std::count(faults.of.begin(), faults.of.end(), FaceFault::none)));
+    result_.stands_on.resize(given_.points);
+    std::iota(result_.stands_on.begin(), result_.stands_on.end(), 0U);
     for (std::size_t f = 0; f < given_.faces(); ++f) {
       const auto face = given_.face(f);
+      step_(1 + face.size());
       if (faults.of[f] != FaceFault::none) {
-        step(RepairKind::face_dropped, {face.begin(), face.end()}, {f});
+        did(RepairKind::face_dropped, {face.begin(), face.end()}, {f});
         continue;
       }
       for (std::size_t i = 0; i < face.size(); ++i)
-        if (face[i] == face[i + 1 < face.size() ? i + 1 : 0]) step(RepairKind::corner_dropped, {face[i]}, {f});
+        if (face[i] == face[i + 1 < face.size() ? i + 1 : 0]) did(RepairKind::corner_dropped, {face[i]}, {f});
       result_.soup.add_face(cleaned.face(f));
       result_.face_was.push_back(f);
     }
   }
 
-  /// Sides of the soup as it is now: its faces are all without fault.
-  SoupSides sides() const {
-    detail::FaceFaults none;
-    none.of.resize(result_.soup.faces(), FaceFault::none);
-    return {result_.soup, none};
-  }
-
-  /// Reverses the fewer faces of each piece.
-  void orient() {
+  /// Reverses the fewer faces of each piece. Returns whether there were any.
+  bool orient(const SoupSides& sides) {
     PolygonSoup& soup = result_.soup;
-    auto pieces = detail::pieces_of(soup, sides(), [](Edge) {});
+    auto pieces = detail::pieces_of(
+        soup, sides, [](Edge) {}, go_on_);
     std::vector<std::array<std::size_t, 2>> count(soup.faces(), {0, 0});
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
+      step_();
       const std::uint32_t root = pieces.find(f);
       ++count[root][pieces.is_odd(f) ? 1 : 0];
     }
+    bool any = false;
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
+      step_();
       const auto& [even, odd] = count[pieces.find(f)];
       if (pieces.is_odd(f) == (odd > even)) continue;
+      any = true;
       const auto face = soup.face(f);
-      step(RepairKind::face_reversed, {face.begin(), face.end()}, {result_.face_was[f]});
+      did(RepairKind::face_reversed, {face.begin(), face.end()}, {result_.face_was[f]});
       // The first corner stays the first.
       std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]) + 1,
                    soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
     }
+    return any;
   }
 
   std::uint32_t copy_of(std::uint32_t p) {
@@ -102,10 +113,11 @@ class Repairer {
   /// are two, and run in opposite directions as the faces of the fan agree.
   void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
-    auto fans = detail::fans_of(soup, all, fits);
+    auto fans = detail::fans_of(soup, all, fits, go_on_);
     std::vector<bool> taken(soup.points, false);
     std::vector<std::uint32_t> point_of(soup.corners.size());
     for (std::uint32_t c = 0; c < soup.corners.size(); ++c) {
+      step_();
       const std::uint32_t p = soup.corners[c], root = fans.find(c);
       if (root != c) {
         point_of[c] = point_of[root];
@@ -120,15 +132,15 @@ class Repairer {
   /// The edges at which faces had the same two points, and have them no more.
   void find_cuts(const SoupSides& oriented) {
     const auto ends = [&](const SoupSide& side) {
-      return std::pair(result_.soup.corners[oriented.corner_at_low(side)],
-                       result_.soup.corners[oriented.corner_at_high(side)]);
+      return std::pair(result_.soup.corners[side.corner_at_low()], result_.soup.corners[side.corner_at_high()]);
     };
     for (std::size_t e = 0; e < oriented.edges(); ++e) {
       const Edge edge = oriented.edge(e);
+      step_(edge.size());
       if (std::all_of(edge.begin(), edge.end(), [&](const SoupSide& s) { return ends(s) == ends(edge[0]); })) continue;
       std::vector<std::size_t> faces;
-      for (const SoupSide& side : edge) faces.push_back(result_.face_was[side.face]);
-      step(RepairKind::edge_cut, {edge[0].low, edge[0].high}, std::move(faces));
+      for (const SoupSide& side : edge) faces.push_back(result_.face_was[side.face()]);
+      did(RepairKind::edge_cut, {edge[0].low, edge[0].high}, std::move(faces));
     }
   }
 
@@ -136,10 +148,12 @@ class Repairer {
     std::vector<bool> split(given_.points, false);
     for (std::size_t p = given_.points; p < result_.soup.points; ++p) split[result_.stands_on[p]] = true;
     for (std::uint32_t p = 0; p < given_.points; ++p)
-      if (split[p]) step(RepairKind::point_split, {p}, {});
+      if (split[p]) did(RepairKind::point_split, {p}, {});
   }
 
   const PolygonSoup& given_;
+  const GoOn& go_on_;
+  detail::Steps step_;
   Repair result_;
 };
 
@@ -165,6 +179,6 @@ std::string describe(const RepairStep& step) {
   return text;
 }
 
-Repair repair(const PolygonSoup& soup) { return Repairer(soup)(); }
+Repair repair(const PolygonSoup& soup, const GoOn& go_on) { return Repairer(soup, go_on)(); }
 
 }  // namespace meshops

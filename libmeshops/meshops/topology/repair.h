@@ -11,6 +11,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/topology/polygon_soup.h"
+#include "meshops/topology/progress.h"
 
 namespace meshops {
 
@@ -46,6 +47,7 @@ MESHOPS_API std::string describe(const RepairStep& step);
 /// as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet, or two
 /// that cannot agree on a direction; of these faces only two stay joined that hang together around both ends some
 /// other way.
-MESHOPS_API Repair repair(const PolygonSoup& soup);
+/// Throws: ContractViolation when there are 2³⁰ corners, points or faces, or more; Cancelled.
+MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

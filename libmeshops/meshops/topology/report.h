@@ -13,6 +13,7 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/topology/polygon_soup.h"
+#include "meshops/topology/progress.h"
 
 namespace meshops {
 
@@ -63,7 +64,8 @@ struct TopologyReport {
 /// Of any soup. Faces that are degenerate, repeated or out of range are passed over (find_defects() names them). At a
 /// non-manifold edge the pieces end: its faces are apart there, in `per_component` and `boundary_curves`, but not in
 /// the totals.
-MESHOPS_API TopologyReport report(const PolygonSoup& soup);
+/// Throws: ContractViolation when there are 2³⁰ corners, points or faces, or more; Cancelled.
+MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own. Where
 /// several fans share a vertex, as OpenMesh's readers leave it, it is a pinch: no piece and no curve passes it.

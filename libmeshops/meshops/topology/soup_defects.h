@@ -11,6 +11,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/topology/polygon_soup.h"
+#include "meshops/topology/progress.h"
 
 namespace meshops {
 
@@ -42,6 +43,7 @@ MESHOPS_API std::string_view name(SoupDefectKind kind);
 MESHOPS_API std::string describe(const SoupDefect& defect);
 
 /// Every defect, in the order of the kinds, and of the points or faces within a kind.
-MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup);
+/// Throws: ContractViolation when there are 2³⁰ corners, points or faces, or more; Cancelled.
+MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

@@ -1,6 +1,7 @@
 #include "meshops/topology/soup_sides.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "meshops/core/contract.h"
@@ -8,14 +9,18 @@
 namespace meshops::detail {
 namespace {
 
-FaceFault fault_of(std::span<const std::uint32_t> face, std::size_t points, std::vector<std::uint32_t>& scratch) {
+FaceFault fault_of(std::span<const std::uint32_t> face, std::size_t points, std::vector<std::uint32_t>& scratch,
+                   Steps& step) {
   for (const std::uint32_t corner : face)
     if (corner >= points) return FaceFault::out_of_range;
   if (face.size() < 3) return FaceFault::degenerate;
   if (face.size() == 3)
     return face[0] == face[1] || face[1] == face[2] || face[2] == face[0] ? FaceFault::degenerate : FaceFault::none;
   scratch.assign(face.begin(), face.end());
-  std::sort(scratch.begin(), scratch.end());
+  std::sort(scratch.begin(), scratch.end(), [&](std::uint32_t a, std::uint32_t b) {
+    step();
+    return a < b;
+  });
   return std::adjacent_find(scratch.begin(), scratch.end()) == scratch.end() ? FaceFault::none : FaceFault::degenerate;
 }
 
@@ -33,31 +38,96 @@ std::uint64_t hash_of(const std::vector<std::uint32_t>& cycle) {
   return hash;
 }
 
-void find_duplicates(const PolygonSoup& soup, FaceFaults& faults) {
+/// Weeds out nearly all faces that are the only one with their corners, before faces are compared in earnest.
+class SeenTwice {
+ public:
+  SeenTwice(const PolygonSoup& soup, const FaceFaults& faults, Steps& step)
+      : shift_(65U - std::bit_width(32 * std::max(soup.faces(), std::size_t{1}))),
+        once_(words(), 0),
+        twice_(words(), 0) {
+    for (std::size_t f = 0; f < soup.faces(); ++f) {
+      step();
+      if (faults.of[f] != FaceFault::none) continue;
+      const Place at = place_of(soup.face(f));
+      (once_[at.word] & at.bit ? twice_ : once_)[at.word] |= at.bit;
+    }
+  }
+  /// False only where no other face has these corners.
+  bool operator()(std::span<const std::uint32_t> face) const {
+    const Place at = place_of(face);
+    return (twice_[at.word] & at.bit) != 0;
+  }
+
+ private:
+  struct Place {
+    std::size_t word;
+    std::uint64_t bit;
+  };
+  /// One of about 16 to 32 for each face, by a sum over the corners, which is the same in any order.
+  Place place_of(std::span<const std::uint32_t> face) const {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t corner : face) {
+      const std::uint64_t mixed = (corner + std::uint64_t{1}) * 0x9E3779B97F4A7C15ULL;
+      sum += (mixed ^ mixed >> 32U) * 0xD6E8FEB86659FD93ULL;
+    }
+    const std::uint64_t place = sum >> shift_;
+    return {place / 64, std::uint64_t{1} << place % 64};
+  }
+  std::size_t words() const { return (std::size_t{1} << (64U - shift_)) / 64 + 1; }
+
+  std::size_t shift_;
+  FreshVector<std::uint64_t> once_, twice_;
+};
+
+void find_duplicates(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go_on) {
   struct Key {
     std::uint64_t hash;
     std::size_t face;
   };
   std::vector<Key> keys;
   std::vector<std::uint32_t> cycle, other;
+  Steps step(go_on);
+  const SeenTwice seen_twice(soup, faults, step);
   for (std::size_t f = 0; f < soup.faces(); ++f) {
-    if (faults.of[f] != FaceFault::none) continue;
+    step();
+    if (faults.of[f] != FaceFault::none || !seen_twice(soup.face(f))) continue;
     canonical_cycle(soup.face(f), cycle);
     keys.push_back({hash_of(cycle), f});
   }
-  std::sort(keys.begin(), keys.end(),
-            [](const Key& a, const Key& b) { return a.hash != b.hash ? a.hash < b.hash : a.face < b.face; });
+  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    step();
+    return a.hash != b.hash ? a.hash < b.hash : a.face < b.face;
+  });
   for (std::size_t i = 0; i < keys.size(); ++i) {
     // Among the earlier faces with this hash, which are few unless there are many duplicates of one face.
     canonical_cycle(soup.face(keys[i].face), cycle);
     for (std::size_t k = i; k-- > 0 && keys[k].hash == keys[i].hash;) {
+      step();
       const std::size_t earlier = keys[k].face;
       canonical_cycle(soup.face(earlier), other);
       if (other != cycle) continue;
       faults.of[keys[i].face] = FaceFault::duplicate;
+      faults.repeats.resize(soup.faces());
       faults.repeats[keys[i].face] = faults.of[earlier] == FaceFault::duplicate ? faults.repeats[earlier] : earlier;
       break;
     }
+  }
+}
+
+/// Sides with a lower end in common, by their higher end and then by face, as which they come.
+template <typename Iterator>
+void sort_by_high(Iterator first, Iterator last, Steps& step) {
+  constexpr auto few = 16;  // as at nearly all points: each is put in its place among those before it
+  if (last - first > few)
+    return std::stable_sort(first, last, [&](const SoupSide& a, const SoupSide& b) {
+      step();
+      return a.high < b.high;
+    });
+  for (auto next = first; next != last; ++next) {
+    const SoupSide side = *next;
+    auto to = next;
+    for (; to != first && std::prev(to)->high > side.high; --to) *to = *std::prev(to);
+    *to = side;
   }
 }
 
@@ -69,44 +139,54 @@ void require_handles_suffice(const PolygonSoup& soup) {
 
 }  // namespace
 
-FaceFaults find_face_faults(const PolygonSoup& soup) {
+FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on) {
   require_handles_suffice(soup);
-  FaceFaults faults{std::vector<FaceFault>(soup.faces()), std::vector<std::size_t>(soup.faces())};
+  FaceFaults faults{std::vector<FaceFault>(soup.faces()), {}};
   std::vector<std::uint32_t> scratch;
-  for (std::size_t f = 0; f < soup.faces(); ++f) faults.of[f] = fault_of(soup.face(f), soup.points, scratch);
-  find_duplicates(soup, faults);
+  Steps step(go_on);
+  for (std::size_t f = 0; f < soup.faces(); ++f) {
+    step();
+    faults.of[f] = fault_of(soup.face(f), soup.points, scratch, step);
+  }
+  find_duplicates(soup, faults, go_on);
   return faults;
 }
 
-bool has_sound_faces(const PolygonSoup& soup) {
+bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on) {
   require_handles_suffice(soup);
   std::vector<std::uint32_t> scratch;
-  for (std::size_t f = 0; f < soup.faces(); ++f)
-    if (fault_of(soup.face(f), soup.points, scratch) != FaceFault::none) return false;
+  Steps step(go_on);
+  for (std::size_t f = 0; f < soup.faces(); ++f) {
+    step();
+    if (fault_of(soup.face(f), soup.points, scratch, step) != FaceFault::none) return false;
+  }
   return true;
 }
 
-SoupSides::SoupSides(const PolygonSoup& soup, const FaceFaults& faults) : soup_(soup) {
-  bring_together([&](std::size_t f) { return faults.of[f] == FaceFault::none; });
+SoupSides::SoupSides(const PolygonSoup& soup, const FaceFaults& faults, const GoOn& go_on) {
+  bring_together(
+      soup, [&](std::size_t f) { return faults.of[f] == FaceFault::none; }, go_on);
 }
 
-SoupSides::SoupSides(const PolygonSoup& soup) : soup_(soup) {
-  bring_together([](std::size_t) { return true; });
+SoupSides::SoupSides(const PolygonSoup& soup, const GoOn& go_on) {
+  bring_together(
+      soup, [](std::size_t) { return true; }, go_on);
 }
 
 template <typename IsGiven>
-void SoupSides::bring_together(IsGiven is_given) {
+void SoupSides::bring_together(const PolygonSoup& soup, IsGiven is_given, const GoOn& go_on) {
   // Counted into buckets by the lower point first: sorting is then local. A bucket ends where the next one begins;
   // while it is filled, its place in the list says where the next side goes.
-  std::vector<std::uint32_t> bucket(soup_.points + 2, 0);
+  std::vector<std::uint32_t> bucket(soup.points + 2, 0);
+  Steps step(go_on);
   const auto for_each_side = [&](auto visit) {
-    for (std::size_t f = 0; f < soup_.faces(); ++f) {
+    for (std::size_t f = 0; f < soup.faces(); ++f) {
       if (!is_given(f)) continue;
-      const auto face = soup_.face(f);
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const std::uint32_t from = face[i], to = face[i + 1 < face.size() ? i + 1 : 0];
-        visit(SoupSide{std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(soup_.begin[f] + i),
-                       static_cast<std::uint32_t>(f), from < to});
+      const auto begin = static_cast<std::uint32_t>(soup.begin[f]), end = static_cast<std::uint32_t>(soup.begin[f + 1]);
+      for (std::uint32_t c = begin; c < end; ++c) {
+        step();
+        const std::uint32_t next = c + 1 < end ? c + 1 : begin, from = soup.corners[c], to = soup.corners[next];
+        visit(SoupSide(std::min(from, to), std::max(from, to), c, next, static_cast<std::uint32_t>(f), from < to));
       }
     }
   };
@@ -114,38 +194,34 @@ void SoupSides::bring_together(IsGiven is_given) {
   std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
   sides_.resize(bucket.back());
   for_each_side([&](const SoupSide& s) { sides_[bucket[s.low + 1]++] = s; });
-  begin_.reserve(sides_.size() / 2 + soup_.points + 1);
-  for (std::size_t p = 0; p < soup_.points; ++p) {
+  begin_.reserve(sides_.size() / 2 + soup.points + 1);
+  for (std::size_t p = 0; p < soup.points; ++p) {
+    step();
     const auto first = sides_.begin() + bucket[p], last = sides_.begin() + bucket[p + 1];
-    std::sort(first, last, [](const SoupSide& a, const SoupSide& b) {
-      return a.high != b.high ? a.high < b.high : a.face < b.face;
-    });
+    sort_by_high(first, last, step);
     for (auto s = first; s != last; ++s)
-      if (s == first || s->high != std::prev(s)->high) begin_.push_back(static_cast<std::size_t>(s - sides_.begin()));
+      if (s == first || s->high != std::prev(s)->high) begin_.push_back(static_cast<std::uint32_t>(s - sides_.begin()));
   }
-  begin_.push_back(sides_.size());
+  begin_.push_back(static_cast<std::uint32_t>(sides_.size()));
 }
 
-bool is_manifold(const PolygonSoup& soup, const SoupSides& sides) {
+bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on) {
   std::vector<std::uint32_t> cycle, other;
+  Steps step(go_on);
   for (std::size_t e = 0; e < sides.edges(); ++e) {
+    step();
     const auto edge = sides.edge(e);
     if (!fits(edge)) return false;
     if (edge.size() < 2) continue;
     // Faces with the same corners share all edges, the first of one of them too.
-    if (edge[0].corner != soup.begin[edge[0].face]) continue;
-    const auto one = soup.face(edge[0].face), two = soup.face(edge[1].face);
+    if (edge[0].corner != soup.begin[edge[0].face()]) continue;
+    const auto one = soup.face(edge[0].face()), two = soup.face(edge[1].face());
     if (one.size() != two.size() || std::find(two.begin(), two.end(), one[2]) == two.end()) continue;
     canonical_cycle(one, cycle);
     canonical_cycle(two, other);
     if (cycle == other) return false;
   }
   return true;
-}
-
-std::uint32_t SoupSides::next_corner(const SoupSide& s) const {
-  const std::size_t end = soup_.begin[s.face + 1];
-  return s.corner + 1 < end ? s.corner + 1 : static_cast<std::uint32_t>(soup_.begin[s.face]);
 }
 
 }  // namespace meshops::detail

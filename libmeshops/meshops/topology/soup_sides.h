@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "meshops/topology/disjoint_sets.h"
 #include "meshops/topology/polygon_soup.h"
+#include "meshops/topology/progress.h"
 
 namespace meshops::detail {
 
@@ -16,69 +18,84 @@ enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate 
 
 struct FaceFaults {
   std::vector<FaceFault> of;         ///< each face; the first that holds
-  std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats
+  std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats; empty without any
 };
 
-/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners, points or faces.
-FaceFaults find_face_faults(const PolygonSoup& soup);
+/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners, points or faces. Cancelled.
+FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
 
 /// Every corner is a point, every face has three corners or more, and none twice: all that is left to find is
 /// duplicates. Throws as above.
-bool has_sound_faces(const PolygonSoup& soup);
+bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on);
 
-/// A side runs from the corner at index `corner` of the soup to the next one of its face.
-struct SoupSide {
+/// A side runs from the corner at index `corner` of the soup to the one at `next`.
+class SoupSide {
+ public:
+  SoupSide() = default;
+  SoupSide(std::uint32_t low_point, std::uint32_t high_point, std::uint32_t first_corner, std::uint32_t next_corner,
+           std::uint32_t of_face, bool is_ascending)
+      : low(low_point),
+        high(high_point),
+        corner(first_corner),
+        next(next_corner),
+        face_(2 * of_face + (is_ascending ? 1U : 0U)) {}
+
   std::uint32_t low, high;  ///< the points at its ends, in ascending order
-  std::uint32_t corner;
-  std::uint32_t face;
-  bool ascending;  ///< it runs from low to high
+  std::uint32_t corner, next;
+
+  std::uint32_t face() const { return face_ >> 1U; }
+  bool ascending() const { return (face_ & 1U) != 0; }  ///< it runs from low to high
+  std::uint32_t corner_at_low() const { return ascending() ? corner : next; }
+  std::uint32_t corner_at_high() const { return ascending() ? next : corner; }
+
+ private:
+  std::uint32_t face_;  // and the direction: there are many sides
 };
 
 /// Faces that fit together at an edge: one, or two that run along it in opposite directions.
 inline bool fits(std::span<const SoupSide> edge) {
-  return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending != edge[1].ascending);
+  return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending() != edge[1].ascending());
 }
 
 /// The sides of the faces that are given, sorted by edge and then by face.
 class SoupSides {
  public:
-  SoupSides(const PolygonSoup& soup, const FaceFaults& faults);
+  /// Of the faces without fault. Throws Cancelled.
+  SoupSides(const PolygonSoup& soup, const FaceFaults& faults, const GoOn& go_on);
   /// Of all faces.
   /// Requires: has_sound_faces(soup).
-  explicit SoupSides(const PolygonSoup& soup);
+  SoupSides(const PolygonSoup& soup, const GoOn& go_on);
 
   std::size_t edges() const { return begin_.size() - 1; }
   std::span<const SoupSide> edge(std::size_t e) const {
     return std::span(sides_).subspan(begin_[e], begin_[e + 1] - begin_[e]);
   }
-  /// The corner of a side at its lower or higher end.
-  std::uint32_t corner_at_low(const SoupSide& s) const { return s.ascending ? s.corner : next_corner(s); }
-  std::uint32_t corner_at_high(const SoupSide& s) const { return s.ascending ? next_corner(s) : s.corner; }
 
  private:
   template <typename IsGiven>
-  void bring_together(IsGiven is_given);
-  std::uint32_t next_corner(const SoupSide& s) const;
+  void bring_together(const PolygonSoup& soup, IsGiven is_given, const GoOn& go_on);
 
-  const PolygonSoup& soup_;
-  std::vector<SoupSide> sides_;
-  std::vector<std::size_t> begin_;
+  FreshVector<SoupSide> sides_;
+  FreshVector<std::uint32_t> begin_;
 };
 
 /// No edge has more than two sides, and two run in opposite directions and belong to faces with different corners.
-/// Requires: the sides of all faces of the soup.
-bool is_manifold(const PolygonSoup& soup, const SoupSides& sides);
+/// Requires: the sides of all faces of the soup. Throws Cancelled.
+bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on);
 
 /// How corners hang together to fans around points. The sides at an edge join corners when `joins(sides)`.
 template <typename Joins>
-DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins) {
+DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins, const GoOn& go_on) {
   DisjointSets fans(soup.corners.size());
+  Steps step(go_on);
   for (std::size_t e = 0; e < sides.edges(); ++e) {
     const auto edge = sides.edge(e);
+    step();
     if (!joins(edge)) continue;
     for (const SoupSide& side : edge.subspan(1)) {
-      fans.unite(sides.corner_at_low(edge[0]), sides.corner_at_low(side));
-      fans.unite(sides.corner_at_high(edge[0]), sides.corner_at_high(side));
+      step();
+      fans.unite(edge[0].corner_at_low(), side.corner_at_low());
+      fans.unite(edge[0].corner_at_high(), side.corner_at_high());
     }
   }
   return fans;
@@ -87,11 +104,13 @@ DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins join
 /// How faces hang together through edges of exactly two faces; faces of odd parity must be reversed for all to agree.
 /// Calls disagree(sides) where no reversing helps.
 template <typename Disagree>
-DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree) {
+DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree, const GoOn& go_on) {
   DisjointSets pieces(soup.faces());
+  Steps step(go_on);
   for (std::size_t e = 0; e < sides.edges(); ++e) {
     const auto edge = sides.edge(e);
-    if (edge.size() == 2 && !pieces.unite(edge[0].face, edge[1].face, edge[0].ascending == edge[1].ascending))
+    step();
+    if (edge.size() == 2 && !pieces.unite(edge[0].face(), edge[1].face(), edge[0].ascending() == edge[1].ascending()))
       disagree(edge);
   }
   return pieces;

@@ -8,12 +8,14 @@
 #include <unordered_map>
 #include <vector>
 
+#include "meshops/topology/progress.h"
+
 namespace meshops::detail {
 
 class Z2Rank {
  public:
-  /// The sum of these unknowns is 0. An unknown that is named twice cancels.
-  void add(std::vector<std::size_t> unknowns) {
+  /// The sum of these unknowns is 0. An unknown that is named twice cancels. Throws Cancelled.
+  void add(std::vector<std::size_t> unknowns, Steps& step) {
     std::sort(unknowns.begin(), unknowns.end());
     std::vector<std::size_t> row, sum;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
@@ -22,6 +24,7 @@ class Z2Rank {
       else
         row.push_back(unknowns[i]);
     while (!row.empty()) {
+      step(row.size());
       const auto [slot, is_new] = rows_.try_emplace(row.front());
       if (is_new) {
         slot->second = std::move(row);

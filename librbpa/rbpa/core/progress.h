@@ -1,14 +1,25 @@
-// What: how far a run has come.
+// What: how far a run has come, and how those who watch it are asked whether it goes on.
 #pragma once
 
 #include <cstddef>
+#include <functional>
+
+#include "rbpa/core/error.h"
 
 namespace rbpa {
 
-/// Triangles attached so far, and distinct points.
+/// Triangles attached so far, and distinct points (all points until these are known).
 struct Progress {
   std::size_t triangles;
   std::size_t points;
 };
+
+/// For what comes before the first triangle: asks, and throws Cancelled; empty where `progress` is. Keeps a reference.
+inline std::function<void()> asking(const std::function<bool(const Progress&)>& progress, std::size_t points) {
+  if (!progress) return {};
+  return [&progress, points] {
+    if (!progress({0, points})) throw Cancelled();
+  };
+}
 
 }  // namespace rbpa

@@ -59,12 +59,15 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
   remainder.complete(missing, outline, threads_, [&] { report_.worked(assembler.faces()); });
   LevelPatch levels;
   levels.part(missing, sites_, ladder_);
+  report_.worked(assembler.faces());
   if (levels.later.empty())
     assembler.lay(missing, outline);
   else
     assembler.lay(levels.first);
   waiting_.add(levels.later);
+  report_.worked(assembler.faces());
   waiting_.sort(ladder_.end());
+  report_.worked(assembler.faces());
   auto assembled = std::move(assembler).join();
   report_.completed(assembled.mesh());
   return assembled;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,14 +24,15 @@ class Quadtree {
   Quadtree(std::span<const Point> points, std::size_t capacity)
       : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 
-  /// The side of the smallest leaf; of the root when that is the only one.
-  Real smallest_side() const {
+  /// The side of the smallest leaf; of the root when that is the only one. Calls `ask`, if any, for every square with
+  /// many points, which may throw.
+  Real smallest_side(const std::function<void()>& ask = {}) const {
     if (points_.empty()) return 0;
     const Box box = box_of(points_);
     const Square<Real> root{box.x, box.y, std::max(box.width, box.height)};
-    if (points_.size() > many) return smallest_in(points_, root);
+    if (points_.size() > many) return smallest_in(points_, root, ask);
     std::vector<Point> points(points_.begin(), points_.end());
-    return smallest_one_by_one(points, root);
+    return smallest_one_by_one(points, root, ask);
   }
 
  private:
@@ -62,7 +64,8 @@ class Quadtree {
   }
 
   /// The side of the smallest leaf in a square.
-  Real smallest_in(std::span<const Point> points, Square<Real> square) const {
+  Real smallest_in(std::span<const Point> points, Square<Real> square, const std::function<void()>& ask) const {
+    if (ask) ask();
     if (points.size() <= capacity_) return square.side;
     square = around(points, square);
     // So deep that where all is even nothing is left to be cut; and that the counts stay in a cache.
@@ -71,13 +74,13 @@ class Quadtree {
     EqualSquares<Real> squares(square, depth);
     if (!squares.are_apart()) {
       std::vector<Point> copy(points.begin(), points.end());
-      return smallest_one_by_one(copy, square);
+      return smallest_one_by_one(copy, square, ask);
     }
     squares.count(points);
     Real least = square.side;
     if (squares.most_held() > capacity_) {
       squares.for_each_above(capacity_, points, [&](std::span<Point> held, const Square<Real>& s) {
-        least = std::min(least, held.size() > many ? smallest_in(held, s) : smallest_one_by_one(held, s));
+        least = std::min(least, held.size() > many ? smallest_in(held, s, ask) : smallest_one_by_one(held, s, ask));
       });
       return least;
     }
@@ -87,8 +90,9 @@ class Quadtree {
   }
 
   /// The same, one square after another.
-  Real smallest_one_by_one(std::span<Point> points, Square<Real> square) const {
+  Real smallest_one_by_one(std::span<Point> points, Square<Real> square, const std::function<void()>& ask) const {
     if (points.size() <= capacity_) return square.side;
+    if (ask && points.size() > many) ask();
     square = around(points, square);
     if (!square.can_be_cut()) return square.side;
     const Real x = square.middle_x(), y = square.middle_y(), half = square.side / 2;
@@ -102,8 +106,8 @@ class Quadtree {
       const auto row = above ? points.subspan(middle) : points.first(middle);
       const std::size_t left = part(row, [&](const Point& p) { return Real(p.x) < x; });
       const Real low = above ? y : square.y;
-      least = std::min(least, smallest_one_by_one(row.first(left), {square.x, low, half}));
-      least = std::min(least, smallest_one_by_one(row.subspan(left), {x, low, half}));
+      least = std::min(least, smallest_one_by_one(row.first(left), {square.x, low, half}, ask));
+      least = std::min(least, smallest_one_by_one(row.subspan(left), {x, low, half}, ask));
     }
     return least;
   }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,9 +22,10 @@ namespace rbpa {
 
 class Assembly {
  public:
-  /// Keeps references; the complex is empty yet.
-  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads)
-      : sites_(input, threads), threads_(threads), complex_(begin(complex)) {}
+  /// Keeps references; the complex is empty yet. Asks `progress`, if any, while points are sorted. Throws Cancelled.
+  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads,
+           const std::function<bool(const Progress&)>& progress = {})
+      : sites_(input, threads, asking(progress, input.size())), threads_(threads), complex_(begin(complex)) {}
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 

@@ -2,6 +2,7 @@
 //       while it is small, and each time it has grown by a sixteenth when it is large.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -40,13 +41,7 @@ class Report : public meshops::FrontVisitor {
   }
 
   /// For the stretches in which no triangle is found.
-  void searched(const meshops::Front& front) {
-    if (!progress_) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(20)) return;
-    last_ = now;
-    ask(front.faces());
-  }
+  void searched(const meshops::Front& front) { step(front); }
 
  private:
   void count(const meshops::Front& front) {
@@ -54,7 +49,19 @@ class Report : public meshops::FrontVisitor {
       validate(front.mesh());
       next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
     }
-    if (++events_ % interval == 0 && progress_) ask(front.faces());
+    step(front);
+  }
+  /// A triangle takes a microsecond in one run and milliseconds in another: the clock is looked at after as many steps
+  /// as took about a millisecond before.
+  void step(const meshops::Front& front) {
+    if (++steps_ < stride_ || !progress_) return;
+    steps_ = 0;
+    const auto now = std::chrono::steady_clock::now();
+    const auto passed = now - last_;
+    last_ = now;
+    stride_ = passed < std::chrono::milliseconds(1) ? std::min(2 * stride_, longest_stride)
+                                                    : std::max(stride_ / 4, std::size_t{1});
+    ask(front.faces());
   }
   static void validate(const meshops::Connectivity& mesh) {
     const auto defects = meshops::validate(mesh);
@@ -64,10 +71,11 @@ class Report : public meshops::FrontVisitor {
     if (!progress_({triangles, points_})) throw Cancelled();
   }
 
-  static constexpr std::size_t interval = 4096;  // triangles: about a millisecond
+  static constexpr std::size_t longest_stride = 1024;
   const std::function<bool(const Progress&)>& progress_;
   std::size_t points_;
-  std::size_t events_ = 0;
+  std::size_t steps_ = 0;
+  std::size_t stride_ = 1;
   std::size_t next_validation_ = 0;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -14,7 +14,7 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
 
 }  // namespace
 
-PointGrid::PointGrid(const NamedPoints& input, Threads& threads) {
+PointGrid::PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask) {
   const std::size_t count = input.points.size();
   if (count == 0) return;
   points_.resize(count + padding);
@@ -22,7 +22,7 @@ PointGrid::PointGrid(const NamedPoints& input, Threads& threads) {
   std::fill_n(points_.end() - padding, padding, Point());
   levels_.push_back(make_level(input.points, threads));
   sort_by_cell(input, levels_[0], 0, points_.data(), index_.data(), threads);
-  refine(threads);
+  refine(threads, ask);
   remove_repetitions(threads);
 }
 
@@ -55,11 +55,12 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
 
 /// Makes a grid of every cell with too many points, unless all are one, and of the cells of these: each grid parts its
 /// points.
-void PointGrid::refine(Threads& threads) {
+void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
   struct Crowd {
     std::uint32_t level, cell, first, last;
   };
   for (std::size_t from = 0, to = 1; from < to; from = to, to = levels_.size()) {
+    if (ask) ask();
     std::vector<Crowd> crowds;
     for (std::size_t i = from; i < to; ++i) {
       const std::vector<std::uint32_t>& start = levels_[i].start;

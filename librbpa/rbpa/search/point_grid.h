@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,11 +27,13 @@ class PointGrid {
     std::uint32_t index, stands_for;
   };
 
-  /// Requires finite points, fewer than 2³⁰. Without `threads`, the calling one does it.
-  PointGrid(std::span<const Point> input, Threads& threads) : PointGrid(NamedPoints{input}, threads) {}
+  /// Requires finite points, fewer than 2³⁰. Without `threads`, the calling one does it. Calls `ask`, if any, after each
+  /// level, which may throw.
+  PointGrid(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {})
+      : PointGrid(NamedPoints{input}, threads, ask) {}
   explicit PointGrid(std::span<const Point> input);
   /// The same where the points have names of their own, in ascending order.
-  PointGrid(const NamedPoints& input, Threads& threads);
+  PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask = {});
 
   /// The distinct points in the order of their cells. A position in it is called a site.
   /// Behind the last, `padding` more can be read.
@@ -95,7 +98,7 @@ class PointGrid {
   };
 
   static Level make_level(std::span<const Point> points, Threads& threads);
-  void refine(Threads& threads);
+  void refine(Threads& threads, const std::function<void()>& ask);
   std::optional<Level> level_of(std::uint32_t first, std::uint32_t last, Threads& threads);
   static void index_children(Level& level);
   void remove_repetitions(Threads& threads);

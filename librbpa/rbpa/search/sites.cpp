@@ -7,8 +7,9 @@ namespace rbpa {
 namespace {
 
 /// The grid of the points in the window.
-PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads) {
-  if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads);
+PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads,
+                  const std::function<void()>& ask) {
+  if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads, ask);
   const double scale = std::ldexp(1.0, window.exponent);
   std::vector<Point> scaled;
   std::vector<std::uint32_t> names;
@@ -23,13 +24,15 @@ PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& t
     scaled.push_back({input[i].x * scale, input[i].y * scale});
     names.push_back(i);
   }
-  return PointGrid(NamedPoints{scaled, names.data()}, threads);
+  return PointGrid(NamedPoints{scaled, names.data()}, threads, ask);
 }
 
 }  // namespace
 
-Sites::Sites(std::span<const Point> input, Threads& threads)
-    : window_(window_of(input)), unscale_(std::ldexp(1.0, -window_.exponent)), grid_(grid_of(input, window_, threads)) {
+Sites::Sites(std::span<const Point> input, Threads& threads, const std::function<void()>& ask)
+    : window_(window_of(input)),
+      unscale_(std::ldexp(1.0, -window_.exponent)),
+      grid_(grid_of(input, window_, threads, ask)) {
   if (!window_.beyond.empty()) find_beyond(input);
 }
 

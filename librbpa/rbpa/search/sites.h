@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@ namespace rbpa {
 
 class Sites {
  public:
-  Sites(std::span<const Point> input, Threads& threads);
+  /// Calls `ask`, if any, now and then while points are sorted; it may throw.
+  Sites(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
   /// The points in the window, times 2^exponent.

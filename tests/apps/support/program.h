@@ -31,10 +31,10 @@ class Folder {
   /// Runs `rbpa ARGUMENTS`, `meshtopo ARGUMENTS` in this folder through the shell.
   Outcome rbpa(const std::string& arguments) const { return run(RBPA_PROGRAM, arguments); }
   Outcome meshtopo(const std::string& arguments) const { return run(MESHTOPO_PROGRAM, arguments); }
-
- private:
+  /// The same for any program.
   Outcome run(const std::string& program, const std::string& arguments) const;
 
+ private:
   std::filesystem::path path_;
 };
 

@@ -6,6 +6,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/front/front.h"
 #include "meshops/topology/count.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
 

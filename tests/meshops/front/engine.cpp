@@ -8,6 +8,7 @@
 
 #include "meshops/core/reach.h"
 #include "meshops/topology/count.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 
 using namespace meshops;

@@ -8,6 +8,7 @@
 #include "meshops/handle/destroy.h"
 #include "meshops/topology/count.h"
 #include "meshops/topology/report.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/snapshot.h"
 
@@ -154,6 +155,12 @@ TEST_SUITE("front") {
     separate_triangles(unsound, 1);
     unsound.set_halfedge_handle(Vertex(0), unsound.halfedge_handle(Vertex(1)));
     CHECK_THROWS_WITH_AS(Front{unsound}, "Front: the mesh is not sound: vertex 0: vertex halfedge elsewhere",
+                         ContractViolation);
+    TestMesh bowtie;
+    for (int i = 0; i < 5; ++i) bowtie.new_vertex();
+    bowtie.add_face(Vertex(0), Vertex(1), Vertex(2));
+    bowtie.add_face(Vertex(0), Vertex(3), Vertex(4));
+    CHECK_THROWS_WITH_AS(Front{bowtie}, "Front: the mesh is not sound: vertex 0: vertex has several fans",
                          ContractViolation);
     OpenMesh::PolyMesh_ArrayKernelT<> plain;
     CHECK_THROWS_AS(Front{plain}, ContractViolation);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "meshops/front/engine.h"
+#include "support/check_sound.h"
 #include "support/meshes.h"
 
 using namespace meshops;

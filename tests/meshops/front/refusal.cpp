@@ -8,6 +8,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/front/front.h"
 
+#include "support/check_sound.h"
 #include "support/laws.h"
 #include "support/meshes.h"
 

@@ -7,6 +7,7 @@
 
 #include "meshops/front/engine.h"
 #include "meshops/topology/count.h"
+#include "support/check_sound.h"
 #include "support/meshes.h"
 
 using namespace meshops;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meshops/core/live.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 
 namespace meshops::test {

@@ -4,6 +4,7 @@
 
 #include "meshops/handle/effect.h"
 #include "meshops/topology/count.h"
+#include "support/check_sound.h"
 #include "support/meshes.h"
 
 using namespace meshops;

@@ -8,6 +8,7 @@
 #include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
 #include "meshops/handle/insert_triangle.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
 

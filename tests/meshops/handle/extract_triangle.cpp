@@ -5,6 +5,7 @@
 #include "meshops/core/live.h"
 #include "meshops/handle/destroy.h"
 #include "meshops/handle/insert_triangle.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
 

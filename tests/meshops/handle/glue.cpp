@@ -7,6 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/front/boundary_curve.h"
+#include "support/check_sound.h"
 #include "support/laws.h"
 
 using namespace meshops;

@@ -8,6 +8,7 @@
 #include "meshops/front/boundary_curve.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
+#include "support/check_sound.h"
 #include "support/meshes.h"
 
 using namespace meshops;

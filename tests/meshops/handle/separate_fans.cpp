@@ -8,6 +8,7 @@
 #include "meshops/core/live.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/repair.h"
+#include "support/check_sound.h"
 #include "support/bowties.h"
 #include "support/corpus.h"
 #include "support/snapshot.h"

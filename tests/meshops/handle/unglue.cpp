@@ -6,6 +6,7 @@
 
 #include "meshops/core/live.h"
 #include "meshops/front/boundary_curve.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
 

@@ -14,6 +14,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/front/engine.h"
+#include "support/check_sound.h"
 #include "support/meshes.h"
 #include "support/snapshot.h"
 #include "support/soups.h"

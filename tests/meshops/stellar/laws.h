@@ -11,6 +11,8 @@
 #include "meshops/core/delta.h"
 #include "meshops/core/live.h"
 #include "meshops/stellar/keep.h"
+#include "support/check_sound.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/snapshot.h"
 

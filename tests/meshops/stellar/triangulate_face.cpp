@@ -11,6 +11,7 @@
 #include "meshops/stellar/diagonal.h"
 #include "meshops/topology/build_mesh.h"
 #include "stellar/laws.h"
+#include "support/check_sound.h"
 #include "support/laws.h"
 
 using namespace meshops;

@@ -1,4 +1,5 @@
 #include "support/laws.h"
+#include "support/check_sound.h"
 
 namespace meshops::test {
 

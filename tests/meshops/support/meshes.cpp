@@ -1,10 +1,7 @@
 #include "support/meshes.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 
-#include "meshops/core/validate.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
 
@@ -37,10 +34,6 @@ Strip strip(Connectivity& mesh, int pairs) {
   }
   result.right = right;
   return result;
-}
-
-void check_sound(const Connectivity& mesh) {
-  for (const Defect& defect : validate(mesh)) FAIL_CHECK(describe(defect));
 }
 
 std::vector<std::string> canonical_faces(const Connectivity& mesh, const std::vector<int>& label) {

@@ -29,9 +29,6 @@ struct Strip {
 };
 Strip strip(Connectivity& mesh, int pairs);
 
-/// Asserts that there is no defect.
-void check_sound(const Connectivity& mesh);
-
 /// The faces as cyclic lists of vertex labels and the mates of their edges, in a form in which isomorphic meshes with
 /// the same labels are equal: one string per face, sorted. `label` of a vertex need not be unique.
 std::vector<std::string> canonical_faces(const Connectivity& mesh, const std::vector<int>& label);

@@ -8,6 +8,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/topology/soup_defects.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
 #include "support/snapshot.h"

@@ -9,6 +9,7 @@
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
+#include "support/check_sound.h"
 #include "support/meshes.h"
 #include "support/soups.h"
 

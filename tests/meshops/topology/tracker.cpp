@@ -17,6 +17,7 @@
 #include "meshops/stellar/undo.h"
 #include "meshops/stellar/weld_edge.h"
 #include "meshops/stellar/weld_face.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 
 using namespace meshops;

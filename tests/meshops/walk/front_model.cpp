@@ -1,4 +1,4 @@
-#include "support/front_model.h"
+#include "walk/front_model.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "support/front_walk.h"
+#include "walk/front_walk.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,8 +9,8 @@
 #include "meshops/front/engine.h"
 #include "meshops/handle/close_curve.h"
 #include "support/corpus.h"
-#include "support/front_model.h"
 #include "support/snapshot.h"
+#include "walk/front_model.h"
 
 namespace meshops::test {
 namespace {
@@ -23,9 +23,20 @@ unsigned below(Choices& choices, std::uint32_t bound) { return bound < 2 ? 0 : c
 
 std::size_t index(RefusalKind kind) { return static_cast<std::size_t>(kind); }
 
-class Walk {
+/// Of the corpus what a step can be compared on in no time.
+std::vector<Specimen> small_specimens() {
+  std::vector<Specimen> small;
+  for (const Specimen& specimen : corpus()) {
+    TestMesh mesh;
+    specimen.build(mesh);
+    if (specimen.simplicial && mesh.n_faces() <= 60) small.push_back(specimen);
+  }
+  return small;
+}
+
+class FrontWalk {
  public:
-  Walk(Choices& choices, FrontWalkCounts& counts) : choices_(choices), counts_(counts) { begin(); }
+  FrontWalk(Choices& choices, FrontWalkCounts& counts) : choices_(choices), counts_(counts) { begin(); }
 
   void step() {
     ++counts_.steps;
@@ -79,10 +90,9 @@ class Walk {
   void begin() {
     mesh_.emplace();
     if (choices_.one_in(3)) {
-      const std::vector<Specimen>& all = corpus();
-      const Specimen& specimen = all[below(choices_, static_cast<std::uint32_t>(all.size()))];
+      static const std::vector<Specimen> small = small_specimens();
+      const Specimen& specimen = small[below(choices_, static_cast<std::uint32_t>(small.size()))];
       specimen.build(*mesh_);
-      if (!specimen.simplicial || mesh_->n_faces() > 60) mesh_->clear();
       log("on " + specimen.name);
       if (const auto curves = boundary_curves(*mesh_); !curves.empty() && choices_.one_in(3)) {
         log("one curve closed");
@@ -522,7 +532,7 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
 
 void walk_on_front(Choices& choices, std::size_t steps, FrontWalkCounts& counts) {
   for (std::size_t done = 0; done < steps && choices.any_left();) {
-    Walk walk(choices, counts);
+    FrontWalk walk(choices, counts);
     const std::size_t length = 10 + below(choices, 120);
     for (std::size_t i = 0; i < length && choices.any_left(); ++i, ++done) walk.step();
   }

@@ -1,0 +1,27 @@
+#include "io/descriptor.h"
+
+#include <fcntl.h>
+#include <poll.h>
+
+#include <initializer_list>
+
+namespace rbpa::app {
+namespace {
+
+void wait_for(int descriptor, short event) {
+  pollfd one{descriptor, event, 0};
+  poll(&one, 1, -1);
+}
+
+}  // namespace
+
+void wait_to_read(int descriptor) { wait_for(descriptor, POLLIN); }
+void wait_to_write(int descriptor) { wait_for(descriptor, POLLOUT); }
+
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1)  // the lowest free number is this one
+      static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,21 @@
+// What: report() and find_defects() of a soup at once.
+// Cost: little more than one of them.
+#pragma once
+
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/topology/report.h"
+#include "meshops/topology/soup_defects.h"
+
+namespace meshops {
+
+struct Examination {
+  TopologyReport report;
+  std::vector<SoupDefect> defects;
+};
+
+/// Throws: as find_defects().
+MESHOPS_API Examination examine(const PolygonSoup& soup, const GoOn& go_on = {});
+
+}  // namespace meshops

@@ -1,0 +1,48 @@
+// What: how a long computation lets its caller watch it, and end it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+
+#include "meshops/core/api.h"
+
+namespace meshops {
+
+/// Called again and again, every few milliseconds; returning false ends the computation with Cancelled. Empty: never
+/// called.
+using GoOn = std::function<bool()>;
+
+/// The caller asked to stop.
+class MESHOPS_API Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+namespace detail {
+
+/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and asks now and then.
+class Steps {
+ public:
+  /// Keeps a reference.
+  explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
+
+  /// So many more steps. Throws Cancelled.
+  void operator()(std::size_t steps = 1) {
+    if (left_ <= steps) return ask();
+    left_ -= steps;
+  }
+
+ private:
+  void ask() {
+    left_ = interval;
+    if (go_on_ && !go_on_()) throw Cancelled();
+  }
+
+  static constexpr std::size_t interval = 16384;
+  const GoOn& go_on_;
+  std::size_t left_ = interval;
+};
+
+}  // namespace detail
+}  // namespace meshops

@@ -1,0 +1,48 @@
+// What: what report() and find_defects() both need to know of a soup, found once.
+// Cost: most of that of either.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "meshops/topology/report.h"
+#include "meshops/topology/soup_defects.h"
+#include "meshops/topology/soup_sides.h"
+
+namespace meshops::detail {
+
+/// Of a soup that outlives it.
+struct SoupAnatomy {
+  /// Throws as find_face_faults().
+  SoupAnatomy(const PolygonSoup& given, const GoOn& go_on);
+
+  const PolygonSoup& soup;
+  FaceFaults faults;
+  SoupSides sides;
+  bool has_crowded_edge = false;                         ///< at which more than two faces meet
+  std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges at which no choice of directions agrees
+  DisjointSets pieces;                                   ///< of faces
+  DisjointSets fans;                                     ///< of corners, joined at every edge
+  std::vector<std::uint32_t> fans_at;                    ///< each point: how many
+
+  bool is_sound(std::size_t f) const { return faults.of[f] == FaceFault::none; }
+
+  /// fan(point, face) for every fan, with its first face.
+  template <typename Fan>
+  void for_each_fan(Steps& step, Fan fan) const {
+    for (std::size_t f = 0; f < soup.faces(); ++f) {
+      if (!is_sound(f)) continue;
+      for (std::size_t c = soup.begin[f]; c < soup.begin[f + 1]; ++c) {
+        step();
+        if (fans.is_least(static_cast<std::uint32_t>(c))) fan(soup.corners[c], f);
+      }
+    }
+  }
+};
+
+/// As report() and find_defects() say.
+TopologyReport report_of(SoupAnatomy& anatomy, const GoOn& go_on);
+std::vector<SoupDefect> defects_of(SoupAnatomy& anatomy, const GoOn& go_on);
+
+}  // namespace meshops::detail

@@ -1,0 +1,24 @@
+// Fronts: whatever they are asked and whatever a policy answers, by the bytes of a fuzzer (tests/meshops/walk), they do what
+// their model does, refuse what it refuses, and stay sound.
+#include <stdexcept>
+
+#include "fuzz/target.h"
+#include "walk/front_walk.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace meshops::test;
+  ByteChoices choices({data, size});
+  constexpr std::size_t steps = 300;
+  try {
+    if (choices.one_in(2)) {
+      FrontWalkCounts counts;
+      walk_on_front(choices, steps, counts);
+    } else {
+      AdvanceCounts counts;
+      advance_at_random(choices, steps, counts);
+    }
+  } catch (const LawBroken& broken) {
+    fuzz::require(false, broken.what());
+  }
+  return 0;
+}

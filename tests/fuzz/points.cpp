@@ -1,0 +1,86 @@
+// Readers of points: any bytes are points, all finite, or refused in a sentence of one line.
+// The first byte is the format and how it is read; the rest is the file.
+#include <zlib.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "fuzz/target.h"
+#include "io/failure.h"
+#include "io/message.h"
+#include "io/read_points.h"
+
+namespace {
+
+using namespace rbpa::app;
+
+constexpr PointFormat formats[] = {PointFormat::text, PointFormat::npy, PointFormat::off, PointFormat::ply,
+                                   PointFormat::raw,  PointFormat::png, PointFormat::pgm};
+
+PointSource source_of(std::uint8_t selector) {
+  PointSource source{.path = "", .format = formats[selector % std::size(formats)]};
+  switch (selector / std::size(formats) % 4) {
+    case 1:
+      source.columns = {{.number = 2}, {.number = 1}};
+      source.pixels = {.foreground = Foreground::dark};
+      break;
+    case 2:
+      source.columns = {{.name = "x"}, {.name = "y"}};
+      source.pixels = {.foreground = Foreground::light, .threshold = 0.25};
+      break;
+    case 3:
+      source.columns = {{.number = 3}, {.name = "lat"}};
+      source.pixels = {.threshold = 1};
+      break;
+    default:
+      break;
+  }
+  return source;
+}
+
+std::size_t number_at(const std::string& bytes, std::size_t at) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) number = number << 8U | static_cast<unsigned char>(bytes[at + i]);
+  return number;
+}
+
+/// With the check sum of every chunk made right: else nearly all that is tried ends there.
+std::string with_check_sums(std::string_view bytes) {
+  std::string png(bytes);
+  constexpr std::size_t signature = 8, frame = 12;  // length, type, check sum
+  for (std::size_t at = signature; at + frame <= png.size();) {
+    const std::size_t length = number_at(png, at);
+    if (length > png.size() - at - frame) break;
+    const auto* type = reinterpret_cast<const Bytef*>(png.data() + at + 4);
+    const uLong sum = crc32(0, type, static_cast<uInt>(length + 4));
+    for (std::size_t i = 0; i < 4; ++i) png[at + 8 + length + i] = static_cast<char>(sum >> (24 - 8 * i) & 0xFFU);
+    at += frame + length;
+  }
+  return png;
+}
+
+void is_a_sentence(const std::string& message) {
+  fuzz::require(message.starts_with("FILE") || message.starts_with("--columns: "), "a message says where");
+  fuzz::require(message.find(": found ") != std::string::npos, "a message says what was found");
+  fuzz::require(message.find(", expected ") != std::string::npos, "a message says what was expected");
+  fuzz::require(printable(message) == message, "a message is one line of visible characters");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const PointSource source = source_of(data[0]);
+  std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
+  if (source.format == PointFormat::png) bytes = with_check_sums(bytes);
+  try {
+    const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source);
+    fuzz::require(std::all_of(points.begin(), points.end(), rbpa::is_finite), "points are finite");
+  } catch (const BadInput& refusal) {
+    is_a_sentence(refusal.what());
+  } catch (const WrongUsage& refusal) {
+    is_a_sentence(refusal.what());
+  }
+  return 0;
+}

@@ -1,0 +1,21 @@
+// What: what a fuzz target is, and how it says that a law is broken.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+/// Does something with the bytes. Ends the process when it goes wrong; returns 0.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fuzz {
+
+/// Ends the process unless the law holds: in every build.
+inline void require(bool holds, const char* law) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", law);
+  std::abort();
+}
+
+}  // namespace fuzz
