@@ -8,8 +8,16 @@ packages=(g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-de
           nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf)
 [ "$preset" = clang ] && packages+=(clang-14)
 bash tests/install_packages.sh "${packages[@]}"
-build=$preset
-[ "$preset" = nightly ] && build=release
-cmake --preset "$build"
-cmake --build --preset "$build" --parallel "$(nproc)"
-ctest --preset "$preset"
+build() {
+  cmake --preset "$1"
+  cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}"
+}
+if [ "$preset" = nightly ]; then
+  build release
+  ctest --preset nightly
+  build sanitize --target test_meshops
+  ctest --preset nightly-sanitize  # the long random walks
+else
+  build "$preset"
+  ctest --preset "$preset"
+fi

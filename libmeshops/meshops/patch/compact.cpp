@@ -7,14 +7,15 @@
 namespace meshops {
 namespace {
 
-/// Moves the vertices from `first` on to their new numbers. One without triangles has that of the next, which then
-/// overwrites it: no branch is needed where it could not be foreseen.
-void renumber(Connectivity& mesh, std::size_t edges, std::size_t first, const std::vector<int>& number) {
+/// Moves the vertices from `first` to `end` to their new numbers. One without triangles has that of the next, which then
+/// overwrites it: no branch is needed where it could not be foreseen. Those from `end` on are named by deleted edges only.
+void renumber(Connectivity& mesh, std::size_t edges, std::size_t first, std::size_t end,
+              const std::vector<int>& number) {
   for (auto property = mesh.vprops_begin(); property != mesh.vprops_end(); ++property) {
     if (*property == nullptr) continue;
-    for (std::size_t i = first; i < number.size(); ++i) (*property)->copy(i, static_cast<std::size_t>(number[i]));
+    for (std::size_t i = first; i < end; ++i) (*property)->copy(i, static_cast<std::size_t>(number[i]));
   }
-  for (std::size_t i = first; i < number.size(); ++i)
+  for (std::size_t i = first; i < end; ++i)
     mesh.set_halfedge_handle(Vertex(number[i]), mesh.halfedge_handle(Vertex(static_cast<int>(i))));
   for (int i = 0; i < static_cast<int>(2 * edges); ++i) {
     const Halfedge h(i);
@@ -34,14 +35,14 @@ std::vector<Site> detail::compact(Connectivity& mesh, const SiteVertices& vertic
   std::vector<Site> site_of(end);
   for (; left < site_of.size() && !is_unused(left); ++left) site_of[left] = site(left);
   if (const std::size_t first = left; first < site_of.size()) {
-    std::vector<int> number(site_of.size());
+    std::vector<int> number(mesh.n_vertices());
     std::iota(number.begin(), number.begin() + static_cast<std::ptrdiff_t>(first), 0);
-    for (std::size_t i = first; i < site_of.size(); ++i) {
+    for (std::size_t i = first; i < end; ++i) {
       site_of[left] = site(i);
       number[i] = static_cast<int>(left);
       left += !is_unused(i);
     }
-    renumber(mesh, edges, first, number);
+    renumber(mesh, edges, first, end, number);
     site_of.resize(left);
   }
   mesh.resize(site_of.size(), edges, faces);

@@ -43,6 +43,15 @@ TEST_SUITE("front") {
     CHECK_FALSE(front.is_on_boundary(0));
   }
 
+  TEST_CASE("what was detached names vertices that finish() takes away") {
+    TestMesh mesh;
+    Front front(mesh, 8);  // 0 and 7 are on no triangle
+    front.create(1, 2, 3);
+    front.detach(front.create(4, 5, 6).face);
+    CHECK(front.finish() == std::vector<Site>{1, 2, 3});
+    check_sound(mesh);
+  }
+
   TEST_CASE("the last triangle leaves free sites, whose vertices serve the next") {
     TestMesh mesh;
     Front front(mesh, 3);
