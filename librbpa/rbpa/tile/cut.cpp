@@ -10,9 +10,9 @@ namespace {
 using Level = PointGrid::Level;
 
 constexpr double points_per_cell = 2;
-constexpr double most_contrast = 3;           // of density between the halves of a block
-constexpr std::uint32_t fewest_points = 256;  // a block of so few is not divided for it
-constexpr double margin = 2;                  // cells around a block: about three times the distance of neighbours
+constexpr double max_contrast = 3;         // of density between the halves of a block
+constexpr std::uint32_t min_points = 256;  // a block of so few is not divided for it
+constexpr double margin = 2;               // cells around a block: about three times the distance of neighbours
 
 /// Calls visit(cell) for the cells in a part of a row that are grids of tiles of their own, ascending.
 template <typename Visit>
@@ -22,8 +22,8 @@ void for_each_grid(const Level& level, std::uint32_t merged, int row, std::uint3
     if (level.start[child->cell + 1] - level.start[child->cell] > merged) visit(child->cell);
 }
 
-/// As many points as a tile may have that owns some. Those of a tile beside crowds are left to others.
-std::size_t most_around(std::size_t own) { return std::min(Tile::most_points, 8 * own + 1024); }
+/// As many points as a tile may have that owns some. Those of a tile beside dense cells are left to others.
+std::size_t max_points_around(std::size_t owned) { return std::min(Tile::most_points, 8 * owned + 1024); }
 
 std::uint32_t points_of(const Level& level, const Block& block) {
   std::uint32_t count = 0;
@@ -57,13 +57,13 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
 double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
 
 /// Cells of one size are to suit all of a block.
-bool is_even(const Block& a, const Block& b) {
-  return std::max(density(a), density(b)) <= most_contrast * std::min(density(a), density(b));
+bool is_uniform(const Block& a, const Block& b) {
+  return std::max(density(a), density(b)) <= max_contrast * std::min(density(a), density(b));
 }
 
 /// The mean over points of how many share a cell: one more than their density where it is the same everywhere, far more
 /// where a few cells have most of the points.
-double company(const Level& level, const Block& block) {
+double mean_occupancy(const Level& level, const Block& block) {
   std::uint64_t squares = 0;
   const auto square = [&](std::uint32_t cell) {
     const std::uint64_t count = level.start[cell + 1] - level.start[cell];
@@ -84,8 +84,8 @@ void divide(const Level& level, const Block& block, std::uint32_t most_points, s
   if (block.columns > 1 || block.rows > 1) {
     const auto [first, second] = halves(level, block);
     if (block.points > most_points ||
-        (block.points > fewest_points &&
-         (!is_even(first, second) || company(level, block) > most_contrast * (density(block) + 1)))) {
+        (block.points > min_points &&
+         (!is_uniform(first, second) || mean_occupancy(level, block) > max_contrast * (density(block) + 1)))) {
       divide(level, first, most_points, found);
       divide(level, second, most_points, found);
       return;
@@ -124,7 +124,7 @@ void Cutter::cut(const Block& block, Tile& tile) {
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
   // Where density varies, points see more of it than the mean; along rows of points they seem to, but less.
-  const double mean = density(block), seen = company(level, block) - 1;
+  const double mean = density(block), seen = mean_occupancy(level, block) - 1;
   const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
   const double ratio = std::sqrt(points_per_cell / mean) / finer;
   tile.cell = level.cell * std::max(ratio, std::max(block.columns, block.rows) / 1024.0);
@@ -158,12 +158,12 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
     });
     add(level.start[first], level.start[last]);
   }
-  own_ = all_;
+  owned_ = all_;
 
-  // Around the block, and the grids in it: a crowd is worth more time than the triangles along its edge.
-  const std::uint32_t crowd =
+  // Around the block, and the grids in it: a dense cell would cost more time than the triangles along its edge.
+  const std::uint32_t dense =
       std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
-  const std::size_t most = most_around(own_);
+  const std::size_t max_all = max_points_around(owned_);
   for (int r = level.row(tile.y0); r <= level.row(tile.y1()); ++r) {
     const auto row = static_cast<std::uint32_t>(r * level.columns);
     const auto forget_cells = [&](std::uint32_t first, std::uint32_t last) {
@@ -172,7 +172,7 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
       forget(tile, x - level.slack, x_end + level.slack, y - level.slack, y + level.cell + level.slack);
     };
     const auto take = [&](std::uint32_t first, std::uint32_t last) {
-      if (all_ + (level.start[last] - level.start[first]) <= most)
+      if (all_ + (level.start[last] - level.start[first]) <= max_all)
         add(level.start[first], level.start[last]);
       else
         forget_cells(first, last);
@@ -180,7 +180,7 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
     const auto look = [&](int from, int to) {
       std::uint32_t first = row + static_cast<std::uint32_t>(from);
       const std::uint32_t last = row + static_cast<std::uint32_t>(to);
-      for_each_grid(level, crowd, r, first, last, [&](std::uint32_t cell) {
+      for_each_grid(level, dense, r, first, last, [&](std::uint32_t cell) {
         take(first, cell);
         forget_cells(cell, cell + 1);
         first = cell + 1;
@@ -195,7 +195,7 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
     look(far_c0, c0);
     for_each_grid(level, block.merged, r, row + static_cast<std::uint32_t>(c0), row + static_cast<std::uint32_t>(c1),
                   [&](std::uint32_t cell) {
-                    if (level.start[cell + 1] - level.start[cell] <= crowd)
+                    if (level.start[cell + 1] - level.start[cell] <= dense)
                       take(cell, cell + 1);
                     else
                       forget_cells(cell, cell + 1);
@@ -207,20 +207,19 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
 /// Points of other levels, outside the level's box.
 void Cutter::gather_beyond(const Level& level, const Tile& tile) {
   const std::uint32_t first_inside = level.start.front(), last_inside = level.start.back();
-  const std::size_t most = most_around(own_);
+  const std::size_t max_all = max_points_around(owned_);
   const auto take = [&](std::uint32_t first, std::uint32_t last) {
-    if (all_ + (last - first) <= most) return add(first, last);
+    if (all_ + (last - first) <= max_all) return add(first, last);
     for (std::uint32_t s = first; s < last; ++s) {
       const Point& p = grid_.points()[s];
       forget(tile, p.x, p.x, p.y, p.y);
     }
   };
   // A range may begin or end inside.
-  grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}},
-             [&](std::uint32_t first, std::uint32_t last) {
-               if (first < first_inside) take(first, std::min(last, first_inside));
-               if (last > last_inside) take(std::max(first, last_inside), last);
-             });
+  grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}}, [&](std::uint32_t first, std::uint32_t last) {
+    if (first < first_inside) take(first, std::min(last, first_inside));
+    if (last > last_inside) take(std::max(first, last_inside), last);
+  });
 }
 
 void Cutter::forget_hidden(const Level& level, const Tile& tile) {
@@ -259,7 +258,7 @@ void Cutter::sort_into_cells(Tile& tile) {
       const auto r = static_cast<std::uint32_t>(std::clamp((p.y - y0) * per_cell, 0.0, last_row));
       const bool is_here = (p.x >= x0) & (p.x <= x1) & (p.y >= y0) & (p.y <= y1);
       // Those beyond are counted in one cell more, the last.
-      const std::uint32_t cell = (is_here | (next < own_)) ? r * columns + c : beyond;
+      const std::uint32_t cell = (is_here | (next < owned_)) ? r * columns + c : beyond;
       cell_of_[next++] = cell;
       ++count_[cell];
     }
@@ -277,19 +276,19 @@ void Cutter::sort_into_cells(Tile& tile) {
   }
   tile.points.resize(sum);
   tile.site.resize(sum);
-  tile.own.resize(sum);
+  tile.owned.resize(sum);
   next = 0;
   for (const auto& [first, last] : sites_)
     for (std::uint32_t s = first; s < last; ++s) {
       const std::uint32_t at = count_[cell_of_[next]]++;
       tile.points[at] = points[s];
       tile.site[at] = s;
-      tile.own[at] = next++ < own_;
+      tile.owned[at] = next++ < owned_;
     }
   const std::size_t here = tile.start[cells];
   tile.points.resize(here);
   tile.site.resize(here);
-  tile.own.resize(here);
+  tile.owned.resize(here);
 }
 
 }  // namespace rbpa

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/patches/find_patch.h"
 #include "rbpa/tile/cut.h"
 #include "support/generate.h"
 #include "support/random.h"
@@ -24,23 +25,23 @@ using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 using rbpa::Remainder;
-using rbpa::TileTriangles;
+using rbpa::TilePatch;
 
 TEST_SUITE_BEGIN("remainder");
 
 namespace {
 
 /// What each tile tells, in any order; of some tiles nothing.
-std::vector<TileTriangles> tell(const PointGrid& grid, const Radius& radius, std::uint32_t most_points,
-                                double share_told, Random& random) {
-  std::vector<TileTriangles> told;
+std::vector<TilePatch> tell(const PointGrid& grid, const Radius& radius, std::uint32_t most_points, double share_told,
+                            Random& random) {
+  std::vector<TilePatch> told;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
-  rbpa::TileWorkspace workspace;
+  rbpa::FinderWorkspace workspace;
   for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) {
     if (!random.chance(share_told)) continue;
     cutter.cut(block, tile);
-    triangulate(tile, radius, workspace, told.emplace_back());
+    find_patch(tile, radius, workspace, told.emplace_back());
   }
   random.shuffle(told);
   return told;
@@ -72,15 +73,15 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   }
   Remainder remainder(sites, radius);
   std::set<Triangle> told;
-  for (const TileTriangles& tile : tell(grid, radius, most_points, share_told, random)) {
+  for (const TilePatch& tile : tell(grid, radius, most_points, share_told, random)) {
     remainder.add(tile);
     for (const auto& t : tile.patch.triangles) told.insert(corners(t));
   }
   counts.sites += points.size();
-  for (std::uint32_t s = 0; s < points.size(); ++s) counts.complete += remainder.is_complete(s);
+  for (std::uint32_t s = 0; s < points.size(); ++s) counts.complete += remainder.is_settled(s);
   for (const Triangle& t : complex)
     for (const std::uint32_t s : t)
-      if (!told.contains(t) && remainder.is_complete(s))
+      if (!told.contains(t) && remainder.is_settled(s))
         return "site " + std::to_string(s) + " is complete, and a triangle there is not told";
   const std::vector<std::uint32_t> not_done = remainder.not_done();
   if (!std::is_sorted(not_done.begin(), not_done.end())) return "not_done is not ascending";

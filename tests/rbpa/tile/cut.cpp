@@ -26,7 +26,7 @@ namespace {
 bool same(const Tile& a, const Tile& b) {
   return a.x0 == b.x0 && a.y0 == b.y0 && a.cell == b.cell && a.columns == b.columns && a.rows == b.rows &&
          a.nothing_left == b.nothing_left && a.nothing_right == b.nothing_right && a.nothing_below == b.nothing_below &&
-         a.nothing_above == b.nothing_above && a.points == b.points && a.site == b.site && a.own == b.own &&
+         a.nothing_above == b.nothing_above && a.points == b.points && a.site == b.site && a.owned == b.owned &&
          a.start == b.start && a.unknown == b.unknown;
 }
 
@@ -35,7 +35,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
   const auto points = grid.points();
   const std::size_t n = tile.points.size(), cells = tile.cells();
   if (tile.columns < 1 || tile.rows < 1 || !(tile.cell > 0)) return "no cells";
-  if (tile.site.size() != n || tile.own.size() != n) return "sizes";
+  if (tile.site.size() != n || tile.owned.size() != n) return "sizes";
   if (tile.start.size() != cells + 1 || tile.start.front() != 0 || tile.start.back() != n) return "start";
   if (!tile.unknown.empty() && tile.unknown.size() != cells + 1) return "unknown";
   if (!tile.unknown.empty() && tile.unknown.front() != 0) return "unknown does not begin with 0";
@@ -55,7 +55,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
       if (tile.site[i] >= points.size() || points[tile.site[i]] != p) return "site of point " + std::to_string(i);
       if (here[tile.site[i]]) return "a point is there twice";
       here[tile.site[i]] = true;
-      owned += tile.own[i];
+      owned += tile.owned[i];
       if (p.x < x - off_x || p.x > x + tile.cell + off_x || p.y < y - off_y || p.y > y + tile.cell + off_y)
         return "point " + std::to_string(i) + " is not in its cell";
     }
@@ -96,7 +96,7 @@ int check_tiles(const Points& points, std::uint32_t most_points) {
     const std::string wrong = wrong_with(tile, block, grid);
     REQUIRE(wrong == "");
     with_unknown += !tile.unknown.empty();
-    for (std::size_t i = 0; i < tile.points.size(); ++i) owners[tile.site[i]] += tile.own[i];
+    for (std::size_t i = 0; i < tile.points.size(); ++i) owners[tile.site[i]] += tile.owned[i];
   }
   if (most_points <= Tile::most_points) CHECK(std::count(owners.begin(), owners.end(), 1) == std::ssize(owners));
   return with_unknown;
