@@ -48,8 +48,7 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
   level.columns = static_cast<int>(level.width * level.per_unit) + 1;
   level.rows = static_cast<int>(level.height * level.per_unit) + 1;
   const auto largest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
-  level.slack =
-      16 * 0x1p-53 * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
+  level.slack = 16 * 0x1p-53 * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
   return level;
 }
 
@@ -65,7 +64,7 @@ void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
     for (std::size_t i = from; i < to; ++i) {
       const std::vector<std::uint32_t>& start = levels_[i].start;
       for (std::uint32_t cell = 0; cell + 1 < start.size(); ++cell)
-        if (start[cell + 1] - start[cell] > most_in_cell)
+        if (start[cell + 1] - start[cell] > max_in_cell)
           crowds.push_back({static_cast<std::uint32_t>(i), cell, start[cell], start[cell + 1]});
     }
     std::vector<std::optional<Level>> finer(crowds.size());
@@ -132,7 +131,7 @@ void PointGrid::find_repetitions(std::uint32_t first, std::uint32_t last, Repeat
 
 /// Those in some cells of a level, but for cells that are grids of their own.
 void PointGrid::find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell,
-                                       Repeated& found) const {
+                                 Repeated& found) const {
   auto child = std::lower_bound(level.children.begin(), level.children.end(), first_cell,
                                 [](const Child& c, std::size_t cell) { return c.cell < cell; });
   for (std::size_t cell = first_cell; cell < last_cell; ++cell) {

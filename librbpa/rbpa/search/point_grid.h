@@ -89,7 +89,7 @@ class PointGrid {
 
  private:
   static constexpr double points_per_cell = 2;
-  static constexpr std::uint32_t most_in_cell = 24;  ///< a cell with more is a grid of its own
+  static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more is a grid of its own
 
   /// Repetitions found together: the sites to be left out, and what they are.
   struct Repeated {
@@ -124,7 +124,7 @@ void PointGrid::scan_level(const Level& level, const Box& box, Visit& visit) con
                         c1 = row + static_cast<std::uint32_t>(last_column) + 1;
     std::uint32_t first = level.start[c0];
     const std::uint32_t last = level.start[c1];
-    if (last - first > most_in_cell && !level.children.empty()) {
+    if (last - first > max_in_cell && !level.children.empty()) {
       for (auto child = level.child_at(r, c0); child != level.children.end() && child->cell < c1; ++child) {
         if (first < level.start[child->cell]) visit(first, level.start[child->cell]);
         scan_level(levels_[child->level], box, visit);

@@ -23,7 +23,7 @@ void for_each_grid(const Level& level, std::uint32_t merged, int row, std::uint3
 }
 
 /// As many points as a tile may have that owns some. Those of a tile beside dense cells are left to others.
-std::size_t max_points_around(std::size_t owned) { return std::min(Tile::most_points, 8 * owned + 1024); }
+std::size_t max_points_around(std::size_t owned) { return std::min(Tile::max_points, 8 * owned + 1024); }
 
 std::uint32_t points_of(const Level& level, const Block& block) {
   std::uint32_t count = 0;
@@ -79,15 +79,15 @@ double mean_occupancy(const Level& level, const Block& block) {
   return double(squares) / block.points;
 }
 
-void divide(const Level& level, const Block& block, std::uint32_t most_points, std::vector<Block>& found) {
+void divide(const Level& level, const Block& block, std::uint32_t max_points, std::vector<Block>& found) {
   if (block.points == 0) return;
   if (block.columns > 1 || block.rows > 1) {
     const auto [first, second] = halves(level, block);
-    if (block.points > most_points ||
+    if (block.points > max_points ||
         (block.points > min_points &&
          (!is_uniform(first, second) || mean_occupancy(level, block) > max_contrast * (density(block) + 1)))) {
-      divide(level, first, most_points, found);
-      divide(level, second, most_points, found);
+      divide(level, first, max_points, found);
+      divide(level, second, max_points, found);
       return;
     }
   }
@@ -96,15 +96,15 @@ void divide(const Level& level, const Block& block, std::uint32_t most_points, s
 
 }  // namespace
 
-std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points) {
-  const std::uint32_t merged = most_points / 4;  // measured: smaller tiles have too many points around them
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points) {
+  const std::uint32_t merged = max_points / 4;  // measured: smaller tiles have too many points around them
   std::vector<Block> found;
   for (std::size_t i = 0; i < grid.levels().size(); ++i) {
     const Level& level = grid.levels()[i];
     if (i != 0 && level.start.back() - level.start.front() <= merged) continue;
     Block all{static_cast<std::uint32_t>(i), 0, 0, level.columns, level.rows, 0, merged};
     all.points = points_of(level, all);
-    divide(level, all, most_points, found);
+    divide(level, all, max_points, found);
   }
   return found;
 }
@@ -112,7 +112,7 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points) {
 void Cutter::cut(const Block& block, Tile& tile) {
   const Level& level = grid_.levels()[block.level];
   tile.clear();
-  if (block.points > Tile::most_points) return;
+  if (block.points > Tile::max_points) return;
   lay_cells(level, block, tile);
   gather(level, block, tile);
   if (block.level != 0) gather_beyond(level, tile);

@@ -22,8 +22,8 @@ struct Block {
 };
 
 /// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
-/// `most_points`.
-std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points);
+/// `max_points`.
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
 /// Cuts tiles out of a grid, one after another with the same memory.
 class Cutter {

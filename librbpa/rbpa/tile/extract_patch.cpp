@@ -19,7 +19,7 @@ constexpr int none = -1;
 using Across = std::uint16_t;
 constexpr Across packed(int across) { return static_cast<Across>(across - Patch::nothing); }
 constexpr int unpacked(Across across) { return across + Patch::nothing; }
-constexpr int max_sides = 3 * (2 * static_cast<int>(Tile::most_points) + 2);
+constexpr int max_sides = 3 * (2 * static_cast<int>(Tile::max_points) + 2);
 static_assert(unpacked(packed(max_sides)) == max_sides);
 
 /// Memory for lists of unknown length: never less than before.

@@ -42,7 +42,7 @@ struct Tile {
     unknown.clear();
   }
 
-  static constexpr std::size_t most_points = 8000;  ///< two triangles a point, four numbers a triangle, in 16 bits
+  static constexpr std::size_t max_points = 8000;  ///< two triangles a point, four numbers a triangle, in 16 bits
 };
 
 }  // namespace rbpa

@@ -32,10 +32,10 @@ namespace {
 
 using P = rbpa::Predicates<double>;
 
-std::vector<Tile> tiles_of(const rbpa::PointGrid& grid, std::uint32_t most_points) {
+std::vector<Tile> tiles_of(const rbpa::PointGrid& grid, std::uint32_t max_points) {
   std::vector<Tile> tiles;
   rbpa::Cutter cutter(grid);
-  for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) cutter.cut(block, tiles.emplace_back());
+  for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) cutter.cut(block, tiles.emplace_back());
   return tiles;
 }
 

@@ -54,14 +54,14 @@ std::vector<Radius> radii(const Sites& sites) {
   return all;
 }
 
-void check(const TileSet& set, std::uint32_t most_points) {
+void check(const TileSet& set, std::uint32_t max_points) {
   CAPTURE(set.name);
-  const std::string wrong = wrong_on(set.points, most_points, radii);
+  const std::string wrong = wrong_on(set.points, max_points, radii);
   if (wrong.empty()) return;
   const Points small =
-      shrink(set.points, [&](const Points& p) { return p.size() > 2 && !wrong_on(p, most_points, radii).empty(); });
-  FAIL_CHECK(set.name << ", at most " << most_points << " in a tile, " << wrong << "; less points: " << literal(small)
-                      << ": " << wrong_on(small, most_points, radii));
+      shrink(set.points, [&](const Points& p) { return p.size() > 2 && !wrong_on(p, max_points, radii).empty(); });
+  FAIL_CHECK(set.name << ", at most " << max_points << " in a tile, " << wrong << "; less points: " << literal(small)
+                      << ": " << wrong_on(small, max_points, radii));
 }
 
 }  // namespace

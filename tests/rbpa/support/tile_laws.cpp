@@ -55,12 +55,12 @@ std::vector<Triangle> Sites::within(const Radius& radius) const {
   return found;
 }
 
-std::vector<TilePatch> tell(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t most_points) {
+std::vector<TilePatch> tell(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t max_points) {
   std::vector<TilePatch> told;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
   rbpa::FinderWorkspace workspace;
-  for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) {
+  for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) {
     cutter.cut(block, tile);
     find_patch(tile, radius, workspace, told.emplace_back());
   }
@@ -124,7 +124,7 @@ std::string wrong_with(const std::vector<TilePatch>& told, const std::vector<Tri
   return "";
 }
 
-std::string wrong_on(const Points& input, std::uint32_t most_points,
+std::string wrong_on(const Points& input, std::uint32_t max_points,
                      const std::function<std::vector<Radius>(const Sites&)>& radii) {
   const Sites sites(input);
   for (const Radius& r : radii(sites)) {
@@ -134,7 +134,7 @@ std::string wrong_on(const Points& input, std::uint32_t most_points,
       const OneTarget only(target);
       const std::string at = std::string(" by ") + hwy::TargetName(target) + ", radius " +
                              (r.is_infinite() ? "infinity" : literal(r.value()));
-      const auto told = tell(sites.grid, r, most_points);
+      const auto told = tell(sites.grid, r, max_points);
       if (const std::string wrong = wrong_with(told, complex); !wrong.empty()) return wrong + at;
       if (first.empty()) first = told;
       for (std::size_t i = 0; i < told.size(); ++i)

@@ -25,7 +25,7 @@ struct Sites {
 };
 
 /// What each tile tells.
-std::vector<rbpa::TilePatch> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius, std::uint32_t most_points);
+std::vector<rbpa::TilePatch> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius, std::uint32_t max_points);
 
 bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 
@@ -33,7 +33,7 @@ bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 std::string wrong_with(const std::vector<rbpa::TilePatch>& told, const std::vector<Triangle>& complex);
 
 /// The same of every vector unit that this processor has, and that all tell the same.
-std::string wrong_on(const Points& input, std::uint32_t most_points,
+std::string wrong_on(const Points& input, std::uint32_t max_points,
                      const std::function<std::vector<rbpa::Radius>(const Sites&)>& radii);
 
 }  // namespace rbpa_test

@@ -78,18 +78,18 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
 }
 
 /// Cuts a set into tiles of up to so many points; counts those with unknown cells.
-int check_tiles(const Points& points, std::uint32_t most_points) {
-  CAPTURE(most_points);
+int check_tiles(const Points& points, std::uint32_t max_points) {
+  CAPTURE(max_points);
   const PointGrid grid(points);
   Cutter cutter(grid);
   Tile tile;
   int with_unknown = 0;
   std::vector<int> owners(grid.points().size(), 0);
-  for (const Block& block : rbpa::blocks(grid, most_points)) {
+  for (const Block& block : rbpa::blocks(grid, max_points)) {
     CHECK(block.points > 0);
-    CHECK((block.points <= most_points || (block.columns == 1 && block.rows == 1)));
+    CHECK((block.points <= max_points || (block.columns == 1 && block.rows == 1)));
     cutter.cut(block, tile);
-    if (block.points > Tile::most_points) {
+    if (block.points > Tile::max_points) {
       CHECK(tile.points.empty());
       continue;
     }
@@ -98,7 +98,7 @@ int check_tiles(const Points& points, std::uint32_t most_points) {
     with_unknown += !tile.unknown.empty();
     for (std::size_t i = 0; i < tile.points.size(); ++i) owners[tile.site[i]] += tile.owned[i];
   }
-  if (most_points <= Tile::most_points) CHECK(std::count(owners.begin(), owners.end(), 1) == std::ssize(owners));
+  if (max_points <= Tile::max_points) CHECK(std::count(owners.begin(), owners.end(), 1) == std::ssize(owners));
   return with_unknown;
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or sa
 }
 
 TEST_CASE("a tile has no more points than it can have: what is around it is unknown then") {
-  CHECK(check_tiles(uniform(31000, 4), Tile::most_points) > 0);
+  CHECK(check_tiles(uniform(31000, 4), Tile::max_points) > 0);
 }
 
 TEST_CASE("a tile in a grid of its own has what is beyond, or says where not: a crowd beside a crowd") {
@@ -157,7 +157,7 @@ TEST_CASE("a block of more points than a tile can have gives an empty tile") {
   const PointGrid grid(points);
   const auto blocks = rbpa::blocks(grid, 1000000);
   REQUIRE(blocks.size() == 1);
-  REQUIRE(blocks[0].points > Tile::most_points);
+  REQUIRE(blocks[0].points > Tile::max_points);
   Cutter cutter(grid);
   Tile tile;
   cutter.cut(rbpa::blocks(grid, 2048)[0], tile);
