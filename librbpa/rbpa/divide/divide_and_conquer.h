@@ -31,9 +31,4 @@ void divide_and_conquer(
     std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
     const std::function<void()>& working = [] {});
 
-extern template void divide_and_conquer<double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&,
-                                                meshops::Outline&, const std::function<void()>&);
-extern template void divide_and_conquer<long double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&,
-                                                     meshops::Outline&, const std::function<void()>&);
-
 }  // namespace rbpa

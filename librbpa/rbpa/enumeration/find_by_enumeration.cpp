@@ -37,7 +37,7 @@ class Enumeration {
         at_(workspace.coordinates),
         front_(workspace.front),
         labels_(own.labels),
-        owned_(own.owned_bits),
+        owned_bits_(own.owned_bits),
         near_rim_(own.near_rim),
         scaled_(std::min(alpha * at_.scale, 1.0)),
         reach_(static_cast<float>(2 * scaled_) * (1 + 0x1p-16f) + 0x1p-21f),
@@ -47,7 +47,8 @@ class Enumeration {
     constexpr float max_cells = 0.99f;  // who is within reach is in a cell beside the point's
     if (!(reach_ <= max_cells * at_.cell) || !at_.unknown.empty()) return false;
     label();
-    const Box around{own_.x_low - reach_, own_.x_high + reach_, own_.y_low - reach_, own_.y_high + reach_};
+    const Box around{owned_box_.x_low - reach_, owned_box_.x_high + reach_, owned_box_.y_low - reach_,
+                     owned_box_.y_high + reach_};
     if (around.x_low < at_.x_low || around.x_high > at_.x_high || around.y_low < at_.y_low ||
         around.y_high > at_.y_high)
       return false;
@@ -94,8 +95,8 @@ class Enumeration {
     std::size_t count, next;
   };
 
-  static std::int32_t label_of(std::size_t point, bool is_own) {
-    return static_cast<std::int32_t>(2 * point + std::size_t{is_own});
+  static std::int32_t label_of(std::size_t point, bool is_owned) {
+    return static_cast<std::int32_t>(2 * point + std::size_t{is_owned});
   }
   static std::size_t point_of(std::int32_t label) { return static_cast<std::size_t>(label) / 2; }
   bool owns(std::size_t point) const { return tile_.owned[point] != 0; }
@@ -105,35 +106,35 @@ class Enumeration {
     const std::size_t n = tile_.points.size();
     if (labels_.size() < n + near_padding) labels_.resize(n + near_padding);
     for (std::size_t v = 0; v < n; ++v) labels_[v] = label_of(v, tile_.owned[v] != 0);
-    owned_.assign(n / word + 2, 0);
+    owned_bits_.assign(n / word + 2, 0);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const D d;
     const DI di;
     V x_low = hn::Set(d, infinity), x_high = hn::Neg(x_low), y_low = x_low, y_high = x_high;
     for (std::size_t v = 0; v < n; v += lanes) {
-      const auto is_own =
+      const auto is_owned =
           hn::And(hn::And(hn::LoadU(di, labels_.data() + v), hn::Set(di, 1)) == hn::Set(di, 1), hn::FirstN(di, n - v));
-      owned_[v / word] |= bits_of(di, is_own) << v % word;
-      const auto own = hn::RebindMask(d, is_own);
+      owned_bits_[v / word] |= bits_of(di, is_owned) << v % word;
+      const auto owned = hn::RebindMask(d, is_owned);
       const V x = hn::LoadU(d, at_.x.data() + v), y = hn::LoadU(d, at_.y.data() + v);
-      x_low = hn::IfThenElse(own, hn::Min(x, x_low), x_low);
-      x_high = hn::IfThenElse(own, hn::Max(x, x_high), x_high);
-      y_low = hn::IfThenElse(own, hn::Min(y, y_low), y_low);
-      y_high = hn::IfThenElse(own, hn::Max(y, y_high), y_high);
+      x_low = hn::IfThenElse(owned, hn::Min(x, x_low), x_low);
+      x_high = hn::IfThenElse(owned, hn::Max(x, x_high), x_high);
+      y_low = hn::IfThenElse(owned, hn::Min(y, y_low), y_low);
+      y_high = hn::IfThenElse(owned, hn::Max(y, y_high), y_high);
     }
     alignas(64) float low_x[lanes], high_x[lanes], low_y[lanes], high_y[lanes];
     hn::Store(x_low, d, low_x);
     hn::Store(x_high, d, high_x);
     hn::Store(y_low, d, low_y);
     hn::Store(y_high, d, high_y);
-    own_ = {*std::min_element(low_x, low_x + lanes), *std::max_element(high_x, high_x + lanes),
-            *std::min_element(low_y, low_y + lanes), *std::max_element(high_y, high_y + lanes)};
+    owned_box_ = {*std::min_element(low_x, low_x + lanes), *std::max_element(high_x, high_x + lanes),
+                  *std::min_element(low_y, low_y + lanes), *std::max_element(high_y, high_y + lanes)};
   }
 
   /// Which points the tile owns, from one on, for at least max_near of them.
-  Bits own_from(std::size_t point) const {
+  Bits owned_from(std::size_t point) const {
     const std::size_t first = point / word, skipped = point % word;
-    return owned_[first] >> skipped | owned_[first + 1] << 1 << (word - 1 - skipped);
+    return owned_bits_[first] >> skipped | owned_bits_[first + 1] << 1 << (word - 1 - skipped);
   }
 
   /// Points of a row. False: too much is near them.
@@ -151,7 +152,7 @@ class Enumeration {
     return create_empty();
   }
 
-  /// In crowds there are too many triples.
+  /// Where points are dense there are too many triples.
   std::size_t max_wanted() const { return 256 + 12 * taken_; }
 
   /// What rounding leaves undecided costs less where it is met once, by the front.
@@ -187,7 +188,7 @@ class Enumeration {
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
-    Bits near = 0, own = 0;  // of the points around, row by row
+    Bits near = 0, owned = 0;  // of the points around, row by row
     std::size_t place = 0;
     for (std::size_t row = 0; row < rows_at_once; ++row) {
       const auto first = static_cast<std::size_t>(from_[row][j]), count = static_cast<std::size_t>(to_[row][j]) - first;
@@ -199,28 +200,28 @@ class Enumeration {
         in_row |= bits_of(d, dx * dx + dy * dy <= reach) << i;
       } while ((i += lanes) < count);
       near |= (in_row & lowest(count)) << place;
-      own |= (own_from(first) & lowest(count)) << place;
+      owned |= (owned_from(first) & lowest(count)) << place;
       place += count;
     }
     const std::size_t self =
         static_cast<std::size_t>(to_[0][j] - from_[0][j]) + point - static_cast<std::size_t>(from_[1][j]);
-    const bool is_own = own >> self & 1;
+    const bool is_owned = owned >> self & 1;
     near &= ~(Bits{1} << self);
-    if (is_own && (near & ~own) != 0) [[unlikely]]
-      tell_rim(j, point, near, own);
+    if (is_owned && (near & ~owned) != 0) [[unlikely]]
+      list_rim(j, point, near, owned);
     Near& listed = near_[listed_];
     listed.point = point;
     listed.place = j;
     listed.near = near;
     listed.next = static_cast<std::size_t>(std::popcount(near & lowest(self)));
     const auto after = static_cast<std::size_t>(std::popcount(near >> self));
-    const bool is_listed = (after > 1) & (is_own | ((near & own) != 0));
+    const bool is_listed = (after > 1) & (is_owned | ((near & owned) != 0));
     listed_ += is_listed;
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
   /// Of a point that the tile owns and that is near one that it does not: who is beside whom.
-  HWY_NOINLINE void tell_rim(std::size_t j, std::size_t point, Bits near, Bits own) {
+  HWY_NOINLINE void list_rim(std::size_t j, std::size_t point, Bits near, Bits owned) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
                       third = static_cast<std::size_t>(from_[2][j]);
     const std::size_t of_first = static_cast<std::size_t>(to_[0][j]) - first,
@@ -230,7 +231,7 @@ class Enumeration {
       const auto place = static_cast<std::size_t>(std::countr_zero(left));
       const std::size_t in_row[] = {first + place, second + place - of_first, third + place - of_both};
       const std::uint32_t other = tile_.site[in_row[(place >= of_first) + (place >= of_both)]];
-      const std::uint32_t swap = (own >> place & 1) != 0 ? site ^ other : 0;
+      const std::uint32_t swap = (owned >> place & 1) != 0 ? site ^ other : 0;
       near_rim_.push_back({site ^ swap, other ^ swap});
     }
   }
@@ -278,8 +279,8 @@ class Enumeration {
     const Near& near = near_[bits >> of_point];
     const V px = hn::Set(d, at_.x[near.point]), py = hn::Set(d, at_.y[near.point]), qx = hn::Set(d, near.x[second]),
             qy = hn::Set(d, near.y[second]), factor = hn::Set(d, factor_);
-    const bool is_own = owns(near.point) | ((near.label[second] & 1) != 0);
-    const auto one = hn::Set(di, 1), wanted = hn::Set(di, is_own ? -1 : 0);
+    const bool is_owned = owns(near.point) | ((near.label[second] & 1) != 0);
+    const auto one = hn::Set(di, 1), wanted = hn::Set(di, is_owned ? -1 : 0);
     for (std::size_t v = (second + 1) / lanes * lanes; v < near.count; v += lanes) {
       const auto [inside, outside, cross] =
           filter_circumradius(d, px, py, qx, qy, hn::LoadU(d, near.x + v), hn::LoadU(d, near.y + v), factor);
@@ -390,11 +391,11 @@ class Enumeration {
   const TileCoordinates& at_;
   LocalFront& front_;
   std::vector<std::int32_t>& labels_;
-  std::vector<Bits>& owned_;
+  std::vector<Bits>& owned_bits_;
   std::vector<std::array<std::uint32_t, 2>>& near_rim_;
   double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
   float reach_, factor_;
-  Box own_{};
+  Box owned_box_{};
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
   std::size_t taken_ = 0, wanted_ = 0;  // points, and triples of which they are the first
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];

@@ -98,8 +98,8 @@ class TileFront {
   /// Only what ends at a point of the tile is its business.
   void activate(Index side, bool on_front) {
     queue_[queued_] = side;
-    const auto own = static_cast<unsigned>(tile_.owned[front_.from(side)] | tile_.owned[front_.to(side)]);
-    queued_ += own & static_cast<unsigned>(on_front);
+    const auto owned = static_cast<unsigned>(tile_.owned[front_.from(side)] | tile_.owned[front_.to(side)]);
+    queued_ += owned & static_cast<unsigned>(on_front);
   }
 
   void advance() {

@@ -47,34 +47,25 @@ std::vector<Remainder::Corners> Remainder::found_without_settled() const {
 
 void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
                          const std::function<void()>& working) const {
-  if (sites_.beyond().empty()) {
-    const auto points = sites_.grid().points();
-    const auto at = [&](std::uint32_t s) { return points[s]; };
-    complete<double>(at, sites_.window().scaled(alpha_), patch, outline, threads, working);
-  } else {
-    const auto at = [&](std::uint32_t s) { return sites_.at(s); };
-    complete<long double>(at, alpha_, patch, outline, threads, working);
-  }
-}
-
-/// `at` tells where a site lies, and the radius is alpha as it is there.
-template <typename Real, typename At>
-void Remainder::complete(At at, const Radius& radius, meshops::Patch& patch, meshops::Outline& outline,
-                         Threads& threads, const std::function<void()>& working) const {
+  // Where all sites fit double they are seen as the grid has them, and else as they were given.
+  const bool fits = sites_.beyond().empty();
+  const auto points = sites_.grid().points();
+  const Radius radius = fits ? sites_.window().scaled(alpha_) : alpha_;
   std::vector<Place> places;
-  for (const std::uint32_t s : not_done()) places.push_back({at(s), s});
+  for (const std::uint32_t s : not_done()) places.push_back({fits ? points[s] : sites_.at(s), s});
 
   // Of the triangles of these only those without a settled corner are surely Delaunay among all points.
   const std::vector<Corners> found = found_without_settled();
   const auto fate = [&](const Place& a, const Place& b, const Place& c) -> int {
-    if (!radius.admits<Real>(a.at, b.at, c.at)) return meshops::Patch::nothing;
+    if (!(fits ? radius.admits<double>(a.at, b.at, c.at) : radius.admits<long double>(a.at, b.at, c.at)))
+      return meshops::Patch::nothing;
     if (is_settled(a.site) || is_settled(b.site) || is_settled(c.site)) return meshops::Patch::open;
     if (found.empty()) return 0;
-    const auto site = [](const Place& p) { return p.site; };
-    const Corners corners = from_least({site(a), site(b), site(c)});
+    const Corners corners = from_least({a.site, b.site, c.site});
     return std::binary_search(found.begin(), found.end(), corners) ? meshops::Patch::open : 0;
   };
-  divide_and_conquer<Real>(places, fate, threads, patch, outline, working);
+  const auto divide = fits ? divide_and_conquer<double> : divide_and_conquer<long double>;
+  divide(places, fate, threads, patch, outline, working);
 }
 
 }  // namespace rbpa

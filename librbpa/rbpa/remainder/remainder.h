@@ -44,9 +44,6 @@ class Remainder {
   static constexpr int unseen = 1 << 30;
 
   std::vector<Corners> found_without_settled() const;
-  template <typename Real, typename At>
-  void complete(At at, const Radius& radius, meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
-                const std::function<void()>& working) const;
 
   const Sites& sites_;
   Radius alpha_;

@@ -56,7 +56,7 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, P
   int shift = 0;  // a band has 2^shift rows
   while ((rows >> shift) > wanted) ++shift;
   const std::size_t bands = ((rows - 1) >> shift) + 1, parts = (n + at_a_time - 1) / at_a_time;
-  const auto band_of = [&](const Point& p) { return static_cast<std::size_t>(level.row_of(p) >> shift); };
+  const auto band_of = [&](const Point& p) { return static_cast<std::size_t>(level.row(p.y) >> shift); };
 
   // Of each part, where its points of each band go.
   std::vector<std::uint32_t> place(parts * bands, 0);

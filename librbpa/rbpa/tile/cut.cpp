@@ -14,12 +14,22 @@ constexpr double max_contrast = 3;         // of density between the halves of a
 constexpr std::uint32_t min_points = 256;  // a block of so few is not divided for it
 constexpr double margin = 2;               // cells around a block: about three times the distance of neighbours
 
+/// Calls visit(first, last) for the cells of a block in each row.
+template <typename Visit>
+void for_each_row(const Level& level, const Block& block, Visit visit) {
+  for (int r = block.row; r < block.row + block.rows; ++r) {
+    const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
+    visit(first, first + static_cast<std::uint32_t>(block.columns));
+  }
+}
+
+std::uint32_t points_in(const Level& level, std::uint32_t cell) { return level.start[cell + 1] - level.start[cell]; }
+
 /// Calls visit(cell) for the cells in a part of a row that are grids of tiles of their own, ascending.
 template <typename Visit>
-void for_each_grid(const Level& level, std::uint32_t merged, int row, std::uint32_t first, std::uint32_t last,
-                   Visit visit) {
-  for (auto child = level.child_at(row, first); child != level.children.end() && child->cell < last; ++child)
-    if (level.start[child->cell + 1] - level.start[child->cell] > merged) visit(child->cell);
+void for_each_grid(const Level& level, std::uint32_t merged, std::uint32_t first, std::uint32_t last, Visit visit) {
+  for (auto child = level.child_at(first); child != level.children.end() && child->cell < last; ++child)
+    if (points_in(level, child->cell) > merged) visit(child->cell);
 }
 
 /// As many points as a tile may have that owns some. Those of a tile beside dense cells are left to others.
@@ -27,13 +37,10 @@ std::size_t max_points_around(std::size_t owned) { return std::min(Tile::max_poi
 
 std::uint32_t points_of(const Level& level, const Block& block) {
   std::uint32_t count = 0;
-  for (int r = block.row; r < block.row + block.rows; ++r) {
-    const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
-    const auto last = first + static_cast<std::uint32_t>(block.columns);
+  for_each_row(level, block, [&](std::uint32_t first, std::uint32_t last) {
     count += level.start[last] - level.start[first];
-    for_each_grid(level, block.merged, r, first, last,
-                  [&](std::uint32_t cell) { count -= level.start[cell + 1] - level.start[cell]; });
-  }
+    for_each_grid(level, block.merged, first, last, [&](std::uint32_t cell) { count -= points_in(level, cell); });
+  });
   return count;
 }
 
@@ -56,7 +63,7 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
 /// Points a cell.
 double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
 
-/// Cells of one size are to suit all of a block.
+/// The same density in both, about: cells of one size are to suit all of a block.
 bool is_uniform(const Block& a, const Block& b) {
   return std::max(density(a), density(b)) <= max_contrast * std::min(density(a), density(b));
 }
@@ -66,16 +73,12 @@ bool is_uniform(const Block& a, const Block& b) {
 double mean_occupancy(const Level& level, const Block& block) {
   std::uint64_t squares = 0;
   const auto square = [&](std::uint32_t cell) {
-    const std::uint64_t count = level.start[cell + 1] - level.start[cell];
-    return count * count;
+    return std::uint64_t{points_in(level, cell)} * points_in(level, cell);
   };
-  for (int r = block.row; r < block.row + block.rows; ++r) {
-    const auto first = static_cast<std::uint32_t>(r * level.columns + block.column);
-    const auto last = first + static_cast<std::uint32_t>(block.columns);
+  for_each_row(level, block, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t cell = first; cell < last; ++cell) squares += square(cell);
-    if (!level.children.empty())
-      for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) { squares -= square(cell); });
-  }
+    for_each_grid(level, block.merged, first, last, [&](std::uint32_t cell) { squares -= square(cell); });
+  });
   return double(squares) / block.points;
 }
 
@@ -147,60 +150,55 @@ void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
 }
 
 void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
-  const int c0 = block.column, c1 = block.column + block.columns;
-  for (int r = block.row; r < block.row + block.rows; ++r) {
-    const auto row = static_cast<std::uint32_t>(r * level.columns);
-    auto first = row + static_cast<std::uint32_t>(c0);
-    const auto last = row + static_cast<std::uint32_t>(c1);
-    for_each_grid(level, block.merged, r, first, last, [&](std::uint32_t cell) {
+  for_each_row(level, block, [&](std::uint32_t first, std::uint32_t last) {
+    for_each_grid(level, block.merged, first, last, [&](std::uint32_t cell) {
       add(level.start[first], level.start[cell]);
       first = cell + 1;
     });
     add(level.start[first], level.start[last]);
-  }
+  });
   owned_ = all_;
 
   // Around the block, and the grids in it: a dense cell would cost more time than the triangles along its edge.
   const std::uint32_t dense =
       std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
   const std::size_t max_all = max_points_around(owned_);
+  const auto columns = static_cast<std::uint32_t>(level.columns);
+  const auto forget_cells = [&](std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t row = first / columns;
+    const double x = level.x + (first - row * columns) * level.cell,
+                 x_end = level.x + (last - row * columns) * level.cell;
+    const double y = level.y + row * level.cell;
+    forget(tile, x - level.slack, x_end + level.slack, y - level.slack, y + level.cell + level.slack);
+  };
+  const auto take = [&](std::uint32_t first, std::uint32_t last) {
+    if (all_ + (level.start[last] - level.start[first]) <= max_all)
+      add(level.start[first], level.start[last]);
+    else
+      forget_cells(first, last);
+  };
+  const auto take_but_dense = [&](std::uint32_t first, std::uint32_t last) {
+    if (first == last) return;
+    for_each_grid(level, dense, first, last, [&](std::uint32_t cell) {
+      take(first, cell);
+      forget_cells(cell, cell + 1);
+      first = cell + 1;
+    });
+    take(first, last);
+  };
+  const auto far_c0 = static_cast<std::uint32_t>(level.column(tile.x0)),
+             far_c1 = static_cast<std::uint32_t>(level.column(tile.x1())) + 1;
   for (int r = level.row(tile.y0); r <= level.row(tile.y1()); ++r) {
-    const auto row = static_cast<std::uint32_t>(r * level.columns);
-    const auto forget_cells = [&](std::uint32_t first, std::uint32_t last) {
-      const double x = level.x + static_cast<int>(first - row) * level.cell;
-      const double x_end = level.x + static_cast<int>(last - row) * level.cell, y = level.y + r * level.cell;
-      forget(tile, x - level.slack, x_end + level.slack, y - level.slack, y + level.cell + level.slack);
-    };
-    const auto take = [&](std::uint32_t first, std::uint32_t last) {
-      if (all_ + (level.start[last] - level.start[first]) <= max_all)
-        add(level.start[first], level.start[last]);
-      else
-        forget_cells(first, last);
-    };
-    const auto look = [&](int from, int to) {
-      std::uint32_t first = row + static_cast<std::uint32_t>(from);
-      const std::uint32_t last = row + static_cast<std::uint32_t>(to);
-      for_each_grid(level, dense, r, first, last, [&](std::uint32_t cell) {
-        take(first, cell);
-        forget_cells(cell, cell + 1);
-        first = cell + 1;
-      });
-      take(first, last);
-    };
-    const int far_c0 = level.column(tile.x0), far_c1 = level.column(tile.x1()) + 1;
+    const std::uint32_t row = static_cast<std::uint32_t>(r) * columns;
     if (r < block.row || r >= block.row + block.rows) {
-      look(far_c0, far_c1);
+      take_but_dense(row + far_c0, row + far_c1);
       continue;
     }
-    look(far_c0, c0);
-    for_each_grid(level, block.merged, r, row + static_cast<std::uint32_t>(c0), row + static_cast<std::uint32_t>(c1),
-                  [&](std::uint32_t cell) {
-                    if (level.start[cell + 1] - level.start[cell] <= dense)
-                      take(cell, cell + 1);
-                    else
-                      forget_cells(cell, cell + 1);
-                  });
-    look(c1, far_c1);
+    const std::uint32_t c0 = row + static_cast<std::uint32_t>(block.column),
+                        c1 = c0 + static_cast<std::uint32_t>(block.columns);
+    take_but_dense(row + far_c0, c0);
+    for_each_grid(level, block.merged, c0, c1, [&](std::uint32_t cell) { take_but_dense(cell, cell + 1); });
+    take_but_dense(c1, row + far_c1);
   }
 }
 

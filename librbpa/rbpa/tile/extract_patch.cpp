@@ -74,11 +74,11 @@ class PatchExtraction {
     const std::size_t triangles = front_.triangles();
     std::uint16_t* const owned = room_for(workspace_.owned, triangles);
     std::uint16_t* const some = room_for(workspace_.others, triangles);
-    const std::uint8_t* const own = tile_.owned.data();
+    const std::uint8_t* const is_owned = tile_.owned.data();
     std::size_t count = 0;
     for (std::size_t t = 1; t < triangles; ++t) {
       const auto [a, b, c] = corners(t);
-      const int corners_owned = own[a] + own[b] + own[c];
+      const int corners_owned = is_owned[a] + is_owned[b] + is_owned[c];
       owned[t] = corners_owned == 3;
       some[count] = static_cast<std::uint16_t>(t);
       count += (corners_owned == 1) | (corners_owned == 2);
@@ -86,7 +86,7 @@ class PatchExtraction {
     for (std::size_t k = 0; k < count; ++k) {
       const auto [a, b, c] = corners(some[k]);
       const std::size_t lesser = either(a, b, is_before(a, b));
-      owned[some[k]] = own[either(lesser, c, is_before(lesser, c))];
+      owned[some[k]] = is_owned[either(lesser, c, is_before(lesser, c))];
     }
   }
 
@@ -101,23 +101,23 @@ class PatchExtraction {
     result_.patch.triangles.resize(triangles);
     auto* const patch = result_.patch.triangles.data();
     const std::uint32_t* const site = tile_.site.data();
-    std::size_t own = 0, other = 0;
+    std::size_t count = 0, other = 0;
     number[LocalFront::none] = packed(Patch::open);
     number[LocalFront::nothing] = packed(Patch::nothing);
     for (std::size_t t = 1; t < triangles; ++t) {
       const Corners corner = corners(t);
       const bool small = is_within(t), is_kept = small & (owned[t] != 0);
       const Across apart = packed(small ? Patch::open : Patch::nothing);
-      patch[own] = {site[corner[0]], site[corner[1]], site[corner[2]]};
-      kept[own] = others[other] = static_cast<std::uint16_t>(t);
-      const auto first = either(packed(static_cast<int>(3 * own)), apart, is_kept);
+      patch[count] = {site[corner[0]], site[corner[1]], site[corner[2]]};
+      kept[count] = others[other] = static_cast<std::uint16_t>(t);
+      const auto first = either(packed(static_cast<int>(3 * count)), apart, is_kept);
       number[4 * t] = first;
       number[4 * t + 1] = static_cast<Across>(first + is_kept);
       number[4 * t + 2] = static_cast<Across>(first + 2 * is_kept);
-      own += is_kept;
+      count += is_kept;
       other += !is_kept;
     }
-    kept_ = own;
+    kept_ = count;
     others_ = other;
     result_.patch.triangles.resize(kept_);
   }
@@ -136,11 +136,11 @@ class PatchExtraction {
     result_.settled.resize(points);
     std::uint32_t* const done = result_.settled.data();
     const std::uint32_t* const site = tile_.site.data();
-    const std::uint8_t* const own = tile_.owned.data();
+    const std::uint8_t* const owned = tile_.owned.data();
     std::size_t settled_count = 0, shared_count = 0;
     for (std::size_t v = 0; v < points; ++v) {
-      const bool is_own = own[v] != 0, is_touched = front_.is_touched(v), is_on_front = front_.is_on_front(v);
-      const bool is_seen = is_own & is_touched & !is_on_front;
+      const bool is_owned = owned[v] != 0, is_touched = front_.is_touched(v), is_on_front = front_.is_on_front(v);
+      const bool is_seen = is_owned & is_touched & !is_on_front;
       const bool is_settled = is_seen & (elsewhere[v] == 0);
       done[settled_count] = site[v];
       settled_count += is_settled;
