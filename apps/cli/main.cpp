@@ -88,7 +88,11 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, output_formats);
   add_switch(verb, "--compact", arguments.compact,
-             "Leave out vertices that no triangle uses (.npy keeps input indices)");
+             "Leave out vertices that nothing uses (.npy keeps input indices)");
+  verb.add_option("--complex", arguments.complex,
+                  "solid, or full (with the edges and points of the alpha complex that are in no triangle)")
+      ->type_name("NAME")
+      ->capture_default_str();
   add_method_options(verb, arguments.method);
   verb.add_option("--search", arguments.method.search, "near, or paper (as it was published, slow); the result is the same")
       ->type_name("NAME")
@@ -105,8 +109,11 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
+      "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
-      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n" +
+      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n"
+      "The full complex is lines f, l and p of an .obj; beside arrays.npy, which has the triangles, there are\n"
+      "arrays.edges.npy and arrays.points.npy.\n" +
       std::string(exit_codes));
 }
 
