@@ -48,8 +48,7 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
   level.columns = static_cast<int>(level.width * level.per_unit) + 1;
   level.rows = static_cast<int>(level.height * level.per_unit) + 1;
   const auto largest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
-  level.slack =
-      16 * 0x1p-53 * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
+  level.slack = 16 * 0x1p-53 * (largest(low.x, high.x) + largest(low.y, high.y) + level.width + level.height);
   return level;
 }
 
@@ -132,7 +131,7 @@ void PointGrid::find_repetitions(std::uint32_t first, std::uint32_t last, Repeat
 
 /// Those in some cells of a level, but for cells that are grids of their own.
 void PointGrid::find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell,
-                                       Repeated& found) const {
+                                 Repeated& found) const {
   auto child = std::lower_bound(level.children.begin(), level.children.end(), first_cell,
                                 [](const Child& c, std::size_t cell) { return c.cell < cell; });
   for (std::size_t cell = first_cell; cell < last_cell; ++cell) {

@@ -216,11 +216,10 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
     }
   };
   // A range may begin or end inside.
-  grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}},
-             [&](std::uint32_t first, std::uint32_t last) {
-               if (first < first_inside) take(first, std::min(last, first_inside));
-               if (last > last_inside) take(std::max(first, last_inside), last);
-             });
+  grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}}, [&](std::uint32_t first, std::uint32_t last) {
+    if (first < first_inside) take(first, std::min(last, first_inside));
+    if (last > last_inside) take(std::max(first, last_inside), last);
+  });
 }
 
 void Cutter::forget_hidden(const Level& level, const Tile& tile) {

@@ -29,8 +29,7 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points);
 class Cutter {
  public:
   /// Keeps references. Where a hidden point lies, and beyond it, a tile does not know what there is.
-  explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden())
-      : grid_(grid), hidden_(hidden) {}
+  explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
   /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
   /// points than a tile can have gives an empty tile.

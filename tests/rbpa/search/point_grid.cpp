@@ -144,7 +144,8 @@ TEST_CASE("no two points are farther apart than the diameter bound") {
     Random random(42);
     for (int trial = 0; trial < 200 && !set.points.empty(); ++trial) {
       const Point p = set.points[random.below(set.points.size())], q = set.points[random.below(set.points.size())];
-      CHECK(std::hypot(static_cast<long double>(p.x) - q.x, static_cast<long double>(p.y) - q.y) <= grid.diameter_bound());
+      CHECK(std::hypot(static_cast<long double>(p.x) - q.x, static_cast<long double>(p.y) - q.y) <=
+            grid.diameter_bound());
     }
   }
 }
