@@ -9,13 +9,13 @@
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
-#include "cli/narrow_help.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
 #include "io/descriptor.h"
-#include "io/exit_code.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "program/exit_code.h"
+#include "program/narrow_help.h"
 
 namespace rbpa::app {
 namespace {

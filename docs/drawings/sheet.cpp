@@ -1,4 +1,4 @@
-#include "figures/sheet.h"
+#include "drawings/sheet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "figures/drawn_front.h"
+#include "drawings/drawn_front.h"
 
 #include <map>
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "figures/drawn_complex.h"
-#include "figures/drawn_front.h"
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/drawn_complex.h"
+#include "drawings/drawn_front.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/engine.h"
 #include "rbpa/paper/rbpa.h"

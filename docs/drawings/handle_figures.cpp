@@ -1,7 +1,7 @@
 #include <array>
 
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/handle/close_curve.h"

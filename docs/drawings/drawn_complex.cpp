@@ -1,4 +1,4 @@
-#include "figures/drawn_complex.h"
+#include "drawings/drawn_complex.h"
 
 #include "meshops/core/live.h"
 

@@ -1,4 +1,4 @@
-#include "figures/drawn_mesh.h"
+#include "drawings/drawn_mesh.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/drawn_mesh.h"
+#include "drawings/drawn_mesh.h"
 #include "meshops/topology/count.h"
 
 namespace figures {

@@ -1,4 +1,4 @@
-#include "figures/measured.h"
+#include "drawings/measured.h"
 
 #include <algorithm>
 #include <charconv>

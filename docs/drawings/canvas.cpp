@@ -1,4 +1,4 @@
-#include "figures/canvas.h"
+#include "drawings/canvas.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "figures/canvas.h"
-#include "figures/drawn_mesh.h"
-#include "figures/sheet.h"
+#include "drawings/canvas.h"
+#include "drawings/drawn_mesh.h"
+#include "drawings/sheet.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape/polygons.h"
 

@@ -1,10 +1,10 @@
 #include <array>
 #include <stdexcept>
 
-#include "figures/caption.h"
-#include "figures/figures.h"
-#include "figures/log_chart.h"
-#include "figures/measured.h"
+#include "drawings/caption.h"
+#include "drawings/figures.h"
+#include "drawings/log_chart.h"
+#include "drawings/measured.h"
 
 namespace figures {
 namespace {

@@ -1,7 +1,7 @@
 #include <array>
 
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/stellar/collapse.h"
 #include "meshops/stellar/diagonal.h"
 #include "meshops/stellar/flip.h"

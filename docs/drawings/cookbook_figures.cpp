@@ -3,8 +3,8 @@
 #include <cmath>
 #include <queue>
 
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/graph/by_index.h"

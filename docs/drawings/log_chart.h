@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "figures/canvas.h"
+#include "drawings/canvas.h"
 
 namespace figures {
 

@@ -2,9 +2,9 @@
 #include <array>
 #include <limits>
 
-#include "figures/drawn_complex.h"
-#include "figures/figures.h"
-#include "figures/random.h"
+#include "drawings/drawn_complex.h"
+#include "drawings/figures.h"
+#include "drawings/random.h"
 #include "picture/filtration_plot.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"

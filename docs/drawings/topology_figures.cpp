@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/graph/boundary_graph.h"
 #include "meshops/graph/dual_graph.h"
 #include "meshops/graph/primal_graph.h"

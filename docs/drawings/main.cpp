@@ -5,7 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "figures/figures.h"
+#include "drawings/figures.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/topology/soup_defects.h"
 
 namespace figures {

@@ -1,11 +1,11 @@
-#include "figures/log_chart.h"
+#include "drawings/log_chart.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "figures/caption.h"
+#include "drawings/caption.h"
 
 namespace figures {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/canvas.h"
+#include "drawings/canvas.h"
 #include "meshops/core/connectivity.h"
 
 namespace figures {

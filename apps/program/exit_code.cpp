@@ -1,4 +1,4 @@
-#include "io/exit_code.h"
+#include "program/exit_code.h"
 
 #include <new>
 

@@ -6,11 +6,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "figures/caption.h"
-#include "figures/drawn_complex.h"
-#include "figures/figures.h"
-#include "figures/random.h"
-#include "figures/sheet.h"
+#include "drawings/caption.h"
+#include "drawings/drawn_complex.h"
+#include "drawings/figures.h"
+#include "drawings/random.h"
+#include "drawings/sheet.h"
 #include "io/foreground.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"

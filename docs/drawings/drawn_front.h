@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "figures/drawn_mesh.h"
+#include "drawings/drawn_mesh.h"
 #include "meshops/front/front.h"
 
 namespace figures {

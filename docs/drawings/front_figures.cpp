@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "figures/drawn_front.h"
-#include "figures/figures.h"
-#include "figures/sheet.h"
+#include "drawings/drawn_front.h"
+#include "drawings/figures.h"
+#include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/engine.h"
 #include "rbpa/rbpa.h"

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "figures/caption.h"
-#include "figures/drawn_complex.h"
-#include "figures/figures.h"
-#include "figures/random.h"
-#include "figures/sheet.h"
+#include "drawings/caption.h"
+#include "drawings/drawn_complex.h"
+#include "drawings/figures.h"
+#include "drawings/random.h"
+#include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/paper/quadtree.h"
