@@ -157,28 +157,24 @@ class DivideAndConquer {
       auto of_left = base.candidate(at(edges_.dest(left))), of_right = base.candidate(at(edges_.dest(right)));
       const bool is_left = base.is_left(of_left), is_right = base.is_left(of_right);
       if (!is_left && !is_right) break;
+      const auto cut_off = [&](Edge& side, auto& of_side, auto next_of, bool is_of_left) {
+        for (;;) {
+          const Edge next = next_of(side);
+          const Corner beyond = edges_.dest(next);
+          if ((beyond < middle) != is_of_left) return;
+          const auto of_next = base.candidate(at(beyond));
+          if (!base.is_inside(of_next, of_side)) return;
+          edges_.remove(side, own.unused);
+          side = next;
+          of_side = of_next;
+        }
+      };
       if (is_left)
-        for (;;) {
-          const Edge next = edges_.onext(left);
-          const Corner beyond = edges_.dest(next);
-          if (beyond >= middle) break;
-          const auto of_next = base.candidate(at(beyond));
-          if (!base.is_inside(of_next, of_left)) break;
-          edges_.remove(left, own.unused);
-          left = next;
-          of_left = of_next;
-        }
+        cut_off(
+            left, of_left, [&](Edge e) { return edges_.onext(e); }, true);
       if (is_right)
-        for (;;) {
-          const Edge next = edges_.oprev(right);
-          const Corner beyond = edges_.dest(next);
-          if (beyond < middle) break;
-          const auto of_next = base.candidate(at(beyond));
-          if (!base.is_inside(of_next, of_right)) break;
-          edges_.remove(right, own.unused);
-          right = next;
-          of_right = of_next;
-        }
+        cut_off(
+            right, of_right, [&](Edge e) { return edges_.oprev(e); }, false);
       edge = !is_left || (is_right && base.is_inside(of_right, of_left))
                  ? edges_.connect(edges_.lnext(right), back, own.unused)
                  : edges_.connect(edges_.oprev(edge), sym(left), own.unused);
