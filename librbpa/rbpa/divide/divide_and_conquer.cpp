@@ -49,7 +49,7 @@ class DivideAndConquer {
   using P = Predicates<Real>;
 
  public:
-  DivideAndConquer(std::span<Place> places, Threads& threads, const std::function<void()>& working)
+  DivideAndConquer(std::span<SitePoint> places, Threads& threads, const std::function<void()>& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
 
   void run(const Fate& fate, meshops::Patch& patch, meshops::Outline& outline) {
@@ -70,7 +70,7 @@ class DivideAndConquer {
   struct Part : Extremes, Own {};
 
   Part triangulate(std::size_t first, std::size_t last) {
-    const std::span<Place> places = places_.subspan(first, last - first);
+    const std::span<SitePoint> places = places_.subspan(first, last - first);
     if (places.size() <= few) {
       sort_few(places, AlongX());
       Own own = {edges_.unused_for(first, last), 0};
@@ -79,7 +79,7 @@ class DivideAndConquer {
     }
     const Sample sample(places);
     const bool along_x = sample.is_wide();
-    const std::size_t middle = first + (along_x ? cut(places, sample, AlongX()) : cut(places, sample, AlongY()));
+    const std::size_t middle = first + (along_x ? halve(places, sample, AlongX()) : halve(places, sample, AlongY()));
     Part a, b;
     const auto triangulate_half = [&](std::size_t half) {
       (half == 0 ? a : b) = half == 0 ? triangulate(first, middle) : triangulate(middle, last);
@@ -302,7 +302,7 @@ class DivideAndConquer {
 
   static constexpr std::size_t edges_at_once = 1u << 13, triangles_at_once = 1u << 14;
   static constexpr std::size_t min_for_threads = 10000;  // a millisecond or two
-  std::span<Place> places_;
+  std::span<SitePoint> places_;
   QuadEdges edges_;
   std::vector<std::array<Corner, 3>> corners_;  // of the triangles of the patch
   std::vector<Edge> hull_;  // of a corner that is extreme, the edge of the hull that leaves it counter-clockwise
@@ -313,7 +313,7 @@ class DivideAndConquer {
 }  // namespace
 
 template <typename Real>
-void divide_and_conquer(std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
+void divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
                         meshops::Outline& outline, const std::function<void()>& working) {
   patch.clear();
   outline.clear();
@@ -321,9 +321,9 @@ void divide_and_conquer(std::span<Place> places, const Fate& fate, Threads& thre
   DivideAndConquer<Real>(places, threads, working).run(fate, patch, outline);
 }
 
-template void divide_and_conquer<double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
-                                         const std::function<void()>&);
-template void divide_and_conquer<long double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&,
+template void divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&, meshops::Patch&,
+                                         meshops::Outline&, const std::function<void()>&);
+template void divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&, meshops::Patch&,
                                               meshops::Outline&, const std::function<void()>&);
 
 }  // namespace rbpa

@@ -390,7 +390,7 @@ class Enumeration {
   LocalFront& front_;
   std::vector<std::int32_t>& labels_;
   std::vector<Bits>& owned_bits_;
-  std::vector<std::array<std::uint32_t, 2>>& near_rim_;
+  std::vector<TilePatch::Neighbors>& near_rim_;
   double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
   float reach_, factor_;
   Box owned_box_{};
