@@ -17,6 +17,7 @@ std::span<const Figure> front_figures();
 std::span<const Figure> topology_figures();
 std::span<const Figure> defect_figures();
 std::span<const Figure> pivoting_figures();
+std::span<const Figure> candidate_figures();
 std::span<const Figure> shape_figures();
 std::span<const Figure> hierarchy_figures();
 std::span<const Figure> filtration_figures();
