@@ -17,9 +17,11 @@ std::span<const Figure> front_figures();
 std::span<const Figure> topology_figures();
 std::span<const Figure> defect_figures();
 std::span<const Figure> pivoting_figures();
+std::span<const Figure> candidate_figures();
 std::span<const Figure> shape_figures();
 std::span<const Figure> hierarchy_figures();
 std::span<const Figure> filtration_figures();
+std::span<const Figure> tile_figures();
 std::span<const Figure> timing_figures();
 std::span<const Figure> cookbook_figures();
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "drawings/ball_in_plane.h"
 #include "drawings/drawn_complex.h"
 #include "drawings/drawn_front.h"
 #include "drawings/figures.h"
@@ -18,41 +18,6 @@ namespace {
 
 using meshops::Front;
 using meshops::Site;
-
-/// Where the plane cuts a ball.
-struct Disc {
-  Place centre;
-  double radius;
-};
-
-Place left_of(Place d) { return {-d.y, d.x}; }
-double dot(Place a, Place b) { return a.x * b.x + a.y * b.y; }
-double cross(Place a, Place b) { return a.x * b.y - a.y * b.x; }
-
-/// The ball of radius alpha as it lies against the points at rest, or between.
-class BallInPlane {
- public:
-  BallInPlane(const std::vector<Place>& places, double alpha) : places_(places), alpha_(alpha) {}
-
-  /// At rest on three points.
-  Disc on(Site a, Site b, Site c) const {
-    const Place e = at(c) - at(a), f = at(c) - at(b), d = at(b) - at(a);
-    const double half_chords = dot(e, f) / cross(d, e);  // of the centre, left of the edge
-    return {middle(a, b) + (half_chords / 2) * left_of(d), length(d) / 2 * std::sqrt(1 + half_chords * half_chords)};
-  }
-  /// At its equator on two, having turned to the left of the edge without touching a third.
-  Disc largest_left_of(Site a, Site b) const {
-    const Place d = at(b) - at(a);
-    return {middle(a, b) + std::sqrt(alpha_ * alpha_ - dot(d, d) / 4) * direction(left_of(d)), alpha_};
-  }
-
- private:
-  Place at(Site s) const { return places_[static_cast<std::size_t>(s)]; }
-  Place middle(Site a, Site b) const { return 0.5 * (at(a) + at(b)); }
-
-  const std::vector<Place>& places_;
-  double alpha_;
-};
 
 /// What a run looked like after one of its events.
 struct Moment {

@@ -1,6 +1,8 @@
 #include "meshops/topology/report.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
@@ -30,6 +32,109 @@ bool has_several_fans_anywhere(const Connectivity& mesh) {
   return found || in_rings != halfedges;
 }
 
+/// The steps of SoupReporter, on a mesh whose vertices have one fan each.
+class MeshReporter {
+ public:
+  MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex)
+      : mesh_(mesh), point_of_vertex_(point_of_vertex), vertices_(mesh.n_vertices()) {}
+
+  TopologyReport operator()() {
+    find_pieces();
+    count_edges();
+    count_curves();
+    count_points();
+    total_.genus = 0;
+    long closed = 0;
+    for (const ComponentReport& piece : total_.per_component) {
+      *total_.genus += *piece.genus();
+      closed += piece.betti()[2];
+    }
+    total_.solid_components = total_.per_component.size();
+    const long b0 = static_cast<long>(total_.components);
+    total_.betti = {b0, b0 + closed - total_.euler(), closed};
+    return std::move(total_);
+  }
+
+ private:
+  /// Pieces of surface, in the order of their first faces.
+  void find_pieces() {
+    for_each_edge(mesh_, [&](OpenMesh::EdgeHandle e) {
+      const Halfedge h = mesh_.halfedge_handle(e, 0);
+      vertices_.unite(index(mesh_.from_vertex_handle(h)), index(mesh_.to_vertex_handle(h)));
+    });
+    const std::size_t none = mesh_.n_vertices();
+    piece_of_.assign(mesh_.n_vertices(), none);
+    for_each_face(mesh_, [&](Face f) {
+      std::size_t& piece = piece_of_[root(mesh_.halfedge_handle(f))];
+      if (piece == none) {
+        piece = total_.per_component.size();
+        total_.per_component.push_back({.first_face = static_cast<std::size_t>(f.idx())});
+      }
+      ++total_.per_component[piece].faces;
+      ++total_.faces;
+    });
+  }
+
+  void count_edges() {
+    for_each_edge(mesh_, [&](OpenMesh::EdgeHandle e) {
+      ++piece_at(mesh_.halfedge_handle(e, 0)).edges;
+      ++total_.edges;
+    });
+  }
+
+  void count_curves() {
+    std::vector<bool> is_known(mesh_.n_halfedges(), false);
+    for_each_halfedge(mesh_, [&](Halfedge first) {
+      if (!mesh_.is_boundary(first) || is_known[index(first)]) return;
+      ++piece_at(first).boundary_curves;
+      ++total_.boundary_curves;
+      for (Halfedge h = first; !is_known[index(h)]; h = mesh_.next_halfedge_handle(h)) is_known[index(h)] = true;
+    });
+  }
+
+  /// Points at which several fans stand, and what hangs together through points.
+  void count_points() {
+    std::size_t bound = mesh_.n_vertices();
+    for (const std::uint32_t p : point_of_vertex_) bound = std::max(bound, p + std::size_t{1});
+    constexpr std::uint8_t unseen = 0xff, several = 2;
+    std::vector<std::uint8_t> fans_at(bound, unseen);
+    DisjointSets connected(bound);
+    for_each_vertex(mesh_, [&](Vertex v) {
+      const std::uint32_t p = point_of(v);
+      std::uint8_t& fans = fans_at[p];
+      if (fans == unseen) {
+        ++total_.vertices;
+        fans = 0;
+      }
+      if (mesh_.is_isolated(v)) return;
+      ++piece_at(mesh_.halfedge_handle(v)).vertices;
+      if (fans == 1) ++total_.pinches;
+      if (fans < several) ++fans;
+      connected.unite(p, point_of(Vertex(static_cast<int>(vertices_.find(index(v))))));
+    });
+    for (std::uint32_t p = 0; p < bound; ++p) {
+      if (fans_at[p] == 0) ++total_.isolated;
+      if (fans_at[p] != unseen && connected.is_least(p)) ++total_.components;
+    }
+  }
+
+  template <typename Handle>
+  static std::uint32_t index(Handle element) {
+    return static_cast<std::uint32_t>(element.idx());
+  }
+  std::uint32_t root(Halfedge h) { return vertices_.find(index(mesh_.from_vertex_handle(h))); }
+  ComponentReport& piece_at(Halfedge h) { return total_.per_component[piece_of_[root(h)]]; }
+  std::uint32_t point_of(Vertex v) const {
+    return point_of_vertex_.empty() ? index(v) : point_of_vertex_[static_cast<std::size_t>(v.idx())];
+  }
+
+  const Connectivity& mesh_;
+  std::span<const std::uint32_t> point_of_vertex_;
+  DisjointSets vertices_;              // joined along edges: a set has the vertices of a piece
+  std::vector<std::size_t> piece_of_;  // of the least vertex of each set
+  TopologyReport total_;
+};
+
 /// The report of a copy in which each fan has a vertex, on the same point.
 TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex) {
   Connectivity parted = mesh;
@@ -45,75 +150,7 @@ TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> p
   require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
           "report: not one point for each vertex");
   if (has_several_fans_anywhere(mesh)) return report_of_fans(mesh, point_of_vertex);
-  const auto index = [](auto element) { return static_cast<std::uint32_t>(element.idx()); };
-  const auto point_of = [&](Vertex v) {
-    return point_of_vertex.empty() ? index(v) : point_of_vertex[static_cast<std::size_t>(v.idx())];
-  };
-  TopologyReport total;
-  DisjointSets pieces(mesh.n_vertices());
-  for_each_edge(mesh, [&](OpenMesh::EdgeHandle e) {
-    const Halfedge h = mesh.halfedge_handle(e, 0);
-    pieces.unite(index(mesh.from_vertex_handle(h)), index(mesh.to_vertex_handle(h)));
-  });
-
-  // Pieces in the order of their first faces.
-  std::vector<std::size_t> piece_of(mesh.n_vertices(), mesh.n_vertices());
-  const auto piece_at = [&](Halfedge h) -> ComponentReport& {
-    return total.per_component[piece_of[pieces.find(index(mesh.from_vertex_handle(h)))]];
-  };
-  for_each_face(mesh, [&](Face f) {
-    ++total.faces;
-    std::size_t& piece = piece_of[pieces.find(index(mesh.from_vertex_handle(mesh.halfedge_handle(f))))];
-    if (piece == mesh.n_vertices()) {
-      piece = total.per_component.size();
-      total.per_component.push_back({.first_face = static_cast<std::size_t>(f.idx())});
-    }
-    ++total.per_component[piece].faces;
-  });
-  std::vector<bool> on_known_curve(mesh.n_halfedges(), false);
-  for_each_edge(mesh, [&](OpenMesh::EdgeHandle e) {
-    ++total.edges;
-    ++piece_at(mesh.halfedge_handle(e, 0)).edges;
-  });
-  for_each_halfedge(mesh, [&](Halfedge first) {
-    if (!mesh.is_boundary(first) || on_known_curve[index(first)]) return;
-    ++total.boundary_curves;
-    ++piece_at(first).boundary_curves;
-    for (Halfedge h = first; !on_known_curve[index(h)]; h = mesh.next_halfedge_handle(h))
-      on_known_curve[index(h)] = true;
-  });
-
-  // As a space: vertices on one point are one.
-  std::size_t points = mesh.n_vertices();
-  for (const std::uint32_t p : point_of_vertex) points = std::max<std::size_t>(points, p + std::size_t{1});
-  DisjointSets space(points);
-  std::vector<std::uint8_t> fans(points, 0);
-  std::vector<bool> seen(points, false);
-  for_each_vertex(mesh, [&](Vertex v) {
-    const std::uint32_t p = point_of(v);
-    if (!seen[p]) ++total.vertices;
-    seen[p] = true;
-    if (mesh.is_isolated(v)) return;
-    ++piece_at(mesh.halfedge_handle(v)).vertices;
-    if (fans[p] == 1) ++total.pinches;
-    fans[p] = std::min<std::uint8_t>(static_cast<std::uint8_t>(fans[p] + 1), 2);
-    space.unite(p, point_of(Vertex(static_cast<int>(pieces.find(index(v))))));
-  });
-  for (std::uint32_t p = 0; p < points; ++p) {
-    if (!seen[p]) continue;
-    if (fans[p] == 0) ++total.isolated;
-    if (space.find(p) == p) ++total.components;
-  }
-  total.solid_components = total.per_component.size();
-  total.genus = 0;
-  long closed = 0;
-  for (const ComponentReport& piece : total.per_component) {
-    *total.genus += *piece.genus();
-    closed += piece.betti()[2];
-  }
-  const long b0 = static_cast<long>(total.components);
-  total.betti = {b0, b0 + closed - total.euler(), closed};
-  return total;
+  return MeshReporter(mesh, point_of_vertex)();
 }
 
 }  // namespace meshops

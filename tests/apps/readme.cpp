@@ -1,0 +1,58 @@
+// What README.md shows under a command is what the command prints.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+struct Shown {
+  std::string program, arguments;
+  std::string output;
+};
+
+/// The commands of the blocks ```console, which begin with "$ "; lines with "# " and empty ones between them are not output.
+std::vector<Shown> commands_in(const std::string& page) {
+  std::vector<Shown> commands;
+  std::istringstream lines(page);
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) inside = line == "```console";
+    if (!inside || line.starts_with("```") || line.starts_with("# ") || line.empty()) continue;
+    if (line.starts_with("$ ")) {
+      const std::size_t blank = line.find(' ', 2);
+      commands.push_back({line.substr(2, blank - 2), line.substr(blank + 1), ""});
+    } else {
+      REQUIRE(!commands.empty());
+      commands.back().output += line + "\n";
+    }
+  }
+  return commands;
+}
+
+}  // namespace
+
+TEST_SUITE("readme") {
+  TEST_CASE("the output of each command is that of a run") {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("tests"));
+    std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
+    const std::vector<Shown> commands = commands_in(read_file(RBPA_README));
+    CHECK(commands.size() >= 8);
+    for (const Shown& command : commands) {
+      CAPTURE(command.arguments);
+      const Outcome outcome =
+          command.program == "rbpa" ? folder.rbpa(command.arguments) : folder.meshtopo(command.arguments);
+      CHECK((command.program == "rbpa" || command.program == "meshtopo"));
+      CHECK(outcome.code == 0);
+      CHECK(outcome.out + outcome.err == command.output);
+      CHECK(!command.output.empty());
+    }
+  }
+}
