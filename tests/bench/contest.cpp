@@ -4,6 +4,7 @@
 
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa_bench {
 namespace {
@@ -27,10 +28,27 @@ Run timed_levels(std::span<const rbpa::Point> points, double alpha, const rbpa::
   return {seconds.count(), hierarchy.complex.mesh.n_faces()};
 }
 
+/// "rbpa", or how many threads there are.
+std::string named(const std::string& name, unsigned threads) {
+  if (threads == 1) return name;
+  return name + " " + (threads == 0 ? "all" : std::to_string(threads)) + " threads";
+}
+
 }  // namespace
 
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
   return timed(points, alpha, options_for(rbpa::Search::near_to_far, threads), list);
+}
+
+Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads, bool neighbors, Triangles* list) {
+  rbpa::TriangulationOptions options;
+  options.threads = threads;
+  options.neighbors = neighbors;
+  const auto start = std::chrono::steady_clock::now();
+  const rbpa::Triangulation found = rbpa::triangulate(points, alpha, options);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (list) list->assign(found.triangles.begin(), found.triangles.end());
+  return {seconds.count(), found.triangles.size()};
 }
 
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha) {
@@ -48,9 +66,20 @@ Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) { return run_hrbpa_with(points, alpha, usual_leaves); }
 
 Contestant rbpa_with(unsigned threads) {
-  return {threads == 1 ? "rbpa" : "rbpa " + (threads == 0 ? "all" : std::to_string(threads)) + " threads",
-          [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
+  return {named("rbpa", threads), [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
             return run_rbpa(points, alpha, threads, list);
+          }};
+}
+
+Contestant arrays_with(unsigned threads) {
+  return {named("arrays", threads), [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
+            return run_arrays(points, alpha, threads, false, list);
+          }};
+}
+Contestant neighbors_with(unsigned threads) {
+  return {named("arrays, neighbours", threads),
+          [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
+            return run_arrays(points, alpha, threads, true, list);
           }};
 }
 
