@@ -49,8 +49,9 @@ class Seams {
 
   /// Frees the memory; nothing has begun.
   void end() {
-    seams_ = {};
-    first_ = {};
+    // Assigned braces would keep it.
+    seams_ = std::vector<Seam>();
+    first_ = std::vector<int>();
   }
 
  private:
