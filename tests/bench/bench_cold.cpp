@@ -43,6 +43,7 @@ class PointsFile {
 /// What one contestant's runs on one set cost.
 struct Cold {
   Timings nanoseconds;  // a point
+  Timings processor;    // the same of the processor's time
   Timings bytes;        // a point
   std::size_t triangles = 0;
 };
@@ -53,6 +54,7 @@ struct Row {
   std::vector<Cold> of;  // each contestant
 
   double time(std::size_t contestant) const { return of[contestant].nanoseconds.lower_quartile(); }
+  double processor(std::size_t contestant) const { return of[contestant].processor.lower_quartile(); }
 };
 
 /// Numbers of cold_contestants().
@@ -69,6 +71,7 @@ Row run_all(const std::string& program, const Workload& workload, std::size_t co
       const ColdRun run = run_cold(program, i, file.path());
       const auto n = static_cast<double>(points.size());
       row.of[i].nanoseconds.of.push_back(1e9 * run.seconds / n);
+      row.of[i].processor.of.push_back(1e9 * run.processor_seconds / n);
       row.of[i].bytes.of.push_back(run.bytes / n);
       row.of[i].triangles = run.triangles;
     }
@@ -92,6 +95,15 @@ void print_times(const Row& row) {
   }
   std::printf("\n");
   std::fflush(stdout);
+}
+
+void print_processor(const Row& row) {
+  std::printf("| %s | %zu |", row.set.c_str(), row.points);
+  for (std::size_t i = 0; i < row.of.size(); ++i) {
+    std::printf(" %.0f (%.0f)", row.processor(i), row.of[i].processor.median());
+    std::printf(i == cgal ? " |" : "; %.2f× |", row.processor(cgal) / row.processor(i));
+  }
+  std::printf("\n");
 }
 
 void print_bytes(const Row& row) {
@@ -133,6 +145,11 @@ void report(const std::string& program, const Arguments& arguments) {
     print_times(rows.back());
     add_targets(wanted, rows.back(), targets);
   }
+  std::printf(
+      "\nThe same by the processor's time, of all threads together: what is left when others on the machine are taken "
+      "out.\n\n");
+  print_heads();
+  for (const Row& row : rows) print_processor(row);
   std::printf("\nBytes a point: how far resident memory rises above what it was with the points in it; median.\n\n");
   print_heads();
   for (const Row& row : rows) print_bytes(row);

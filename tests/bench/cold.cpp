@@ -44,7 +44,8 @@ ColdRun run_cold(const std::string& program, std::size_t contestant, const std::
   close(ends[1]);
   FILE* const said = fdopen(ends[0], "r");
   ColdRun run{};
-  const bool told = std::fscanf(said, "%lf %zu %lf", &run.seconds, &run.triangles, &run.bytes) == 3;
+  const bool told =
+      std::fscanf(said, "%lf %lf %zu %lf", &run.seconds, &run.processor_seconds, &run.triangles, &run.bytes) == 4;
   std::fclose(said);
   int status = 0;
   waitpid(child, &status, 0);
@@ -59,7 +60,8 @@ int one(std::size_t contestant, const std::string& points_file) {
   Run run{};
   const std::optional<double> bytes =
       rise_of_peak([&] { run = cold_contestants()[contestant].run(points, INFINITY, nullptr); });
-  std::printf("%.9g %zu %.0f\n", run.seconds, run.triangles, bytes.value_or(NAN));
+  std::printf("%.9g %.9g %zu %.0f\n", run.seconds, run.processor_seconds.value_or(NAN), run.triangles,
+              bytes.value_or(NAN));
   return 0;
 }
 

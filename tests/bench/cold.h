@@ -16,7 +16,7 @@ const std::vector<Contestant>& cold_contestants();
 
 /// One run, in a process of its own.
 struct ColdRun {
-  double seconds;
+  double seconds, processor_seconds;
   std::size_t triangles;
   double bytes;  ///< by how much resident memory rose at most; the points were there before
 };

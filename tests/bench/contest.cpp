@@ -1,7 +1,6 @@
 #include "bench/contest.h"
 
-#include <chrono>
-
+#include "bench/stopwatch.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/triangulate.h"
@@ -13,19 +12,25 @@ rbpa::Options options_for(rbpa::Search search, unsigned threads) {
   return {.search = search, .threads = threads, .progress = {}};
 }
 
+Run told_by(const Stopwatch& watch) {
+  return {.seconds = watch.seconds(), .triangles = 0, .processor_seconds = watch.processor_seconds()};
+}
+
 Run timed(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options, Triangles* list) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  Run run = told_by(watch);
   if (list) *list = rbpa::triangles(complex);
-  return {seconds.count(), complex.mesh.n_faces()};
+  run.triangles = complex.mesh.n_faces();
+  return run;
 }
 
 Run timed_levels(std::span<const rbpa::Point> points, double alpha, const rbpa::HierarchyOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return {seconds.count(), hierarchy.complex.mesh.n_faces()};
+  Run run = told_by(watch);
+  run.triangles = hierarchy.complex.mesh.n_faces();
+  return run;
 }
 
 /// "rbpa", or how many threads there are.
@@ -44,11 +49,12 @@ Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threa
   rbpa::TriangulationOptions options;
   options.threads = threads;
   options.neighbors = neighbors;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const rbpa::Triangulation found = rbpa::triangulate(points, alpha, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  Run run = told_by(watch);
   if (list) list->assign(found.triangles.begin(), found.triangles.end());
-  return {seconds.count(), found.triangles.size()};
+  run.triangles = found.triangles.size();
+  return run;
 }
 
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha) {

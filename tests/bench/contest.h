@@ -28,7 +28,8 @@ struct Run {
   double seconds;
   std::size_t triangles;
   Clock clock = Clock::here;
-  std::optional<double> process_bytes = {};  ///< the peak of another program, all of it
+  std::optional<double> process_bytes = {};      ///< the peak of another program, all of it
+  std::optional<double> processor_seconds = {};  ///< of all threads; where the clock is ours
 };
 
 /// Somebody who makes triangles of points.

@@ -70,8 +70,20 @@ TEST_CASE("cold runs have every set in every contestant, the same triangles and 
   CHECK(all.text.find("| points | number | rbpa | rbpa 2 threads | arrays |") != std::string::npos);
   for (const char* set : {"uniform", "jittered", "grid", "lidar lines", "clusters", "Kuzmin"}) {
     CAPTURE(set);
-    CHECK(count(all.text, std::string("| ") + set + " | 400 |") == 2);
+    CHECK(count(all.text, std::string("| ") + set + " | 400 |") == 3);
     CHECK(count(all.text, std::string("| ") + set + ": CGAL points / arrays ≥ ") == 1);
   }
   CHECK(run(RBPA_BENCH_COLD, "--points=none").code == 2);
+}
+
+TEST_CASE("slow paths are at least eighty sets, on which rbpa, hrbpa and CGAL find as many triangles") {
+  const Report all = run(RBPA_BENCH_SLOW_PATHS, "--points=500 --runs=1");
+  CHECK(all.code == 0);
+  CHECK(all.text.find("### 500 points") != std::string::npos);
+  CHECK(all.text.find("### 40 points") != std::string::npos);
+  const std::size_t lines_beside_the_sets = 24;
+  CHECK(count(all.text, "\n") > 2 * 80 + lines_beside_the_sets);
+  CHECK(count(all.text, "**wrong**") == 0);
+  CHECK(count(all.text, "**failed**") == 0);
+  CHECK(count(all.text, "times as long as uniform") == 4);
 }

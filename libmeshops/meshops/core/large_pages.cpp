@@ -11,7 +11,7 @@ namespace meshops {
 void prefer_large_pages([[maybe_unused]] const void* begin, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
   constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-  if (bytes < 4 * page) return;
+  if (bytes < page) return;
   const auto address = reinterpret_cast<std::uintptr_t>(begin);
   const std::uintptr_t first = (address + page - 1) / page * page, last = (address + bytes) / page * page;
   // Refusal is no failure: the memory is as good, and slower.

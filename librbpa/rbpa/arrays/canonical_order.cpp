@@ -15,12 +15,14 @@ namespace rbpa {
 namespace {
 
 constexpr std::size_t corners_per_bucket = 1u << 11;  // whose triangles, up to six each, fit a cache of half a megabyte
+// Memory is asked for in parts so small that there may be some that was in use before, and need not be cleared again.
+constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes
 constexpr std::size_t max_buckets = 1u << 11;         // whose ends fit the nearest cache
 
-/// Smallest corners are shifted by so much to be numbers of buckets.
-int bucket_shift(std::size_t bound) {
+/// Smallest corners are shifted by so much to be numbers of buckets. Blocks that stay nearly empty shall be few.
+int bucket_shift(std::size_t bound, std::size_t most_open_blocks) {
   int shift = std::countr_zero(corners_per_bucket);
-  while ((bound >> shift) >= max_buckets) ++shift;
+  while ((bound >> shift) >= std::min(max_buckets, most_open_blocks + 1)) ++shift;
   return shift;
 }
 
@@ -39,18 +41,22 @@ Triple corners_of(std::size_t first, std::uint64_t key) {
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
 }
 
-/// Which of two comes first is a toss of a coin: no branch.
+/// All bits if b comes before a, or none: which is a toss of a coin, so that nothing may branch. (Of a choice between two
+/// values the compiler makes a branch where the next one depends on it.)
+template <typename R>
+std::uint64_t all_if_behind(const R& a, const R& b) {
+  return -std::uint64_t{b.key < a.key};
+}
 void put_in_order(Rest& a, Rest& b) {
-  const std::uint64_t first = std::min(a.key, b.key), second = std::max(a.key, b.key);
-  a.key = first;
-  b.key = second;
+  const std::uint64_t change = (a.key ^ b.key) & all_if_behind(a, b);
+  a.key ^= change;
+  b.key ^= change;
 }
 void put_in_order(NumberedRest& a, NumberedRest& b) {
-  const std::uint64_t all_if_behind = -std::uint64_t{b.key < a.key};
-  const std::uint64_t keys = (a.key ^ b.key) & all_if_behind;
-  const std::uint32_t numbers = (a.number ^ b.number) & static_cast<std::uint32_t>(all_if_behind);
-  a = {a.key ^ keys, a.number ^ numbers};
-  b = {b.key ^ keys, b.number ^ numbers};
+  const std::uint64_t all = all_if_behind(a, b), change = (a.key ^ b.key) & all;
+  const std::uint32_t change_number = (a.number ^ b.number) & static_cast<std::uint32_t>(all);
+  a = {a.key ^ change, a.number ^ change_number};
+  b = {b.key ^ change, b.number ^ change_number};
 }
 
 /// Sorting networks: pairs of places to be put in order, one after the other.
@@ -68,34 +74,31 @@ struct Network<8> {
 };
 constexpr std::size_t max_network = 8;
 
-/// Sorts a few rests as if they were `size`, the others being greater than all: how many there are changes from corner
-/// to corner, and a branch for it would be foretold wrongly. Reads `size` of them.
-template <std::size_t size, typename R>
-void sort_few(const R* few, std::size_t count, std::array<R, max_network>& sorted) {
+/// Calls put(place, rest) with a few rests in order. How many there are changes from corner to corner, and a branch for it
+/// would be foretold wrongly: they are sorted as if they were `size`, the others being greater than all, and put as well.
+template <std::size_t size, typename R, typename Put>
+void put_few(const R* few, std::size_t count, Put put) {
+  std::array<R, size> r;
   for (std::size_t i = 0; i < size; ++i) {
-    sorted[i] = few[i];
-    sorted[i].key |= -std::uint64_t{i >= count};
+    r[i] = few[i];
+    r[i].key |= -std::uint64_t{i >= count};
   }
   [&]<std::size_t... step>(std::index_sequence<step...>) {
     constexpr auto& pairs = Network<size>::pairs;
-    (put_in_order(sorted[pairs[step][0]], sorted[pairs[step][1]]), ...);
+    (put_in_order(r[pairs[step][0]], r[pairs[step][1]]), ...);
   }
   (std::make_index_sequence<std::size(Network<size>::pairs)>());
+  for (std::size_t i = 0; i < size; ++i) put(i, r[i]);
 }
 
-/// Sorts the triangles at one smallest corner: two on average, and up to a dozen where it is one of the least of all.
-/// Returns: where they are then: in place, or in `few`.
-template <typename R>
-R* sort_star(R* star, std::size_t count, std::array<R, max_network>& few) {
-  if (count > max_network) {
-    std::sort(star, star + count, [](const R& a, const R& b) { return a.key < b.key; });
-    return star;
-  }
-  if (count <= 4)
-    sort_few<4>(star, count, few);
-  else
-    sort_few<max_network>(star, count, few);
-  return few.data();
+/// Puts the triangles at one smallest corner in order: two on average, and up to a dozen where it is one of the least of
+/// all. Up to max_network are put in any case, those behind the last to no purpose.
+template <typename R, typename Put>
+void put_star(R* star, std::size_t count, Put put) {
+  if (count <= 4) return put_few<4>(star, count, put);
+  if (count <= max_network) return put_few<max_network>(star, count, put);
+  std::sort(star, star + count, [](const R& a, const R& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i < count; ++i) put(i, star[i]);
 }
 
 }  // namespace
@@ -104,7 +107,7 @@ R* sort_star(R* star, std::size_t count, std::array<R, max_network>& few) {
 template <typename Item>
 struct CanonicalOrder<Item>::Workspace {
   using Rests = std::vector<decltype(rest_of(Item()))>;
-  Rests rests;                      // by smallest corner, and max_network more that are read
+  Rests rests;                      // by smallest corner, and max_network more; as with all
   std::vector<std::uint32_t> next;  // of each smallest corner, where its next one goes
   meshops::FreshVector<Triple> triples;
   meshops::FreshVector<std::uint32_t> numbers;
@@ -113,23 +116,33 @@ struct CanonicalOrder<Item>::Workspace {
 
 template <typename Item>
 CanonicalOrder<Item>::CanonicalOrder(std::size_t bound, std::size_t most, std::size_t threads)
-    : bound_(bound), shift_(bucket_shift(bound)), buckets_((bound >> shift_) + 1) {
-  // All but the last block of each bucket of each writer are full.
-  const std::size_t blocks = most / items_in_block + threads * buckets_;
-  pool_.resize(blocks * items_in_block);
-}
+    : bound_(bound),
+      shift_(bucket_shift(bound, most / 4 / (threads * items_in_block))),
+      buckets_((bound >> shift_) + 1),
+      // All but the last block of each bucket of each thread are full.
+      blocks_in_slab_(std::min(max_blocks_in_slab, most / items_in_block + threads * buckets_)) {}
 
 template <typename Item>
 CanonicalOrder<Item>::Writer::Writer(CanonicalOrder& order)
-    : order_(&order), items_(order.pool_.data()), shift_(order.shift_) {
-  for (std::size_t bucket = 0; bucket < order.buckets_; ++bucket) next_.push_back(begin_block(bucket));
+    : order_(&order), shift_(order.shift_), open_(order.buckets_) {
+  for (std::size_t bucket = 0; bucket < order.buckets_; ++bucket) begin_block(bucket);
 }
 
 template <typename Item>
-std::size_t CanonicalOrder<Item>::Writer::begin_block(std::size_t bucket) {
-  const std::size_t first = items_in_block * order_->blocks_++;
+void CanonicalOrder<Item>::Writer::begin_block(std::size_t bucket) {
+  Item* const first = order_->new_block();
   blocks_.push_back({bucket, first});
-  return first;
+  open_[bucket] = {first, first + items_in_block};
+}
+
+template <typename Item>
+Item* CanonicalOrder<Item>::new_block() {
+  const std::lock_guard lock(slabs_mutex_);
+  if (blocks_left_ == 0) {
+    slabs_.emplace_back(items_in_block * blocks_in_slab_);
+    blocks_left_ = blocks_in_slab_;
+  }
+  return slabs_.back().data() + items_in_block * (blocks_in_slab_ - blocks_left_--);
 }
 
 template <typename Item>
@@ -146,9 +159,9 @@ std::vector<std::vector<typename CanonicalOrder<Item>::Run>> CanonicalOrder<Item
   std::vector<std::vector<Run>> of_bucket(buckets_);
   for (const auto& writer : writers_)
     for (const auto& [bucket, first] : writer->blocks_) {
-      const std::size_t next = writer->next_[bucket];
-      const bool is_last = first <= next && next < first + items_in_block;
-      of_bucket[bucket].push_back({pool_.data() + first, is_last ? next - first : items_in_block});
+      const auto& open = writer->open_[bucket];
+      const bool is_open = open.end == first + items_in_block;
+      of_bucket[bucket].push_back({first, is_open ? static_cast<std::size_t>(open.next - first) : items_in_block});
     }
   return of_bucket;
 }
@@ -166,21 +179,26 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
     if constexpr (std::is_same_v<Item, NumberedTriple>) numbers.resize(count + max_network);
   }
   next.assign(corners + 1, 0);
-  for (const auto& [items, size] : bucket)
-    for (std::size_t i = 0; i < size; ++i) ++next[smallest(items[i]) - first_corner + 1];
+  for (std::size_t r = 0; r < bucket.size(); ++r) {
+    const auto& [items, size] = bucket[r];
+    const Item* const items_of_next = bucket[std::min(r + 1, bucket.size() - 1)].first;
+    for (std::size_t i = 0; i < size; ++i) {
+      __builtin_prefetch(items_of_next + i);
+      ++next[smallest(items[i]) - first_corner + 1];
+    }
+  }
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (const auto& [items, size] : bucket)
     for (std::size_t i = 0; i < size; ++i) rests[next[smallest(items[i]) - first_corner]++] = rest_of(items[i]);
 
-  std::array<typename Workspace::Rests::value_type, max_network> few;
   std::size_t first = 0;
   for (std::size_t c = 0; c < corners; ++c) {
     const std::size_t last = next[c];  // all of c are put, so this is where those of c + 1 begin
-    const auto* sorted = sort_star(rests.data() + first, last - first, few);
-    for (; first < last; ++first, ++sorted) {
-      triples[first] = corners_of(first_corner + c, sorted->key);
-      if constexpr (std::is_same_v<Item, NumberedTriple>) numbers[first] = sorted->number;
-    }
+    put_star(rests.data() + first, last - first, [&](std::size_t i, const auto& rest) {
+      triples[first + i] = corners_of(first_corner + c, rest.key);
+      if constexpr (std::is_same_v<Item, NumberedTriple>) numbers[first + i] = rest.number;
+    });
+    first = last;
   }
 }
 

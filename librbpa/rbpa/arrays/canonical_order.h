@@ -1,15 +1,14 @@
 // What: brings triangles into canonical order: lexicographic, each from its smallest corner on.
 // Law:  the order depends on the triangles, and on nothing else: not on the order in which they come, nor on threads.
 // How:  a triangle is put into a bucket as soon as it comes. A bucket takes a range of smallest corners, and is a list of
-//       blocks of one pool, so that nobody has to know how many triangles it will have, and nothing is moved:
+//       blocks of common memory, so that nobody has to know how many triangles it will have, and nothing is moved:
 //
-//           pool   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
+//           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
 //
 //       In the end each bucket, which fits a cache, is sorted there and put behind the one before.
 // Cost: linear; as much memory as the triangles take, beside the result.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -34,25 +33,29 @@ class CanonicalOrder {
    public:
     void add(const Item& item) {
       const std::size_t bucket = smallest(item) >> shift_;
-      std::size_t& next = next_[bucket];
-      items_[next++] = item;
-      __builtin_prefetch(&items_[next + items_ahead], 1);
-      if (next % items_in_block == 0) next = begin_block(bucket);
+      Open& open = open_[bucket];
+      *open.next++ = item;
+      __builtin_prefetch(open.next + items_ahead, 1);
+      if (open.next == open.end) begin_block(bucket);
     }
 
    private:
     friend class CanonicalOrder;
     explicit Writer(CanonicalOrder& order);
-    std::size_t begin_block(std::size_t bucket);
+    void begin_block(std::size_t bucket);
 
+    /// A block that is not full: where the next item goes, and its end.
+    struct Open {
+      Item *next, *end;
+    };
     struct Block {
-      std::size_t bucket, first;  // its first item
+      std::size_t bucket;
+      const Item* first;
     };
     CanonicalOrder* order_;
-    Item* items_;  // the pool
     int shift_;
-    std::vector<std::size_t> next_;  // of each bucket, where the next item goes; never the end of a block
-    std::vector<Block> blocks_;      // all that were begun
+    std::vector<Open> open_;     // of each bucket
+    std::vector<Block> blocks_;  // all that were begun
   };
 
   /// Calls write(Writer&) with a writer that nobody else has meanwhile. From as many threads at a time as were announced.
@@ -67,11 +70,11 @@ class CanonicalOrder {
   /// All triangles in order. With `rank`, tells of each number where it went. Nothing is added afterwards.
   std::vector<Triple> sorted(Threads& threads, std::uint32_t* rank = nullptr);
   /// Frees the memory.
-  void end() { pool_ = meshops::FreshVector<Item>(); }
+  void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 
  private:
   static constexpr std::size_t items_in_block = 256;  // 3 kilobytes
-  static constexpr std::size_t items_ahead = 8;       // memory of a bucket is asked for before it is written
+  static constexpr std::size_t items_ahead = 16;      // memory of a bucket is asked for before it is written
   /// A part of a bucket.
   struct Run {
     const Item* first;
@@ -82,15 +85,17 @@ class CanonicalOrder {
   static std::size_t smallest(const Triple& item) { return item[0]; }
   static std::size_t smallest(const NumberedTriple& item) { return item.corners[0]; }
   Writer* take();
+  Item* new_block();
   std::vector<std::vector<Run>> runs() const;
   void sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners, Workspace& workspace) const;
 
   std::size_t bound_;
   int shift_;
   std::size_t buckets_;
-  meshops::FreshVector<Item> pool_;  // longer than what will be in use, and not touched there
-  std::atomic<std::size_t> blocks_ = 0;
-  std::mutex mutex_;
+  std::size_t blocks_in_slab_;
+  std::vector<meshops::FreshVector<Item>> slabs_;
+  std::size_t blocks_left_ = 0;  // of the last slab
+  std::mutex slabs_mutex_, mutex_;
   std::vector<std::unique_ptr<Writer>> writers_;
   std::vector<Writer*> idle_;
 };
