@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t corners_per_bucket = 1u << 11;  // whose triangles, up to six each, fit a cache of half a megabyte
 // Memory is asked for in parts so small that there may be some that was in use before, and need not be cleared again.
-constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes
+constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers
 constexpr std::size_t max_buckets = 1u << 11;         // whose ends fit the nearest cache
 
 /// Smallest corners are shifted by so much to be numbers of buckets. Blocks that stay nearly empty shall be few.
