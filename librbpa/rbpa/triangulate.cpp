@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "rbpa/arrays/canonical_order.h"
 #include "rbpa/arrays/dangling.h"
+#include "rbpa/arrays/linked_triangles.h"
 #include "rbpa/arrays/triangle_list.h"
 #include "rbpa/collinear.h"
 #include "rbpa/core/error.h"
@@ -18,58 +18,27 @@
 namespace rbpa {
 namespace {
 
-constexpr std::size_t triangles_at_a_time = 1u << 16;
-
-/// All but what is told of points.
-struct Run {
-  std::span<const Point> points;
-  double alpha;
-  const TriangulationOptions& options;
-  bool with_neighbors;
-  Threads& threads;
-
-  /// Tiles tell what they can, and the remainder what is missing.
-  TriangleList::Lists find_triangles(const Sites& sites) const {
-    TriangleList list(sites.size(), sites.input_index(), with_neighbors);
-    const auto worked = [&] {
-      if (options.progress && !options.progress({list.size(), sites.size()})) throw Cancelled();
-    };
-    using Place = TriangleList::Place;
-    const meshops::Patch rest =
-        for_each_patch<Place>(
-            sites, Radius::of(alpha), threads,
-            [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
-            [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
-            [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false)
-            .patch;
-    Place place;
-    list.prepare(rest, place);
-    list.place(rest, place);
-    list.fill(rest, place);
-    worked();
-    return list.take();
-  }
-
-  void sort(TriangleList::Lists lists, Triangulation& result) const {
-    if (!with_neighbors) {
-      sort_canonically(lists.triangles, points.size(), threads);
-      result.triangles.assign(lists.triangles.begin(), lists.triangles.end());
-      return;
-    }
-    meshops::FreshVector<std::uint32_t> rank;
-    sort_canonically(lists.triangles, points.size(), threads, &rank);
-    result.triangles.assign(lists.triangles.begin(), lists.triangles.end());
-    lists.triangles = {};
-    result.neighbors.resize(rank.size());
-    for_each_part(threads, rank.size(), triangles_at_a_time, [&](std::size_t first, std::size_t last) {
-      for (std::size_t t = first; t < last; ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-          const std::uint32_t other = lists.neighbors[t][k];
-          result.neighbors[rank[t]][k] = other == TriangleList::none ? Triangulation::none : rank[other];
-        }
-    });
-  }
-};
+/// All patches into a list, which is TriangleList or LinkedTriangles.
+template <typename List>
+void find_triangles(const Sites& sites, double alpha, const std::function<bool(const Progress&)>& progress,
+                    Threads& threads, List& list) {
+  const auto worked = [&] {
+    if (progress && !progress({list.size(), sites.size()})) throw Cancelled();
+  };
+  using Place = typename List::Place;
+  const meshops::Patch rest =
+      for_each_patch<Place>(
+          sites, Radius::of(alpha), threads,
+          [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
+          [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
+          [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false)
+          .patch;
+  Place place;
+  list.prepare(rest, place);
+  list.place(rest, place);
+  list.fill(rest, place);
+  worked();
+}
 
 /// The sides at which nothing lies, by the triangles and their neighbours.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of) {
@@ -102,22 +71,32 @@ std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t poin
   return others(covered, of.duplicates);
 }
 
-/// The triangles of a radius and what is told of them.
+/// The triangles of a radius, and what is told of points.
 Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
   Triangulation result;
   Threads threads = threads_for(points.size(), options.threads);
-  const Run run{points, alpha, options, options.neighbors || options.boundary, threads};
-  std::optional<TriangleList::Lists> lists;
-  {
-    const Sites sites(points, threads, asking(options.progress, points.size()));
-    result.distinct = sites.size();
-    result.duplicates = sites.duplicates();
-    if (!are_collinear(points)) lists = run.find_triangles(sites);
+  std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
+  result.distinct = sites->size();
+  result.duplicates = sites->duplicates();
+  const bool are_on_a_line = are_collinear(points);
+  const auto find = [&](auto& list) {
+    if (!are_on_a_line) find_triangles(*sites, alpha, options.progress, threads, list);
+    sites.reset();  // its memory is not needed where the list becomes the result
+    return list.sorted(threads);
+  };
+  if (options.neighbors || options.boundary) {
+    LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
+    LinkedTriangles::Sorted sorted = find(list);
+    result.triangles = std::move(sorted.triangles);
+    result.neighbors = std::move(sorted.neighbors);
+  } else {
+    TriangleList list(sites->size(), sites->input_index(), points.size(), threads);
+    result.triangles = find(list);
   }
-  if (lists) run.sort(std::move(*lists), result);
-  result.isolated = isolated_in(result, points.size());
+  // Without a radius all points are in triangles, if there are any.
+  if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
   if (options.boundary) result.boundary = boundary_of(result);
-  if (!options.neighbors) result.neighbors = {};
+  if (!options.neighbors) result.neighbors = std::vector<Triple>();
   return result;
 }
 
@@ -138,7 +117,7 @@ Triangulation triangulate(std::span<const Point> points, double alpha, const Tri
   for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
   result.points = others(covered, result.duplicates);
   if (options.boundary) result.boundary = boundary_of(result);
-  if (!options.neighbors) result.neighbors = {};
+  if (!options.neighbors) result.neighbors = std::vector<Triple>();
   return result;
 }
 

@@ -52,9 +52,8 @@ inline std::optional<std::string_view> behind(std::string_view given, std::strin
 }
 
 /// `[--runs=N] [--points=N]`, and `[--threads=1,2]` and `[--alpha=SPACINGS]` for those who take them; nothing, and the
-/// usage on standard error, when there is anything else.
-inline std::optional<Arguments> parse(int argc, char** argv, Takes takes = {}) {
-  Arguments arguments;
+/// usage on standard error, when there is anything else. What is not given is as in `arguments`.
+inline std::optional<Arguments> parse(int argc, char** argv, Takes takes = {}, Arguments arguments = {}) {
   for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
     const auto number = [&](std::string_view name, auto& into) {
       const auto text = behind(given, name);

@@ -1,9 +1,9 @@
 #include "bench/contest.h"
 
-#include <chrono>
-
+#include "bench/stopwatch.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa_bench {
 namespace {
@@ -12,25 +12,49 @@ rbpa::Options options_for(rbpa::Search search, unsigned threads) {
   return {.search = search, .threads = threads, .progress = {}};
 }
 
+Run told_by(const Stopwatch& watch) {
+  return {.seconds = watch.seconds(), .triangles = 0, .processor_seconds = watch.processor_seconds()};
+}
+
 Run timed(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options, Triangles* list) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  Run run = told_by(watch);
   if (list) *list = rbpa::triangles(complex);
-  return {seconds.count(), complex.mesh.n_faces()};
+  run.triangles = complex.mesh.n_faces();
+  return run;
 }
 
 Run timed_levels(std::span<const rbpa::Point> points, double alpha, const rbpa::HierarchyOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return {seconds.count(), hierarchy.complex.mesh.n_faces()};
+  Run run = told_by(watch);
+  run.triangles = hierarchy.complex.mesh.n_faces();
+  return run;
+}
+
+/// "rbpa", or how many threads there are.
+std::string named(const std::string& name, unsigned threads) {
+  if (threads == 1) return name;
+  return name + " " + (threads == 0 ? "all" : std::to_string(threads)) + " threads";
 }
 
 }  // namespace
 
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
   return timed(points, alpha, options_for(rbpa::Search::near_to_far, threads), list);
+}
+
+Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads, bool neighbors, Triangles* list) {
+  rbpa::TriangulationOptions options;
+  options.threads = threads;
+  options.neighbors = neighbors;
+  const Stopwatch watch;
+  const rbpa::Triangulation found = rbpa::triangulate(points, alpha, options);
+  Run run = told_by(watch);
+  if (list) list->assign(found.triangles.begin(), found.triangles.end());
+  run.triangles = found.triangles.size();
+  return run;
 }
 
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha) {
@@ -48,9 +72,20 @@ Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) { return run_hrbpa_with(points, alpha, usual_leaves); }
 
 Contestant rbpa_with(unsigned threads) {
-  return {threads == 1 ? "rbpa" : "rbpa " + (threads == 0 ? "all" : std::to_string(threads)) + " threads",
-          [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
+  return {named("rbpa", threads), [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
             return run_rbpa(points, alpha, threads, list);
+          }};
+}
+
+Contestant arrays_with(unsigned threads) {
+  return {named("arrays", threads), [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
+            return run_arrays(points, alpha, threads, false, list);
+          }};
+}
+Contestant neighbors_with(unsigned threads) {
+  return {named("arrays, neighbours", threads),
+          [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
+            return run_arrays(points, alpha, threads, true, list);
           }};
 }
 

@@ -28,7 +28,8 @@ struct Run {
   double seconds;
   std::size_t triangles;
   Clock clock = Clock::here;
-  std::optional<double> process_bytes = {};  ///< the peak of another program, all of it
+  std::optional<double> process_bytes = {};      ///< the peak of another program, all of it
+  std::optional<double> processor_seconds = {};  ///< of all threads; where the clock is ours
 };
 
 /// Somebody who makes triangles of points.
@@ -44,11 +45,15 @@ struct Contestant {
 /// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
-/// The same as the paper says it.
+/// rbpa::triangulate(): triangles in canonical order as arrays, on request with neighbours.
+Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, bool neighbors = false,
+               Triangles* list = nullptr);
+
+/// rbpa::rbpa() as the paper says it, and rbpa::hrbpa().
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha);
 Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha);
 
-/// rbpa::hrbpa(): the same mesh, from the bottom up, with one thread.
+/// rbpa::hrbpa(): the mesh of rbpa(), from the bottom up, with one thread.
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
 constexpr std::size_t usual_leaves = rbpa::usual_leaf_capacity(rbpa::Search::near_to_far);
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
@@ -67,6 +72,8 @@ Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter fi
 Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha);
 
 Contestant rbpa_with(unsigned threads);
+Contestant arrays_with(unsigned threads);
+Contestant neighbors_with(unsigned threads);
 extern const Contestant paper_rbpa, paper_hrbpa;
 extern const Contestant hrbpa;
 extern const Contestant cgal_indices;  ///< without a filter

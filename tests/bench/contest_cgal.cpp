@@ -9,12 +9,12 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "bench/contest.h"
+#include "bench/stopwatch.h"
 
 namespace rbpa_bench {
 namespace {
@@ -52,13 +52,14 @@ std::vector<Point> as_points(std::span<const rbpa::Point> points) {
   return all;
 }
 
-using Time = std::chrono::steady_clock;
-double since(Time::time_point start) { return std::chrono::duration<double>(Time::now() - start).count(); }
+Run told_by(const Stopwatch& watch, std::size_t triangles) {
+  return {.seconds = watch.seconds(), .triangles = triangles, .processor_seconds = watch.processor_seconds()};
+}
 
 }  // namespace
 
 Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list) {
-  const auto start = Time::now();
+  const Stopwatch watch;
   std::vector<IndexedPoint> indexed;
   indexed.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) indexed.push_back({Point(points[i].x, points[i].y), i});
@@ -78,31 +79,31 @@ Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter f
   for (const auto face : triangulation.finite_face_handles())
     if (passes(face, alpha, filter))
       triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-  const Run run{since(start), triangles.size()};
+  const Run run = told_by(watch, triangles.size());
   if (list) *list = std::move(triangles);
   return run;
 }
 
 Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter filter) {
   const std::vector<Point> own = as_points(points);
-  const auto start = Time::now();
+  const Stopwatch watch;
   const PlainDelaunay triangulation(own.begin(), own.end());
-  if (filter == Filter::none) return {since(start), triangulation.number_of_faces()};
+  if (filter == Filter::none) return told_by(watch, triangulation.number_of_faces());
   std::vector<PlainDelaunay::Face_handle> faces;
   faces.reserve(triangulation.number_of_faces());
   for (const auto face : triangulation.finite_face_handles())
     if (passes(face, alpha, filter)) faces.push_back(face);
-  return {since(start), faces.size()};
+  return told_by(watch, faces.size());
 }
 
 Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha) {
   const std::vector<Point> own = as_points(points);
-  const auto start = Time::now();
+  const Stopwatch watch;
   const AlphaShape shape(own.begin(), own.end(), alpha * alpha, AlphaShape::GENERAL);
   std::size_t interior = 0;
   for (const auto face : shape.finite_face_handles())
     if (shape.classify(face) == AlphaShape::INTERIOR) ++interior;
-  return {since(start), interior};
+  return told_by(watch, interior);
 }
 
 }  // namespace rbpa_bench

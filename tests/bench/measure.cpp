@@ -21,10 +21,10 @@ Triangles as_set(Triangles triangles, const std::vector<std::uint32_t>& lowest) 
 
 /// Runs a contestant; false, and why in `outcome`, where there is no result.
 bool run(const Contestant& contestant, std::span<const rbpa::Point> points, double alpha, Triangles* list,
-         Outcome& outcome) {
+         Outcome& outcome, bool by_processor = false) {
   try {
     const Run one = contestant.run(points, alpha, list);
-    outcome.seconds.of.push_back(one.seconds);
+    outcome.seconds.of.push_back(by_processor ? one.processor_seconds.value_or(one.seconds) : one.seconds);
     outcome.triangles = one.triangles;
     outcome.clock = one.clock;
     if (one.process_bytes) outcome.bytes = std::max(outcome.bytes.value_or(0), *one.process_bytes);
@@ -89,12 +89,15 @@ Contest measure(const Task& task, const std::vector<Contestant>& contestants, co
   const auto hold_round = [&](int round) {
     for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
       const std::size_t i = (turn + static_cast<std::size_t>(round)) % contestants.size();
-      if (contest.outcomes[i].failure.empty()) run(contestants[i], points, task.alpha, nullptr, contest.outcomes[i]);
+      Outcome& outcome = contest.outcomes[i];
+      if (outcome.failure.empty() && (outcome.seconds.of.empty() || outcome.seconds.sum() <= settings.patience))
+        run(contestants[i], points, task.alpha, nullptr, outcome, settings.by_processor);
     }
   };
   if (settings.warm) {
     hold_round(0);
-    for (Outcome& outcome : contest.outcomes) outcome.seconds.of.clear();
+    for (Outcome& outcome : contest.outcomes)
+      if (outcome.seconds.sum() <= settings.patience) outcome.seconds.of.clear();
   }
   for (int round = 0; round < settings.runs; ++round) hold_round(round);
   for (std::size_t i = 1; i < contestants.size(); ++i)

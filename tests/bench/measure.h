@@ -15,9 +15,10 @@ namespace rbpa_bench {
 
 struct Settings {
   int runs = 5;
-  bool warm = false;     ///< one more round before, which does not count
-  bool check = false;    ///< compare the triangles themselves, not only their number
-  double patience = 60;  ///< seconds after which a contestant is not run again
+  bool warm = false;          ///< one more round before, which does not count
+  bool check = false;         ///< compare the triangles themselves, not only their number
+  bool by_processor = false;  ///< seconds are those of the processor, which others on the machine disturb less
+  double patience = 60;       ///< seconds after which a contestant is not run again
 };
 
 struct Task {

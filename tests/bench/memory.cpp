@@ -25,18 +25,17 @@ bool reset_peak() {
   return control.good();
 }
 
-std::optional<double> measure(const std::function<void()>& prepare, const std::function<void()>& work) {
-  prepare();
+}  // namespace
+
+std::optional<double> rise_of_peak(const std::function<void()>& work) {
   malloc_trim(0);  // or the work would be given pages that are resident already
-  if (!reset_peak()) return std::nullopt;
+  const bool is_reset = reset_peak();
   const std::optional<double> before = status_bytes("VmRSS");
   work();
   const std::optional<double> peak = status_bytes("VmHWM");
-  if (!before || !peak) return std::nullopt;
+  if (!is_reset || !before || !peak) return std::nullopt;
   return *peak - *before;
 }
-
-}  // namespace
 
 std::optional<double> resident_bytes() { return status_bytes("VmRSS"); }
 
@@ -49,7 +48,8 @@ std::optional<double> peak_bytes(const std::function<void()>& prepare, const std
     close(ends[0]);
     bool told = false;
     try {
-      if (const std::optional<double> bytes = measure(prepare, work))
+      prepare();
+      if (const std::optional<double> bytes = rise_of_peak(work))
         told = write(ends[1], &*bytes, sizeof(double)) == sizeof(double);
     } catch (...) {  // nothing is told
     }

@@ -6,6 +6,10 @@
 
 namespace rbpa_bench {
 
+/// Calls work(). By how many bytes the resident memory of this process rose at most above what it was before. Absent
+/// where the system does not tell.
+std::optional<double> rise_of_peak(const std::function<void()>& work);
+
 /// Forks; the child calls prepare(), then work(), and tells by how many bytes its resident memory rose at most above
 /// what it was in between. Absent where the child fails or the system does not tell.
 std::optional<double> peak_bytes(const std::function<void()>& prepare, const std::function<void()>& work);

@@ -11,14 +11,16 @@ struct Report {
   std::string text;  ///< standard output and standard error
 };
 
-Report report(const std::string& arguments) {
-  FILE* const pipe = popen(("'" RBPA_BENCH_REPORT "' " + arguments + " 2>&1").c_str(), "r");
+Report run(const std::string& program, const std::string& arguments) {
+  FILE* const pipe = popen(("'" + program + "' " + arguments + " 2>&1").c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string text;
   char part[4096];
   for (std::size_t size; (size = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, size);
   return {WEXITSTATUS(pclose(pipe)), text};
 }
+
+Report report(const std::string& arguments) { return run(RBPA_BENCH_REPORT, arguments); }
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
@@ -59,4 +61,29 @@ TEST_CASE("an argument that is none is refused with the usage") {
     CHECK(refused.code == 2);
     CHECK(refused.text.find(std::string("found '") + argument + "'\nusage: ") != std::string::npos);
   }
+}
+
+TEST_CASE("cold runs have every set in every contestant, the same triangles and targets") {
+  const Report all = run(RBPA_BENCH_COLD, "--points=400 --runs=1");
+  CHECK(all.code == 0);
+  CHECK(all.text.find("**wrong**") == std::string::npos);
+  CHECK(all.text.find("| points | number | rbpa | rbpa 2 threads | arrays |") != std::string::npos);
+  for (const char* set : {"uniform", "jittered", "grid", "lidar lines", "clusters", "Kuzmin"}) {
+    CAPTURE(set);
+    CHECK(count(all.text, std::string("| ") + set + " | 400 |") == 3);
+    CHECK(count(all.text, std::string("| ") + set + ": CGAL points / arrays ≥ ") == 1);
+  }
+  CHECK(run(RBPA_BENCH_COLD, "--points=none").code == 2);
+}
+
+TEST_CASE("slow paths are at least eighty sets, on which rbpa, hrbpa and CGAL find as many triangles") {
+  const Report all = run(RBPA_BENCH_SLOW_PATHS, "--points=500 --runs=1");
+  CHECK(all.code == 0);
+  CHECK(all.text.find("### 500 points") != std::string::npos);
+  CHECK(all.text.find("### 40 points") != std::string::npos);
+  const std::size_t lines_beside_the_sets = 24;
+  CHECK(count(all.text, "\n") > 2 * 80 + lines_beside_the_sets);
+  CHECK(count(all.text, "**wrong**") == 0);
+  CHECK(count(all.text, "**failed**") == 0);
+  CHECK(count(all.text, "times as long as uniform") == 4);
 }

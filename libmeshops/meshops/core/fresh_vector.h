@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -23,11 +25,16 @@ struct FreshAllocator {
   FreshAllocator(const FreshAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    T* const memory = std::allocator<T>().allocate(count);
-    prefer_large_pages(memory, count * sizeof(T));
-    return memory;
+    if (count < large_page / sizeof(T)) return std::allocator<T>().allocate(count);
+    const std::size_t bytes = whole_pages(count);
+    void* const memory = ::operator new(bytes, std::align_val_t(large_page));
+    prefer_large_pages(memory, bytes);
+    return static_cast<T*>(memory);
   }
-  void deallocate(T* memory, std::size_t count) { std::allocator<T>().deallocate(memory, count); }
+  void deallocate(T* memory, std::size_t count) {
+    if (count < large_page / sizeof(T)) return std::allocator<T>().deallocate(memory, count);
+    ::operator delete(memory, whole_pages(count), std::align_val_t(large_page));
+  }
 
   template <typename U>
   void construct(U*) {}
@@ -37,6 +44,13 @@ struct FreshAllocator {
   }
 
   friend bool operator==(const FreshAllocator&, const FreshAllocator&) { return true; }
+
+ private:
+  /// Bytes for so many elements, up to the end of a large page: it is had whole.
+  static std::size_t whole_pages(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_array_new_length();
+    return (count * sizeof(T) + large_page - 1) / large_page * large_page;
+  }
 };
 
 template <typename T>

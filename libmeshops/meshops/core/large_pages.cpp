@@ -10,10 +10,11 @@ namespace meshops {
 
 void prefer_large_pages([[maybe_unused]] const void* begin, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-  if (bytes < 4 * page) return;
+  constexpr std::uintptr_t page = large_page;
+  if (bytes < page) return;
   const auto address = reinterpret_cast<std::uintptr_t>(begin);
   const std::uintptr_t first = (address + page - 1) / page * page, last = (address + bytes) / page * page;
+  if (first >= last) return;
   // Refusal is no failure: the memory is as good, and slower.
   static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));
 #endif

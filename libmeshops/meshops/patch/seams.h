@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "meshops/patch/patch.h"
 
 namespace meshops {
@@ -49,8 +50,9 @@ class Seams {
 
   /// Frees the memory; nothing has begun.
   void end() {
-    seams_ = {};
-    first_ = {};
+    // Assigned braces would keep it.
+    seams_ = std::vector<Seam>();
+    first_ = FreshVector<int>();
   }
 
  private:
@@ -60,7 +62,7 @@ class Seams {
     int next;
   };
   std::vector<Seam> seams_;
-  std::vector<int> first_;  // of each site
+  FreshVector<int> first_;  // of each site
 };
 
 }  // namespace meshops

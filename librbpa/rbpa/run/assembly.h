@@ -47,16 +47,17 @@ class Assembly {
   template <typename Built>
   void finish(Built&& built) {
     complex_.isolated = isolated(built);
-    const std::vector<meshops::Site> site = std::forward<Built>(built).finish();
+    std::vector<meshops::Site> site = std::forward<Built>(built).finish();
     const auto index = sites_.input_index();
-    complex_.input_index.resize(site.size());
     for_each_part(threads_, site.size(), vertices_at_a_time, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const Point at = sites_.at(site[v]);
-        complex_.input_index[v] = index[site[v]];
         complex_.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {at.x, at.y, 0.0});
+        site[v] = index[site[v]];
       }
     });
+    complex_.input_index = std::move(site);  // it has the indices now
+    complex_.input_index.shrink_to_fit();
   }
 
  private:

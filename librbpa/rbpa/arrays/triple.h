@@ -1,0 +1,45 @@
+// What: a triangle as three numbers of points, the smallest first, and where it stood in a list.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "meshops/patch/patch.h"
+
+namespace rbpa {
+
+using Triple = std::array<std::uint32_t, 3>;
+
+/// A triangle, and its place in a list.
+struct NumberedTriple {
+  Triple corners;
+  std::uint32_t number;
+};
+
+/// The names of a triangle's corners, turned so that the least comes first. Which is the least is a toss of a coin, so
+/// that nothing branches.
+inline Triple from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
+  const std::uint32_t a = names[corner[0]], b = names[corner[1]], c = names[corner[2]];
+  const std::uint32_t b_first = (b < a) & (b < c), c_first = (c < a) & (c < b);
+  const std::uint32_t turn_by_1 = -b_first, turn_by_2 = -c_first;  // all bits, or none
+  const std::uint32_t first = a ^ ((a ^ b) & turn_by_1) ^ ((a ^ c) & turn_by_2),
+                      second = b ^ ((b ^ c) & turn_by_1) ^ ((b ^ a) & turn_by_2);
+  return {first, second, a ^ b ^ c ^ first ^ second};
+}
+
+/// Calls visit(Triple) for each triangle of a patch, in order.
+template <typename Visit>
+void for_each_triple(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
+  constexpr std::size_t ahead = 32;  // names are asked for that long before
+  const std::size_t count = patch.triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    for (const meshops::Site corner : patch.triangles[std::min(t + ahead, count - 1)])
+      __builtin_prefetch(&names[corner]);
+    visit(from_least(names, patch.triangles[t]));
+  }
+}
+
+}  // namespace rbpa
