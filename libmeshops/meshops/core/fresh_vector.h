@@ -33,7 +33,7 @@ struct FreshAllocator {
   }
   void deallocate(T* memory, std::size_t count) {
     if (count < large_page / sizeof(T)) return std::allocator<T>().deallocate(memory, count);
-    ::operator delete(memory, whole_pages(count), std::align_val_t(large_page));
+    ::operator delete(memory, std::align_val_t(large_page));  // clang 14 has no delete with a size
   }
 
   template <typename U>
