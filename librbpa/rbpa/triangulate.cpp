@@ -35,13 +35,11 @@ struct Run {
       if (options.progress && !options.progress({list.size(), sites.size()})) throw Cancelled();
     };
     using Place = TriangleList::Place;
-    const meshops::Patch rest =
-        for_each_patch<Place>(
-            sites, Radius::of(alpha), threads,
-            [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
-            [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
-            [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false)
-            .patch;
+    const meshops::Patch rest = for_each_patch<Place>(
+        sites, Radius::of(alpha), threads,
+        [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
+        [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
+        [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false);
     Place place;
     list.prepare(rest, place);
     list.place(rest, place);
