@@ -16,12 +16,12 @@ meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, mes
                                    Threads& threads, Report& report) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());
   using meshops::Placement;
-  const OutlinedPatch rest = for_each_patch<Placement>(
+  const meshops::Patch rest = for_each_patch<Placement>(
       sites, radius, threads, [](const TilePatch&, Placement&) {},
       [&](const TilePatch& tile, Placement& placement) { assembler.place(tile.patch, tile.outline, placement); },
       [&](const TilePatch& tile, Placement& placement) { assembler.fill(tile.patch, tile.outline, placement); },
       [&] { report.worked(assembler.faces()); });
-  assembler.lay(rest.patch, rest.outline);
+  assembler.lay(rest);
   report.worked(assembler.faces());
   auto assembled = std::move(assembler).join();
   report.completed(assembled.mesh());

@@ -26,13 +26,10 @@ void find_triangles(const Sites& sites, double alpha, const std::function<bool(c
     if (progress && !progress({list.size(), sites.size()})) throw Cancelled();
   };
   using Place = typename List::Place;
-  const meshops::Patch rest =
-      for_each_patch<Place>(
-          sites, Radius::of(alpha), threads,
-          [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
-          [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
-          [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false)
-          .patch;
+  const meshops::Patch rest = for_each_patch<Place>(
+      sites, Radius::of(alpha), threads, [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
+      [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
+      [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false);
   Place place;
   list.prepare(rest, place);
   list.place(rest, place);

@@ -80,11 +80,9 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
     assembler.fill(patch, outline, placement);
     watch.lap(fill);
   }
-  meshops::Patch missing;
-  meshops::Outline outline_of_missing;
-  remainder.complete(missing, outline_of_missing, threads, [] {});
+  const meshops::Patch missing = remainder.complete(threads, [] {});
   watch.lap(complete);
-  assembler.lay(missing, outline_of_missing);
+  assembler.lay(missing);
   meshops::AssembledPatches assembled = std::move(assembler).join();
   watch.lap(join);
   assembly.finish(std::move(assembled));

@@ -20,11 +20,9 @@ std::vector<Triangle> triangles_of(const Points& points) {
   std::vector<rbpa::SitePoint> places;
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (lowest[i] == i) places.push_back({points[i], i});
-  meshops::Patch patch;
-  meshops::Outline outline;
   rbpa::Threads threads;
-  rbpa::divide_and_conquer<double>(
-      places, [](const auto&...) { return 0; }, threads, patch, outline);
+  const meshops::Patch patch = rbpa::divide_and_conquer<double>(
+      places, [](const auto&...) { return 0; }, threads);
   std::vector<Triangle> found;
   for (const auto& t : patch.triangles)
     found.push_back(

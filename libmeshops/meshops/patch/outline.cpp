@@ -1,6 +1,7 @@
 #include "meshops/patch/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -16,7 +17,9 @@ int last(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 class Surveyor {
  public:
   explicit Surveyor(const Patch& patch)
-      : patch_(patch), sides_(static_cast<int>(3 * patch.triangles.size())), seen_(3 * patch.triangles.size()) {}
+      : across_(reinterpret_cast<const int*>(patch.across.data())),
+        sides_(static_cast<int>(3 * patch.triangles.size())),
+        seen_(3 * patch.triangles.size()) {}
 
   void survey(Outline& outline) {
     for (int s = 0; s < sides_; ++s) {
@@ -34,10 +37,7 @@ class Surveyor {
   }
 
  private:
-  int across(int side) const {
-    const auto s = static_cast<std::size_t>(side);
-    return patch_.across[s / 3][s % 3];
-  }
+  int across(int side) const { return across_[side]; }
   bool comes_first(int side) const { return side < across(side); }
 
   /// Where the triangles at the beginning of the side close: of their sides out of there that come first, the last.
@@ -55,7 +55,8 @@ class Surveyor {
   /// The next side out of the same site; negative beyond the last.
   int next_out(int side) const { return across(last(side)); }
 
-  const Patch& patch_;
+  static_assert(sizeof(std::array<int, 3>) == 3 * sizeof(int));
+  const int* across_;  // of each side
   int sides_;
   std::vector<bool> seen_;  // of each side that does not lie at the rim
 };

@@ -52,9 +52,9 @@ class DivideAndConquer {
   DivideAndConquer(std::span<SitePoint> places, Threads& threads, const std::function<void()>& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
 
-  void run(const Fate& fate, meshops::Patch& patch, meshops::Outline& outline) {
+  void run(const Fate& fate, meshops::Patch& patch) {
     const Part all = triangulate(0, places_.size());
-    extract(all.first_x, fate, patch, outline);
+    extract(all.first_x, fate, patch);
   }
 
  private:
@@ -217,11 +217,10 @@ class DivideAndConquer {
   };
 
   /// Loops have no branch that could not be foreseen, and read what is still at hand.
-  void extract(Corner on_hull, const Fate& fate, meshops::Patch& patch, meshops::Outline& outline) {
+  void extract(Corner on_hull, const Fate& fate, meshops::Patch& patch) {
     open_hull(on_hull);
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
-    corners_.resize(2 * places_.size());
     std::size_t kept = 0;
     in_order<Found>(
         threads_, (edges_.size() + edges_at_once - 1) / edges_at_once,
@@ -233,33 +232,10 @@ class DivideAndConquer {
         [&](std::size_t, const Found& found) { enter(found, patch); });
     patch.triangles.resize(kept);
     patch.across.resize(kept);
-    corners_.resize(kept);
     for_each_part(threads_, kept, triangles_at_once, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         for (int& side : patch.across[t]) side = edges_.number(sym(static_cast<Edge>(side)));
     });
-    tell_outline(patch, outline);
-  }
-
-  /// In the plane triangles close around a corner if none of its sides lies at the rim or at a hole.
-  void tell_outline(const meshops::Patch& patch, meshops::Outline& outline) const {
-    constexpr int nowhere = -1, open = std::numeric_limits<int>::max();
-    std::vector<int> last_out(places_.size(), nowhere);  // of each corner, of the sides out of it that come first
-    int side = 0;
-    for (std::size_t t = 0; t < corners_.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i, ++side) {
-        const int across = patch.across[t][i];
-        int& last = last_out[corners_[t][i]];
-        if (across < 0) {
-          (across == meshops::Patch::nothing ? outline.holes : outline.rim).push_back(side);
-          last = last_out[corners_[t][(i + 1) % 3]] = open;
-        } else {
-          last = std::max(last, side < across ? side : nowhere);
-        }
-      }
-    for (const int last : last_out)
-      if (last != nowhere && last != open) outline.inside.push_back(last);
-    for (const int hole : outline.holes) outline.next_hole.push_back(next_hole(patch, hole));
   }
 
   void find(std::size_t first, const Fate& fate, Found& found) {
@@ -288,7 +264,6 @@ class DivideAndConquer {
   void enter(const Found& found, meshops::Patch& patch) {
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t t = found.first + k;
-      corners_[t] = found.corners[k];
       for (std::size_t i = 0; i < 3; ++i) {
         patch.triangles[t][i] = places_[found.corners[k][i]].site;
         patch.across[t][i] = static_cast<int>(found.edges[k][i]);
@@ -304,7 +279,6 @@ class DivideAndConquer {
   static constexpr std::size_t min_for_threads = 10000;  // a millisecond or two
   std::span<SitePoint> places_;
   QuadEdges edges_;
-  std::vector<std::array<Corner, 3>> corners_;  // of the triangles of the patch
   std::vector<Edge> hull_;  // of a corner that is extreme, the edge of the hull that leaves it counter-clockwise
   Threads& threads_;
   Steps steps_;
@@ -313,17 +287,16 @@ class DivideAndConquer {
 }  // namespace
 
 template <typename Real>
-void divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
-                        meshops::Outline& outline, const std::function<void()>& working) {
-  patch.clear();
-  outline.clear();
-  if (places.size() < 3) return;
-  DivideAndConquer<Real>(places, threads, working).run(fate, patch, outline);
+meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads,
+                                  const std::function<void()>& working) {
+  meshops::Patch patch;
+  if (places.size() >= 3) DivideAndConquer<Real>(places, threads, working).run(fate, patch);
+  return patch;
 }
 
-template void divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&, meshops::Patch&,
-                                         meshops::Outline&, const std::function<void()>&);
-template void divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&, meshops::Patch&,
-                                              meshops::Outline&, const std::function<void()>&);
+template meshops::Patch divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&,
+                                                   const std::function<void()>&);
+template meshops::Patch divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&,
+                                                        const std::function<void()>&);
 
 }  // namespace rbpa

@@ -10,7 +10,6 @@
 #include <functional>
 #include <span>
 
-#include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
 #include "rbpa/divide/halve.h"
 #include "rbpa/parallel/threads.h"
@@ -22,13 +21,12 @@ namespace rbpa {
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
-/// all points are on a line. Replaces `patch` and its outline, and puts the places in another order.
+/// all points are on a line. Puts the places in another order.
 /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
 /// Requires: distinct points, no more than rbpa() takes, whose predicates `Real` can decide: double where they fit
 ///           (fits_double()), long double wherever they are.
 template <typename Real>
-void divide_and_conquer(
-    std::span<SitePoint> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
-    const std::function<void()>& working = [] {});
+meshops::Patch divide_and_conquer(
+    std::span<SitePoint> places, const Fate& fate, Threads& threads, const std::function<void()>& working = [] {});
 
 }  // namespace rbpa

@@ -35,7 +35,7 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
   const Window& window = sites_.window();
   const Radius all = ladder_.radius(ladder_.end());
   assembler.reserve(3 * sites_.size(), 2 * sites_.size());
-  const OutlinedPatch rest = for_each_patch<Share>(
+  const meshops::Patch rest = for_each_patch<Share>(
       sites_, all, threads_,
       [&](const TilePatch& tile, Share& share) {
         share.levels.part(tile.patch, points, ladder_, window);
@@ -50,12 +50,9 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
       },
       [&] { report_.worked(assembler.faces()); });
   LevelPatch levels;
-  levels.part(rest.patch, sites_, ladder_);
+  levels.part(rest, sites_, ladder_);
   report_.worked(assembler.faces());
-  if (levels.later.empty())
-    assembler.lay(rest.patch, rest.outline);
-  else
-    assembler.lay(levels.first);
+  assembler.lay(levels.later.empty() ? rest : levels.first);
   waiting_.add(levels.later);
   report_.worked(assembler.faces());
   waiting_.sort(ladder_.end());

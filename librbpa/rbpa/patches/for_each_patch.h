@@ -9,7 +9,6 @@
 
 #include <utility>
 
-#include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
 #include "rbpa/patches/find_patch.h"
 #include "rbpa/remainder/remainder.h"
@@ -17,18 +16,13 @@
 
 namespace rbpa {
 
-struct OutlinedPatch {
-  meshops::Patch patch;
-  meshops::Outline outline;
-};
-
 /// Calls for the patch of each tile, a TilePatch: prepare(patch, share) in any thread; place(patch, share) in order and one
 /// at a time; fill(patch, share) in any thread. A Share is one tile's at a time, and is used again for others.
 /// Calls working() now and then, in any thread and one at a time; any of these may throw to end it.
 /// Returns: what tiles leave over, to be put beside the others.
 template <typename Share, typename Prepare, typename Place, typename Fill, typename Working>
-OutlinedPatch for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Prepare prepare, Place place,
-                             Fill fill, Working working, bool with_outline = true) {
+meshops::Patch for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Prepare prepare, Place place,
+                              Fill fill, Working working, bool with_outline = true) {
   struct Workspace {
     FinderWorkspace finder;
     TilePatch found;
@@ -49,9 +43,7 @@ OutlinedPatch for_each_patch(const Sites& sites, const Radius& alpha, Threads& t
         working();
       },
       [&](Workspace& w) { fill(std::as_const(w.found), w.share); });
-  OutlinedPatch rest;
-  remainder.complete(rest.patch, rest.outline, threads, working);
-  return rest;
+  return remainder.complete(threads, working);
 }
 
 }  // namespace rbpa

@@ -45,8 +45,7 @@ std::vector<Remainder::Corners> Remainder::found_without_settled() const {
   return found;
 }
 
-void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
-                         const std::function<void()>& working) const {
+meshops::Patch Remainder::complete(Threads& threads, const std::function<void()>& working) const {
   // Where all sites fit double they are seen as the grid has them, and else as they were given.
   const bool fits = sites_.beyond().empty();
   const auto points = sites_.grid().points();
@@ -65,7 +64,7 @@ void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threa
     return std::binary_search(found.begin(), found.end(), corners) ? meshops::Patch::open : 0;
   };
   const auto divide = fits ? divide_and_conquer<double> : divide_and_conquer<long double>;
-  divide(places, fate, threads, patch, outline, working);
+  return divide(places, fate, threads, working);
 }
 
 }  // namespace rbpa

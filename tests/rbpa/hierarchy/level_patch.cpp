@@ -40,11 +40,8 @@ Patch delaunay_patch(const Points& points) {
   std::vector<rbpa::SitePoint> places;
   for (const rbpa::Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads one;
-  Patch patch;
-  meshops::Outline outline;
-  rbpa::divide_and_conquer<double>(
-      places, [](const auto&...) { return 0; }, one, patch, outline);
-  return patch;
+  return rbpa::divide_and_conquer<double>(
+      places, [](const auto&...) { return 0; }, one);
 }
 
 void check_parts(const Points& points, double least) {

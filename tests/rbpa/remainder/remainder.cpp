@@ -88,10 +88,8 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   counts.not_done += not_done.size();
   counts.told += told.size();
 
-  Patch patch;
   rbpa::Threads threads;
-  meshops::Outline outline;
-  remainder.complete(patch, outline, threads, [] {});
+  const Patch patch = remainder.complete(threads, [] {});
   counts.added += patch.triangles.size();
   if (patch.across.size() != patch.triangles.size()) return "sizes";
   std::set<Triangle> all = told;
@@ -212,10 +210,8 @@ TEST_CASE("what is thrown while the remainder is completed reaches the caller") 
   rbpa::Threads one;
   const rbpa::Sites sites(points, one);
   Remainder remainder(sites, Radius());
-  Patch patch;
   rbpa::Threads threads;
-  meshops::Outline outline;
-  CHECK_THROWS_AS(remainder.complete(patch, outline, threads, [] { throw std::string("stop"); }), std::string);
+  CHECK_THROWS_AS(remainder.complete(threads, [] { throw std::string("stop"); }), std::string);
 }
 
 TEST_SUITE_END();
