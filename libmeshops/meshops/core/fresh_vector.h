@@ -1,6 +1,6 @@
 // What: a vector for large arrays that are written before they are read.
 // Law:  elements that resize() adds have no value until one is written: no time is spent on zeros, and threads can share
-//       the first touch of the memory. Large ones ask for large pages.
+//       the first touch of the memory. Large ones begin and end with a large page, where the system has them.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct FreshAllocator {
   }
   void deallocate(T* memory, std::size_t count) {
     if (count < large_page / sizeof(T)) return std::allocator<T>().deallocate(memory, count);
-    ::operator delete(memory, whole_pages(count), std::align_val_t(large_page));
+    ::operator delete(memory, std::align_val_t(large_page));
   }
 
   template <typename U>
