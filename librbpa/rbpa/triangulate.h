@@ -59,8 +59,8 @@ struct Triangulation {
 };
 
 /// Requires and throws: as rbpa().
-/// Cost:     about linear. At most 90 bytes a point beyond the input and the result's own, see docs/performance.md; the
-///           full complex takes what the Delaunay triangulation does.
+/// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbours or
+///           boundary 120 (docs/performance.md); the full complex takes what the Delaunay triangulation does with neighbours.
 RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
                                    const TriangulationOptions& options = {});
 

@@ -170,14 +170,18 @@ std::vector<std::vector<typename CanonicalOrder<Item>::Run>> CanonicalOrder<Item
 template <typename Item>
 void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners,
                                 Workspace& workspace) const {
-  auto& [rests, next, triples, numbers, count] = workspace;
-  count = 0;
+  auto& rests = workspace.rests;
+  auto& next = workspace.next;
+  auto& triples = workspace.triples;
+  auto& numbers = workspace.numbers;
+  std::size_t count = 0;
   for (const Run& run : bucket) count += run.count;
   if (triples.size() < count + max_network) {
     rests.resize(count + max_network);
     triples.resize(count + max_network);
     if constexpr (std::is_same_v<Item, NumberedTriple>) numbers.resize(count + max_network);
   }
+  workspace.count = count;
   next.assign(corners + 1, 0);
   for (std::size_t r = 0; r < bucket.size(); ++r) {
     const auto& [items, size] = bucket[r];
