@@ -22,15 +22,14 @@ struct Block {
 };
 
 /// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
-/// `most_points`.
-std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points);
+/// `max_points`.
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
 /// Cuts tiles out of a grid, one after another with the same memory.
 class Cutter {
  public:
   /// Keeps references. Where a hidden point lies, and beyond it, a tile does not know what there is.
-  explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden())
-      : grid_(grid), hidden_(hidden) {}
+  explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
   /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
   /// points than a tile can have gives an empty tile.
@@ -53,7 +52,7 @@ class Cutter {
     std::uint32_t first, last;
   };
   std::vector<Range> sites_;
-  std::size_t own_ = 0, all_ = 0;  // how many they are; the first are the tile's own
+  std::size_t owned_ = 0, all_ = 0;  // how many they are; those the tile owns come first
   std::vector<std::uint32_t> cell_of_, count_;
   std::vector<std::uint8_t> unknown_;
   bool any_unknown_ = false;

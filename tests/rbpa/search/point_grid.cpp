@@ -111,7 +111,7 @@ void check_bookkeeping(const Set& set) {
     const auto [first, is_new] = lowest.try_emplace(set.points[i], i);
     if (!is_new) expected.emplace_back(i, first->second);
   }
-  for (const auto& r : grid.repetitions()) repetitions.emplace_back(r.index, r.stands_for);
+  for (const auto& r : grid.duplicates()) repetitions.emplace_back(r.index, r.stands_for);
   CHECK(repetitions == expected);
   REQUIRE(grid.points().size() == lowest.size());
   REQUIRE(grid.input_index().size() == lowest.size());
@@ -144,7 +144,8 @@ TEST_CASE("no two points are farther apart than the diameter bound") {
     Random random(42);
     for (int trial = 0; trial < 200 && !set.points.empty(); ++trial) {
       const Point p = set.points[random.below(set.points.size())], q = set.points[random.below(set.points.size())];
-      CHECK(std::hypot(static_cast<long double>(p.x) - q.x, static_cast<long double>(p.y) - q.y) <= grid.diameter_bound());
+      CHECK(std::hypot(static_cast<long double>(p.x) - q.x, static_cast<long double>(p.y) - q.y) <=
+            grid.diameter_bound());
     }
   }
 }
