@@ -38,9 +38,7 @@ struct Report {
 ComplexKind parse_complex(const AlphaArguments& arguments) {
   if (!arguments.complex) return ComplexKind::solid;
   if (!arguments.persistence) throw WrongUsage("--complex: found no --persistence, which is what it is about");
-  if (*arguments.complex == "solid") return ComplexKind::solid;
-  if (*arguments.complex == "full") return ComplexKind::full;
-  throw WrongUsage("--complex: found " + in_quotes(*arguments.complex) + ", expected solid or full");
+  return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
 }
 
 Report examine(const std::vector<Point>& points, std::size_t most_components, const AlphaArguments& arguments,

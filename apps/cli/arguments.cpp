@@ -15,14 +15,13 @@ namespace {
 template <typename Format>
 std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(std::string_view),
                                          std::string_view known_formats, const std::vector<std::string>& paths,
-                                         const std::optional<std::string>& format,
-                                         const std::vector<std::string>& reports, const std::string& points) {
+                                         const std::optional<std::string>& format, bool any_report) {
   std::optional<Format> otherwise;
   if (format) {
     otherwise = known_format(*format);
     if (!otherwise) refuse_name("--output-format", *format, known_formats);
   }
-  if (paths.empty() && reports.empty()) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  if (paths.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<TargetOf<Format>> targets;
   for (const std::string& path : paths) {
     if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
@@ -33,11 +32,39 @@ std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(s
     if (!known) refuse_ending(path, known_formats, "--output-format");
     targets.push_back({path, *known});
   }
+  return targets;
+}
 
-  std::vector<std::string> files = paths;
+template <typename Format>
+void require_different_files(const std::vector<TargetOf<Format>>& targets, const std::vector<std::string>& reports,
+                             const std::string& points) {
+  std::vector<std::string> files;
+  for (const TargetOf<Format>& target : targets) files.push_back(target.path);
   files.insert(files.end(), reports.begin(), reports.end());
   require_different(files, points, "points");
-  return targets;
+}
+
+/// "m.npy" is "m.edges.npy", whatever its ending was.
+std::string beside(const std::string& path, const std::string& part) {
+  const std::size_t size = output_format(ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
+  return path.substr(0, size) + "." + part + ".npy";
+}
+
+/// The same where edges and points are written as well: an array of each has a file of its own.
+std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
+  std::vector<Target> all;
+  for (const Target& target : targets) {
+    if (target.format == OutputFormat::off || target.format == OutputFormat::ply)
+      throw WrongUsage(target.path + ": found --complex full, expected one of " + std::string(full_output_formats) +
+                       ", which have a place for edges and points in no triangle");
+    all.push_back(target);
+    if (target.format != OutputFormat::npy) continue;
+    if (target.path == "-")
+      throw WrongUsage("-o -: found --complex full, which makes three .npy files, expected the name of one");
+    all.push_back({beside(target.path, "edges"), OutputFormat::npy_edges});
+    all.push_back({beside(target.path, "points"), OutputFormat::npy_points});
+  }
+  return all;
 }
 
 }  // namespace
@@ -78,15 +105,33 @@ PointSource parse_source(const std::string& path, const std::optional<std::strin
   return source;
 }
 
+bool parse_is_full(const std::string& complex) {
+  if (complex != "solid" && complex != "full")
+    throw WrongUsage("--complex: found " + in_quotes(complex) + ", expected solid or full");
+  return complex == "full";
+}
+
+std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports) {
+  std::vector<std::string> paths;
+  for (const auto& report : reports)
+    if (report) paths.push_back(*report);
+  return paths;
+}
+
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                  const std::vector<std::string>& reports, const std::string& points) {
-  return targets_of(output_format, output_formats, paths, format, reports, points);
+                                  const std::vector<std::string>& reports, const std::string& points, Complex complex) {
+  std::vector<Target> targets = targets_of(output_format, output_formats, paths, format, !reports.empty());
+  if (complex == Complex::full) targets = with_edges_and_points(targets);
+  require_different_files(targets, reports, points);
+  return targets;
 }
 
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
                                              const std::vector<std::string>& reports, const std::string& points) {
-  return targets_of(shape_format, shape_formats, paths, format, reports, points);
+  const std::vector<ShapeTarget> targets = targets_of(shape_format, shape_formats, paths, format, !reports.empty());
+  require_different_files(targets, reports, points);
+  return targets;
 }
 
 }  // namespace rbpa::app

@@ -8,6 +8,7 @@
 #include "cli/pixel_arguments.h"
 #include "io/formats.h"
 #include "io/read_points.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa::app {
 
@@ -21,6 +22,9 @@ double parse_area(const std::string& option, const std::string& text);
 /// Pixels that a picture can be wide.
 int parse_width(const std::string& text);
 
+/// "solid" or "full".
+bool parse_is_full(const std::string& complex);
+
 template <typename Format>
 struct TargetOf {
   std::string path;
@@ -29,10 +33,13 @@ struct TargetOf {
 using Target = TargetOf<OutputFormat>;
 using ShapeTarget = TargetOf<ShapeFormat>;
 
+/// Those that the command line names.
+std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
+
 /// Formats by the endings; one without a known ending takes `format`. No two targets may be the same file, nor the
-/// points or `reports`.
+/// points or `reports`. Of the full complex m.npy is three targets: m.npy, m.edges.npy, m.points.npy.
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                  const std::vector<std::string>& reports, const std::string& points);
+                                  const std::vector<std::string>& reports, const std::string& points, Complex complex);
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
                                              const std::vector<std::string>& reports, const std::string& points);

@@ -1,7 +1,6 @@
 #include "cli/build.h"
 
 #include "cli/progress.h"
-#include "rbpa/collinear.h"
 
 namespace rbpa::app {
 
@@ -15,10 +14,11 @@ SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const Ru
   return rbpa(points, alpha, {.search = search, .threads = run.threads, .progress = progress.watch()});
 }
 
-std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha) {
-  if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
-  if (are_collinear(points)) return "all points are collinear";
-  return "no triangle has circumradius <= " + alpha;
+Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,
+                           const RunOptions& run) {
+  TriangleProgress progress(!run.quiet);
+  return triangulate(points, alpha,
+                     {.complex = kind, .neighbors = neighbors, .threads = run.threads, .progress = progress.watch()});
 }
 
 }  // namespace rbpa::app

@@ -1,12 +1,12 @@
-// What: the points and the complex of a run, watched: progress on a terminal, Ctrl-C heard, and in words why it is empty.
+// What: the points and the complex of a run, watched: progress on a terminal, Ctrl-C heard.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "cli/run_options.h"
 #include "io/read_points.h"
 #include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa::app {
 
@@ -17,7 +17,8 @@ std::vector<Point> read(const PointSource& source, bool quiet);
 SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run,
                         Search search = Search::near_to_far);
 
-/// Why the complex of these points has no triangle. `alpha` as the user wrote it.
-std::string reason_for_empty(const std::vector<Point>& points, std::size_t distinct, const std::string& alpha);
+/// triangulate(), with neighbours if asked for, and a progress line unless quiet. Throws Cancelled after a signal.
+Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,
+                           const RunOptions& run);
 
 }  // namespace rbpa::app

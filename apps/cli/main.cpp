@@ -9,13 +9,13 @@
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
-#include "cli/narrow_help.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
 #include "io/descriptor.h"
-#include "io/exit_code.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "program/exit_code.h"
+#include "program/narrow_help.h"
 
 namespace rbpa::app {
 namespace {
@@ -38,7 +38,8 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--foreground", arguments.pixels.foreground,
                   "Pixels of an image that are points: dark or light; by default what its border mostly is not")
       ->type_name("NAME");
-  verb.add_option("--threshold", arguments.pixels.threshold, "Share of white from which on a pixel is light; 0.5 by default")
+  verb.add_option("--threshold", arguments.pixels.threshold,
+                  "Share of white from which on a pixel is light; 0.5 by default")
       ->type_name("T");
   verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
 }
@@ -67,8 +68,9 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
 
 template <typename Arguments>
 void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view formats) {
-  verb.add_option("-o,--output", arguments.outputs, "File to write, by its ending: " + std::string(formats) +
-                                               "; - is standard output; may be given several times")
+  verb.add_option("-o,--output", arguments.outputs,
+                  "File to write, by its ending: " + std::string(formats) +
+                      "; - is standard output; may be given several times")
       ->type_name("OUT")
       ->allow_extra_args(false);
   verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
@@ -83,21 +85,28 @@ void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string&
 }
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
-  CLI::App& verb = *app.add_subcommand("mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
+  CLI::App& verb = *app.add_subcommand(
+      "mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, output_formats);
-  add_switch(verb, "--compact", arguments.compact,
-             "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
+  verb.add_option("--complex", arguments.complex,
+                  "solid, or full (with the edges and points of the alpha complex that are in no triangle)")
+      ->type_name("NAME")
+      ->capture_default_str();
   add_method_options(verb, arguments.method);
-  verb.add_option("--search", arguments.method.search, "near, or paper (as it was published, slow); the result is the same")
+  verb.add_option("--search", arguments.method.search,
+                  "near, or paper (as it was published, slow); the result is the same")
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--levels", arguments.levels,
                   "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on "
                   "standard output")
       ->type_name("FILE");
-  verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
@@ -105,13 +114,17 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
+      "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
-      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n" +
+      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n"
+      "The full complex is lines f, l and p of an .obj; beside arrays.npy, which has the triangles, there are\n"
+      "arrays.edges.npy and arrays.points.npy.\n" +
       std::string(exit_codes));
 }
 
 void add_alpha(CLI::App& app, AlphaArguments& arguments) {
-  CLI::App& verb = *app.add_subcommand("alpha", "Every radius at which the complex changes, and which of them to choose");
+  CLI::App& verb =
+      *app.add_subcommand("alpha", "Every radius at which the complex changes, and which of them to choose");
   add_point_options(verb, arguments);
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
       ->type_name("K")
@@ -123,7 +136,8 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--complex", arguments.complex,
                   "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
       ->type_name("NAME");
-  verb.add_option("-o,--output", arguments.picture, "Picture to write, .svg: the counts against alpha, and the persistence")
+  verb.add_option("-o,--output", arguments.picture,
+                  "Picture to write, .svg: the counts against alpha, and the persistence")
       ->type_name("OUT");
   add_run_options(verb, arguments.run, "No progress");
   verb.footer(
@@ -136,7 +150,8 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
 }
 
 void add_shape(CLI::App& app, ShapeArguments& arguments) {
-  CLI::App& verb = *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
+  CLI::App& verb =
+      *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, shape_formats);
@@ -148,7 +163,9 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   verb.add_option("--min-part-area", arguments.min_part_area, "Drop polygons of less area, after holes are filled")
       ->type_name("A")
       ->capture_default_str();
-  verb.add_option("--width", arguments.width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
@@ -164,8 +181,10 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
   add_point_options(verb, arguments);
   add_switch(verb, "--json", arguments.json, "As JSON");
   add_switch(verb, "-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
-  verb.footer("The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
-              "Example:\n  rbpa info points.xy --json\n\n" + std::string(exit_codes));
+  verb.footer(
+      "The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
+      "Example:\n  rbpa info points.xy --json\n\n" +
+      std::string(exit_codes));
 }
 
 std::string unexpected(const std::string& word, const CLI::App& app) {
@@ -184,8 +203,9 @@ int main(int argc, char** argv) {
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
   app.require_subcommand(1);
-  app.footer("Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"
-             "`rbpa VERB --help` says more.");
+  app.footer(
+      "Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"
+      "`rbpa VERB --help` says more.");
   MeshArguments mesh;
   ShapeArguments shape;
   InfoArguments info;

@@ -1,119 +1,128 @@
 #include "cli/mesh_verb.h"
 
-#include <limits>
+#include <utility>
 
-#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
 #include "cli/levels.h"
-#include "cli/method.h"
 #include "cli/progress.h"
-#include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/message.h"
-#include "io/output_file.h"
 #include "io/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
+#include "triangulation/counts.h"
 
 namespace rbpa::app {
 namespace {
 
 bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
 
-void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const std::vector<Point>& points,
-                   const SolidAlphaComplex& complex, bool compacted, int width, bool shown) {
-  const ProgressLine line("rbpa", shown, "writing");
-  std::vector<Triangle> all;
+bool is_array(OutputFormat format) {
+  return format == OutputFormat::npy || format == OutputFormat::npy_edges || format == OutputFormat::npy_points;
+}
+
+/// Edges and points in no triangle come with the arrays, and by no other method.
+Complex parse_complex(const MeshArguments& arguments, const Method& method) {
+  if (!parse_is_full(arguments.complex)) return Complex::solid;
+  const std::string why = ", which finds edges and points in no triangle";
+  if (method.leaf_capacity) throw WrongUsage("--complex full: found --method hrbpa, expected rbpa" + why);
+  if (method.makes_mesh()) throw WrongUsage("--complex full: found --search paper, expected near" + why);
+  return Complex::full;
+}
+
+/// A complex as arrays, and as the mesh that they are from where the method makes one.
+struct Made {
+  Complex kind;
+  std::optional<Hierarchy> hierarchy = std::nullopt;
+  Triangulation arrays = {};  ///< with a mesh, without neighbours
+
+  ComplexCounts counts() const { return hierarchy ? count(hierarchy->complex) : count(arrays, kind); }
+  Drawing drawing(const std::vector<Point>& points) const {
+    return hierarchy ? drawing_of(points, hierarchy->complex) : drawing_of(points, arrays, kind);
+  }
+};
+
+/// `connected`: pictures or counts are made of it.
+Made make(const ComplexRun& run, Complex kind, bool connected) {
+  const ComplexRequest& request = run.request;
+  if (!request.method.makes_mesh())
+    return {.kind = kind, .arrays = build_arrays(run.points, run.alpha, kind, connected, request.options)};
+  Made made{.kind = kind, .hierarchy = build(run.points, run.alpha, request.method, request.options)};
+  const SolidAlphaComplex& complex = made.hierarchy->complex;
+  made.arrays.triangles = triangles(complex);
+  made.arrays.isolated = complex.isolated;
+  made.arrays.duplicates = complex.duplicates;
+  made.arrays.distinct = complex.distinct;
+  return made;
+}
+
+void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const ComplexRun& run, const Made& made,
+                   bool compacted) {
+  const ProgressLine line("rbpa", run.request.shows_writing, "writing");
+  const TriangleMesh whole{run.points, made.arrays.triangles, made.arrays.edges, made.arrays.points};
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
   for (const Target& target : targets) {
     stop_if_interrupted();
     OutputFile& file = outputs.add(target.path);
     if (is_picture(target.format)) {
-      if (!drawing) drawing = drawing_of(points, complex);
-      const Scene scene = place(*drawing, width);
+      if (!drawing) drawing = made.drawing(run.points);
+      const Scene scene = place(*drawing, run.request.width);
       target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+    } else if (compacted && !is_array(target.format)) {
+      if (!compact) compact.emplace(whole);
+      write_triangles(file, target.format, compact->mesh());
     } else {
-      if (all.empty()) all = triangles(complex);
       // An .npy file has no vertices: its indices mean input points whatever other files hold.
-      if (compacted && target.format != OutputFormat::npy) {
-        if (!compact) compact.emplace(points, all);
-        write_triangles(file, target.format, {compact->vertices, compact->triangles});
-      } else {
-        write_triangles(file, target.format, {points, all});
-      }
+      write_triangles(file, target.format, whole);
     }
     file.finish();
   }
 }
 
-std::string summary(std::size_t points, const SolidAlphaComplex& complex, const std::string& chosen_alpha,
-                    const std::vector<Target>& targets) {
-  std::string text = counted(points, "point");
-  if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
-  text +=
-      ", " + counted(complex.mesh.n_faces(), "triangle") + ", " + std::to_string(complex.isolated.size()) + " isolated";
-  return text + chosen_alpha + list_of(targets);
-}
-
-std::vector<std::string> reports(const MeshArguments& arguments) {
-  std::vector<std::string> paths;
-  for (const auto& report : {arguments.stats, arguments.levels})
-    if (report) paths.push_back(*report);
-  return paths;
+std::string said(const Made& made) {
+  const Triangulation& arrays = made.arrays;
+  std::string text = counted(arrays.triangles.size(), "triangle");
+  if (made.kind == Complex::solid) return text + ", " + std::to_string(arrays.isolated.size()) + " isolated";
+  text += ", " + counted(arrays.edges.size(), "edge") + " in no triangle";
+  return text + ", " + counted(arrays.points.size(), "point") + " in neither";
 }
 
 }  // namespace
 
 void run_mesh(const MeshArguments& arguments) {
-  const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
-  const Method method = parse_method(arguments.method);
-  const RunOptions run = parse_run(arguments.run);
+  ComplexRequest request = parse_request(arguments);
+  const Complex kind = parse_complex(arguments, request.method);
   std::optional<LevelFormat> levels;
-  if (arguments.levels) levels = parse_levels(*arguments.levels, method);
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
-  const std::vector<Target> targets =
-      parse_targets(arguments.outputs, arguments.output_format, reports(arguments), arguments.points);
-  const int width = parse_width(arguments.width);
+  if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
+  const std::vector<Target> targets = parse_targets(arguments.outputs, arguments.output_format,
+                                                    given({arguments.stats, arguments.levels}), arguments.points, kind);
+  const bool any_picture =
+      std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
 
-  Stats stats{.alpha_rule = name_of(choice.rule)};
-  Stopwatch watch;
-  const std::vector<Point> points = read(source, run.quiet);
-  stats.read_seconds = watch.lap();
-  stats.alpha = choose_alpha(choice, points, run);
-  if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
-  // Points without such a radius have no triangle at any.
-  const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
-  const Hierarchy hierarchy = build(points, alpha, method, run);
-  const SolidAlphaComplex& complex = hierarchy.complex;
-  stats.build_seconds = watch.lap();
+  ComplexRun run = begin_run(std::move(request));
+  const Made made = make(run, kind, any_picture || arguments.stats);
+  run.stats.build_seconds = run.watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, complex, arguments.compact, width,
-                !run.quiet && !written_to_terminal(arguments.outputs));
-  if (levels) write_levels(outputs.add(*arguments.levels), *levels, hierarchy, method);
-  stats.write_seconds = watch.lap();
+  write_targets(outputs, targets, run, made, arguments.compact);
+  if (levels) write_levels(outputs.add(*arguments.levels), *levels, *made.hierarchy, run.request.method);
+  run.stats.write_seconds = run.watch.lap();
   if (arguments.stats) {
-    stats.points = points.size();
-    stats.threads = threads_used(points.size(), run.threads);
-    stats.distinct = complex.distinct;
-    stats.isolated = complex.isolated.size();
-    stats.counts = count(complex);
-    stats.method = method.name();
-    OutputFile& file = outputs.add(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
+    run.stats.distinct = made.arrays.distinct;
+    run.stats.isolated = kind == Complex::full ? made.arrays.points.size() : made.arrays.isolated.size();
+    if (kind == Complex::full) run.stats.dangling_edges = made.arrays.edges.size();
+    run.stats.counts = made.counts();
   }
-  outputs.publish();
+  end_run(run, outputs);
 
-  if (complex.mesh.n_faces() == 0)
-    say("rbpa", "the complex is empty: " + reason_for_empty(points, complex.distinct, arguments.alpha));
-  if (!run.quiet) {
-    const std::string chosen_alpha = said(choice, stats.alpha);
-    say("rbpa", summary(points.size(), complex, chosen_alpha, targets));
+  if (made.arrays.triangles.empty()) {
+    const std::string what = kind == Complex::full ? "there is no triangle: " : "the complex is empty: ";
+    say("rbpa", what + why_empty(run, made.arrays.distinct));
   }
+  say_summary(run, made.arrays.duplicates.size(), said(made), list_of(targets));
 }
 
 }  // namespace rbpa::app

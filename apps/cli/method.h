@@ -26,6 +26,8 @@ struct Method {
   std::optional<std::size_t> leaf_capacity = std::nullopt;
 
   std::string name() const { return leaf_capacity ? "hrbpa" : "rbpa"; }
+  /// Where there is no mesh, the triangles may be had as arrays.
+  bool makes_mesh() const { return leaf_capacity || search == Search::paper; }
 };
 
 /// Throws WrongUsage naming the value: one that is none, or one that is about another method.

@@ -1,14 +1,10 @@
 #include "cli/shape_verb.h"
 
 #include <cstdio>
-#include <limits>
+#include <utility>
 
-#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
-#include "cli/build.h"
-#include "cli/method.h"
 #include "cli/progress.h"
-#include "cli/stats.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/message.h"
@@ -21,24 +17,24 @@
 namespace rbpa::app {
 namespace {
 
-void write_targets(OutputSet& outputs, const std::vector<ShapeTarget>& targets, const std::vector<Point>& points,
-                   const std::vector<Polygon>& shape, const SolidAlphaComplex& complex, int width, bool shown) {
-  const ProgressLine line("rbpa", shown, "writing");
+void write_targets(OutputSet& outputs, const std::vector<ShapeTarget>& targets, const ComplexRun& run,
+                   const std::vector<Polygon>& shape, const SolidAlphaComplex& complex) {
+  const ProgressLine line("rbpa", run.request.shows_writing, "writing");
   std::optional<Drawing> drawing;
   for (const ShapeTarget& target : targets) {
     stop_if_interrupted();
     OutputFile& file = outputs.add(target.path);
     switch (target.format) {
       case ShapeFormat::geojson:
-        write_geojson(file, shape, points);
+        write_geojson(file, shape, run.points);
         break;
       case ShapeFormat::wkt:
-        write_wkt(file, shape, points);
+        write_wkt(file, shape, run.points);
         break;
       case ShapeFormat::svg:
       case ShapeFormat::png:
-        if (!drawing) drawing = drawing_of(points, shape, complex.isolated);
-        const Scene scene = place(*drawing, width);
+        if (!drawing) drawing = drawing_of(run.points, shape, complex.isolated);
+        const Scene scene = place(*drawing, run.request.width);
         target.format == ShapeFormat::svg ? write_svg(file, scene) : write_png(file, scene);
         break;
     }
@@ -51,75 +47,45 @@ std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFil
   return polygons(complex, filter);
 }
 
-std::string reason_for_no_polygon(const std::vector<Point>& points, const SolidAlphaComplex& complex,
-                                  const ShapeArguments& arguments) {
-  if (complex.mesh.n_faces() == 0) return reason_for_empty(points, complex.distinct, arguments.alpha);
-  return "no part has an area >= " + arguments.min_part_area;
-}
-
-std::string summary(std::size_t points, const SolidAlphaComplex& complex, std::size_t polygons,
-                    const PolygonTotals& totals, const std::string& chosen_alpha,
-                    const std::vector<ShapeTarget>& targets) {
+std::string made(const std::vector<Polygon>& shape, const PolygonTotals& totals) {
   char area[32];
   std::snprintf(area, sizeof area, "%.6g", totals.area);
-  std::string text = counted(points, "point");
-  if (!complex.duplicates.empty()) text += " (" + counted(complex.duplicates.size(), "duplicate") + ")";
-  return text + ", " + counted(polygons, "polygon") + " with " + counted(totals.holes, "hole") + ", area " + area +
-         chosen_alpha + list_of(targets);
+  return counted(shape.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", area " + area;
 }
 
 }  // namespace
 
 void run_shape(const ShapeArguments& arguments) {
-  const AlphaChoice choice = parse_alpha(arguments.alpha, arguments.components);
-  const Method method = parse_method(arguments.method);
-  const RunOptions run = parse_run(arguments.run);
+  ComplexRequest request = parse_request(arguments);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
-  std::vector<std::string> reports;
-  if (arguments.stats) reports.push_back(*arguments.stats);
   const std::vector<ShapeTarget> targets =
-      parse_shape_targets(arguments.outputs, arguments.output_format, reports, arguments.points);
-  const int width = parse_width(arguments.width);
+      parse_shape_targets(arguments.outputs, arguments.output_format, given({arguments.stats}), arguments.points);
 
-  Stats stats{.alpha_rule = name_of(choice.rule)};
-  Stopwatch watch;
-  const std::vector<Point> points = read(source, run.quiet);
-  stats.read_seconds = watch.lap();
-  stats.alpha = choose_alpha(choice, points, run);
-  if (choice.rule != AlphaRule::given) stats.choose_seconds = watch.lap();
-  // Points without such a radius have no triangle at any.
-  const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
-  const SolidAlphaComplex complex = build(points, alpha, method, run).complex;
+  ComplexRun run = begin_run(std::move(request));
+  const SolidAlphaComplex complex = build(run.points, run.alpha, run.request.method, run.request.options).complex;
   stop_if_interrupted();
-  const std::vector<Polygon> shape = outlined(complex, filter, run);
+  const std::vector<Polygon> shape = outlined(complex, filter, run.request.options);
   const PolygonTotals totals = total(shape);
-  stats.build_seconds = watch.lap();
+  run.stats.build_seconds = run.watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, points, shape, complex, width, !run.quiet && !written_to_terminal(arguments.outputs));
-  stats.write_seconds = watch.lap();
-  if (arguments.stats) {
-    stats.points = points.size();
-    stats.threads = threads_used(points.size(), run.threads);
-    stats.distinct = complex.distinct;
-    stats.isolated = complex.isolated.size();
-    stats.counts = count(complex);
-    stats.method = method.name();
-    stats.polygons = shape.size();
-    stats.of_polygons = totals;
-    OutputFile& file = outputs.add(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
+  write_targets(outputs, targets, run, shape, complex);
+  run.stats.write_seconds = run.watch.lap();
+  if (run.request.stats) {
+    run.stats.distinct = complex.distinct;
+    run.stats.isolated = complex.isolated.size();
+    run.stats.counts = count(complex);
+    run.stats.polygons = shape.size();
+    run.stats.of_polygons = totals;
   }
-  outputs.publish();
+  end_run(run, outputs);
 
-  if (shape.empty()) say("rbpa", "the shape is empty: " + reason_for_no_polygon(points, complex, arguments));
-  if (!run.quiet) {
-    const std::string chosen_alpha = said(choice, stats.alpha);
-    say("rbpa", summary(points.size(), complex, shape.size(), totals, chosen_alpha, targets));
-  }
+  if (shape.empty())
+    say("rbpa",
+        "the shape is empty: " + (complex.mesh.n_faces() == 0 ? why_empty(run, complex.distinct)
+                                                              : "no part has an area >= " + arguments.min_part_area));
+  say_summary(run, complex.duplicates.size(), made(shape, totals), list_of(targets));
 }
 
 }  // namespace rbpa::app

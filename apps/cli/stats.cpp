@@ -43,6 +43,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
                  {"alpha_rule", or_null(stats.alpha_rule)},
                  {"method", stats.counts ? Json(stats.method) : Json(nullptr)},
                  {"threads", stats.threads}};
+  if (stats.dangling_edges) report["dangling_edges"] = *stats.dangling_edges;
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;
     report["polygon_holes"] = stats.of_polygons.holes;

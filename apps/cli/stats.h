@@ -21,7 +21,8 @@ struct Stats {
   std::optional<std::string> alpha_rule = std::nullopt;
   std::optional<std::size_t> isolated = std::nullopt;
   std::optional<ComplexCounts> counts = std::nullopt;
-  std::string method = "rbpa";  ///< where there are counts
+  std::string method = "rbpa";                               ///< where there are counts
+  std::optional<std::size_t> dangling_edges = std::nullopt;  ///< key only where the complex is a full one
   /// Keys for polygons are in the report only where a verb makes them.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};

@@ -10,7 +10,8 @@ namespace rbpa::app {
 enum class PointFormat { text, npy, off, ply, raw, png, pgm };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
-enum class OutputFormat { off, ply, obj, npy, svg, png };
+/// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
+enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, svg, png };
 enum class ShapeFormat { geojson, wkt, svg, png };
 enum class LevelFormat { csv, json };
 
@@ -34,6 +35,7 @@ constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, npy, off, pl
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";
+constexpr std::string_view full_output_formats = "obj, npy, svg, png";  // of the full complex
 constexpr std::string_view shape_formats = "geojson, json, wkt, svg, png";
 
 }  // namespace rbpa::app

@@ -67,7 +67,7 @@ class Lines {
   }
 
   std::string_view line() const { return line_; }
-  std::size_t number() const { return number_; }  ///< of the line, from 1
+  std::size_t number() const { return number_; }                                         ///< of the line, from 1
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< behind the line
 
  private:

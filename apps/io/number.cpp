@@ -21,9 +21,12 @@ ParsedNumber parse_whole_number(std::string_view text) {
 
 const char* expected_instead(NumberFault fault) {
   switch (fault) {
-    case NumberFault::not_finite: return "a finite number";
-    case NumberFault::out_of_range: return "a number within the range of a double (up to 1.8e308)";
-    default: return "a number";
+    case NumberFault::not_finite:
+      return "a finite number";
+    case NumberFault::out_of_range:
+      return "a number within the range of a double (up to 1.8e308)";
+    default:
+      return "a number";
   }
 }
 

@@ -11,11 +11,12 @@ namespace {
 
 std::optional<Scalar> scalar_named(std::string_view word) {
   constexpr std::pair<std::string_view, Scalar> names[] = {
-      {"char", Scalar::int8},      {"uchar", Scalar::uint8},     {"short", Scalar::int16},  {"ushort", Scalar::uint16},
-      {"int", Scalar::int32},      {"uint", Scalar::uint32},     {"float", Scalar::float32}, {"double", Scalar::float64},
-      {"int8", Scalar::int8},      {"uint8", Scalar::uint8},     {"int16", Scalar::int16},  {"uint16", Scalar::uint16},
-      {"int32", Scalar::int32},    {"uint32", Scalar::uint32},   {"int64", Scalar::int64},  {"uint64", Scalar::uint64},
-      {"float32", Scalar::float32}, {"float64", Scalar::float64}};
+      {"char", Scalar::int8},     {"uchar", Scalar::uint8},     {"short", Scalar::int16},
+      {"ushort", Scalar::uint16}, {"int", Scalar::int32},       {"uint", Scalar::uint32},
+      {"float", Scalar::float32}, {"double", Scalar::float64},  {"int8", Scalar::int8},
+      {"uint8", Scalar::uint8},   {"int16", Scalar::int16},     {"uint16", Scalar::uint16},
+      {"int32", Scalar::int32},   {"uint32", Scalar::uint32},   {"int64", Scalar::int64},
+      {"uint64", Scalar::uint64}, {"float32", Scalar::float32}, {"float64", Scalar::float64}};
   for (const auto& [text, type] : names)
     if (word == text) return type;
   return std::nullopt;
@@ -99,7 +100,8 @@ class HeaderReader {
 }  // namespace
 
 bool PlyElement::has_lists() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.count_type.has_value(); });
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const PlyProperty& p) { return p.count_type.has_value(); });
 }
 
 std::size_t PlyElement::least_size() const {

@@ -35,7 +35,8 @@ std::vector<Point> points_in(std::string_view bytes, const std::string& name, co
       return read_png_points(bytes, name, source.pixels);
     case PointFormat::pgm:
       return read_pgm_points(bytes, name, source.pixels);
-    case PointFormat::text: break;
+    case PointFormat::text:
+      break;
   }
   return read_text_points(bytes, name, source.columns);
 }

@@ -15,7 +15,7 @@ namespace rbpa::app {
 struct PointSource {
   std::string path;  ///< "-" is standard input
   PointFormat format = PointFormat::text;
-  Columns columns = {};  ///< of text
+  Columns columns = {};   ///< of text
   PixelRule pixels = {};  ///< of images
 };
 

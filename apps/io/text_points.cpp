@@ -98,7 +98,8 @@ class TextReader {
 
   std::vector<Point> read() {
     if (!lines_.next_with_content()) {
-      if (columns_.x.number == 0 || columns_.y.number == 0) bad_input(name_, "no header line", "one with the column names");
+      if (columns_.x.number == 0 || columns_.y.number == 0)
+        bad_input(name_, "no header line", "one with the column names");
       return {};
     }
     const bool header = take_header();
@@ -154,7 +155,8 @@ class TextReader {
       found = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
         return std::equal(field.begin(), field.end(), wanted.begin(), wanted.end(), same_letter);
       });
-    if (found == fields.end()) bad_input(here(), in_quotes(lines_.line()), "a header with a column " + in_quotes(wanted));
+    if (found == fields.end())
+      bad_input(here(), in_quotes(lines_.line()), "a header with a column " + in_quotes(wanted));
     return static_cast<std::size_t>(found - fields.begin());
   }
 
@@ -247,7 +249,7 @@ class TextReader {
   char separator_ = blanks;
   std::size_t x_ = 0;
   std::size_t y_ = 0;
-  std::size_t first_line_ = 0;         // the line that says how many columns there are
+  std::size_t first_line_ = 0;        // the line that says how many columns there are
   std::optional<std::size_t> width_;  // how many
   std::string_view header_;           // empty without one
   std::size_t first_point_ = 0;       // its line

@@ -1,6 +1,7 @@
 #include "io/write_triangles.h"
 
 #include <string>
+#include <tuple>
 
 #include "io/polygon_files.h"
 
@@ -17,9 +18,24 @@ struct InSpace {
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
 };
 
-void write_npy(OutputFile& file, const TriangleMesh& mesh) {
-  std::string header = "{'descr': '<u4', 'fortran_order': False, 'shape': (" +
-                       std::to_string(mesh.triangles.size()) + ", 3), }";
+void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
+  write_obj(file, InSpace{mesh});
+  for (const Edge& edge : mesh.edges) {
+    file.write("l");
+    write_corners(file, edge, 1);
+  }
+  for (const std::uint32_t& point : mesh.points) {
+    file.write("p");
+    write_corners(file, {&point, 1}, 1);
+  }
+}
+
+/// `columns`: what Python writes of a shape behind the number of rows.
+void write_npy(OutputFile& file, std::size_t rows, std::string_view columns, std::span<const std::uint32_t> values) {
+  std::string header = "{'descr': '<u4', 'fortran_order': False, 'shape': (";
+  header += std::to_string(rows);
+  header += columns;
+  header += "), }";
   constexpr std::size_t before = 10, alignment = 64;  // bytes before the text; where NumPy wants the data
   header.append(alignment - (before + header.size() + 1) % alignment, ' ');
   header += '\n';
@@ -27,37 +43,37 @@ void write_npy(OutputFile& file, const TriangleMesh& mesh) {
   const char length[2] = {static_cast<char>(header.size() & 0xFFU), static_cast<char>(header.size() >> 8U)};
   file.write({length, 2});
   file.write(header);
-  static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
-  if (!mesh.triangles.empty())
-    file.write_binary(std::span<const std::uint32_t>(mesh.triangles.front().data(), 3 * mesh.triangles.size()));
+  if (!values.empty()) file.write_binary(values);
+}
+
+/// The indices of all rows one after another.
+template <typename Rows>
+std::span<const std::uint32_t> flat(const Rows& rows) {
+  static_assert(sizeof(rows[0]) == sizeof(std::uint32_t) * std::tuple_size_v<typename Rows::value_type>);
+  if (rows.empty()) return {};
+  return {rows.front().data(), rows.size() * rows.front().size()};
 }
 
 }  // namespace
 
 void write_triangles(OutputFile& file, OutputFormat format, const TriangleMesh& mesh) {
   switch (format) {
-    case OutputFormat::off: return write_off(file, InSpace{mesh});
-    case OutputFormat::obj: return write_obj(file, InSpace{mesh});
-    case OutputFormat::ply: return write_ply(file, InSpace{mesh});
-    case OutputFormat::npy: return write_npy(file, mesh);
+    case OutputFormat::off:
+      return write_off(file, InSpace{mesh});
+    case OutputFormat::obj:
+      return write_obj_with_all(file, mesh);
+    case OutputFormat::ply:
+      return write_ply(file, InSpace{mesh});
+    case OutputFormat::npy:
+      return write_npy(file, mesh.triangles.size(), ", 3", flat(mesh.triangles));
+    case OutputFormat::npy_edges:
+      return write_npy(file, mesh.edges.size(), ", 2", flat(mesh.edges));
+    case OutputFormat::npy_points:
+      return write_npy(file, mesh.points.size(), ",", mesh.points);
     case OutputFormat::svg:
-    case OutputFormat::png: break;
+    case OutputFormat::png:
+      break;
   }
-}
-
-CompactMesh::CompactMesh(std::span<const Point> points, std::span<const Triangle> of_points)
-    : triangles(of_points.begin(), of_points.end()) {
-  std::vector<bool> used(points.size(), false);
-  for (const Triangle& triangle : of_points)
-    for (const std::uint32_t corner : triangle) used[corner] = true;
-  std::vector<std::uint32_t> renumbered(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!used[i]) continue;
-    renumbered[i] = static_cast<std::uint32_t>(vertices.size());
-    vertices.push_back(points[i]);
-  }
-  for (Triangle& triangle : triangles)
-    for (std::uint32_t& corner : triangle) corner = renumbered[corner];
 }
 
 }  // namespace rbpa::app

@@ -4,12 +4,12 @@
 #include <sstream>
 #include <string>
 
-#include "cli/narrow_help.h"
 #include "io/descriptor.h"
-#include "io/exit_code.h"
 #include "io/interrupt.h"
 #include "io/write_mesh.h"
 #include "meshtopo/run_topology.h"
+#include "program/exit_code.h"
+#include "program/narrow_help.h"
 
 namespace rbpa::app {
 namespace {

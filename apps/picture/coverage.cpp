@@ -102,7 +102,8 @@ void LineCoverage::add_line(const Pixel& from, const Pixel& to, double line_widt
       const double qx = px - t * dx, qy = py - t * dy, distance2 = qx * qx + qy * qy;
       if (distance2 >= reach * reach) continue;
       const double covered = strength * std::min(1.0, reach - std::sqrt(distance2));
-      float& value = covered_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+      float& value =
+          covered_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
       value = std::max(value, static_cast<float>(covered));
     }
   }

@@ -1,10 +1,12 @@
 #include "picture/drawing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/interrupt.h"
 #include "io/sort.h"
 #include "meshops/front/boundary_curve.h"
+#include "triangulation/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {
@@ -18,6 +20,12 @@ std::vector<std::uint32_t> from_least_edge(std::vector<std::uint32_t> curve) {
     if (edge(i) < edge(first)) first = i;
   std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end());
   return curve;
+}
+
+void put_in_order(Drawing& drawing) {
+  sort(drawing.inner_edges);
+  for (std::vector<std::uint32_t>& curve : drawing.curves) curve = from_least_edge(std::move(curve));
+  sort(drawing.curves);
 }
 
 }  // namespace
@@ -35,15 +43,33 @@ Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& compl
     const std::uint32_t a = input(mesh.from_vertex_handle(halfedge)), b = input(mesh.to_vertex_handle(halfedge));
     drawing.inner_edges.push_back({std::min(a, b), std::max(a, b)});
   }
-  sort(drawing.inner_edges);
-
   for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {
     stop_if_interrupted();
     std::vector<std::uint32_t> curve;
     for (const meshops::Halfedge halfedge : boundary) curve.push_back(input(mesh.from_vertex_handle(halfedge)));
-    drawing.curves.push_back(from_least_edge(std::move(curve)));
+    drawing.curves.push_back(std::move(curve));
   }
-  sort(drawing.curves);
+  put_in_order(drawing);
+  return drawing;
+}
+
+Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind) {
+  Drawing drawing{.points = points,
+                  .inner_edges = {},
+                  .curves = boundary_curves(complex),
+                  .isolated = kind == Complex::full ? complex.points : complex.isolated,
+                  .dangling = complex.edges};
+  drawing.inner_edges.reserve(complex.triangles.size() * 3 / 2);
+  for (std::uint32_t t = 0; t < complex.triangles.size(); ++t) {
+    if (t % 16384 == 0) stop_if_interrupted();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = complex.neighbors[t][k];
+      if (other == Triangulation::none || other < t) continue;
+      const std::uint32_t a = complex.triangles[t][(k + 1) % 3], b = complex.triangles[t][(k + 2) % 3];
+      drawing.inner_edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  put_in_order(drawing);
   return drawing;
 }
 

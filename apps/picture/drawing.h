@@ -2,18 +2,17 @@
 // Law:  a function of the complex alone: edges and curves are in an order that no method of computing can change.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "io/triangle_mesh.h"
 #include "rbpa/core/point.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape/polygons.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa::app {
-
-using Edge = std::array<std::uint32_t, 2>;
 
 /// All as indices into `points`.
 struct Drawing {
@@ -21,10 +20,14 @@ struct Drawing {
   std::vector<Edge> inner_edges;                   ///< between two triangles; lower index first, sorted
   std::vector<std::vector<std::uint32_t>> curves;  ///< around the solid, each from its least edge, sorted; or rings
   std::span<const std::uint32_t> isolated;
+  std::span<const Edge> dangling = {};  ///< in no triangle
 };
 
 /// Requires: `points` are those of the complex. What it returns looks into both.
 Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& complex);
+
+/// The same of arrays with neighbours. Of a full complex the isolated are those in neither a triangle nor an edge.
+Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind);
 
 /// Polygons without inner edges, their rings as they are. What it returns looks into `points` and `isolated`.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,

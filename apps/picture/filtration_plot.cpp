@@ -55,7 +55,8 @@ std::string power_of_ten(double exponent) {
 std::vector<std::pair<double, std::string>> ticks(const Axis& axis) {
   std::vector<std::pair<double, std::string>> all;
   const double stride = std::max(1.0, std::ceil((axis.high - axis.low) / 8));
-  for (double t = stride * std::ceil(axis.low / stride); t <= axis.high; t += stride) all.emplace_back(t, power_of_ten(t));
+  for (double t = stride * std::ceil(axis.low / stride); t <= axis.high; t += stride)
+    all.emplace_back(t, power_of_ten(t));
   if (all.size() < 2) all = {{axis.low, power_of_ten(axis.low)}, {axis.high, power_of_ten(axis.high)}};
   return all;
 }

@@ -55,6 +55,14 @@ void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
     }
 }
 
+void add_lines(LineCoverage& to, const Scene& scene, std::span<const Edge> edges, double width) {
+  std::size_t done = 0;
+  for (const Edge& edge : edges) {
+    if (++done % 4096 == 0) stop_if_interrupted();
+    to.add_line(scene.at[edge[0]], scene.at[edge[1]], width);
+  }
+}
+
 Canvas draw(const Scene& scene) {
   Canvas canvas(scene);
   AreaCoverage solid(scene.width, scene.height);
@@ -62,19 +70,17 @@ Canvas draw(const Scene& scene) {
   canvas.paint(solid.take(), fill_colour);
 
   LineCoverage edges(scene.width, scene.height);
-  std::size_t done = 0;
-  for (const Edge& edge : scene.drawing->inner_edges) {
-    if (++done % 4096 == 0) stop_if_interrupted();
-    edges.add_line(scene.at[edge[0]], scene.at[edge[1]], scene.strokes.edge_width);
-  }
+  add_lines(edges, scene, scene.drawing->inner_edges, scene.strokes.edge_width);
   canvas.paint(edges.values(), edge_colour);
 
   LineCoverage boundary(scene.width, scene.height);
   for_each_boundary_piece(
       scene, [&](const Pixel& a, const Pixel& b) { boundary.add_line(a, b, scene.strokes.boundary_width); });
+  add_lines(boundary, scene, scene.drawing->dangling, scene.strokes.boundary_width);
   canvas.paint(boundary.values(), boundary_colour);
 
   LineCoverage isolated(scene.width, scene.height);
+  std::size_t done = 0;
   for (const std::uint32_t point : scene.drawing->isolated) {
     if (++done % 4096 == 0) stop_if_interrupted();
     isolated.add_dot(scene.at[point], scene.strokes.dot_radius);

@@ -32,20 +32,25 @@ struct Frame {
   Pixel scaled(const Point& p) const { return {std::scalbn(p.x, exponent), std::scalbn(p.y, exponent)}; }
 };
 
-double length(const Pixel& a, const Pixel& b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
+double length(const Pixel& a, const Pixel& b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
 
 /// The median length of the edges, taken from a few thousand of them; 0 when there are none.
 double typical_length(const Drawing& drawing, const std::vector<Pixel>& at) {
   constexpr std::size_t enough = 10000;
   std::vector<double> lengths;
-  const std::size_t step = drawing.inner_edges.size() / enough + 1;
-  for (std::size_t i = 0; i < drawing.inner_edges.size(); i += step)
-    lengths.push_back(length(at[drawing.inner_edges[i][0]], at[drawing.inner_edges[i][1]]));
+  const auto add_some_of = [&](std::span<const Edge> edges) {
+    for (std::size_t i = 0; i < edges.size(); i += edges.size() / enough + 1)
+      lengths.push_back(length(at[edges[i][0]], at[edges[i][1]]));
+  };
+  add_some_of(drawing.inner_edges);
   if (lengths.empty())
     for (const std::vector<std::uint32_t>& curve : drawing.curves) {
       lengths.push_back(length(at[curve[0]], at[curve[1]]));
       if (lengths.size() == enough) break;
     }
+  if (lengths.empty()) add_some_of(drawing.dangling);
   if (lengths.empty()) return 0;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
@@ -80,14 +85,17 @@ Scene place(const Drawing& drawing, int width) {
   const double left = margin + (inner_width - used_width) / 2;
   const double bottom = margin + (inner_height + used_height) / 2;
 
-  Scene scene{.width = width, .height = static_cast<int>(std::round(inner_height + 2 * margin)), .at = {},
-              .strokes = {}, .drawing = &drawing};
+  Scene scene{.width = width,
+              .height = static_cast<int>(std::round(inner_height + 2 * margin)),
+              .at = {},
+              .strokes = {},
+              .drawing = &drawing};
   scene.at.reserve(drawing.points.size());
   const auto fraction = [&](double part) { return box > 0 ? part / box : 0.5; };
   for (const Point& p : drawing.points) {
     const Pixel q = frame.scaled(p);
-    scene.at.push_back({left + fraction(q.x - frame.least.x) * box_pixels,
-                        bottom - fraction(q.y - frame.least.y) * box_pixels});
+    scene.at.push_back(
+        {left + fraction(q.x - frame.least.x) * box_pixels, bottom - fraction(q.y - frame.least.y) * box_pixels});
   }
   scene.strokes = strokes_for(drawing, scene.at, inner_width, inner_height);
   return scene;

@@ -99,15 +99,19 @@ void write_curves(OutputFile& file, const Scene& scene, bool dots) {
   }
 }
 
-void write_edges(OutputFile& file, const Scene& scene) {
+/// `dots`: as above.
+void write_edges(OutputFile& file, const Scene& scene, std::span<const Edge> edges, bool dots) {
   Path path(file);
   bool begun = false;
-  for (const Edge& edge : scene.drawing->inner_edges) {
+  for (const Edge& edge : edges) {
     const Step from = step_of(scene.at[edge[0]]), to = step_of(scene.at[edge[1]]);
-    if (from == to) continue;
+    if (from == to && !dots) continue;
     if (!begun || !(from == path.at())) path.move_to(from);
     begun = true;
-    path.line_to(to);
+    if (from == to)
+      file.write("h0");
+    else
+      path.line_to(to);
   }
 }
 
@@ -123,11 +127,16 @@ void write_svg(OutputFile& file, const Scene& scene) {
   write_curves(file, scene, false);
   end_path(file);
   begin_path(file, "edges", stroke(edge_colour, scene.strokes.edge_width));
-  write_edges(file, scene);
+  write_edges(file, scene, scene.drawing->inner_edges, false);
   end_path(file);
   begin_path(file, "boundary", stroke(boundary_colour, scene.strokes.boundary_width));
   write_curves(file, scene, true);
   end_path(file);
+  if (!scene.drawing->dangling.empty()) {
+    begin_path(file, "dangling", stroke(boundary_colour, scene.strokes.boundary_width));
+    write_edges(file, scene, scene.drawing->dangling, true);
+    end_path(file);
+  }
   begin_path(file, "isolated", stroke(isolated_colour, 2 * scene.strokes.dot_radius));
   Path path(file);
   for (const std::uint32_t point : scene.drawing->isolated) {

@@ -106,7 +106,8 @@ TEST_SUITE("bad input") {
     folder.file("p.npy", npy("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
     Outcome outcome = folder.rbpa("mesh p.npy --alpha 1 -o m.off");
     CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("p.npy: found 40 bytes of data, expected 3 rows of 16 bytes as the header says") != std::string::npos);
+    CHECK(outcome.err.find("p.npy: found 40 bytes of data, expected 3 rows of 16 bytes as the header says") !=
+          std::string::npos);
     folder.file("p.ply", ply_header + doubles({0, 0, 1, 0, 0}));
     outcome = folder.rbpa("mesh p.ply --alpha 1 -o m.off");
     CHECK(outcome.code == 3);
@@ -119,10 +120,12 @@ TEST_SUITE("bad input") {
 
   TEST_CASE("a header that claims more points than the file holds is found before memory is asked for") {
     const Folder folder;
-    folder.file("p.npy", npy("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999, 2), }", doubles({0, 0})));
+    folder.file("p.npy",
+                npy("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999, 2), }", doubles({0, 0})));
     folder.file("p.ply",
                 "ply\nformat binary_little_endian 1.0\nelement vertex 99999999999999\nproperty double x\n"
-                "property double y\nend_header\n" + doubles({0, 0}));
+                "property double y\nend_header\n" +
+                    doubles({0, 0}));
     folder.file("p.off", "OFF\n99999999999999 0 0\n0 0 0\n");
     for (const char* name : {"p.npy", "p.ply", "p.off"}) {
       CAPTURE(name);

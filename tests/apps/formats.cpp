@@ -61,17 +61,19 @@ TEST_SUITE("formats") {
     for (const std::string separator : {" ", "\t", ",", ";", " , ", "   "}) {
       CAPTURE(separator);
       CHECK(read(folder.file("p.csv", as_text(points, separator)), PointFormat::text) == points);
-      CHECK(read(folder.file("p.csv", "x" + separator + "y\n" + as_text(points, separator)), PointFormat::text) == points);
+      CHECK(read(folder.file("p.csv", "x" + separator + "y\n" + as_text(points, separator)), PointFormat::text) ==
+            points);
     }
-    CHECK(read(folder.file("p.txt", "# points\r\n\r\n1 2 # first\r\n-3.5 4e2\r\n\r\n5 6"), PointFormat::text) == points);
+    CHECK(read(folder.file("p.txt", "# points\r\n\r\n1 2 # first\r\n-3.5 4e2\r\n\r\n5 6"), PointFormat::text) ==
+          points);
   }
 
   TEST_CASE("columns by number and by name") {
     const Folder folder;
     folder.file("p.csv", "id,lat,lon\n7,0,0\n8,0,1\n9,1,0\n");
     for (const char* columns : {"lon,lat", "3,2"}) {
-      const Outcome outcome = folder.rbpa(std::string("mesh p.csv --columns ") + columns +
-                                          " --alpha inf -o - --output-format off -q");
+      const Outcome outcome =
+          folder.rbpa(std::string("mesh p.csv --columns ") + columns + " --alpha inf -o - --output-format off -q");
       CHECK(outcome.code == 0);
       CHECK(outcome.out == "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     }
@@ -91,7 +93,8 @@ TEST_SUITE("formats") {
         {"{'descr': '<u2', 'fortran_order': False, 'shape': (3, 3), }",
          bytes({1, 0, 2, 0, 9, 0, 3, 0, 4, 0, 9, 0, 5, 0, 6, 0, 9, 0})},
         {"{'descr': '>f4', 'fortran_order': False, 'shape': (3, 2), }",
-         bytes({0x3f, -128, 0, 0, 0x40, 0, 0, 0, 0x40, 0x40, 0, 0, 0x40, -128, 0, 0, 0x40, -96, 0, 0, 0x40, -64, 0, 0})}};
+         bytes(
+             {0x3f, -128, 0, 0, 0x40, 0, 0, 0, 0x40, 0x40, 0, 0, 0x40, -128, 0, 0, 0x40, -96, 0, 0, 0x40, -64, 0, 0})}};
     const Folder folder;
     for (const Case& c : cases) {
       CAPTURE(c.description);
@@ -101,9 +104,9 @@ TEST_SUITE("formats") {
       std::string file = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) + '\0' + header + c.data;
       CHECK(read(folder.file("p.npy", file), PointFormat::npy) == points);
     }
-    const std::string complex_numbers =
-        std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(118) + '\0' +
-        "{'descr': '<c16', 'fortran_order': False, 'shape': (3, 2), }" + std::string(57, ' ') + "\n";
+    const std::string complex_numbers = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(118) + '\0' +
+                                        "{'descr': '<c16', 'fortran_order': False, 'shape': (3, 2), }" +
+                                        std::string(57, ' ') + "\n";
     folder.file("p.npy", complex_numbers);
     CHECK(folder.rbpa("info p.npy").code == 3);
   }
@@ -119,7 +122,8 @@ TEST_SUITE("formats") {
     const std::string data("\0\1\0\2\0\3\0\4\0\5\0\6", 12);
     CHECK(read(folder.file("b.ply",
                            "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\nproperty short y\n"
-                           "end_header\n" + data),
+                           "end_header\n" +
+                               data),
                PointFormat::ply) == points);
   }
 

@@ -33,6 +33,7 @@ constexpr std::size_t many = 20'000;  // enough for several threads to share
 const std::vector<std::string> runs = {
     "mesh p.f64xy --alpha 60000 -o m.off -o m.npy -o m.png",
     "mesh p.f64xy --alpha 60000 --method hrbpa --leaf-capacity 100 -o m.off -o m.npy",
+    "mesh p.f64xy --alpha 60000 --complex full -o m.obj -o m.npy -o m.svg",
     "mesh p.f64xy --alpha auto -o m.off",
     "shape p.f64xy --alpha 60000 -o s.geojson",
     "shape p.f64xy --alpha min --method hrbpa -o s.geojson",

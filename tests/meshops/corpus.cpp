@@ -1,5 +1,5 @@
-#include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/check_sound.h"
 
 #include <doctest/doctest.h>
 

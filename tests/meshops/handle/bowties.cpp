@@ -7,8 +7,8 @@
 #include "meshops/handle/separate_fans.h"
 #include "meshops/handle/unglue.h"
 #include "meshops/handle/zip_curves.h"
-#include "support/check_sound.h"
 #include "support/bowties.h"
+#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
 

@@ -12,7 +12,6 @@
 #include "meshops/core/live.h"
 #include "meshops/stellar/keep.h"
 #include "support/check_sound.h"
-#include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/snapshot.h"
 

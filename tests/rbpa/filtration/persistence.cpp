@@ -223,9 +223,9 @@ TEST_CASE("the order of the points, and repetitions, do not matter to the pairs"
 TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
   Points line;
   for (int i = 0; i < 20000; ++i) line.push_back({double(i * 7919 % 20000), 0});
-  for (const auto& [points, kind] : {std::pair(random_grid(300, 40000, false, 3), ComplexKind::solid),
-                                     std::pair(random_grid(300, 40000, false, 3), ComplexKind::full),
-                                     std::pair(line, ComplexKind::full)}) {
+  for (const auto& [points, kind] :
+       {std::pair(random_grid(300, 40000, false, 3), ComplexKind::solid),
+        std::pair(random_grid(300, 40000, false, 3), ComplexKind::full), std::pair(line, ComplexKind::full)}) {
     const auto delaunay = rbpa::rbpa(points, infinity);
     const Filtration all = rbpa::filtration(delaunay, points);
     std::size_t calls = 0;

@@ -37,7 +37,8 @@ bool is_well_formed(const rbpa::Expansion<N>& e) {
 /// A double whose bits come in runs: those carry and cancel most.
 double run_of_bits(Random& random) {
   double sum = std::ldexp(1.0, random.integer(0, 40));
-  for (int i = random.integer(0, 3); i > 0; --i) sum += random.integer(-1, 1) * std::ldexp(1.0, random.integer(-12, 40));
+  for (int i = random.integer(0, 3); i > 0; --i)
+    sum += random.integer(-1, 1) * std::ldexp(1.0, random.integer(-12, 40));
   if (random.chance(0.3)) sum = random.between(-1, 1);
   return std::ldexp(sum, random.integer(-60, 60));
 }

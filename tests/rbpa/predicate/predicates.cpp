@@ -37,8 +37,7 @@ double radius_near(const Point& a, const Point& b, const Point& c, Random& rando
     if (area > 0) radius = length(ab) * length(bc) * length(ca) / (2 * area);
   }
   if (random.chance(0.2)) radius = std::ldexp(1.0L + random.unit(), random.integer(-152, 759));
-  const double clamped =
-      static_cast<double>(std::clamp<long double>(radius, 0x1p-152, 0x1p+754));
+  const double clamped = static_cast<double>(std::clamp<long double>(radius, 0x1p-152, 0x1p+754));
   return std::clamp(jiggled(clamped, 1, random), 0x1p-152, 0x1p+754);
 }
 

@@ -13,9 +13,7 @@ struct Vector {
   Rational x, y;
 };
 
-Vector from(const Point& a, const Point& b) {
-  return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y)};
-}
+Vector from(const Point& a, const Point& b) { return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y)}; }
 Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 Rational cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
 

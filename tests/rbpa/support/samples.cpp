@@ -9,8 +9,8 @@ namespace {
 using rbpa::Point;
 
 /// Integer points at distance 65 of the origin: a quarter of them.
-constexpr std::array<Point, 9> quarter_circle = {
-    Point{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39}, {39, 52}, {33, 56}, {25, 60}, {16, 63}};
+constexpr std::array<Point, 9> quarter_circle = {Point{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39},
+                                                 {39, 52},     {33, 56}, {25, 60}, {16, 63}};
 
 Point on_circle_65(Random& random) {
   Point p = quarter_circle[random.below(quarter_circle.size())];
@@ -55,8 +55,7 @@ void fill_limits(std::span<Point> points, Random& random) {
       for (Point& p : points) p = {between_powers(-150, 150, random), between_powers(-150, 150, random)};
       return;
     case 1:  // a few of the smallest steps apart
-      for (Point& p : points)
-        p = {std::ldexp(random.integer(-4, 4), -150), std::ldexp(random.integer(-4, 4), -150)};
+      for (Point& p : points) p = {std::ldexp(random.integer(-4, 4), -150), std::ldexp(random.integer(-4, 4), -150)};
       return;
     case 2:  // corners of the largest box, with steps of one last place
       for (Point& p : points) {
@@ -126,24 +125,34 @@ void fill_extreme(std::span<Point> points, Random& random) {
 
 double jiggled(double value, int most, Random& random) {
   for (int steps = random.integer(-most, most); steps != 0; steps += steps < 0 ? 1 : -1)
-    value = std::nextafter(value, steps < 0 ? -std::numeric_limits<double>::infinity()
-                                            : std::numeric_limits<double>::infinity());
+    value = std::nextafter(
+        value, steps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity());
   // Next to zero lie the denormals, which are no small change.
   return std::abs(value) < 1e-300 && most > 0 ? 0 : value;
 }
 
 const char* name(Kind kind) {
   switch (kind) {
-    case Kind::uniform: return "uniform";
-    case Kind::small_grid: return "small grid";
-    case Kind::near_line: return "near a line";
-    case Kind::on_line: return "on a line";
-    case Kind::near_circle: return "near a circle";
-    case Kind::on_circle: return "on a circle";
-    case Kind::offset_grid: return "offset grid";
-    case Kind::mixed_scales: return "mixed scales";
-    case Kind::limits_of_double: return "limits of double";
-    case Kind::extreme: return "extreme";
+    case Kind::uniform:
+      return "uniform";
+    case Kind::small_grid:
+      return "small grid";
+    case Kind::near_line:
+      return "near a line";
+    case Kind::on_line:
+      return "on a line";
+    case Kind::near_circle:
+      return "near a circle";
+    case Kind::on_circle:
+      return "on a circle";
+    case Kind::offset_grid:
+      return "offset grid";
+    case Kind::mixed_scales:
+      return "mixed scales";
+    case Kind::limits_of_double:
+      return "limits of double";
+    case Kind::extreme:
+      return "extreme";
   }
   return "";
 }
@@ -156,21 +165,26 @@ void fill(std::span<Point> points, Kind kind, Random& random) {
     case Kind::small_grid:
       for (Point& p : points) p = {double(random.integer(-3, 3)), double(random.integer(-3, 3))};
       return;
-    case Kind::near_line: return fill_line(points, 2, random);
-    case Kind::on_line: return fill_line(points, 0, random);
-    case Kind::near_circle: return fill_circle(points, 2, random);
-    case Kind::on_circle: return fill_circle(points, 0, random);
+    case Kind::near_line:
+      return fill_line(points, 2, random);
+    case Kind::on_line:
+      return fill_line(points, 0, random);
+    case Kind::near_circle:
+      return fill_circle(points, 2, random);
+    case Kind::on_circle:
+      return fill_circle(points, 0, random);
     case Kind::offset_grid:
-      for (Point& p : points)
-        p = {1e6 + 1e-3 * random.integer(-3, 3), -1e6 + 1e-3 * random.integer(-3, 3)};
+      for (Point& p : points) p = {1e6 + 1e-3 * random.integer(-3, 3), -1e6 + 1e-3 * random.integer(-3, 3)};
       return;
     case Kind::mixed_scales:
       for (Point& p : points)
         p = {random.between(-1, 1) * std::ldexp(1.0, random.integer(-40, 40)),
              random.between(-1, 1) * std::ldexp(1.0, random.integer(-40, 40))};
       return;
-    case Kind::limits_of_double: return fill_limits(points, random);
-    case Kind::extreme: return fill_extreme(points, random);
+    case Kind::limits_of_double:
+      return fill_limits(points, random);
+    case Kind::extreme:
+      return fill_extreme(points, random);
   }
 }
 

@@ -1,0 +1,65 @@
+#include "cli/complex_run.h"
+
+#include <limits>
+#include <utility>
+
+#include "cli/arguments.h"
+#include "cli/build.h"
+#include "cli/progress.h"
+#include "io/failure.h"
+#include "io/message.h"
+#include "rbpa/collinear.h"
+
+namespace rbpa::app {
+
+ComplexRequest parse_request(const ComplexArguments& arguments) {
+  const RunOptions options = parse_run(arguments.run);
+  return {.source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels),
+          .alpha = parse_alpha(arguments.alpha, arguments.components),
+          .alpha_text = arguments.alpha,
+          .method = parse_method(arguments.method),
+          .options = options,
+          .width = parse_width(arguments.width),
+          .stats = arguments.stats,
+          .shows_writing = !options.quiet && !written_to_terminal(arguments.outputs)};
+}
+
+ComplexRun begin_run(ComplexRequest request) {
+  ComplexRun run{.request = std::move(request)};
+  const AlphaChoice& choice = run.request.alpha;
+  run.points = read(run.request.source, run.request.options.quiet);
+  run.stats.read_seconds = run.watch.lap();
+  run.stats.alpha = choose_alpha(choice, run.points, run.request.options);
+  if (choice.rule != AlphaRule::given) run.stats.choose_seconds = run.watch.lap();
+  // Points without such a radius have no triangle at any.
+  run.alpha = run.stats.alpha.value_or(std::numeric_limits<double>::infinity());
+  return run;
+}
+
+void end_run(ComplexRun& run, OutputSet& outputs) {
+  if (run.request.stats) {
+    run.stats.alpha_rule = name_of(run.request.alpha.rule);
+    run.stats.points = run.points.size();
+    run.stats.threads = threads_used(run.points.size(), run.request.options.threads);
+    run.stats.method = run.request.method.name();
+    OutputFile& file = outputs.add(*run.request.stats);
+    write_stats(file, run.stats);
+    file.finish();
+  }
+  outputs.publish();
+}
+
+std::string why_empty(const ComplexRun& run, std::size_t distinct) {
+  if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
+  if (are_collinear(run.points)) return "all points are collinear";
+  return "no triangle has circumradius <= " + run.request.alpha_text;
+}
+
+void say_summary(const ComplexRun& run, std::size_t duplicates, const std::string& made, const std::string& targets) {
+  if (run.request.options.quiet) return;
+  std::string text = counted(run.points.size(), "point");
+  if (duplicates > 0) text += " (" + counted(duplicates, "duplicate") + ")";
+  say("rbpa", text + ", " + made + said(run.request.alpha, run.stats.alpha) + targets);
+}
+
+}  // namespace rbpa::app

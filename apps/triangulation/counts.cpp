@@ -1,0 +1,92 @@
+#include "triangulation/counts.h"
+
+#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "io/interrupt.h"
+#include "triangulation/boundary_curves.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Sets of numbers below a bound, joined two by two.
+class Sets {
+ public:
+  explicit Sets(std::size_t size) : parent_(size), rank_(size, 0), sets_(rank_.data(), parent_.data()) {
+    for (std::size_t i = 0; i < size; ++i) sets_.make_set(i);
+  }
+  /// Returns: whether they were in two sets.
+  bool join(std::size_t a, std::size_t b) {
+    const std::size_t set_of_a = sets_.find_set(a), set_of_b = sets_.find_set(b);
+    if (set_of_a == set_of_b) return false;
+    sets_.link(set_of_a, set_of_b);
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+  std::vector<std::uint8_t> rank_;
+  boost::disjoint_sets<std::uint8_t*, std::size_t*> sets_;
+};
+
+/// One more than the largest index in a triangle or an edge.
+std::size_t index_bound(const Triangulation& complex) {
+  std::size_t bound = 0;
+  for (const auto& corners : complex.triangles)
+    bound = std::max<std::size_t>(bound, std::max({corners[0], corners[1], corners[2]}) + std::size_t{1});
+  for (const auto& edge : complex.edges) bound = std::max(bound, edge[1] + std::size_t{1});
+  return bound;
+}
+
+/// Triangles that hang together through edges.
+std::size_t count_solid_components(const Triangulation& complex) {
+  Sets sets(complex.triangles.size());
+  std::size_t components = complex.triangles.size();
+  for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
+    if (t % 16384 == 0) stop_if_interrupted();
+    for (const std::uint32_t other : complex.neighbors[t])
+      if (other != Triangulation::none && other < t && sets.join(t, other)) --components;
+  }
+  return components;
+}
+
+/// How often two points that did not hang together are joined by an edge.
+std::size_t count_joins(const Triangulation& complex) {
+  Sets sets(index_bound(complex));
+  std::size_t joins = 0;
+  for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
+    if (t % 16384 == 0) stop_if_interrupted();
+    const auto& [a, b, c] = complex.triangles[t];
+    joins += std::size_t{sets.join(a, b)} + std::size_t{sets.join(b, c)};
+  }
+  for (const auto& [a, b] : complex.edges) joins += std::size_t{sets.join(a, b)};
+  return joins;
+}
+
+std::size_t count_edges(const Triangulation& complex) {
+  std::size_t sides_of_two = 0;
+  for (const auto& neighbors : complex.neighbors)
+    sides_of_two += static_cast<std::size_t>(
+        std::count_if(neighbors.begin(), neighbors.end(), [](std::uint32_t n) { return n != Triangulation::none; }));
+  return 3 * complex.triangles.size() - sides_of_two / 2 + complex.edges.size();
+}
+
+}  // namespace
+
+ComplexCounts count(const Triangulation& complex, Complex kind) {
+  const std::size_t outside = kind == Complex::full ? complex.points.size() : complex.isolated.size();
+  ComplexCounts counts{.points_covered = complex.distinct - outside,
+                       .edges = count_edges(complex),
+                       .triangles = complex.triangles.size(),
+                       .boundary_curves = boundary_curves(complex).size(),
+                       .solid_components = count_solid_components(complex)};
+  const std::size_t points = kind == Complex::full ? complex.distinct : counts.points_covered;
+  counts.components = points - count_joins(complex);
+  counts.holes = counts.components + counts.edges - points - counts.triangles;
+  return counts;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,15 @@
+// What: how many of everything a triangulation in arrays has, as a space.
+// Law:  of a solid complex, what count() says of its mesh (rbpa/topology.h).
+#pragma once
+
+#include "rbpa/topology.h"
+#include "rbpa/triangulate.h"
+
+namespace rbpa::app {
+
+/// Of a full complex, edges in no triangle are counted as well; the points covered are those in a triangle or an edge; every
+/// other distinct point is a component. There components − holes = distinct points − edges + triangles.
+/// Requires: neighbours. Throws Cancelled after a signal. Cost: about linear.
+ComplexCounts count(const Triangulation& complex, Complex kind);
+
+}  // namespace rbpa::app

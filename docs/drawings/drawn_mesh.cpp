@@ -1,0 +1,172 @@
+#include "drawings/drawn_mesh.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "meshops/core/live.h"
+#include "meshops/topology/build_mesh.h"
+
+namespace figures {
+namespace {
+
+void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
+  meshops::for_each_face(drawn.mesh, [&](Face f) {
+    std::vector<Segment> sides;
+    for (const Halfedge h : drawn.mesh.fh_range(f)) sides.push_back(frame.of(drawn.segment(h)));
+    canvas.outline(sides, marks.faces.contains(f)        ? colour::touched_face
+                          : marks.pale_faces.contains(f) ? colour::pale_face
+                                                         : colour::face);
+  });
+}
+
+/// Once, or once on each side where the sides lie apart: heads tell then how they fit.
+void draw_inner_edge(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, Edge e, bool touched) {
+  const Halfedge h = drawn.mesh.halfedge_handle(e, 0);
+  const Segment one = frame.of(drawn.segment(h)), other = frame.of(drawn.segment(Halfedge(h.idx() ^ 1)).reversed());
+  const std::string_view ink = touched ? colour::touched : colour::inner;
+  const double width = touched ? 2.6 : 1.2;
+  canvas.segment(one, {ink, width});
+  if (one.from == other.from && one.to == other.to) return;
+  canvas.segment(other, {ink, width});
+  for (const Segment& side : {one, other})
+    for (const double at : {-3.5, 3.5})
+      if (touched) canvas.head(side.middle() + at * direction(side.to - side.from), side.to - side.from, ink, 9);
+}
+
+void draw_boundary(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
+  meshops::for_each_halfedge(drawn.mesh, [&](Halfedge h) {
+    if (!drawn.mesh.is_boundary(h)) return;
+    const Segment s = frame.of(drawn.segment(h));
+    const auto ink = marks.edges.contains(drawn.mesh.edge_handle(h)) ? colour::touched : colour::curve;
+    canvas.segment(s, {ink, 2.6});
+    if (length(s.to - s.from) > 20) canvas.head(s.middle(), s.to - s.from, ink, 9);
+  });
+}
+
+void draw_vertices(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
+  const auto dot = [&](Place at, Vertex v) {
+    if (marks.vertices.contains(v))
+      canvas.dot(frame(at), 4.6, colour::touched);
+    else if (marks.pale_vertices.contains(v))
+      canvas.ring(frame(at), 2.6, colour::inner);
+    else
+      canvas.dot(frame(at), 3.4, colour::text);
+  };
+  meshops::for_each_vertex(drawn.mesh, [&](Vertex v) {
+    if (drawn.mesh.is_isolated(v)) dot(drawn.place(v), v);
+    std::vector<Place> dotted;
+    for (const Halfedge h : drawn.mesh.vih_range(v)) {
+      const Place at = drawn.segment(h).to;
+      if (std::find(dotted.begin(), dotted.end(), at) != dotted.end()) continue;
+      dot(at, v);
+      dotted.push_back(at);
+    }
+  });
+}
+
+}  // namespace
+
+Segment DrawnMesh::segment(Halfedge h) const {
+  if (mesh.is_boundary(h)) return segment(mesh.opposite_halfedge_handle(h)).reversed();
+  const auto corner = [&](Halfedge into) {
+    const auto found = apart.find(into);
+    return found != apart.end() ? found->second : place(mesh.to_vertex_handle(into));
+  };
+  Segment s{corner(mesh.prev_halfedge_handle(h)), corner(h), {}};
+  if (const auto found = bend.find(mesh.edge_handle(h)); found != bend.end()) s.bend = found->second;
+  return s;
+}
+
+Place DrawnMesh::centroid(Face f) const {
+  Place sum;
+  int corners = 0;
+  for (const Halfedge h : mesh.fh_range(f)) {
+    sum = sum + segment(h).to;
+    ++corners;
+  }
+  return (1.0 / corners) * sum;
+}
+
+Halfedge DrawnMesh::between(int from, int to) const {
+  const Halfedge h = mesh.find_halfedge(Vertex(from), Vertex(to));
+  if (!h.is_valid()) throw std::logic_error("no edge between " + std::to_string(from) + " and " + std::to_string(to));
+  return h;
+}
+
+Halfedge DrawnMesh::boundary_between(int a, int b) const {
+  const Halfedge h = between(a, b), other = mesh.opposite_halfedge_handle(h);
+  if (mesh.is_boundary(h)) return h;
+  if (mesh.is_boundary(other)) return other;
+  throw std::logic_error("an inner edge between " + std::to_string(a) + " and " + std::to_string(b));
+}
+
+std::vector<Place> DrawnMesh::all_places() const {
+  std::vector<Place> places;
+  meshops::for_each_vertex(mesh, [&](Vertex v) { places.push_back(place(v)); });
+  meshops::for_each_face(mesh, [&](Face f) {
+    for (const Halfedge h : mesh.fh_range(f)) places.push_back(segment(h).to);
+  });
+  return places;
+}
+
+DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
+                     const std::vector<std::uint32_t>& vertex_of) {
+  // The vertices are the places that stand for themselves, in their order.
+  std::vector<std::uint32_t> number(places.size());
+  std::vector<Place> own;
+  for (std::uint32_t p = 0; p < places.size(); ++p) {
+    const std::uint32_t least = vertex_of.empty() ? p : vertex_of[p];
+    number[p] = least == p ? static_cast<std::uint32_t>(own.size()) : number[least];
+    if (least == p) own.push_back(places[p]);
+  }
+  meshops::PolygonSoup soup;
+  soup.points = own.size();
+  for (const Corners& face : faces) {
+    Corners cycle;
+    for (const std::uint32_t p : face) cycle.push_back(number[p]);
+    soup.add_face(cycle);
+  }
+  DrawnMesh drawn;
+  const auto point_of_vertex = meshops::build_mesh(drawn.mesh, soup);
+  for (std::size_t v = 0; v < point_of_vertex.size(); ++v)
+    drawn.move(Vertex(static_cast<int>(v)), own[point_of_vertex[v]]);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    Halfedge h = drawn.mesh.halfedge_handle(Face(static_cast<int>(f)));  // from corner 0 to corner 1
+    for (std::size_t i = 1; i <= faces[f].size(); ++i) {
+      const Place at = places[faces[f][i % faces[f].size()]];
+      if (!(at == drawn.place(drawn.mesh.to_vertex_handle(h)))) drawn.apart[h] = at;
+      h = drawn.mesh.next_halfedge_handle(h);
+    }
+  }
+  return drawn;
+}
+
+Ring ring(std::uint32_t quads, double from, double to, double inner_radius, double outer_radius) {
+  Ring made;
+  const bool closed = to - from > 359;
+  const std::uint32_t n = closed ? quads : quads + 1;
+  for (const double radius : {outer_radius, inner_radius})
+    for (std::uint32_t i = 0; i < n; ++i) made.places.push_back(polar(from + (to - from) * i / quads, radius));
+  for (std::uint32_t i = 0; i < quads; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    made.faces.push_back({i, j, n + i});
+    made.faces.push_back({j, n + j, n + i});
+  }
+  return made;
+}
+
+void draw(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
+  draw_faces(canvas, frame, drawn, marks);
+  // What is touched lies above what is not.
+  for (const bool touched : {false, true})
+    meshops::for_each_edge(drawn.mesh, [&](Edge e) {
+      if (!drawn.mesh.is_boundary(e) && marks.edges.contains(e) == touched)
+        draw_inner_edge(canvas, frame, drawn, e, touched);
+    });
+  draw_boundary(canvas, frame, drawn, marks);
+  draw_vertices(canvas, frame, drawn, marks);
+  for (const Marks::Label& label : marks.labels)
+    canvas.text(frame(label.at) + Place{0, 5}, label.words, Lettering::italic, Align::middle);
+}
+
+}  // namespace figures

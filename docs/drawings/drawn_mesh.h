@@ -1,0 +1,102 @@
+// What: a mesh with places in the plane, and how it is drawn.
+// Law:  what is drawn is read off the mesh: its live faces, edges, vertices and boundary curves, and nothing else.
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "drawings/canvas.h"
+#include "meshops/core/connectivity.h"
+
+namespace figures {
+
+using meshops::Edge;
+using meshops::Face;
+using meshops::Halfedge;
+using meshops::Vertex;
+
+struct PlaneTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+};
+struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<PlaneTraits> {
+  Mesh() {
+    request_vertex_status();
+    request_edge_status();
+    request_halfedge_status();
+    request_face_status();
+  }
+};
+
+/// A mesh whose points are places. Where it does not fit into the plane, a corner of a face may lie elsewhere than its
+/// vertex: then an edge has a place on each side, and a vertex several.
+struct DrawnMesh {
+  Mesh mesh;
+  std::map<Halfedge, Place> apart;  ///< the end of a halfedge as a corner of its face
+  std::map<Edge, Place> bend;       ///< of edges that are not straight
+
+  Place place(Vertex v) const { return {mesh.point(v)[0], mesh.point(v)[1]}; }
+  void move(Vertex v, Place to) { mesh.set_point(v, {to.x, to.y, 0}); }
+  void move(Vertex v, Vertex w, Place to) {
+    move(v, to);
+    move(w, to);
+  }
+  /// As a side of its face; of a boundary halfedge that of its opposite, reversed.
+  Segment segment(Halfedge h) const;
+  Place centroid(Face f) const;
+  /// The halfedge from vertex to vertex. Throws when there is none.
+  Halfedge between(int from, int to) const;
+  /// The halfedge of the edge between two vertices that is on the boundary. Throws when there is none.
+  Halfedge boundary_between(int a, int b) const;
+  std::vector<Place> all_places() const;
+};
+
+using Corners = std::vector<std::uint32_t>;
+
+/// Faces over places. `vertex_of` says which places are one vertex, by the least of them; left out: none.
+DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
+                     const std::vector<std::uint32_t>& vertex_of = {});
+
+/// A ring of quadrangles, each cut in two, between two circles about the origin; from 0 to 360 degrees it closes.
+/// Places 0, 1, … are those on the outer circle, and as many on the inner one follow.
+struct Ring {
+  std::vector<Place> places;
+  std::vector<Corners> faces;
+};
+Ring ring(std::uint32_t quads, double from, double to, double inner_radius, double outer_radius);
+
+/// What a panel shows apart from the mesh.
+struct Marks {
+  std::set<Vertex> vertices;  ///< elements that are touched
+  std::set<Edge> edges;
+  std::set<Face> faces;
+  std::set<Vertex> pale_vertices;  ///< elements that are of no more interest
+  std::set<Face> pale_faces;
+  struct Label {
+    Place at;
+    std::string words;
+  };
+  std::vector<Label> labels;
+  void add(Vertex v) { vertices.insert(v); }
+  void add(Edge e) { edges.insert(e); }
+  void add(Face f) { faces.insert(f); }
+};
+
+/// The plane of a mesh, y upwards, on the canvas.
+struct Frame {
+  Place origin;  ///< in pixels
+  double scale;  ///< pixels per unit
+  Place operator()(Place p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
+  Segment of(const Segment& s) const {
+    Segment mapped{(*this)(s.from), (*this)(s.to), {}};
+    if (s.bend) mapped.bend = (*this)(*s.bend);
+    return mapped;
+  }
+};
+
+void draw(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks);
+
+}  // namespace figures

@@ -1,0 +1,39 @@
+// What: draws the figures of the pages by running what they show.
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "drawings/figures.h"
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::cerr << "usage: draw_figures OUTPUT_FOLDER\n";
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = arguments[1];
+    std::filesystem::create_directories(folder);
+    for (const auto group :
+         {figures::handle_figures, figures::stellar_figures, figures::front_figures, figures::topology_figures,
+          figures::defect_figures, figures::pivoting_figures, figures::shape_figures, figures::hierarchy_figures,
+          figures::filtration_figures, figures::timing_figures, figures::cookbook_figures})
+      for (const figures::Figure& figure : group()) write(folder / (std::string(figure.name) + ".svg"), figure.svg());
+  } catch (const std::exception& error) {
+    std::cerr << "draw_figures: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

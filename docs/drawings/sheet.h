@@ -1,0 +1,58 @@
+// What: a figure of panels in rows, with arrows between them: before, operator, after.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "drawings/drawn_mesh.h"
+#include "meshops/topology/count.h"
+
+namespace figures {
+
+struct Panel {
+  DrawnMesh drawn;
+  Marks marks;
+  std::vector<std::string> caption = {};  ///< lines under it
+  std::string heading = {};
+  /// Draws more on top.
+  std::function<void(Canvas&, const Frame&)> more = {};
+  std::vector<Place> extent = {};  ///< places that are to be inside, apart from those of the mesh
+};
+
+/// A panel with the counts of its mesh as caption.
+Panel counted(const DrawnMesh& drawn, const Marks& marks = {});
+
+/// What leads from a panel to the next one, and back.
+struct Arrow {
+  std::string there, back;  ///< `back` may be empty
+  std::string note = {};    ///< in small letters above
+};
+
+class Sheet {
+ public:
+  /// Panels are at least `least_width` pixels wide, so that their captions fit.
+  explicit Sheet(std::string title, double pixels_per_unit = 50, double least_width = 220)
+      : title_(std::move(title)), scale_(pixels_per_unit), least_width_(least_width) {}
+
+  Sheet& row(const Panel& before, const Arrow& arrow, const Panel& after);
+  /// Panels side by side.
+  Sheet& row(const std::vector<Panel>& panels);
+
+  std::string svg() const;
+
+ private:
+  struct Row {
+    std::vector<Panel> panels;
+    std::vector<Arrow> arrow;  // one, or none
+  };
+  std::string title_;
+  double scale_;
+  double least_width_;
+  std::vector<Row> rows_;
+};
+
+/// Throws when the counts differ: the inverse of an operator did not give back what was there.
+void require_same_counts(const DrawnMesh& before, const DrawnMesh& there_and_back);
+
+}  // namespace figures
