@@ -4,10 +4,9 @@
 
 #include "rbpa/paper/rbpa.h"
 #include "rbpa/parallel/threads.h"
-#include "rbpa/remainder/remainder.h"
+#include "rbpa/patches/for_each_patch.h"
 #include "rbpa/run/assembly.h"
 #include "rbpa/run/input.h"
-#include "rbpa/tile/lay_tiles.h"
 
 namespace rbpa {
 namespace {
@@ -15,15 +14,14 @@ namespace {
 /// Tiles tell what they can, and the remainder what is missing.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
                                    Threads& threads, Report& report) {
-  Remainder remainder(sites, radius);
-  lay_tiles(sites, sites.window().scaled(radius), assembler, threads, [&](const TileTriangles& tile) {
-    remainder.add(tile);
-    report.worked(assembler.faces());
-  });
-  meshops::Patch missing;
-  meshops::Outline outline;
-  remainder.complete(missing, outline, threads, [&] { report.worked(assembler.faces()); });
-  assembler.lay(missing, outline);
+  assembler.reserve(3 * sites.size(), 2 * sites.size());
+  using meshops::Placement;
+  const OutlinedPatch rest = for_each_patch<Placement>(
+      sites, radius, threads, [](const TilePatch&, Placement&) {},
+      [&](const TilePatch& tile, Placement& placement) { assembler.place(tile.patch, tile.outline, placement); },
+      [&](const TilePatch& tile, Placement& placement) { assembler.fill(tile.patch, tile.outline, placement); },
+      [&] { report.worked(assembler.faces()); });
+  assembler.lay(rest.patch, rest.outline);
   report.worked(assembler.faces());
   auto assembled = std::move(assembler).join();
   report.completed(assembled.mesh());

@@ -11,10 +11,9 @@
 #include "rbpa/arrays/triangle_list.h"
 #include "rbpa/collinear.h"
 #include "rbpa/core/error.h"
-#include "rbpa/remainder/remainder.h"
+#include "rbpa/patches/for_each_patch.h"
 #include "rbpa/run/input.h"
 #include "rbpa/search/sites.h"
-#include "rbpa/tile/for_each_tile.h"
 
 namespace rbpa {
 namespace {
@@ -31,29 +30,22 @@ struct Run {
 
   /// Tiles tell what they can, and the remainder what is missing.
   TriangleList::Lists find_triangles(const Sites& sites) const {
-    const Radius radius = Radius::of(alpha);
     TriangleList list(sites.size(), sites.input_index(), with_neighbors);
     const auto worked = [&] {
       if (options.progress && !options.progress({list.size(), sites.size()})) throw Cancelled();
     };
     using Place = TriangleList::Place;
-    Remainder remainder(sites, radius);
-    for_each_tile<Place>(
-        sites, sites.window().scaled(radius), threads,
-        [&](const TileTriangles& tile, Place& place) { list.prepare(tile.patch, place); },
-        [&](const TileTriangles& tile, Place& place) {
-          list.place(tile.patch, place);
-          remainder.add(tile);
-          worked();
-        },
-        [&](const TileTriangles& tile, Place& place) { list.fill(tile.patch, place); }, false);
-    meshops::Patch missing;
-    meshops::Outline outline;
-    remainder.complete(missing, outline, threads, worked);
+    const meshops::Patch rest =
+        for_each_patch<Place>(
+            sites, Radius::of(alpha), threads,
+            [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
+            [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
+            [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false)
+            .patch;
     Place place;
-    list.prepare(missing, place);
-    list.place(missing, place);
-    list.fill(missing, place);
+    list.prepare(rest, place);
+    list.place(rest, place);
+    list.fill(rest, place);
     worked();
     return list.take();
   }

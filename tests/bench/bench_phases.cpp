@@ -13,6 +13,7 @@
 #include "bench/arguments.h"
 #include "bench/memory.h"
 #include "bench/workload.h"
+#include "rbpa/patches/find_patch.h"
 #include "rbpa/predicate/radius.h"
 #include "rbpa/remainder/remainder.h"
 #include "rbpa/run/assembly.h"
@@ -60,15 +61,15 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   watch.lap(sort);
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
-  rbpa::TileWorkspace workspace;
-  rbpa::TileTriangles triangles;
+  rbpa::FinderWorkspace workspace;
+  rbpa::TilePatch triangles;
   meshops::Placement placement;
   const std::vector<rbpa::Block> blocks = rbpa::blocks(grid, rbpa::points_per_tile);
   watch.lap(cut);
   for (const rbpa::Block& block : blocks) {
     cutter.cut(block, tile);
     watch.lap(cut);
-    rbpa::triangulate(tile, radius, workspace, triangles);
+    rbpa::find_patch(tile, radius, workspace, triangles);
     watch.lap(triangulate);
     const meshops::Patch& patch = triangles.patch;
     const meshops::Outline& outline = triangles.outline;

@@ -5,6 +5,7 @@
 
 #include "bench/arguments.h"
 #include "bench/workload.h"
+#include "rbpa/patches/find_patch.h"
 #include "rbpa/predicate/radius.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/search/point_grid.h"
@@ -14,21 +15,25 @@ namespace rbpa_bench {
 namespace {
 
 struct Told {
-  std::size_t tiles = 0, triangles = 0, known = 0;
+  std::size_t tiles = 0, triangles = 0, settled = 0;
 };
 
 Told told_by_tiles(const rbpa::Sites& sites, double alpha) {
   Told told;
-  struct Nothing {};
-  const auto nothing = [](const rbpa::TileTriangles&, Nothing&) {};
-  const auto count = [&](const rbpa::TileTriangles& tile, Nothing&) {
-    ++told.tiles;
-    told.triangles += tile.patch.triangles.size();
-    told.known += tile.known.size();
+  struct Workspace {
+    rbpa::FinderWorkspace finder;
+    rbpa::TilePatch found;
   };
   rbpa::Threads threads;
   const rbpa::Radius radius = sites.window().scaled(rbpa::Radius::of(alpha));
-  rbpa::for_each_tile<Nothing>(sites, radius, threads, nothing, count, nothing);
+  rbpa::for_each_tile<Workspace>(
+      sites, threads, [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
+      [&](Workspace& w) {
+        ++told.tiles;
+        told.triangles += w.found.patch.triangles.size();
+        told.settled += w.found.settled.size();
+      },
+      [](Workspace&) {});
   return told;
 }
 
@@ -54,7 +59,7 @@ void print_row(const std::string& set, const rbpa_test::Points& points, double a
   std::printf("| %s | %zu | %s | %zu | %zu | %.2f | %zu | %.2f | %.2f | %.2f |\n", set.c_str(), points.size(),
               alpha_text, triangles, told.tiles,
               100 * static_cast<double>(told.triangles) / static_cast<double>(triangles), triangles - told.triangles,
-              100 * static_cast<double>(told.known) / distinct,
+              100 * static_cast<double>(told.settled) / distinct,
               static_cast<double>(points_of_tiles(grid, rbpa::points_per_tile)) / distinct,
               static_cast<double>(points_of_tiles(grid, 1024)) / distinct);
   std::fflush(stdout);
@@ -64,7 +69,8 @@ void report(std::size_t count) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
   std::printf(
-      "| points | number | α | triangles | tiles | told by tiles, %% | left over | known points, %% | of tiles, 2048 | "
+      "| points | number | α | triangles | tiles | told by tiles, %% | left over | settled points, %% | of tiles, 2048 "
+      "| "
       "1024 |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
     print_row(workload.name, workload.make(count), infinity, "∞");

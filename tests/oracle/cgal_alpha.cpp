@@ -10,7 +10,7 @@
 
 namespace rbpa_test {
 
-ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const std::size_t> most_components) {
+ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const std::size_t> max_components) {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;
   using Storage =
       CGAL::Triangulation_data_structure_2<CGAL::Alpha_shape_vertex_base_2<K>, CGAL::Alpha_shape_face_base_2<K>>;
@@ -21,7 +21,7 @@ ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const 
 
   const auto radius = [](const K::FT& squared) { return std::sqrt(CGAL::to_double(squared.exact())); };
   ProposedAlphas alphas{radius(shape.find_alpha_solid()), {}};
-  for (const std::size_t k : most_components) {
+  for (const std::size_t k : max_components) {
     auto found = shape.find_optimal_alpha(k);
     if (found != shape.alpha_begin()) {
       const auto before = found - 1;

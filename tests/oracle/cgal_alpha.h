@@ -17,6 +17,6 @@ struct ProposedAlphas {
 };
 
 /// Requires: three points that are not on a line; squares of radii are in the range of double.
-ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const std::size_t> most_components);
+ProposedAlphas cgal_alphas(std::span<const rbpa::Point> points, std::span<const std::size_t> max_components);
 
 }  // namespace rbpa_test

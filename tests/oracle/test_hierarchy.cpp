@@ -20,7 +20,7 @@
 namespace rbpa_test {
 namespace {
 
-constexpr std::size_t most_levels = 5;  // of a set with many, those looked at
+constexpr std::size_t max_levels = 5;  // of a set with many, those looked at
 
 void check_set(const std::string& name, const Points& points, std::vector<double> alphas, Random& random,
                rbpa::Search search = rbpa::Search::near_to_far) {
@@ -32,7 +32,7 @@ void check_set(const std::string& name, const Points& points, std::vector<double
     const rbpa::Hierarchy h = hierarchy(points, alpha, capacity, search);
     const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
     CHECK_MESSAGE(wrong.empty(), wrong);
-    const std::size_t step = std::max<std::size_t>(1, h.levels.size() / most_levels);
+    const std::size_t step = std::max<std::size_t>(1, h.levels.size() / max_levels);
     for (std::size_t i = 0; i < h.levels.size(); i += step) {
       INFO("after level ", h.levels[i].number, ", alpha ", literal(h.levels[i].alpha));
       const std::string wrong_here = difference(oracle.triangles(h.levels[i].alpha), triangles_after(h, i));

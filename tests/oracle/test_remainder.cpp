@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "oracle/delaunay.h"
+#include "rbpa/divide/divide_and_conquer.h"
 #include "rbpa/predicate/magnitude.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/remainder/delaunay.h"
 #include "support/generate.h"
 #include "support/sets.h"
 
@@ -23,7 +23,7 @@ std::vector<Triangle> triangles_of(const Points& points) {
   meshops::Patch patch;
   meshops::Outline outline;
   rbpa::Threads threads;
-  rbpa::delaunay<double>(
+  rbpa::divide_and_conquer<double>(
       places, [](const auto&...) { return 0; }, threads, patch, outline);
   std::vector<Triangle> found;
   for (const auto& t : patch.triangles)

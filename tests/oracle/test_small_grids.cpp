@@ -22,7 +22,7 @@
 namespace rbpa_test {
 namespace {
 
-constexpr std::size_t most_for_brute_force = 12;
+constexpr std::size_t max_for_brute_force = 12;
 
 /// The circumradius of three of the points, or the double before or after it.
 double circumradius_of_some(const Points& points, Random& random) {
@@ -53,7 +53,7 @@ double some_alpha(const Points& points, Random& random) {
 
 Points some_points(Random& random) {
   const int columns = random.integer(2, 8);
-  const auto count = static_cast<std::size_t>(random.integer(3, static_cast<int>(most_for_brute_force)));
+  const auto count = static_cast<std::size_t>(random.integer(3, static_cast<int>(max_for_brute_force)));
   return random_grid(columns, count, random.chance(0.2), random.bits());
 }
 

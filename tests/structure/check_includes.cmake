@@ -20,15 +20,19 @@ set(arrows
   rbpa/run>rbpa
   rbpa/run>meshops/core rbpa/run>meshops/front rbpa/run>meshops/patch
   rbpa/hierarchy>rbpa/core rbpa/hierarchy>rbpa/predicate rbpa/hierarchy>rbpa/search
-  rbpa/hierarchy>rbpa/tile rbpa/hierarchy>rbpa/remainder rbpa/hierarchy>rbpa/parallel
+  rbpa/hierarchy>rbpa/patches rbpa/hierarchy>rbpa/parallel
   rbpa/hierarchy>rbpa/run rbpa/hierarchy>meshops/core rbpa/hierarchy>meshops/front
   rbpa/hierarchy>meshops/patch
   rbpa>rbpa/core rbpa>rbpa/predicate rbpa>rbpa/search rbpa>rbpa/paper rbpa>rbpa/run rbpa>rbpa/hierarchy
   rbpa/tile>rbpa/core rbpa/tile>rbpa/predicate rbpa/tile>rbpa/search rbpa/tile>meshops/patch
-  rbpa>rbpa/tile
+  rbpa/pivots>rbpa/tile rbpa/pivots>rbpa/predicate
+  rbpa/enumeration>rbpa/tile rbpa/enumeration>rbpa/predicate
+  rbpa/divide>rbpa/core rbpa/divide>rbpa/predicate rbpa/divide>rbpa/parallel rbpa/divide>meshops/patch
+  rbpa/patches>rbpa/tile rbpa/patches>rbpa/pivots rbpa/patches>rbpa/enumeration rbpa/patches>rbpa/remainder
+  rbpa/patches>meshops/patch rbpa>rbpa/patches
   rbpa/tile>rbpa/parallel rbpa/search>rbpa/parallel rbpa/run>rbpa/parallel rbpa>rbpa/parallel
   rbpa/remainder>rbpa/core rbpa/remainder>rbpa/predicate rbpa/remainder>rbpa/search rbpa/remainder>meshops/patch
-  rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/tile rbpa>rbpa/remainder
+  rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/tile rbpa/remainder>rbpa/divide
   rbpa/arrays>rbpa rbpa/arrays>rbpa/predicate rbpa/arrays>rbpa/parallel rbpa/arrays>meshops/core
   rbpa/arrays>meshops/patch rbpa>rbpa/arrays
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
@@ -47,7 +51,7 @@ set(arrows
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(arrays|hierarchy|paper|parallel|predicate|remainder|run|search|tile)/")
+set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile)/")
 
 set(checked 0)
 set(bad "")

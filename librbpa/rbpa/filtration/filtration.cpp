@@ -84,9 +84,9 @@ Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> 
   return result;
 }
 
-std::optional<double> smallest_covering(const Filtration& filtration, std::optional<std::size_t> most_components) {
+std::optional<double> smallest_covering(const Filtration& filtration, std::optional<std::size_t> max_components) {
   const auto step = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const FiltrationStep& s) {
-    return s.covered == filtration.distinct && (!most_components || s.solid_components <= *most_components);
+    return s.covered == filtration.distinct && (!max_components || s.solid_components <= *max_components);
   });
   if (step == filtration.steps.end()) return std::nullopt;
   return step->alpha;

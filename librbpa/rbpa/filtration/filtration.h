@@ -42,11 +42,11 @@ struct Filtration {
 RBPA_API Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points,
                                const std::function<bool()>& go_on = {});
 
-/// The least alpha at which every distinct point is in a triangle; with `most_components`, at which moreover there are
+/// The least alpha at which every distinct point is in a triangle; with `max_components`, at which moreover there are
 /// at most that many solid components (their number is not monotone in alpha: it may exceed the bound again above).
 /// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or the bound is 0.
 /// Cost:     linear in the number of steps.
 RBPA_API std::optional<double> smallest_covering(const Filtration& filtration,
-                                                 std::optional<std::size_t> most_components = std::nullopt);
+                                                 std::optional<std::size_t> max_components = std::nullopt);
 
 }  // namespace rbpa

@@ -41,9 +41,10 @@ double least(double low, double high, const Enough& enough) {
 double least_alpha(const Point& a, const Point& b, const Point& c) {
   const Wide::Vector ab = Wide::from(a, b), bc = Wide::from(b, c), ca = Wide::from(c, a);
   const long double sides = std::sqrt(Wide::dot(ab, ab) * Wide::dot(bc, bc) * Wide::dot(ca, ca));
-  const long double area = 2 * std::abs(Wide::cross(ab, ca)), error = 10 * Wide::unit * Wide::cross_size(ab, ca);
-  const double low = rounded_up(sides / (area + error) * (1 - 16 * Wide::unit));
-  const double high = area > error ? rounded_up(sides / (area - error) * (1 + 16 * Wide::unit))
+  const long double area = 2 * std::abs(Wide::cross(ab, ca)),
+                    error = 10 * Wide::unit_roundoff * Wide::cross_magnitude(ab, ca);
+  const double low = rounded_up(sides / (area + error) * (1 - 16 * Wide::unit_roundoff));
+  const double high = area > error ? rounded_up(sides / (area - error) * (1 + 16 * Wide::unit_roundoff))
                                    : std::numeric_limits<double>::infinity();
   if (low == high) return low;
   return least(low, high, [&](double alpha) { return Wide::compare_circumradius(a, b, c, alpha) <= 0; });
@@ -52,7 +53,8 @@ double least_alpha(const Point& a, const Point& b, const Point& c) {
 double least_alpha(const Point& a, const Point& b) {
   const Wide::Vector ab = Wide::from(a, b);
   const long double half = std::sqrt(Wide::dot(ab, ab)) / 2;
-  const double low = rounded_up(half * (1 - 8 * Wide::unit)), high = rounded_up(half * (1 + 8 * Wide::unit));
+  const double low = rounded_up(half * (1 - 8 * Wide::unit_roundoff)),
+               high = rounded_up(half * (1 + 8 * Wide::unit_roundoff));
   if (low == high) return low;
   return least(low, high, [&](double alpha) { return Wide::compare_to_diameter(a, b, alpha) <= 0; });
 }

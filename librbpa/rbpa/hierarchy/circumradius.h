@@ -13,8 +13,8 @@ template <typename Real>
 Real circumradius(const Point& a, const Point& b, const Point& c) {
   using P = Predicates<Real>;
   const auto ab = P::from(a, b), bc = P::from(b, c), ca = P::from(c, a);
-  const Real most_area = std::abs(P::cross(ab, ca)) + 8 * P::unit * P::cross_size(ab, ca);
-  return std::sqrt(P::dot(ab, ab)) * std::sqrt(P::dot(bc, bc)) * (std::sqrt(P::dot(ca, ca)) / (2 * most_area));
+  const Real max_area = std::abs(P::cross(ab, ca)) + 8 * P::unit_roundoff * P::cross_magnitude(ab, ca);
+  return std::sqrt(P::dot(ab, ab)) * std::sqrt(P::dot(bc, bc)) * (std::sqrt(P::dot(ca, ca)) / (2 * max_area));
 }
 
 }  // namespace rbpa

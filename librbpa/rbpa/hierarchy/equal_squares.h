@@ -47,7 +47,7 @@ class EqualSquares {
     for (const Point& p : points) ++held_[number(p)];
   }
 
-  std::size_t most_held() const { return *std::max_element(held_.begin(), held_.end()); }
+  std::size_t max_held() const { return *std::max_element(held_.begin(), held_.end()); }
 
   /// Calls visit(std::span<Point>, Square) with every square that holds more than `few` of the points that were counted.
   template <typename Visit>
@@ -68,7 +68,7 @@ class EqualSquares {
     }
   }
 
-  /// Back to the squares of which these are quarters. Requires a depth above 0; nothing but most_held() and merge() is
+  /// Back to the squares of which these are quarters. Requires a depth above 0; nothing but max_held() and merge() is
   /// known of them.
   void merge() {
     const std::size_t columns = std::size_t{1} << depth_--;

@@ -1,7 +1,6 @@
 #include "rbpa/hierarchy/growth_by_tiles.h"
 
-#include "rbpa/remainder/remainder.h"
-#include "rbpa/tile/for_each_tile.h"
+#include "rbpa/patches/for_each_patch.h"
 
 namespace rbpa {
 namespace {
@@ -13,10 +12,8 @@ struct Share {
   meshops::Placement placement;
 
   /// Its triangles of the first level.
-  const meshops::Patch& patch(const TileTriangles& tile) const {
-    return levels.later.empty() ? tile.patch : levels.first;
-  }
-  const meshops::Outline& outline_of(const TileTriangles& tile) const {
+  const meshops::Patch& patch(const TilePatch& tile) const { return levels.later.empty() ? tile.patch : levels.first; }
+  const meshops::Outline& outline_of(const TilePatch& tile) const {
     return levels.later.empty() ? tile.outline : outline;
   }
 };
@@ -37,31 +34,26 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
   const auto points = sites_.grid().points();
   const Window& window = sites_.window();
   const Radius all = ladder_.radius(ladder_.end());
-  Remainder remainder(sites_, all);
   assembler.reserve(3 * sites_.size(), 2 * sites_.size());
-  for_each_tile<Share>(
-      sites_, window.scaled(all), threads_,
-      [&](const TileTriangles& tile, Share& share) {
+  const OutlinedPatch rest = for_each_patch<Share>(
+      sites_, all, threads_,
+      [&](const TilePatch& tile, Share& share) {
         share.levels.part(tile.patch, points, ladder_, window);
         if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
       },
-      [&](const TileTriangles& tile, Share& share) {
+      [&](const TilePatch& tile, Share& share) {
         assembler.place(share.patch(tile), share.outline_of(tile), share.placement);
         waiting_.add(share.levels.later);
-        remainder.add(tile);
-        report_.worked(assembler.faces());
       },
-      [&](const TileTriangles& tile, Share& share) {
+      [&](const TilePatch& tile, Share& share) {
         assembler.fill(share.patch(tile), share.outline_of(tile), share.placement);
-      });
-  meshops::Patch missing;
-  meshops::Outline outline;
-  remainder.complete(missing, outline, threads_, [&] { report_.worked(assembler.faces()); });
+      },
+      [&] { report_.worked(assembler.faces()); });
   LevelPatch levels;
-  levels.part(missing, sites_, ladder_);
+  levels.part(rest.patch, sites_, ladder_);
   report_.worked(assembler.faces());
   if (levels.later.empty())
-    assembler.lay(missing, outline);
+    assembler.lay(rest.patch, rest.outline);
   else
     assembler.lay(levels.first);
   waiting_.add(levels.later);

@@ -78,13 +78,13 @@ class Quadtree {
     }
     squares.count(points);
     Real least = square.side;
-    if (squares.most_held() > capacity_) {
+    if (squares.max_held() > capacity_) {
       squares.for_each_above(capacity_, points, [&](std::span<Point> held, const Square<Real>& s) {
         least = std::min(least, held.size() > many ? smallest_in(held, s, ask) : smallest_one_by_one(held, s, ask));
       });
       return least;
     }
-    for (; squares.most_held() <= capacity_; --depth) squares.merge();
+    for (; squares.max_held() <= capacity_; --depth) squares.merge();
     for (; depth >= 0; --depth) least /= 2;
     return least;
   }

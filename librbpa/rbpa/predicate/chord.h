@@ -17,15 +17,15 @@ class Chord {
 
   struct Candidate {
     Point at;
-    Real dot, cross, dot_size, cross_size;
+    Real dot, cross, dot_magnitude, cross_magnitude;
   };
   Candidate candidate(const Point& p) const {
     const auto ap = P::from(a_, p), bp = P::from(b_, p);
-    return {p, P::dot(ap, bp), P::cross(ab_, ap), P::dot_size(ap, bp), P::cross_size(ab_, ap)};
+    return {p, P::dot(ap, bp), P::cross(ab_, ap), P::dot_magnitude(ap, bp), P::cross_magnitude(ab_, ap)};
   }
 
   bool is_left(const Candidate& p) const {
-    if (std::abs(p.cross) <= 5 * P::unit * p.cross_size) [[unlikely]]
+    if (std::abs(p.cross) <= 5 * P::unit_roundoff * p.cross_magnitude) [[unlikely]]
       return P::orientation(a_, b_, p.at) > 0;
     return p.cross > 0;
   }
@@ -33,7 +33,8 @@ class Chord {
   /// q is inside the circle through the chord and p, ties perturbed. Requires p to be left, and q another point.
   bool is_inside(const Candidate& q, const Candidate& p) const {
     const Real difference = p.dot * q.cross - q.dot * p.cross;
-    const Real bound = 11 * P::unit * (p.dot_size * q.cross_size + q.dot_size * p.cross_size);
+    const Real bound =
+        11 * P::unit_roundoff * (p.dot_magnitude * q.cross_magnitude + q.dot_magnitude * p.cross_magnitude);
     if (std::abs(difference) <= bound) [[unlikely]]
       return P::in_perturbed_circle(a_, b_, p.at, q.at) > 0;
     return difference > 0;

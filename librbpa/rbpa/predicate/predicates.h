@@ -2,7 +2,7 @@
 // Law:    each returns the sign of a real number that its comment names, for every finite input. Exchange of arguments
 //         changes the sign as it does for the real number.
 // How:    a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); what it
-//         leaves goes to twice the precision, to expansions, or to integers of any length where exponents are extreme.
+//         leaves goes to double-double, to expansions, or to integers of any length where exponents are extreme.
 // Cost:   a few nanoseconds; 0.1–1 µs when the filter fails.
 #pragma once
 
@@ -11,9 +11,9 @@
 #include <type_traits>
 
 #include "rbpa/core/point.h"
+#include "rbpa/predicate/double_double.h"
 #include "rbpa/predicate/exact_integer.h"
 #include "rbpa/predicate/expansion.h"
-#include "rbpa/predicate/twice.h"
 
 namespace rbpa {
 
@@ -27,7 +27,8 @@ class Predicates {
                 "long double has the exponents of double here: extreme coordinates could not be filtered");
 
  public:
-  static constexpr Real unit = std::numeric_limits<Real>::epsilon() / 2;  ///< of one rounding
+  static constexpr Real unit_roundoff =
+      std::numeric_limits<Real>::epsilon() / 2;  ///< the relative error of one rounding
 
   struct Vector {
     Real x, y;
@@ -35,13 +36,13 @@ class Predicates {
   static Vector from(const Point& a, const Point& b) { return {Real(b.x) - Real(a.x), Real(b.y) - Real(a.y)}; }
   static Real dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
   static Real cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
-  static Real dot_size(const Vector& u, const Vector& v) { return std::abs(u.x * v.x) + std::abs(u.y * v.y); }
-  static Real cross_size(const Vector& u, const Vector& v) { return std::abs(u.x * v.y) + std::abs(u.y * v.x); }
+  static Real dot_magnitude(const Vector& u, const Vector& v) { return std::abs(u.x * v.x) + std::abs(u.y * v.y); }
+  static Real cross_magnitude(const Vector& u, const Vector& v) { return std::abs(u.x * v.y) + std::abs(u.y * v.x); }
 
   /// 1 when a, b, c turn left, −1 when right, 0 when they are on a line.
   static int orientation(const Point& a, const Point& b, const Point& c) {
     const Vector ab = from(a, b), ac = from(a, c);
-    const Real area = cross(ab, ac), bound = 5 * unit * cross_size(ab, ac);
+    const Real area = cross(ab, ac), bound = 5 * unit_roundoff * cross_magnitude(ab, ac);
     if (area > bound) return 1;
     if (area < -bound) return -1;
     if (bound == 0) return 0;  // both products are, and not by underflow: on a line parallel to an axis
@@ -59,10 +60,10 @@ class Predicates {
         const CircleTest<long double> finer(a, b, p, q);
         if (finer.is_sure()) return finer.sign();
       }
-      const auto twice_ab = twice(a, b), twice_ap = twice(a, p), twice_aq = twice(a, q);
-      const Twice finer =
-          twice_ap.dot(twice(b, p)) * twice_ab.cross(twice_aq) - twice_aq.dot(twice(b, q)) * twice_ab.cross(twice_ap);
-      const double bound = 64 * unit * unit * test.size;
+      const auto wide_ab = widened(a, b), wide_ap = widened(a, p), wide_aq = widened(a, q);
+      const DoubleDouble finer =
+          wide_ap.dot(widened(b, p)) * wide_ab.cross(wide_aq) - wide_aq.dot(widened(b, q)) * wide_ab.cross(wide_ap);
+      const double bound = 64 * unit_roundoff * unit_roundoff * test.magnitude;
       if (finer.high > bound) return 1;
       if (finer.high < -bound) return -1;
       const auto exact_ab = exact(a, b), exact_ap = exact(a, p), exact_aq = exact(a, q);
@@ -94,10 +95,11 @@ class Predicates {
   static int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha) {
     const Vector ab = from(a, b), bc = from(b, c), ca = from(c, a);
     const Real sides = dot(ab, ab) * dot(bc, bc) * dot(ca, ca);
-    const Real area = std::abs(cross(ab, ca)), area_size = cross_size(ab, ca);
+    const Real area = std::abs(cross(ab, ca)), area_magnitude = cross_magnitude(ab, ca);
     const Real factor = 4 * Real(alpha) * Real(alpha);
     const Real difference = sides - factor * area * area;
-    const Real bound = unit * (32 * sides + factor * area_size * (24 * area + 64 * unit * area_size));
+    const Real bound =
+        unit_roundoff * (32 * sides + factor * area_magnitude * (24 * area + 64 * unit_roundoff * area_magnitude));
     // Which of the two is a toss of a coin at a radius like that of many triangles: no branch but for what is undecided.
     if (std::abs(difference) > bound) [[likely]]
       return difference > 0 ? 1 : -1;
@@ -108,7 +110,7 @@ class Predicates {
   static int compare_to_diameter(const Point& a, const Point& b, double alpha) {
     const Vector ab = from(a, b);
     const Real length = dot(ab, ab), diameter = 4 * Real(alpha) * Real(alpha);
-    const Real bound = 8 * unit * (length + diameter);
+    const Real bound = 8 * unit_roundoff * (length + diameter);
     if (length - diameter > bound) return 1;
     if (length - diameter < -bound) return -1;
     return exact_integer::compare_to_diameter(a, b, alpha);
@@ -118,7 +120,7 @@ class Predicates {
   static int compare_distances(const Point& v, const Point& p, const Point& q) {
     const Vector vp = from(v, p), vq = from(v, q);
     const Real first = dot(vp, vp), second = dot(vq, vq);
-    const Real bound = 8 * unit * (first + second);
+    const Real bound = 8 * unit_roundoff * (first + second);
     if (first - second > bound) return 1;
     if (first - second < -bound) return -1;
     return exact_integer::compare_distances(v, p, q);
@@ -127,7 +129,7 @@ class Predicates {
   /// Sign of (p − v) · (q − v): of the cosine of the angle at v.
   static int dot_sign(const Point& v, const Point& p, const Point& q) {
     const Vector vp = from(v, p), vq = from(v, q);
-    const Real product = dot(vp, vq), bound = 5 * unit * dot_size(vp, vq);
+    const Real product = dot(vp, vq), bound = 5 * unit_roundoff * dot_magnitude(vp, vq);
     if (product > bound) return 1;
     if (product < -bound) return -1;
     return exact_integer::dot(v, p, q);
@@ -144,21 +146,22 @@ class Predicates {
       using N = Predicates<Number>;
       const auto ab = N::from(a, b), ap = N::from(a, p), bp = N::from(b, p), aq = N::from(a, q), bq = N::from(b, q);
       difference = N::dot(ap, bp) * N::cross(ab, aq) - N::dot(aq, bq) * N::cross(ab, ap);
-      size = N::dot_size(ap, bp) * N::cross_size(ab, aq) + N::dot_size(aq, bq) * N::cross_size(ab, ap);
+      magnitude =
+          N::dot_magnitude(ap, bp) * N::cross_magnitude(ab, aq) + N::dot_magnitude(aq, bq) * N::cross_magnitude(ab, ap);
     }
-    bool is_sure() const { return std::abs(difference) > 11 * Predicates<Number>::unit * size; }
+    bool is_sure() const { return std::abs(difference) > 11 * Predicates<Number>::unit_roundoff * magnitude; }
     int sign() const { return difference > 0 ? 1 : -1; }
 
-    Number difference, size;
+    Number difference, magnitude;
   };
 
-  struct TwiceVector {
-    Twice x, y;
-    Twice dot(const TwiceVector& v) const { return x * v.x + y * v.y; }
-    Twice cross(const TwiceVector& v) const { return x * v.y - y * v.x; }
+  struct DoubleDoubleVector {
+    DoubleDouble x, y;
+    DoubleDouble dot(const DoubleDoubleVector& v) const { return x * v.x + y * v.y; }
+    DoubleDouble cross(const DoubleDoubleVector& v) const { return x * v.y - y * v.x; }
   };
-  static TwiceVector twice(const Point& a, const Point& b) {
-    return {Twice::difference(b.x, a.x), Twice::difference(b.y, a.y)};
+  static DoubleDoubleVector widened(const Point& a, const Point& b) {
+    return {DoubleDouble::difference(b.x, a.x), DoubleDouble::difference(b.y, a.y)};
   }
   struct ExactVector {
     Expansion<2> x, y;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "rbpa/remainder/delaunay.h"
+#include "rbpa/divide/divide_and_conquer.h"
 
 namespace rbpa {
 namespace {
@@ -16,19 +16,20 @@ std::array<meshops::Site, 3> from_least(const std::array<meshops::Site, 3>& t) {
 
 }  // namespace
 
-void Remainder::add(const TileTriangles& tile) {
-  for (const std::uint32_t s : tile.known) missing_[s] = 0;
-  for (const auto& star : tile.shared) missing_[star.site] += static_cast<int>(star.foreign) - unseen;
-  for (const std::uint32_t s : tile.given) --missing_[s];
-  beside_.insert(beside_.end(), tile.beside.begin(), tile.beside.end());
-  for (const std::uint32_t t : tile.unsure) unsure_.push_back(from_least(tile.patch.triangles[t]));
+void Remainder::add(const TilePatch& tile) {
+  for (const std::uint32_t s : tile.settled) missing_[s] = 0;
+  for (const auto& star : tile.shared) missing_[star.site] += static_cast<int>(star.elsewhere) - unseen;
+  for (const std::uint32_t s : tile.ghost_corners) --missing_[s];
+  unsettled_neighbors_.insert(unsettled_neighbors_.end(), tile.unsettled_neighbors.begin(),
+                              tile.unsettled_neighbors.end());
+  for (const std::uint32_t t : tile.loose_triangles) loose_triangles_.push_back(from_least(tile.patch.triangles[t]));
 }
 
 std::vector<std::uint32_t> Remainder::not_done() const {
   std::vector<bool> done(sites_.size());
-  for (std::uint32_t s = 0; s < sites_.size(); ++s) done[s] = is_complete(s);
-  for (const auto& [site, neighbour] : beside_)
-    if (!is_complete(neighbour)) done[site] = false;
+  for (std::uint32_t s = 0; s < sites_.size(); ++s) done[s] = is_settled(s);
+  for (const auto& [site, neighbour] : unsettled_neighbors_)
+    if (!is_settled(neighbour)) done[site] = false;
   std::vector<std::uint32_t> sites;
   for (std::uint32_t s = 0; s < sites_.size(); ++s)
     if (!done[s]) sites.push_back(s);
@@ -36,44 +37,35 @@ std::vector<std::uint32_t> Remainder::not_done() const {
 }
 
 /// In ascending order.
-std::vector<Remainder::Corners> Remainder::told_among_incomplete() const {
-  std::vector<Corners> told;
-  for (const Corners& t : unsure_)
-    if (std::none_of(t.begin(), t.end(), [&](meshops::Site s) { return is_complete(s); })) told.push_back(t);
-  std::sort(told.begin(), told.end());
-  return told;
+std::vector<Remainder::Corners> Remainder::found_without_settled() const {
+  std::vector<Corners> found;
+  for (const Corners& t : loose_triangles_)
+    if (std::none_of(t.begin(), t.end(), [&](meshops::Site s) { return is_settled(s); })) found.push_back(t);
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
                          const std::function<void()>& working) const {
-  if (sites_.beyond().empty()) {
-    const auto points = sites_.grid().points();
-    const auto at = [&](std::uint32_t s) { return points[s]; };
-    complete<double>(at, sites_.window().scaled(alpha_), patch, outline, threads, working);
-  } else {
-    const auto at = [&](std::uint32_t s) { return sites_.at(s); };
-    complete<long double>(at, alpha_, patch, outline, threads, working);
-  }
-}
-
-/// `at` tells where a site lies, and the radius is alpha as it is there.
-template <typename Real, typename At>
-void Remainder::complete(At at, const Radius& radius, meshops::Patch& patch, meshops::Outline& outline,
-                         Threads& threads, const std::function<void()>& working) const {
+  // Where all sites fit double they are seen as the grid has them, and else as they were given.
+  const bool fits = sites_.beyond().empty();
+  const auto points = sites_.grid().points();
+  const Radius radius = fits ? sites_.window().scaled(alpha_) : alpha_;
   std::vector<Place> places;
-  for (const std::uint32_t s : not_done()) places.push_back({at(s), s});
+  for (const std::uint32_t s : not_done()) places.push_back({fits ? points[s] : sites_.at(s), s});
 
-  // Of the triangles of these only those without a complete corner are surely Delaunay among all points.
-  const std::vector<Corners> told = told_among_incomplete();
+  // Of the triangles of these only those without a settled corner are surely Delaunay among all points.
+  const std::vector<Corners> found = found_without_settled();
   const auto fate = [&](const Place& a, const Place& b, const Place& c) -> int {
-    if (!radius.admits<Real>(a.at, b.at, c.at)) return meshops::Patch::nothing;
-    if (is_complete(a.site) || is_complete(b.site) || is_complete(c.site)) return meshops::Patch::open;
-    if (told.empty()) return 0;
-    const auto site = [](const Place& p) { return p.site; };
-    const Corners corners = from_least({site(a), site(b), site(c)});
-    return std::binary_search(told.begin(), told.end(), corners) ? meshops::Patch::open : 0;
+    if (!(fits ? radius.admits<double>(a.at, b.at, c.at) : radius.admits<long double>(a.at, b.at, c.at)))
+      return meshops::Patch::nothing;
+    if (is_settled(a.site) || is_settled(b.site) || is_settled(c.site)) return meshops::Patch::open;
+    if (found.empty()) return 0;
+    const Corners corners = from_least({a.site, b.site, c.site});
+    return std::binary_search(found.begin(), found.end(), corners) ? meshops::Patch::open : 0;
   };
-  delaunay<Real>(places, fate, threads, patch, outline, working);
+  const auto divide = fits ? divide_and_conquer<double> : divide_and_conquer<long double>;
+  divide(places, fate, threads, patch, outline, working);
 }
 
 }  // namespace rbpa

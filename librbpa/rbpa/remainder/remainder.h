@@ -1,8 +1,8 @@
-// What:   what is missing when all tiles have told what they can: found at once, from the points that matter for it.
+// What:   what is missing when the patches of all tiles are there: found at once, from the points that matter for it.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
-// How:    a star is complete when every triangle of the complex around its site is told. What is missing has no
-//         complete corner, and is in the Delaunay triangulation of those sites and their neighbours.
-// Cost:   linear in what tiles tell beside their patches; O(r log r) for the r sites that are not done: at worst all.
+// How:    a star is settled when every triangle of the complex around its site is in some patch. What is missing has no
+//         settled corner, and is in the Delaunay triangulation of those sites and their neighbours.
+// Cost:   linear in what comes with the patches; O(r log r) for the r sites that are not done: at worst all.
 // Source: docs/remainder.md.
 #pragma once
 
@@ -16,26 +16,26 @@
 #include "rbpa/parallel/threads.h"
 #include "rbpa/predicate/radius.h"
 #include "rbpa/search/sites.h"
-#include "rbpa/tile/triangulate.h"
+#include "rbpa/tile/tile_patch.h"
 
 namespace rbpa {
 
 class Remainder {
  public:
-  /// No tile has told anything. Keeps a reference. Alpha is that of the points as they were given.
+  /// No tile is added yet. Keeps a reference. Alpha is that of the points as they were given.
   Remainder(const Sites& sites, const Radius& alpha) : sites_(sites), alpha_(alpha), missing_(sites.size(), unseen) {}
 
-  /// Takes in what a tile tells, in any order.
-  void add(const TileTriangles& tile);
+  /// Tiles come in any order.
+  void add(const TilePatch& tile);
 
-  /// After all tiles: every triangle of the complex at the site is told.
-  bool is_complete(std::uint32_t site) const { return missing_[site] == 0; }
+  /// After all tiles: every triangle of the complex at the site is in a patch.
+  bool is_settled(std::uint32_t site) const { return missing_[site] == 0; }
 
-  /// After all tiles: the sites that are not complete or beside one that is not, ascending.
+  /// After all tiles: the sites that are not settled or have a neighbour that may not be, ascending.
   std::vector<std::uint32_t> not_done() const;
 
-  /// After all tiles: the triangles of the complex that none has told, on the sites. Replaces `patch` and its outline. Calls working()
-  /// now and then, in any thread and one at a time; it may throw to end it.
+  /// After all tiles: the triangles of the complex that are in no patch, on the sites. Replaces `patch` and its outline.
+  /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
   void complete(meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
                 const std::function<void()>& working) const;
 
@@ -43,17 +43,13 @@ class Remainder {
   using Corners = std::array<meshops::Site, 3>;
   static constexpr int unseen = 1 << 30;
 
-  std::vector<Corners> told_among_incomplete() const;
-  template <typename Real, typename At>
-  void complete(At at, const Radius& radius, meshops::Patch& patch, meshops::Outline& outline, Threads& threads,
-                const std::function<void()>& working) const;
+  std::vector<Corners> found_without_settled() const;
 
   const Sites& sites_;
   Radius alpha_;
   std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while nobody has seen the whole star
-  std::vector<std::array<std::uint32_t, 2>>
-      beside_;                   // of sites whose stars are seen, neighbours that may be incomplete
-  std::vector<Corners> unsure_;  // triangles that are told and may have no complete corner
+  std::vector<std::array<std::uint32_t, 2>> unsettled_neighbors_;  // sites whose stars are seen, and who is beside them
+  std::vector<Corners> loose_triangles_;                           // of patches, those that may have no settled corner
 };
 
 }  // namespace rbpa

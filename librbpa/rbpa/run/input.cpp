@@ -13,8 +13,8 @@ std::string text(double value) {
 }
 
 void check_number(std::size_t points) {
-  if (points > most_points)
-    throw InvalidInput(std::to_string(points) + " points, expected at most " + std::to_string(most_points) +
+  if (points > max_points)
+    throw InvalidInput(std::to_string(points) + " points, expected at most " + std::to_string(max_points) +
                        ", whose halfedges can be numbered in int");
 }
 

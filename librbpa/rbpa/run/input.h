@@ -15,13 +15,13 @@ namespace rbpa {
 std::string text(double value);
 
 /// OpenMesh numbers halfedges in int, and a triangulation of n points has fewer than 6n of them.
-inline constexpr std::size_t most_points = std::numeric_limits<int>::max() / 6;
-static_assert(most_points == 357'913'941);
+inline constexpr std::size_t max_points = std::numeric_limits<int>::max() / 6;
+static_assert(max_points == 357'913'941);
 
-/// Throws InvalidInput when there are more than `most_points`.
+/// Throws InvalidInput when there are more than `max_points`.
 void check_number(std::size_t points);
 
-/// Requires: 0 < alpha ≤ infinity; finite points, at most `most_points`. Throws InvalidInput naming what is not.
+/// Requires: 0 < alpha ≤ infinity; finite points, at most `max_points`. Throws InvalidInput naming what is not.
 void check(std::span<const Point> points, double alpha);
 
 /// Threads for a run on so many points: few are done before another thread has woken.

@@ -17,13 +17,12 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
 PointGrid::PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask) {
   const std::size_t count = input.points.size();
   if (count == 0) return;
-  points_.resize(count + padding);
+  points_.resize(count);
   index_.resize(count);
-  std::fill_n(points_.end() - padding, padding, Point());
   levels_.push_back(make_level(input.points, threads));
   sort_by_cell(input, levels_[0], 0, points_.data(), index_.data(), threads);
   refine(threads, ask);
-  remove_repetitions(threads);
+  remove_duplicates(threads);
 }
 
 PointGrid::PointGrid(std::span<const Point> input) {
@@ -55,24 +54,24 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
 /// Makes a grid of every cell with too many points, unless all are one, and of the cells of these: each grid parts its
 /// points.
 void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
-  struct Crowd {
+  struct DenseCell {
     std::uint32_t level, cell, first, last;
   };
   for (std::size_t from = 0, to = 1; from < to; from = to, to = levels_.size()) {
     if (ask) ask();
-    std::vector<Crowd> crowds;
+    std::vector<DenseCell> dense;
     for (std::size_t i = from; i < to; ++i) {
       const std::vector<std::uint32_t>& start = levels_[i].start;
       for (std::uint32_t cell = 0; cell + 1 < start.size(); ++cell)
-        if (start[cell + 1] - start[cell] > most_in_cell)
-          crowds.push_back({static_cast<std::uint32_t>(i), cell, start[cell], start[cell + 1]});
+        if (start[cell + 1] - start[cell] > max_in_cell)
+          dense.push_back({static_cast<std::uint32_t>(i), cell, start[cell], start[cell + 1]});
     }
-    std::vector<std::optional<Level>> finer(crowds.size());
-    for_each_index(threads, crowds.size(),
-                   [&](std::size_t i) { finer[i] = level_of(crowds[i].first, crowds[i].last, threads); });
-    for (std::size_t i = 0; i < crowds.size(); ++i) {
+    std::vector<std::optional<Level>> finer(dense.size());
+    for_each_index(threads, dense.size(),
+                   [&](std::size_t i) { finer[i] = level_of(dense[i].first, dense[i].last, threads); });
+    for (std::size_t i = 0; i < dense.size(); ++i) {
       if (!finer[i]) continue;
-      levels_[crowds[i].level].children.push_back({crowds[i].cell, static_cast<std::uint32_t>(levels_.size())});
+      levels_[dense[i].level].children.push_back({dense[i].cell, static_cast<std::uint32_t>(levels_.size())});
       levels_.push_back(std::move(*finer[i]));
     }
     for (std::size_t i = from; i < to; ++i) index_children(levels_[i]);
@@ -101,10 +100,10 @@ void PointGrid::index_children(Level& level) {
 }
 
 /// Finds every point of [first, last) that equals one before it. The range is in input order.
-void PointGrid::find_repetitions(std::uint32_t first, std::uint32_t last, Repeated& found) const {
+void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const {
   const auto note = [&](std::uint32_t repetition, std::uint32_t original) {
     found.sites.push_back(repetition);
-    found.repetitions.push_back({index_[repetition], index_[original]});
+    found.duplicates.push_back({index_[repetition], index_[original]});
   };
   if (last - first <= 8) {
     for (std::uint32_t i = first + 1; i < last; ++i)
@@ -130,40 +129,40 @@ void PointGrid::find_repetitions(std::uint32_t first, std::uint32_t last, Repeat
 }
 
 /// Those in some cells of a level, but for cells that are grids of their own.
-void PointGrid::find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell,
-                                 Repeated& found) const {
+void PointGrid::find_duplicates(const Level& level, std::size_t first_cell, std::size_t last_cell,
+                                Repeated& found) const {
   auto child = std::lower_bound(level.children.begin(), level.children.end(), first_cell,
                                 [](const Child& c, std::size_t cell) { return c.cell < cell; });
   for (std::size_t cell = first_cell; cell < last_cell; ++cell) {
     if (child != level.children.end() && child->cell == cell)
       ++child;
     else if (level.start[cell + 1] - level.start[cell] > 1)
-      find_repetitions(level.start[cell], level.start[cell + 1], found);
+      find_duplicates(level.start[cell], level.start[cell + 1], found);
   }
 }
 
 /// Leaves one of all equal points, in every cell where it was. Equal points share a cell at every level.
-void PointGrid::remove_repetitions(Threads& threads) {
+void PointGrid::remove_duplicates(Threads& threads) {
   const std::size_t cells = levels_[0].start.size() - 1, parts = (cells + cells_at_a_time - 1) / cells_at_a_time;
   std::vector<Repeated> found(parts + levels_.size() - 1);
   for_each_index(threads, found.size(), [&](std::size_t i) {
     if (i < parts)
-      find_repetitions(levels_[0], i * cells_at_a_time, std::min((i + 1) * cells_at_a_time, cells), found[i]);
+      find_duplicates(levels_[0], i * cells_at_a_time, std::min((i + 1) * cells_at_a_time, cells), found[i]);
     else
-      find_repetitions(levels_[i - parts + 1], 0, levels_[i - parts + 1].start.size() - 1, found[i]);
+      find_duplicates(levels_[i - parts + 1], 0, levels_[i - parts + 1].start.size() - 1, found[i]);
   });
   std::vector<std::uint32_t> repeated;
   for (const Repeated& some : found) {
     repeated.insert(repeated.end(), some.sites.begin(), some.sites.end());
-    repetitions_.insert(repetitions_.end(), some.repetitions.begin(), some.repetitions.end());
+    duplicates_.insert(duplicates_.end(), some.duplicates.begin(), some.duplicates.end());
   }
   if (!repeated.empty()) leave_out(std::move(repeated));
 }
 
 void PointGrid::leave_out(std::vector<std::uint32_t> repeated) {
   std::sort(repeated.begin(), repeated.end());
-  std::sort(repetitions_.begin(), repetitions_.end(),
-            [](const Repetition& a, const Repetition& b) { return a.index < b.index; });
+  std::sort(duplicates_.begin(), duplicates_.end(),
+            [](const Duplicate& a, const Duplicate& b) { return a.index < b.index; });
   const auto before = [&](std::uint32_t site) {
     return static_cast<std::uint32_t>(std::lower_bound(repeated.begin(), repeated.end(), site) - repeated.begin());
   };
@@ -179,7 +178,7 @@ void PointGrid::leave_out(std::vector<std::uint32_t> repeated) {
     points_[kept] = points_[i];
     index_[kept++] = index_[i];
   }
-  points_.resize(kept + padding);
+  points_.resize(kept);
   index_.resize(kept);
 }
 

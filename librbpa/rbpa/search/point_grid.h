@@ -1,8 +1,8 @@
 // What: the distinct points, laid out in cells that hold a few each.
 // Law:  the cells follow the points, never alpha: a cell with many points is a grid of its own, so that clusters of any
 //       density are found as fast as uniform points. scan() reaches every point of a box.
-// Cost: construction, by all threads, linear for bounded variation of density, one more level per √n-fold rise of it; memory 20 bytes a
-//       point and 4 a cell; scan linear in the rows that the box meets and the points in its cells.
+// Cost: construction, by all threads, linear for bounded variation of density, one more level per √n-fold rise of it;
+//       memory 20 bytes a point and 4 a cell; scan linear in the rows that the box meets and the points in its cells.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
+#include "rbpa/core/duplicate.h"
 #include "rbpa/core/point.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/search/box.h"
@@ -22,11 +23,6 @@ namespace rbpa {
 
 class PointGrid {
  public:
-  /// A pair of input indices: a repetition, and the lowest index of the same point.
-  struct Repetition {
-    std::uint32_t index, stands_for;
-  };
-
   /// Requires finite points, fewer than 2³⁰. Without `threads`, the calling one does it. Calls `ask`, if any, after each
   /// level, which may throw.
   PointGrid(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {})
@@ -36,12 +32,10 @@ class PointGrid {
   PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask = {});
 
   /// The distinct points in the order of their cells. A position in it is called a site.
-  /// Behind the last, `padding` more can be read.
-  std::span<const Point> points() const { return {points_.data(), index_.size()}; }
-  static constexpr std::size_t padding = 7;
+  std::span<const Point> points() const { return points_; }
   /// The (lowest) input index, or name, of each site.
   std::span<const std::uint32_t> input_index() const { return index_; }
-  const std::vector<Repetition>& repetitions() const { return repetitions_; }
+  const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 
   /// No two points are farther apart than this.
   double diameter_bound() const { return levels_.empty() ? 0 : 2 * (levels_[0].width + levels_[0].height); }
@@ -64,11 +58,11 @@ class PointGrid {
     std::vector<Child> children;       // the cells that are grids of their own, ascending
     std::vector<std::uint32_t> child;  // of each row, the first of its children; and the end. Empty without children
 
-    /// The first child of a row that is not before a cell of it.
-    auto child_at(int row_number, std::uint32_t from) const {
+    /// Of the children up to the end of a cell's row, the first that is not before the cell; the end of them without one.
+    auto child_at(std::uint32_t from) const {
       if (children.empty()) return children.end();
-      const auto first = children.begin() + child[static_cast<std::size_t>(row_number)];
-      const auto last = children.begin() + child[static_cast<std::size_t>(row_number) + 1];
+      const std::size_t row_number = from / static_cast<std::uint32_t>(columns);
+      const auto first = children.begin() + child[row_number], last = children.begin() + child[row_number + 1];
       return std::lower_bound(first, last, from, [](const Child& c, std::uint32_t at) { return c.cell < at; });
     }
 
@@ -79,9 +73,8 @@ class PointGrid {
     // Monotone in the coordinate, rounding included: a point between two bounds is in a cell between theirs.
     int column(double at) const { return clamp((at - x) * per_unit, columns); }
     int row(double at) const { return clamp((at - y) * per_unit, rows); }
-    int row_of(const Point& p) const { return row(p.y); }
     std::uint32_t cell_of(const Point& p) const {
-      return static_cast<std::uint32_t>(row_of(p)) * static_cast<std::uint32_t>(columns) +
+      return static_cast<std::uint32_t>(row(p.y)) * static_cast<std::uint32_t>(columns) +
              static_cast<std::uint32_t>(column(p.x));
     }
   };
@@ -89,29 +82,29 @@ class PointGrid {
 
  private:
   static constexpr double points_per_cell = 2;
-  static constexpr std::uint32_t most_in_cell = 24;  ///< a cell with more is a grid of its own
+  static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more is a grid of its own
 
-  /// Repetitions found together: the sites to be left out, and what they are.
+  /// Duplicates found together: the sites to be left out, and what they are.
   struct Repeated {
     std::vector<std::uint32_t> sites;
-    std::vector<Repetition> repetitions;
+    std::vector<Duplicate> duplicates;
   };
 
   static Level make_level(std::span<const Point> points, Threads& threads);
   void refine(Threads& threads, const std::function<void()>& ask);
   std::optional<Level> level_of(std::uint32_t first, std::uint32_t last, Threads& threads);
   static void index_children(Level& level);
-  void remove_repetitions(Threads& threads);
-  void find_repetitions(const Level& level, std::size_t first_cell, std::size_t last_cell, Repeated& found) const;
-  void find_repetitions(std::uint32_t first, std::uint32_t last, Repeated& found) const;
+  void remove_duplicates(Threads& threads);
+  void find_duplicates(const Level& level, std::size_t first_cell, std::size_t last_cell, Repeated& found) const;
+  void find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const;
   void leave_out(std::vector<std::uint32_t> repeated);
 
   template <typename Visit>
   void scan_level(const Level& level, const Box& box, Visit& visit) const;
 
-  meshops::FreshVector<Point> points_;  // with padding
+  meshops::FreshVector<Point> points_;
   meshops::FreshVector<std::uint32_t> index_;
-  std::vector<Repetition> repetitions_;
+  std::vector<Duplicate> duplicates_;
   std::vector<Level> levels_;
 };
 
@@ -124,8 +117,8 @@ void PointGrid::scan_level(const Level& level, const Box& box, Visit& visit) con
                         c1 = row + static_cast<std::uint32_t>(last_column) + 1;
     std::uint32_t first = level.start[c0];
     const std::uint32_t last = level.start[c1];
-    if (last - first > most_in_cell && !level.children.empty()) {
-      for (auto child = level.child_at(r, c0); child != level.children.end() && child->cell < c1; ++child) {
+    if (last - first > max_in_cell && !level.children.empty()) {
+      for (auto child = level.child_at(c0); child != level.children.end() && child->cell < c1; ++child) {
         if (first < level.start[child->cell]) visit(first, level.start[child->cell]);
         scan_level(levels_[child->level], box, visit);
         first = level.start[child->cell + 1];

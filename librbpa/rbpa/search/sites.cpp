@@ -64,8 +64,7 @@ void Sites::find_beyond(std::span<const Point> input) {
 }
 
 std::vector<Duplicate> Sites::duplicates() const {
-  std::vector<Duplicate> all;
-  for (const auto& r : grid_.repetitions()) all.push_back({r.index, r.stands_for});
+  std::vector<Duplicate> all = grid_.duplicates();
   all.insert(all.end(), repeated_beyond_.begin(), repeated_beyond_.end());
   if (!repeated_beyond_.empty())
     std::sort(all.begin(), all.end(), [](const Duplicate& a, const Duplicate& b) { return a.index < b.index; });

@@ -45,18 +45,18 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, Point* sorted, std::uint32_t* names,
                   Threads& threads) {
-  constexpr std::size_t at_a_time = 1u << 16, points_per_band = 1u << 15, most_bands = 1024;
+  constexpr std::size_t at_a_time = 1u << 16, points_per_band = 1u << 15, max_bands = 1024;
   const std::size_t n = input.points.size(), rows = static_cast<std::size_t>(level.rows),
                     columns = static_cast<std::size_t>(level.columns);
   level.start.resize(rows * columns + 1);
   level.start.back() = first + static_cast<std::uint32_t>(n);
-  const std::size_t wanted = std::min(n / points_per_band, most_bands);
+  const std::size_t wanted = std::min(n / points_per_band, max_bands);
   if (wanted < 2) return sort_by_cell(input, level, 0, rows * columns, first, sorted, names);
 
   int shift = 0;  // a band has 2^shift rows
   while ((rows >> shift) > wanted) ++shift;
   const std::size_t bands = ((rows - 1) >> shift) + 1, parts = (n + at_a_time - 1) / at_a_time;
-  const auto band_of = [&](const Point& p) { return static_cast<std::size_t>(level.row_of(p) >> shift); };
+  const auto band_of = [&](const Point& p) { return static_cast<std::size_t>(level.row(p.y) >> shift); };
 
   // Of each part, where its points of each band go.
   std::vector<std::uint32_t> place(parts * bands, 0);

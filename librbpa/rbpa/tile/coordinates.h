@@ -14,6 +14,7 @@
 namespace rbpa {
 
 struct TileCoordinates {
+  static constexpr float unit_roundoff = 0x1p-24f;
   static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and what is lost before
   static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
 

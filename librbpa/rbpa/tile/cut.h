@@ -22,8 +22,8 @@ struct Block {
 };
 
 /// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
-/// `most_points`.
-std::vector<Block> blocks(const PointGrid& grid, std::uint32_t most_points);
+/// `max_points`.
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
 /// Cuts tiles out of a grid, one after another with the same memory.
 class Cutter {
@@ -52,7 +52,7 @@ class Cutter {
     std::uint32_t first, last;
   };
   std::vector<Range> sites_;
-  std::size_t own_ = 0, all_ = 0;  // how many they are; the first are the tile's own
+  std::size_t owned_ = 0, all_ = 0;  // how many they are; those the tile owns come first
   std::vector<std::uint32_t> cell_of_, count_;
   std::vector<std::uint8_t> unknown_;
   bool any_unknown_ = false;

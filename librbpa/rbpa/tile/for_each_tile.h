@@ -1,4 +1,4 @@
-// What: all tiles, in several threads, told in one order.
+// What: all tiles, in several threads, joined in one order.
 #pragma once
 
 #include <cstdint>
@@ -7,40 +7,32 @@
 #include <vector>
 
 #include "rbpa/parallel/in_order.h"
-#include "rbpa/predicate/radius.h"
 #include "rbpa/search/sites.h"
 #include "rbpa/tile/cut.h"
-#include "rbpa/tile/triangulate.h"
 
 namespace rbpa {
 
 inline constexpr std::uint32_t points_per_tile = 2048;  ///< measured: fewer have more seams, more leave the cache
 
-/// The tiles of the sites in the window, alpha being as these see it. Calls made(const TileTriangles&, Result&) with what each tile tells, in any thread; told(const TileTriangles&, Result&),
-/// in the same order on every run and one at a time; then, in any thread, finish(const TileTriangles&, Result&). The
-/// result is one tile's at a time, and is used again for others. Throws what one of them throws.
-template <typename Result, typename Made, typename Told, typename Finish>
-void for_each_tile(const Sites& sites, const Radius& radius, Threads& threads, Made made, Told told, Finish finish,
-                   bool with_outline = true) {
-  struct Workspace {
-    Tile tile;
-    TileWorkspace triangulation;
+/// The tiles of the sites in the window: calls work(const Tile&, Workspace&) for each in any thread; join(Workspace&) in the
+/// same order on every run and one at a time; then, in any thread, finish(Workspace&). A workspace is one tile's at a
+/// time, and is used again for others. Throws what one of them throws.
+template <typename Workspace, typename Work, typename Join, typename Finish>
+void for_each_tile(const Sites& sites, Threads& threads, Work work, Join join, Finish finish) {
+  struct Item {
     std::optional<Cutter> cutter;
-    TileTriangles triangles;
-    Result result;
+    Tile tile;
+    Workspace workspace;
   };
   const std::vector<Block> all = blocks(sites.grid(), points_per_tile);
-  in_order<Workspace>(
+  in_order<Item>(
       threads, all.size(),
-      [&](std::size_t i, Workspace& workspace) {
-        if (!workspace.cutter) workspace.cutter.emplace(sites.grid(), sites.hidden());
-        workspace.triangles.with_outline = with_outline;
-        workspace.cutter->cut(all[i], workspace.tile);
-        triangulate(workspace.tile, radius, workspace.triangulation, workspace.triangles);
-        made(std::as_const(workspace.triangles), workspace.result);
+      [&](std::size_t i, Item& item) {
+        if (!item.cutter) item.cutter.emplace(sites.grid(), sites.hidden());
+        item.cutter->cut(all[i], item.tile);
+        work(std::as_const(item.tile), item.workspace);
       },
-      [&](std::size_t, Workspace& workspace) { told(std::as_const(workspace.triangles), workspace.result); },
-      [&](std::size_t, Workspace& workspace) { finish(std::as_const(workspace.triangles), workspace.result); });
+      [&](std::size_t, Item& item) { join(item.workspace); }, [&](std::size_t, Item& item) { finish(item.workspace); });
 }
 
 }  // namespace rbpa

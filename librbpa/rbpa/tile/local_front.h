@@ -17,7 +17,7 @@ class LocalFront {
   static constexpr Index nothing = 1;         ///< no side either, and there will be none
   static constexpr std::size_t padding = 16;  ///< triangles that can be read behind the last
 
-  /// Begins without a triangle, on at most Tile::most_points points.
+  /// Begins without a triangle, on at most Tile::max_points points.
   void begin(std::size_t points) {
     head_.assign(points, none);
     touched_.assign(points, 0);

@@ -1,4 +1,5 @@
-// What: a part of the plane to be triangulated by itself: some points, all others near them, and where nothing is known.
+// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and where nothing is
+//       known.
 // Law:  plain data. What is computed from a tile depends on nothing else, so tiles can be run in any order, by any
 //       thread, or be sent elsewhere.
 #pragma once
@@ -19,8 +20,9 @@ struct Tile {
   /// Beyond the cells on this side there are no points at all.
   bool nothing_left = false, nothing_right = false, nothing_below = false, nothing_above = false;
   std::vector<Point> points;
-  std::vector<std::uint32_t> site;   ///< of each point, what it is called outside
-  std::vector<std::uint8_t> own;     ///< of each point: 1 when the tile answers for it, 0 when it only is near
+  std::vector<std::uint32_t> site;  ///< of each point, what it is called outside
+  std::vector<std::uint8_t>
+      owned;  ///< of each point: 1 when the tile owns it, 0 when it is a ghost, of the halo around
   std::vector<std::uint16_t> start;  ///< of each cell its first point; and the end
   /// Of each cell, how many before it have points that are not here; and of all. Empty when every point is here.
   std::vector<std::uint16_t> unknown;
@@ -35,12 +37,12 @@ struct Tile {
     nothing_left = nothing_right = nothing_below = nothing_above = false;
     points.clear();
     site.clear();
-    own.clear();
+    owned.clear();
     start.clear();
     unknown.clear();
   }
 
-  static constexpr std::size_t most_points = 8000;  ///< two triangles a point, four numbers a triangle, in 16 bits
+  static constexpr std::size_t max_points = 8000;  ///< two triangles a point, four numbers a triangle, in 16 bits
 };
 
 }  // namespace rbpa

@@ -25,7 +25,7 @@ template <typename Real>
 bool is_clear(const std::array<Point, 3>& p) {
   using P = rbpa::Predicates<Real>;
   const auto ab = P::from(p[0], p[1]), ca = P::from(p[2], p[0]);
-  return std::abs(P::cross(ab, ca)) >= 24 * P::unit * P::cross_size(ab, ca);
+  return std::abs(P::cross(ab, ca)) >= 24 * P::unit_roundoff * P::cross_magnitude(ab, ca);
 }
 
 /// Counts the triangles of a kind whose area is clear.

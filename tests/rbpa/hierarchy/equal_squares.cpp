@@ -81,7 +81,7 @@ TEST_CASE("squares that are merged hold what their quarters held") {
       const Square square = textbook(all, p, depth);
       most = std::max(most, ++held[{square.x, square.y}]);
     }
-    CHECK(merged.most_held() == most);
+    CHECK(merged.max_held() == most);
     if (depth > 0) merged.merge();
   }
 }

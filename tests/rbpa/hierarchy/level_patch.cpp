@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/divide/divide_and_conquer.h"
 #include "rbpa/hierarchy/waiting_triangles.h"
-#include "rbpa/remainder/delaunay.h"
 #include "support/generate.h"
 #include "support/sets.h"
 
@@ -42,7 +42,7 @@ Patch delaunay_patch(const Points& points) {
   rbpa::Threads one;
   Patch patch;
   meshops::Outline outline;
-  rbpa::delaunay<double>(
+  rbpa::divide_and_conquer<double>(
       places, [](const auto&...) { return 0; }, one, patch, outline);
   return patch;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/patches/find_patch.h"
 #include "rbpa/tile/cut.h"
 #include "support/generate.h"
 #include "support/random.h"
@@ -24,23 +25,23 @@ using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 using rbpa::Remainder;
-using rbpa::TileTriangles;
+using rbpa::TilePatch;
 
 TEST_SUITE_BEGIN("remainder");
 
 namespace {
 
 /// What each tile tells, in any order; of some tiles nothing.
-std::vector<TileTriangles> tell(const PointGrid& grid, const Radius& radius, std::uint32_t most_points,
-                                double share_told, Random& random) {
-  std::vector<TileTriangles> told;
+std::vector<TilePatch> tell(const PointGrid& grid, const Radius& radius, std::uint32_t max_points, double share_told,
+                            Random& random) {
+  std::vector<TilePatch> told;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
-  rbpa::TileWorkspace workspace;
-  for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) {
+  rbpa::FinderWorkspace workspace;
+  for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) {
     if (!random.chance(share_told)) continue;
     cutter.cut(block, tile);
-    triangulate(tile, radius, workspace, told.emplace_back());
+    find_patch(tile, radius, workspace, told.emplace_back());
   }
   random.shuffle(told);
   return told;
@@ -56,7 +57,7 @@ struct Counts {
 };
 
 /// The first law that is broken, "" when none is.
-std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t most_points, double share_told,
+std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t max_points, double share_told,
                        std::uint64_t seed, Counts& counts) {
   Random random(seed);
   rbpa::Threads one;
@@ -72,15 +73,15 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   }
   Remainder remainder(sites, radius);
   std::set<Triangle> told;
-  for (const TileTriangles& tile : tell(grid, radius, most_points, share_told, random)) {
+  for (const TilePatch& tile : tell(grid, radius, max_points, share_told, random)) {
     remainder.add(tile);
     for (const auto& t : tile.patch.triangles) told.insert(corners(t));
   }
   counts.sites += points.size();
-  for (std::uint32_t s = 0; s < points.size(); ++s) counts.complete += remainder.is_complete(s);
+  for (std::uint32_t s = 0; s < points.size(); ++s) counts.complete += remainder.is_settled(s);
   for (const Triangle& t : complex)
     for (const std::uint32_t s : t)
-      if (!told.contains(t) && remainder.is_complete(s))
+      if (!told.contains(t) && remainder.is_settled(s))
         return "site " + std::to_string(s) + " is complete, and a triangle there is not told";
   const std::vector<std::uint32_t> not_done = remainder.not_done();
   if (!std::is_sorted(not_done.begin(), not_done.end())) return "not_done is not ascending";
@@ -120,18 +121,18 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
                               std::to_string(all.size());
 }
 
-Counts check(const TileSet& set, const Radius& radius, std::uint32_t most_points, double share_told) {
+Counts check(const TileSet& set, const Radius& radius, std::uint32_t max_points, double share_told) {
   constexpr std::uint64_t seed = 5;
   Counts counts, ignored;
-  const std::string wrong = wrong_with(set.points, radius, most_points, share_told, seed, counts);
+  const std::string wrong = wrong_with(set.points, radius, max_points, share_told, seed, counts);
   if (wrong.empty()) return counts;
   const auto fails = [&](const Points& p) {
-    return p.size() > 2 && !wrong_with(p, radius, most_points, share_told, seed, ignored).empty();
+    return p.size() > 2 && !wrong_with(p, radius, max_points, share_told, seed, ignored).empty();
   };
   const Points few = shrink(set.points, fails);
   FAIL_CHECK(set.name << ", radius " << (radius.is_infinite() ? "infinity" : literal(radius.value())) << ", at most "
-                      << most_points << " in a tile: " << wrong << "; less points: " << literal(few) << ": "
-                      << wrong_with(few, radius, most_points, share_told, seed, ignored));
+                      << max_points << " in a tile: " << wrong << "; less points: " << literal(few) << ": "
+                      << wrong_with(few, radius, max_points, share_told, seed, ignored));
   return counts;
 }
 

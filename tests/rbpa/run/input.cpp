@@ -23,13 +23,13 @@ std::string refusal(std::size_t points) {
 }  // namespace
 
 TEST_CASE("every number of points is taken whose halfedges can be numbered, and no larger one") {
-  const auto most_halfedges = [](std::size_t points) { return 2 * (3 * points - 6); };  // a triangle as outer boundary
+  const auto max_halfedges = [](std::size_t points) { return 2 * (3 * points - 6); };  // a triangle as outer boundary
   constexpr std::size_t numbers = std::numeric_limits<int>::max();
-  CHECK(most_halfedges(rbpa::most_points) <= numbers);
-  CHECK(most_halfedges(rbpa::most_points + 3) > numbers);
+  CHECK(max_halfedges(rbpa::max_points) <= numbers);
+  CHECK(max_halfedges(rbpa::max_points + 3) > numbers);
   for (const std::size_t few : {std::size_t{0}, std::size_t{3}}) CHECK(refusal(few).empty());
-  CHECK(refusal(rbpa::most_points).empty());
-  CHECK(refusal(rbpa::most_points + 1) ==
+  CHECK(refusal(rbpa::max_points).empty());
+  CHECK(refusal(rbpa::max_points + 1) ==
         "357913942 points, expected at most 357913941, whose halfedges can be numbered in int");
   CHECK_FALSE(refusal(std::numeric_limits<std::size_t>::max()).empty());
 }

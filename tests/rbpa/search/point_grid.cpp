@@ -111,7 +111,7 @@ void check_bookkeeping(const Set& set) {
     const auto [first, is_new] = lowest.try_emplace(set.points[i], i);
     if (!is_new) expected.emplace_back(i, first->second);
   }
-  for (const auto& r : grid.repetitions()) repetitions.emplace_back(r.index, r.stands_for);
+  for (const auto& r : grid.duplicates()) repetitions.emplace_back(r.index, r.stands_for);
   CHECK(repetitions == expected);
   REQUIRE(grid.points().size() == lowest.size());
   REQUIRE(grid.input_index().size() == lowest.size());

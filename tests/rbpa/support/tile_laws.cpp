@@ -9,6 +9,7 @@
 
 #include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
+#include "rbpa/patches/find_patch.h"
 #include "rbpa/tile/cut.h"
 #include "support/one_target.h"
 #include "support/shrink.h"
@@ -18,11 +19,11 @@ namespace rbpa_test {
 
 using meshops::Patch;
 using rbpa::Radius;
-using rbpa::TileTriangles;
+using rbpa::TilePatch;
 
 namespace {
 
-bool is_outlined(const TileTriangles& told) {
+bool is_outlined(const TilePatch& told) {
   meshops::Outline expected;
   survey(told.patch, expected);
   std::vector<int> inside = told.outline.inside;
@@ -32,9 +33,9 @@ bool is_outlined(const TileTriangles& told) {
 }
 
 /// How large two patches are.
-std::string unlike(const TileTriangles& a, const TileTriangles& b) {
+std::string unlike(const TilePatch& a, const TilePatch& b) {
   return "triangles " + std::to_string(a.patch.triangles.size()) + " and " + std::to_string(b.patch.triangles.size()) +
-         ", known " + std::to_string(a.known.size()) + " and " + std::to_string(b.known.size());
+         ", known " + std::to_string(a.settled.size()) + " and " + std::to_string(b.settled.size());
 }
 
 Triangle corners(const std::array<meshops::Site, 3>& t) {
@@ -54,23 +55,23 @@ std::vector<Triangle> Sites::within(const Radius& radius) const {
   return found;
 }
 
-std::vector<TileTriangles> tell(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t most_points) {
-  std::vector<TileTriangles> told;
+std::vector<TilePatch> tell(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t max_points) {
+  std::vector<TilePatch> told;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
-  rbpa::TileWorkspace workspace;
-  for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) {
+  rbpa::FinderWorkspace workspace;
+  for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) {
     cutter.cut(block, tile);
-    triangulate(tile, radius, workspace, told.emplace_back());
+    find_patch(tile, radius, workspace, told.emplace_back());
   }
   return told;
 }
 
-bool same(const TileTriangles& a, const TileTriangles& b) {
-  return a.patch.triangles == b.patch.triangles && a.patch.across == b.patch.across && a.known == b.known;
+bool same(const TilePatch& a, const TilePatch& b) {
+  return a.patch.triangles == b.patch.triangles && a.patch.across == b.patch.across && a.settled == b.settled;
 }
 
-std::string wrong_with(const std::vector<TileTriangles>& told, const std::vector<Triangle>& complex) {
+std::string wrong_with(const std::vector<TilePatch>& told, const std::vector<Triangle>& complex) {
   const std::set<Triangle> expected(complex.begin(), complex.end());
   std::map<std::pair<std::uint32_t, std::uint32_t>, Triangle> at_side;
   std::map<std::uint32_t, std::vector<Triangle>> at;
@@ -81,7 +82,7 @@ std::string wrong_with(const std::vector<TileTriangles>& told, const std::vector
     }
   std::set<Triangle> found;
   std::set<std::uint32_t> known;
-  for (const TileTriangles& tile : told) {
+  for (const TilePatch& tile : told) {
     const Patch& patch = tile.patch;
     if (patch.across.size() != patch.triangles.size()) return "sizes of a patch";
     if (!is_outlined(tile)) return "the outline of a patch is that of another one";
@@ -114,7 +115,7 @@ std::string wrong_with(const std::vector<TileTriangles>& told, const std::vector
             static_cast<std::uint32_t>(patch.triangles[s / 3][(s % 3 + 1) % 3]) != from)
           return name + " is across of another edge";
       }
-    for (const std::uint32_t s : tile.known) {
+    for (const std::uint32_t s : tile.settled) {
       if (!known.insert(s).second) return "site " + std::to_string(s) + " is known twice";
       for (const Triangle& t : at[s])
         if (!of_tile.contains(t)) return "site " + std::to_string(s) + " is known, and a triangle at it is missing";
@@ -123,17 +124,17 @@ std::string wrong_with(const std::vector<TileTriangles>& told, const std::vector
   return "";
 }
 
-std::string wrong_on(const Points& input, std::uint32_t most_points,
+std::string wrong_on(const Points& input, std::uint32_t max_points,
                      const std::function<std::vector<Radius>(const Sites&)>& radii) {
   const Sites sites(input);
   for (const Radius& r : radii(sites)) {
     const std::vector<Triangle> complex = sites.within(r);
-    std::vector<TileTriangles> first;
+    std::vector<TilePatch> first;
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
       const OneTarget only(target);
       const std::string at = std::string(" by ") + hwy::TargetName(target) + ", radius " +
                              (r.is_infinite() ? "infinity" : literal(r.value()));
-      const auto told = tell(sites.grid, r, most_points);
+      const auto told = tell(sites.grid, r, max_points);
       if (const std::string wrong = wrong_with(told, complex); !wrong.empty()) return wrong + at;
       if (first.empty()) first = told;
       for (std::size_t i = 0; i < told.size(); ++i)

@@ -9,7 +9,7 @@
 
 #include "rbpa/predicate/radius.h"
 #include "rbpa/search/point_grid.h"
-#include "rbpa/tile/triangulate.h"
+#include "rbpa/tile/tile_patch.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {
@@ -25,16 +25,15 @@ struct Sites {
 };
 
 /// What each tile tells.
-std::vector<rbpa::TileTriangles> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius,
-                                      std::uint32_t most_points);
+std::vector<rbpa::TilePatch> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius, std::uint32_t max_points);
 
-bool same(const rbpa::TileTriangles& a, const rbpa::TileTriangles& b);
+bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 
 /// Triangles are of the complex and told once, sides and outlines are right, and nothing is missing at known sites.
-std::string wrong_with(const std::vector<rbpa::TileTriangles>& told, const std::vector<Triangle>& complex);
+std::string wrong_with(const std::vector<rbpa::TilePatch>& told, const std::vector<Triangle>& complex);
 
 /// The same of every vector unit that this processor has, and that all tell the same.
-std::string wrong_on(const Points& input, std::uint32_t most_points,
+std::string wrong_on(const Points& input, std::uint32_t max_points,
                      const std::function<std::vector<rbpa::Radius>(const Sites&)>& radii);
 
 }  // namespace rbpa_test

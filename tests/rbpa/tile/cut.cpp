@@ -26,7 +26,7 @@ namespace {
 bool same(const Tile& a, const Tile& b) {
   return a.x0 == b.x0 && a.y0 == b.y0 && a.cell == b.cell && a.columns == b.columns && a.rows == b.rows &&
          a.nothing_left == b.nothing_left && a.nothing_right == b.nothing_right && a.nothing_below == b.nothing_below &&
-         a.nothing_above == b.nothing_above && a.points == b.points && a.site == b.site && a.own == b.own &&
+         a.nothing_above == b.nothing_above && a.points == b.points && a.site == b.site && a.owned == b.owned &&
          a.start == b.start && a.unknown == b.unknown;
 }
 
@@ -35,7 +35,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
   const auto points = grid.points();
   const std::size_t n = tile.points.size(), cells = tile.cells();
   if (tile.columns < 1 || tile.rows < 1 || !(tile.cell > 0)) return "no cells";
-  if (tile.site.size() != n || tile.own.size() != n) return "sizes";
+  if (tile.site.size() != n || tile.owned.size() != n) return "sizes";
   if (tile.start.size() != cells + 1 || tile.start.front() != 0 || tile.start.back() != n) return "start";
   if (!tile.unknown.empty() && tile.unknown.size() != cells + 1) return "unknown";
   if (!tile.unknown.empty() && tile.unknown.front() != 0) return "unknown does not begin with 0";
@@ -55,7 +55,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
       if (tile.site[i] >= points.size() || points[tile.site[i]] != p) return "site of point " + std::to_string(i);
       if (here[tile.site[i]]) return "a point is there twice";
       here[tile.site[i]] = true;
-      owned += tile.own[i];
+      owned += tile.owned[i];
       if (p.x < x - off_x || p.x > x + tile.cell + off_x || p.y < y - off_y || p.y > y + tile.cell + off_y)
         return "point " + std::to_string(i) + " is not in its cell";
     }
@@ -78,27 +78,27 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
 }
 
 /// Cuts a set into tiles of up to so many points; counts those with unknown cells.
-int check_tiles(const Points& points, std::uint32_t most_points) {
-  CAPTURE(most_points);
+int check_tiles(const Points& points, std::uint32_t max_points) {
+  CAPTURE(max_points);
   const PointGrid grid(points);
   Cutter cutter(grid);
   Tile tile;
   int with_unknown = 0;
   std::vector<int> owners(grid.points().size(), 0);
-  for (const Block& block : rbpa::blocks(grid, most_points)) {
+  for (const Block& block : rbpa::blocks(grid, max_points)) {
     CHECK(block.points > 0);
-    CHECK((block.points <= most_points || (block.columns == 1 && block.rows == 1)));
+    CHECK((block.points <= max_points || (block.columns == 1 && block.rows == 1)));
     cutter.cut(block, tile);
-    if (block.points > Tile::most_points) {
+    if (block.points > Tile::max_points) {
       CHECK(tile.points.empty());
       continue;
     }
     const std::string wrong = wrong_with(tile, block, grid);
     REQUIRE(wrong == "");
     with_unknown += !tile.unknown.empty();
-    for (std::size_t i = 0; i < tile.points.size(); ++i) owners[tile.site[i]] += tile.own[i];
+    for (std::size_t i = 0; i < tile.points.size(); ++i) owners[tile.site[i]] += tile.owned[i];
   }
-  if (most_points <= Tile::most_points) CHECK(std::count(owners.begin(), owners.end(), 1) == std::ssize(owners));
+  if (max_points <= Tile::max_points) CHECK(std::count(owners.begin(), owners.end(), 1) == std::ssize(owners));
   return with_unknown;
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or sa
 }
 
 TEST_CASE("a tile has no more points than it can have: what is around it is unknown then") {
-  CHECK(check_tiles(uniform(31000, 4), Tile::most_points) > 0);
+  CHECK(check_tiles(uniform(31000, 4), Tile::max_points) > 0);
 }
 
 TEST_CASE("a tile in a grid of its own has what is beyond, or says where not: a crowd beside a crowd") {
@@ -157,7 +157,7 @@ TEST_CASE("a block of more points than a tile can have gives an empty tile") {
   const PointGrid grid(points);
   const auto blocks = rbpa::blocks(grid, 1000000);
   REQUIRE(blocks.size() == 1);
-  REQUIRE(blocks[0].points > Tile::most_points);
+  REQUIRE(blocks[0].points > Tile::max_points);
   Cutter cutter(grid);
   Tile tile;
   cutter.cut(rbpa::blocks(grid, 2048)[0], tile);

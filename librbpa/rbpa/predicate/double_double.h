@@ -1,4 +1,4 @@
-// What:   numbers of twice the precision of double: an unevaluated sum of two.
+// What:   double-double: numbers of twice the precision of double, as an unevaluated sum of two.
 // Law:    let u = 2⁻⁵³. A difference of doubles is exact; a product is off by at most 9u² of it, a sum or difference of
 //         two by at most 4u² of the sum of their sizes: docs/predicates.md. Requires what expansion.h requires.
 // Cost:   about thirty operations a product.
@@ -10,20 +10,22 @@
 namespace rbpa {
 
 /// |low| ≤ u |high|.
-struct Twice {
+struct DoubleDouble {
   double high, low;
 
-  static Twice difference(double a, double b) {
+  static DoubleDouble difference(double a, double b) {
     const auto sum = detail::two_sum(a, -b);
     return {sum.high, sum.low};
   }
-  friend Twice operator+(const Twice& a, const Twice& b) {
+  friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
     const auto sum = detail::two_sum(a.high, b.high);
     const auto whole = detail::two_sum(sum.high, sum.low + (a.low + b.low));
     return {whole.high, whole.low};
   }
-  friend Twice operator-(const Twice& a, const Twice& b) { return a + Twice{-b.high, -b.low}; }
-  friend Twice operator*(const Twice& a, const Twice& b) {
+  friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
+    return a + DoubleDouble{-b.high, -b.low};
+  }
+  friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
     const auto product = detail::two_product(a.high, b.high);
     const double rest = product.low + (a.high * b.low + a.low * b.high), sum = product.high + rest;
     return {sum, rest - (sum - product.high)};

@@ -1,4 +1,4 @@
-#include "rbpa/remainder/delaunay.h"
+#include "rbpa/divide/divide_and_conquer.h"
 
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@ using namespace rbpa_test;
 using meshops::Patch;
 using rbpa::Point;
 
-TEST_SUITE_BEGIN("remainder");
+TEST_SUITE_BEGIN("divide");
 
 namespace {
 
@@ -47,7 +47,7 @@ void delaunay(
   for (const Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads some(threads);
   meshops::Outline outline, surveyed;
-  rbpa::delaunay<double>(places, fate, some, patch, outline, working);
+  rbpa::divide_and_conquer<double>(places, fate, some, patch, outline, working);
   meshops::survey(patch, surveyed);
   for (auto* inside : {&outline.inside, &surveyed.inside}) std::sort(inside->begin(), inside->end());
   CHECK(outline.inside == surveyed.inside);

@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
+#include "rbpa/patches/find_patch.h"
 #include "rbpa/predicate/predicates.h"
 #include "rbpa/search/hidden_points.h"
 #include "rbpa/tile/cut.h"
-#include "rbpa/tile/triangulate.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/tile_sets.h"
@@ -18,7 +18,7 @@ using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 
-TEST_SUITE_BEGIN("tile");
+TEST_SUITE_BEGIN("patches");
 
 namespace {
 
@@ -43,13 +43,13 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
   std::vector<std::uint32_t> known;
   rbpa::Cutter cutter(grid, places);
   rbpa::Tile tile;
-  rbpa::TileWorkspace workspace;
-  rbpa::TileTriangles triangles;
+  rbpa::FinderWorkspace workspace;
+  rbpa::TilePatch triangles;
   for (const rbpa::Block& block : rbpa::blocks(grid, 200)) {
     cutter.cut(block, tile);
-    triangulate(tile, radius, workspace, triangles);
+    find_patch(tile, radius, workspace, triangles);
     for (const auto& t : triangles.patch.triangles) told.insert(canonical({{{t[0], t[1], t[2]}}})[0]);
-    known.insert(known.end(), triangles.known.begin(), triangles.known.end());
+    known.insert(known.end(), triangles.settled.begin(), triangles.settled.end());
   }
   for (const Triangle& t : told) CHECK(complex.contains(t));
   const std::set<std::uint32_t> complete(known.begin(), known.end());

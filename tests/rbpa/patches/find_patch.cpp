@@ -1,4 +1,4 @@
-#include "rbpa/tile/triangulate.h"
+#include "rbpa/patches/find_patch.h"
 
 #include <doctest/doctest.h>
 #include <hwy/targets.h>
@@ -25,14 +25,14 @@ using namespace rbpa_test;
 using meshops::Patch;
 using rbpa::Block;
 using rbpa::Cutter;
+using rbpa::FinderWorkspace;
 using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 using rbpa::Tile;
-using rbpa::TileTriangles;
-using rbpa::TileWorkspace;
+using rbpa::TilePatch;
 
-TEST_SUITE_BEGIN("tile");
+TEST_SUITE_BEGIN("patches");
 
 namespace {
 
@@ -54,14 +54,14 @@ std::vector<Radius> radii(const Sites& sites) {
   return all;
 }
 
-void check(const TileSet& set, std::uint32_t most_points) {
+void check(const TileSet& set, std::uint32_t max_points) {
   CAPTURE(set.name);
-  const std::string wrong = wrong_on(set.points, most_points, radii);
+  const std::string wrong = wrong_on(set.points, max_points, radii);
   if (wrong.empty()) return;
   const Points small =
-      shrink(set.points, [&](const Points& p) { return p.size() > 2 && !wrong_on(p, most_points, radii).empty(); });
-  FAIL_CHECK(set.name << ", at most " << most_points << " in a tile, " << wrong << "; less points: " << literal(small)
-                      << ": " << wrong_on(small, most_points, radii));
+      shrink(set.points, [&](const Points& p) { return p.size() > 2 && !wrong_on(p, max_points, radii).empty(); });
+  FAIL_CHECK(set.name << ", at most " << max_points << " in a tile, " << wrong << "; less points: " << literal(small)
+                      << ": " << wrong_on(small, max_points, radii));
 }
 
 }  // namespace
@@ -106,8 +106,8 @@ TEST_CASE("a point that is off a lattice by less than differences can tell is no
 
 TEST_CASE("a tile tells the same whatever the workspace and the result were used for before") {
   Random random(3);
-  TileWorkspace used;
-  TileTriangles again;
+  FinderWorkspace used;
+  TilePatch again;
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
     const PointGrid grid(set.points);
@@ -119,17 +119,17 @@ TEST_CASE("a tile tells the same whatever the workspace and the result were used
     Tile tile;
     for (const Block& block : blocks) {
       cutter.cut(block, tile);
-      TileWorkspace fresh;
-      TileTriangles told;
-      triangulate(tile, Radius(), fresh, told);
-      triangulate(tile, Radius(), used, again);
+      FinderWorkspace fresh;
+      TilePatch told;
+      find_patch(tile, Radius(), fresh, told);
+      find_patch(tile, Radius(), used, again);
       CHECK(same(told, again));
     }
   }
-  triangulate(Tile(), Radius(), used, again);
+  find_patch(Tile(), Radius(), used, again);
   CHECK(again.patch.triangles.empty());
   CHECK(again.patch.across.empty());
-  CHECK(again.known.empty());
+  CHECK(again.settled.empty());
 }
 
 TEST_CASE("a tile that has all points knows most sites and triangles of a set of even density") {
@@ -145,9 +145,9 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
         std::size_t triangles = 0, known = 0;
         const auto told = tell(sites.grid, Radius(), most);
         CHECK(wrong_with(told, sites.delaunay) == "");
-        for (const TileTriangles& tile : told) {
+        for (const TilePatch& tile : told) {
           triangles += tile.patch.triangles.size();
-          known += tile.known.size();
+          known += tile.settled.size();
         }
         CHECK(triangles > sites.delaunay.size() * 9 / 10);
         CHECK(known > sites.points.size() * 3 / 4);
@@ -161,7 +161,7 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
             if (!radius.admits<double>(sites.points[t[0]], sites.points[t[1]], sites.points[t[2]]))
               sides.insert({t[i], t[(i + 1) % 3]});
         std::size_t nothing = 0, open = 0;
-        for (const TileTriangles& tile : tell(sites.grid, radius, most))
+        for (const TilePatch& tile : tell(sites.grid, radius, most))
           for (std::size_t t = 0; t < tile.patch.triangles.size(); ++t)
             for (std::size_t i = 0; i < 3; ++i) {
               const auto from = static_cast<std::uint32_t>(tile.patch.triangles[t][i]),

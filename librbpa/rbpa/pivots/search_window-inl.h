@@ -1,12 +1,12 @@
 // What: where the points are that can be first at an edge: which cells to look at, for sixteen edges at a time, and
 //       whether that was enough. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  who is certain has no rival: the circle, left of the edge, lies in the cells that were looked at, and where all
+// Law:  a verified apex has no rival: the circle, left of the edge, lies in the cells that were looked at, and where all
 //       points are known.
-#if defined(RBPA_TILE_LOOK_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RBPA_TILE_LOOK_INL_H_
-#undef RBPA_TILE_LOOK_INL_H_
+#if defined(RBPA_PIVOTS_SEARCH_WINDOW_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
+#undef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
 #else
-#define RBPA_TILE_LOOK_INL_H_
+#define RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -15,8 +15,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "rbpa/pivots/edge_batch.h"
 #include "rbpa/tile/coordinates.h"
-#include "rbpa/tile/edge_batch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa {
@@ -25,18 +25,17 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-class Look {
+class SearchWindow {
  public:
   using D = hn::CappedTag<float, EdgeBatch::size>;
-  static constexpr float unit = 0x1p-24f;  // of one rounding
-  static constexpr float slack = 16 * unit;
-  static constexpr float most_chords = 0x1p20f;  // that a disc is wide: a larger one is as good as a half-plane
+  static constexpr float slack = 16 * TileCoordinates::unit_roundoff;
+  static constexpr float max_chords = 0x1p20f;  // that a disc is wide: a larger one is as good as a half-plane
 
   /// Keeps references.
-  Look(EdgeBatch& edges, const TileCoordinates& coordinates) : edges_(edges), at_(coordinates) {}
+  SearchWindow(EdgeBatch& edges, const TileCoordinates& coordinates) : edges_(edges), at_(coordinates) {}
 
-  /// Where to look first, for all edges.
-  HWY_NOINLINE void around() {
+  /// The first window of every edge.
+  HWY_NOINLINE void open() {
     const D d;
     const I di;
     const U du;
@@ -50,7 +49,7 @@ class Look {
       const V reach = hn::Max(set(first_reach_in_chords) * length,
                               hn::Min(set(first_reach_in_circles) * hn::Load(d, edges_.expected + i),
                                       set(first_reach_in_cells * at_.cell)));
-      const V ratio = hn::Min((reach + reach) / length, set(most_chords));
+      const V ratio = hn::Min((reach + reach) / length, set(max_chords));
       const V k = hn::Sqrt(hn::Max(hn::Zero(d), ratio * ratio - set(1)));
       const Box box = box_of(ax, ay, bx, by, k);
       const auto across = box.c1 - box.c0 + hn::Set(di, 1), up = box.r1 - box.r0;
@@ -81,9 +80,9 @@ class Look {
     }
   }
 
-  /// Which answers are certain: the circle lies in the cells that were looked at, and where all points are known. Leaves
-  /// the cells in which to look for the others.
-  HWY_NOINLINE void certify() {
+  /// Which apexes are verified: the circle lies in the cells of the window, and where all points are known. Leaves the
+  /// cells in which to look for the others.
+  HWY_NOINLINE void verify() {
     const D d;
     const I di;
     for (std::size_t i = 0; i < EdgeBatch::size; i += hn::Lanes(d)) {
@@ -94,10 +93,10 @@ class Look {
                              hn::Load(d, edges_.by + i), k);
       const auto beyond = hn::Or(hn::Or(box.c0<hn::Load(di, edges_.c0 + i), box.c1> hn::Load(di, edges_.c1 + i)),
                                  hn::Or(box.r0<hn::Load(di, edges_.r0 + i), box.r1> hn::Load(di, edges_.r1 + i)));
-      auto certain = hn::And(is_finite, hn::AndNot(hn::RebindMask(d, beyond), box.inside));
-      if (!at_.unknown.empty()) certain = hn::And(certain, hn::RebindMask(d, are_known(box)));
+      auto verified = hn::And(is_finite, hn::AndNot(hn::RebindMask(d, beyond), box.inside));
+      if (!at_.unknown.empty()) verified = hn::And(verified, hn::RebindMask(d, are_known(box)));
       const auto one = hn::Set(di, 1);
-      hn::Store(hn::IfThenElseZero(hn::RebindMask(di, certain), one), di, edges_.is_certain + i);
+      hn::Store(hn::IfThenElseZero(hn::RebindMask(di, verified), one), di, edges_.is_verified + i);
       hn::Store(hn::IfThenElseZero(hn::RebindMask(di, box.inside), one), di, edges_.is_inside + i);
       store_cells(box, i);
       hn::Store(box.radius, d, edges_.found_radius + i);
@@ -183,12 +182,12 @@ class Look {
 
   /// No unknown cell is in the box. Boxes of many rows are left to others.
   HWY_INLINE hn::Mask<I> are_known(const Box& box) const {
-    constexpr int most_rows = 6;
+    constexpr int max_rows = 6;
     const I di;
     const auto columns = hn::Set(di, at_.columns), across = box.c1 - box.c0 + hn::Set(di, 1), up = box.r1 - box.r0;
     auto cell = box.r0 * columns + box.c0;
-    auto unknown = hn::IfThenElseZero(up > hn::Set(di, most_rows - 1), hn::Set(di, 1));
-    for (int row = 0; row < most_rows; ++row) {
+    auto unknown = hn::IfThenElseZero(up > hn::Set(di, max_rows - 1), hn::Set(di, 1));
+    for (int row = 0; row < max_rows; ++row) {
       const auto in_box = up > hn::Set(di, row - 1);
       unknown = unknown + hn::GatherIndex(di, at_.unknown.data(), hn::IfThenElseZero(in_box, cell + across)) -
                 hn::GatherIndex(di, at_.unknown.data(), hn::IfThenElseZero(in_box, cell));

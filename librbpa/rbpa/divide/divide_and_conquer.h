@@ -1,4 +1,5 @@
-// What:   the Delaunay triangulation of points, by dividing them in two and merging what each half gives.
+// What:   the Delaunay triangulation of points, by dividing them in two and merging what each half gives: a finder
+//         (tile/finder.h) on a tile that has no ghosts, and beyond which there is nothing.
 // Law:    the triangles are those of the symbolic perturbation (docs/predicates.md), a function of the set of points
 //         alone; no point set is bad.
 // Cost:   O(n log n) in the worst case; about n log log n comparisons of circles for points scattered evenly. 76 bytes a
@@ -11,8 +12,8 @@
 
 #include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
+#include "rbpa/divide/halve.h"
 #include "rbpa/parallel/threads.h"
-#include "rbpa/remainder/halve.h"
 
 namespace rbpa {
 
@@ -26,13 +27,8 @@ using Fate = std::function<int(const Place&, const Place&, const Place&)>;
 /// Requires: distinct points, no more than rbpa() takes, whose predicates `Real` can decide: double where they fit
 ///           (fits_double()), long double wherever they are.
 template <typename Real>
-void delaunay(
+void divide_and_conquer(
     std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
     const std::function<void()>& working = [] {});
-
-extern template void delaunay<double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
-                                      const std::function<void()>&);
-extern template void delaunay<long double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
-                                           const std::function<void()>&);
 
 }  // namespace rbpa

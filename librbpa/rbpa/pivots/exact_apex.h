@@ -13,19 +13,19 @@
 
 namespace rbpa {
 
-class ExactContest {
+class ExactApex {
  public:
   using Index = std::uint16_t;
 
   /// Keeps references.
-  ExactContest(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
+  ExactApex(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
 
   /// Among points that may lie on either side of the chord; `none` when all lie right of it or on it.
-  Index winner(std::size_t a, std::size_t b, std::span<const Index> contenders, Index none) const {
+  Index winner(std::size_t a, std::size_t b, std::span<const Index> candidates, Index none) const {
     const Chord<double> chord(tile_.points[a], tile_.points[b]);
     Index best = none;
     Chord<double>::Candidate least{};
-    for (const Index i : contenders) {
+    for (const Index i : candidates) {
       const Chord<double>::Candidate candidate = chord.candidate(tile_.points[i]);
       if (!chord.is_left(candidate) || (best != none && !chord.is_inside(candidate, least))) continue;
       best = i;
@@ -35,9 +35,9 @@ class ExactContest {
   }
 
   /// The same among points left of the chord, in a box of at most `lattice_extent`.
-  Index winner_on_lattice(std::size_t a, std::size_t b, std::span<const Index> contenders) const {
-    Index best = contenders[0];
-    for (const Index i : contenders.subspan(1))
+  Index winner_on_lattice(std::size_t a, std::size_t b, std::span<const Index> candidates) const {
+    Index best = candidates[0];
+    for (const Index i : candidates.subspan(1))
       if (beats_on_lattice(a, b, i, best)) best = i;
     return best;
   }

@@ -1,4 +1,4 @@
-#include "rbpa/tile/triangulate.h"
+#include "rbpa/pivots/find_by_pivots.h"
 
 #include <array>
 #include <cmath>
@@ -8,16 +8,14 @@
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
-#include "rbpa/tile/enumerate.h"
-#include "rbpa/tile/hand_over.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "rbpa/tile/triangulate.cpp"
+#define HWY_TARGET_INCLUDE "rbpa/pivots/find_by_pivots.cpp"
 #include <hwy/foreach_target.h>
 // After it: what follows is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
-#include "rbpa/tile/contest-inl.h"
+#include "rbpa/pivots/apex_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa {
@@ -25,28 +23,28 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// An advancing front on one tile.
-class Triangulation {
+class TileFront {
  public:
   using Index = LocalFront::Index;
-  static constexpr Index none = Contest::none;
+  static constexpr Index none = ApexSearch::none;
 
-  Triangulation(const Tile& tile, TileWorkspace& workspace)
+  TileFront(const Tile& tile, TileWorkspace& workspace, PivotWorkspace& own)
       : tile_(tile),
         at_(workspace.coordinates),
         front_(workspace.front),
-        queue_(workspace.queue),
-        wave_(workspace.wave),
-        radius_(workspace.radius),
-        contest_(tile, workspace.coordinates) {}
+        queue_(own.queue),
+        wave_(own.wave),
+        circumradius_(own.circumradius),
+        apexes_(tile, workspace.coordinates) {}
 
   void run() {
     front_.begin(tile_.points.size());
-    if (const std::size_t triangles = 2 * tile_.points.size() + 2; radius_.size() < triangles) {
+    if (const std::size_t triangles = 2 * tile_.points.size() + 2; circumradius_.size() < triangles) {
       for (auto* sides : {&queue_, &wave_}) sides->resize(4 * triangles);
-      radius_.resize(triangles);
+      circumradius_.resize(triangles);
     }
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
-      if (!tile_.own[v] || front_.is_touched(v)) continue;
+      if (!tile_.owned[v] || front_.is_touched(v)) continue;
       if (has_given_up()) return;
       seed(static_cast<Index>(v));
       advance();
@@ -58,11 +56,11 @@ class Triangulation {
   void seed(Index v) {
     const Index q = nearest(v);
     if (q == none) return;
-    radius_[front_.triangles()] = std::numeric_limits<float>::infinity();
+    circumradius_[front_.triangles()] = std::numeric_limits<float>::infinity();
     const auto note = [&](Index side, bool on_front) { activate(side, on_front); };
-    if (const Index left = contest_(v, q); left != none)
+    if (const Index left = apexes_(v, q); left != none)
       front_.create(v, q, left, note);
-    else if (const Index right = contest_(q, v); right != none)
+    else if (const Index right = apexes_(q, v); right != none)
       front_.create(q, v, right, note);
     else
       failures_ += 2;
@@ -100,8 +98,8 @@ class Triangulation {
   /// Only what ends at a point of the tile is its business.
   void activate(Index side, bool on_front) {
     queue_[queued_] = side;
-    const auto own = static_cast<unsigned>(tile_.own[front_.from(side)] | tile_.own[front_.to(side)]);
-    queued_ += own & static_cast<unsigned>(on_front);
+    const auto owned = static_cast<unsigned>(tile_.owned[front_.from(side)] | tile_.owned[front_.to(side)]);
+    queued_ += owned & static_cast<unsigned>(on_front);
   }
 
   void advance() {
@@ -111,7 +109,7 @@ class Triangulation {
       // Taken at distances: neighbours on the front often lead to the same triangle.
       const std::size_t stride = (length + EdgeBatch::size - 1) / EdgeBatch::size;
       std::size_t size = 0;
-      EdgeBatch& edges = contest_.edges();
+      EdgeBatch& edges = apexes_.edges();
       Index side[EdgeBatch::size + 1];
       for (std::size_t k = 0; k < stride; ++k)
         for (std::size_t i = k; i < length; i += stride) {
@@ -119,7 +117,7 @@ class Triangulation {
           side[size] = s;
           edges.a[size] = front_.to(s);
           edges.b[size] = front_.from(s);
-          edges.expected[size] = radius_[s / 4];
+          edges.expected[size] = circumradius_[s / 4];
           size += front_.across(s) == LocalFront::none;
           if (size == EdgeBatch::size) attach(side, std::exchange(size, 0));
         }
@@ -134,12 +132,12 @@ class Triangulation {
   /// What lies across the sides of a batch.
   void attach(const Index* side, std::size_t size) {
     if (size == 0) return;
-    contest_.run(size);
-    const EdgeBatch& edges = contest_.edges();
+    apexes_.run(size);
+    const EdgeBatch& edges = apexes_.edges();
     for (std::size_t i = 0; i < size; ++i) {
       failures_ += edges.apex[i] == none;
       if (edges.apex[i] == none || front_.across(side[i]) != LocalFront::none) continue;
-      radius_[front_.triangles()] = edges.found_radius[i];
+      circumradius_[front_.triangles()] = edges.found_radius[i];
       front_.attach(side[i], static_cast<Index>(edges.a[i]), static_cast<Index>(edges.b[i]), edges.apex[i],
                     [&](Index added, bool on_front) { activate(added, on_front); });
     }
@@ -150,13 +148,15 @@ class Triangulation {
   LocalFront& front_;
   std::vector<Index>&queue_, &wave_;
   std::size_t queued_ = 0, failures_ = 0;
-  std::vector<float>& radius_;  // of each triangle, that of its circle
-  Contest contest_;
+  std::vector<float>& circumradius_;  // of each triangle, that of its circle
+  ApexSearch apexes_;
 };
 
 }  // namespace
 
-void advance_on(const Tile& tile, TileWorkspace& workspace) { Triangulation(tile, workspace).run(); }
+void advance_on(const Tile& tile, TileWorkspace& workspace, PivotWorkspace& own) {
+  TileFront(tile, workspace, own).run();
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace rbpa
@@ -168,12 +168,11 @@ namespace {
 
 HWY_EXPORT(advance_on);
 
-/// Points along curves: they fill a few cells, about as many points in each, most of which have few neighbours that are
-/// not empty. Their triangles reach across the void, where a search from near to far sees nothing for long.
-bool leaves_cells_empty(const Tile& tile) {
-  constexpr double most_per_cell = 4;        // scattered evenly, 2.3 of those that have any
-  constexpr double fewest_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
-  constexpr double most_company = 2.5;       // of a point, as a multiple of the mean of cells; more in spots
+/// The points fill a few cells, about as many points in each, most of which have few neighbours that are not empty.
+bool is_along_curves(const Tile& tile) {
+  constexpr double max_per_cell = 4;      // scattered evenly, 2.3 of those that have any
+  constexpr double min_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
+  constexpr double max_occupancy = 2.5;   // of a point, as a multiple of the mean of cells; more in spots
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbours = 0, squares = 0;
   // Without a branch, as none could be foreseen. What follows a row's last cell is not its neighbour, but not far either.
@@ -186,23 +185,18 @@ bool leaves_cells_empty(const Tile& tile) {
     neighbours += here & has_points(c + columns);
   }
   const auto points = static_cast<double>(tile.start[cells - columns]), of_filled = static_cast<double>(filled);
-  return points > most_per_cell * of_filled && static_cast<double>(neighbours) < fewest_neighbours * of_filled &&
-         static_cast<double>(squares) * of_filled < most_company * points * points;
+  return points > max_per_cell * of_filled && static_cast<double>(neighbours) < min_neighbours * of_filled &&
+         static_cast<double>(squares) * of_filled < max_occupancy * points * points;
 }
 
 }  // namespace
 
-void triangulate(const Tile& tile, const Radius& radius, TileWorkspace& workspace, TileTriangles& result) {
-  if (tile.points.empty()) return result.clear();
-  workspace.coordinates.assign(tile);
-  if (enumerate(tile, radius, workspace)) {
-    hand_over(tile, Radius(), workspace, result);
-    result.beside.insert(result.beside.end(), workspace.near_rim.begin(), workspace.near_rim.end());
-    return;
-  }
-  if (leaves_cells_empty(tile)) return result.clear();
-  HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace);
-  hand_over(tile, radius, workspace, result);
+bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
+                    TilePatch& found) {
+  if (is_along_curves(tile)) return false;
+  HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace, own);
+  extract_patch(tile, workspace.coordinates, workspace.front, alpha, workspace.extraction, found);
+  return true;
 }
 
 }  // namespace rbpa

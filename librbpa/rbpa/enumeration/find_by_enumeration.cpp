@@ -1,4 +1,4 @@
-#include "rbpa/tile/enumerate.h"
+#include "rbpa/enumeration/find_by_enumeration.h"
 
 #include <algorithm>
 #include <array>
@@ -11,13 +11,13 @@
 #include "rbpa/predicate/predicates.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "rbpa/tile/enumerate.cpp"
+#define HWY_TARGET_INCLUDE "rbpa/enumeration/find_by_enumeration.cpp"
 #include <hwy/foreach_target.h>
 // After it: what follows is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
+#include "rbpa/tile/circumradius_filter-inl.h"
 #include "rbpa/tile/mask_bits-inl.h"
-#include "rbpa/tile/within-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa {
@@ -31,23 +31,24 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// one: nothing foretells it.
 class Enumeration {
  public:
-  Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace)
+  Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace, EnumerationWorkspace& own)
       : tile_(tile),
         alpha_(alpha),
         at_(workspace.coordinates),
         front_(workspace.front),
-        labels_(workspace.labels),
-        owned_(workspace.own_bits),
-        near_rim_(workspace.near_rim),
+        labels_(own.labels),
+        owned_bits_(own.owned_bits),
+        near_rim_(own.near_rim),
         scaled_(std::min(alpha * at_.scale, 1.0)),
         reach_(static_cast<float>(2 * scaled_) * (1 + 0x1p-16f) + 0x1p-21f),
         factor_(static_cast<float>(4 * scaled_ * scaled_)) {}
 
   bool run() {
-    constexpr float most_cells = 0.99f;  // who is within reach is in a cell beside the point's
-    if (!(reach_ <= most_cells * at_.cell) || !at_.unknown.empty()) return false;
+    constexpr float max_cells = 0.99f;  // who is within reach is in a cell beside the point's
+    if (!(reach_ <= max_cells * at_.cell) || !at_.unknown.empty()) return false;
     label();
-    const Box around{own_.x_low - reach_, own_.x_high + reach_, own_.y_low - reach_, own_.y_high + reach_};
+    const Box around{owned_box_.x_low - reach_, owned_box_.x_high + reach_, owned_box_.y_low - reach_,
+                     owned_box_.y_high + reach_};
     if (around.x_low < at_.x_low || around.x_high > at_.x_high || around.y_low < at_.y_low ||
         around.y_high > at_.y_high)
       return false;
@@ -63,7 +64,7 @@ class Enumeration {
       for (auto first = static_cast<std::size_t>(row[c0]); first < end; first += at_once)
         if (!take(r, first, std::min(at_once, end - first))) return false;
     }
-    front_.seal(tile_.own);
+    front_.seal(tile_.owned);
     return true;
   }
 
@@ -76,8 +77,8 @@ class Enumeration {
 
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t at_once = 32, rows_at_once = 3;
-  static constexpr std::size_t most_near = 48, near_padding = 16;  // bits of a word; a register more is written
-  static constexpr std::size_t full = 1024;  // triples; more than one pair can add fit beside them
+  static constexpr std::size_t max_near = 48, near_padding = 16;  // bits of a word; a register more is written
+  static constexpr std::size_t full = 1024;                       // triples; more than one pair can add fit beside them
 
   static constexpr std::size_t word = 64;
 
@@ -87,53 +88,53 @@ class Enumeration {
 
   /// A point that is listed, and those within reach of it, in ascending order: from `next` on they come after it.
   struct Near {
-    alignas(64) float x[most_near + near_padding], y[most_near + near_padding];
-    std::int32_t label[most_near + near_padding];
+    alignas(64) float x[max_near + near_padding], y[max_near + near_padding];
+    std::int32_t label[max_near + near_padding];
     std::size_t point, place;  ///< which of the tile, and which of those taken
     Bits near;                 ///< who is within reach, among all around
     std::size_t count, next;
   };
 
-  static std::int32_t label_of(std::size_t point, bool is_own) {
-    return static_cast<std::int32_t>(2 * point + std::size_t{is_own});
+  static std::int32_t label_of(std::size_t point, bool is_owned) {
+    return static_cast<std::int32_t>(2 * point + std::size_t{is_owned});
   }
   static std::size_t point_of(std::int32_t label) { return static_cast<std::size_t>(label) / 2; }
-  bool owns(std::size_t point) const { return tile_.own[point] != 0; }
+  bool owns(std::size_t point) const { return tile_.owned[point] != 0; }
 
   /// Labels ascend with the points.
   void label() {
     const std::size_t n = tile_.points.size();
     if (labels_.size() < n + near_padding) labels_.resize(n + near_padding);
-    for (std::size_t v = 0; v < n; ++v) labels_[v] = label_of(v, tile_.own[v] != 0);
-    owned_.assign(n / word + 2, 0);
+    for (std::size_t v = 0; v < n; ++v) labels_[v] = label_of(v, tile_.owned[v] != 0);
+    owned_bits_.assign(n / word + 2, 0);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const D d;
     const DI di;
     V x_low = hn::Set(d, infinity), x_high = hn::Neg(x_low), y_low = x_low, y_high = x_high;
     for (std::size_t v = 0; v < n; v += lanes) {
-      const auto is_own =
+      const auto is_owned =
           hn::And(hn::And(hn::LoadU(di, labels_.data() + v), hn::Set(di, 1)) == hn::Set(di, 1), hn::FirstN(di, n - v));
-      owned_[v / word] |= bits_of(di, is_own) << v % word;
-      const auto own = hn::RebindMask(d, is_own);
+      owned_bits_[v / word] |= bits_of(di, is_owned) << v % word;
+      const auto owned = hn::RebindMask(d, is_owned);
       const V x = hn::LoadU(d, at_.x.data() + v), y = hn::LoadU(d, at_.y.data() + v);
-      x_low = hn::IfThenElse(own, hn::Min(x, x_low), x_low);
-      x_high = hn::IfThenElse(own, hn::Max(x, x_high), x_high);
-      y_low = hn::IfThenElse(own, hn::Min(y, y_low), y_low);
-      y_high = hn::IfThenElse(own, hn::Max(y, y_high), y_high);
+      x_low = hn::IfThenElse(owned, hn::Min(x, x_low), x_low);
+      x_high = hn::IfThenElse(owned, hn::Max(x, x_high), x_high);
+      y_low = hn::IfThenElse(owned, hn::Min(y, y_low), y_low);
+      y_high = hn::IfThenElse(owned, hn::Max(y, y_high), y_high);
     }
     alignas(64) float low_x[lanes], high_x[lanes], low_y[lanes], high_y[lanes];
     hn::Store(x_low, d, low_x);
     hn::Store(x_high, d, high_x);
     hn::Store(y_low, d, low_y);
     hn::Store(y_high, d, high_y);
-    own_ = {*std::min_element(low_x, low_x + lanes), *std::max_element(high_x, high_x + lanes),
-            *std::min_element(low_y, low_y + lanes), *std::max_element(high_y, high_y + lanes)};
+    owned_box_ = {*std::min_element(low_x, low_x + lanes), *std::max_element(high_x, high_x + lanes),
+                  *std::min_element(low_y, low_y + lanes), *std::max_element(high_y, high_y + lanes)};
   }
 
-  /// Which points the tile owns, from one on, for at least most_near of them.
-  Bits own_from(std::size_t point) const {
+  /// Which points the tile owns, from one on, for at least max_near of them.
+  Bits owned_from(std::size_t point) const {
     const std::size_t first = point / word, skipped = point % word;
-    return owned_[first] >> skipped | owned_[first + 1] << 1 << (word - 1 - skipped);
+    return owned_bits_[first] >> skipped | owned_bits_[first + 1] << 1 << (word - 1 - skipped);
   }
 
   /// Points of a row. False: too much is near them.
@@ -142,7 +143,7 @@ class Enumeration {
     listed_ = pairs_ = triples_ = 0;
     for (std::size_t j = 0; j < count; ++j) find_near(j, first + j);
     taken_ += count;
-    if (wanted_ > most_wanted()) return false;
+    if (wanted_ > max_wanted()) return false;
     for (std::size_t k = 0; k < listed_; ++k) list_near(near_[k]);
     for (std::size_t k = 0; k < pairs_; ++k) {
       find_triples(pair_[k]);
@@ -151,8 +152,8 @@ class Enumeration {
     return create_empty();
   }
 
-  /// In crowds there are too many triples.
-  std::size_t most_wanted() const { return 256 + 12 * taken_; }
+  /// Where points are dense there are too many triples.
+  std::size_t max_wanted() const { return 256 + 12 * taken_; }
 
   /// What rounding leaves undecided costs less where it is met once, by the front.
   bool is_doubtful() const { return doubts_ > 32 + taken_ / 32; }
@@ -180,14 +181,14 @@ class Enumeration {
       hn::Store(sum, di, around_ + j);
     }
     return std::all_of(around_, around_ + count,
-                       [](std::int32_t around) { return around <= static_cast<std::int32_t>(most_near); });
+                       [](std::int32_t around) { return around <= static_cast<std::int32_t>(max_near); });
   }
 
   /// Lists a point if it and two after it may form a triangle that is of interest here.
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
-    Bits near = 0, own = 0;  // of the points around, row by row
+    Bits near = 0, owned = 0;  // of the points around, row by row
     std::size_t place = 0;
     for (std::size_t row = 0; row < rows_at_once; ++row) {
       const auto first = static_cast<std::size_t>(from_[row][j]), count = static_cast<std::size_t>(to_[row][j]) - first;
@@ -199,28 +200,28 @@ class Enumeration {
         in_row |= bits_of(d, dx * dx + dy * dy <= reach) << i;
       } while ((i += lanes) < count);
       near |= (in_row & lowest(count)) << place;
-      own |= (own_from(first) & lowest(count)) << place;
+      owned |= (owned_from(first) & lowest(count)) << place;
       place += count;
     }
     const std::size_t self =
         static_cast<std::size_t>(to_[0][j] - from_[0][j]) + point - static_cast<std::size_t>(from_[1][j]);
-    const bool is_own = own >> self & 1;
+    const bool is_owned = owned >> self & 1;
     near &= ~(Bits{1} << self);
-    if (is_own && (near & ~own) != 0) [[unlikely]]
-      tell_rim(j, point, near, own);
+    if (is_owned && (near & ~owned) != 0) [[unlikely]]
+      list_rim(j, point, near, owned);
     Near& listed = near_[listed_];
     listed.point = point;
     listed.place = j;
     listed.near = near;
     listed.next = static_cast<std::size_t>(std::popcount(near & lowest(self)));
     const auto after = static_cast<std::size_t>(std::popcount(near >> self));
-    const bool is_listed = (after > 1) & (is_own | ((near & own) != 0));
+    const bool is_listed = (after > 1) & (is_owned | ((near & owned) != 0));
     listed_ += is_listed;
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
   /// Of a point that the tile owns and that is near one that it does not: who is beside whom.
-  HWY_NOINLINE void tell_rim(std::size_t j, std::size_t point, Bits near, Bits own) {
+  HWY_NOINLINE void list_rim(std::size_t j, std::size_t point, Bits near, Bits owned) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
                       third = static_cast<std::size_t>(from_[2][j]);
     const std::size_t of_first = static_cast<std::size_t>(to_[0][j]) - first,
@@ -230,7 +231,7 @@ class Enumeration {
       const auto place = static_cast<std::size_t>(std::countr_zero(left));
       const std::size_t in_row[] = {first + place, second + place - of_first, third + place - of_both};
       const std::uint32_t other = tile_.site[in_row[(place >= of_first) + (place >= of_both)]];
-      const std::uint32_t swap = (own >> place & 1) != 0 ? site ^ other : 0;
+      const std::uint32_t swap = (owned >> place & 1) != 0 ? site ^ other : 0;
       near_rim_.push_back({site ^ swap, other ^ swap});
     }
   }
@@ -274,23 +275,23 @@ class Enumeration {
     const D d;
     const DI di;
     const auto bits = static_cast<std::size_t>(pair);
-    const std::size_t second = bits >> of_second & most_number;
+    const std::size_t second = bits >> of_second & max_number;
     const Near& near = near_[bits >> of_point];
     const V px = hn::Set(d, at_.x[near.point]), py = hn::Set(d, at_.y[near.point]), qx = hn::Set(d, near.x[second]),
             qy = hn::Set(d, near.y[second]), factor = hn::Set(d, factor_);
-    const bool is_own = owns(near.point) | ((near.label[second] & 1) != 0);
-    const auto one = hn::Set(di, 1), wanted = hn::Set(di, is_own ? -1 : 0);
+    const bool is_owned = owns(near.point) | ((near.label[second] & 1) != 0);
+    const auto one = hn::Set(di, 1), wanted = hn::Set(di, is_owned ? -1 : 0);
     for (std::size_t v = (second + 1) / lanes * lanes; v < near.count; v += lanes) {
-      const auto [yes, no, cross] =
-          judge(d, px, py, qx, qy, hn::LoadU(d, near.x + v), hn::LoadU(d, near.y + v), factor);
+      const auto [inside, outside, cross] =
+          filter_circumradius(d, px, py, qx, qy, hn::LoadU(d, near.x + v), hn::LoadU(d, near.y + v), factor);
       const auto place = hn::Iota(di, 0) + hn::Set(di, static_cast<std::int32_t>(v));
       const auto label = hn::LoadU(di, near.label + v);
       const auto in_list = hn::And(place > hn::Set(di, static_cast<std::int32_t>(second)),
                                    place < hn::Set(di, static_cast<std::int32_t>(near.count)));
-      const auto here = hn::RebindMask(d, hn::And(in_list, hn::And(label, one) > wanted)), sure = hn::And(here, yes);
-      if (!hn::AllFalse(d, hn::AndNot(hn::Or(yes, no), here))) [[unlikely]] {
-        const Bits perhaps = bits_of(d, hn::AndNot(hn::Or(yes, no), here));
-        list_exactly(pair, v, bits_of(d, sure), perhaps, bits_of(d, cross < hn::Zero(d)));
+      const auto here = hn::RebindMask(d, hn::And(in_list, hn::And(label, one) > wanted)), sure = hn::And(here, inside);
+      if (!hn::AllFalse(d, hn::AndNot(hn::Or(inside, outside), here))) [[unlikely]] {
+        const Bits uncertain = bits_of(d, hn::AndNot(hn::Or(inside, outside), here));
+        list_exactly(pair, v, bits_of(d, sure), uncertain, bits_of(d, cross < hn::Zero(d)));
         continue;
       }
       const auto is_right = hn::IfThenElseZero(hn::RebindMask(di, cross < hn::Zero(d)), hn::Set(di, 1));
@@ -306,11 +307,11 @@ class Enumeration {
   }
 
   /// As above, where rounding leaves a doubt.
-  HWY_NOINLINE void list_exactly(std::int32_t pair, std::size_t v, Bits sure, Bits perhaps, Bits right) {
-    const std::size_t second = static_cast<std::size_t>(pair) >> of_second & most_number;
+  HWY_NOINLINE void list_exactly(std::int32_t pair, std::size_t v, Bits sure, Bits uncertain, Bits right) {
+    const std::size_t second = static_cast<std::size_t>(pair) >> of_second & max_number;
     const Near& near = near_[static_cast<std::size_t>(pair) >> of_point];
     const Point &a = tile_.points[near.point], &b = tile_.points[point_of(near.label[second])];
-    for (Bits left = sure | perhaps; left != 0; left &= left - 1) {
+    for (Bits left = sure | uncertain; left != 0; left &= left - 1) {
       const auto third = static_cast<std::size_t>(std::countr_zero(left));
       if (sure >> third & 1) {
         list(pair, v + third, (right >> third & 1) != 0);
@@ -329,7 +330,7 @@ class Enumeration {
     std::size_t triangles = 0;
     for (std::size_t k = 0; k < triples_; ++k) {
       const auto bits = static_cast<std::size_t>(triple_[k]);
-      const std::size_t second = bits >> of_second & most_number, third = bits >> of_third & most_number;
+      const std::size_t second = bits >> of_second & max_number, third = bits >> of_third & max_number;
       const bool is_right = bits & 1;
       const std::size_t b = is_right ? third : second, c = is_right ? second : third;
       const Near& near = near_[bits >> of_point];
@@ -344,18 +345,18 @@ class Enumeration {
       for (std::size_t v = 0; v < near.count; v += lanes) {
         const V x = hn::LoadU(d, near.x + v) - px, y = hn::LoadU(d, near.y + v) - py;
         const V size = hn::Max(extent, hn::Max(hn::Abs(x), hn::Abs(y)));
-        const V error = error_of_difference(d, size), most = size + error, square = most * most;
+        const V error = error_of_difference(d, size), largest = size + error, square = largest * largest;
         const V bound =
-            hn::Set(d, 1.02f) * (error * (hn::Set(d, 130) * (most * square) + hn::Set(d, 70) * (error * square)));
+            hn::Set(d, 1.02f) * (error * (hn::Set(d, 130) * (largest * square) + hn::Set(d, 70) * (error * square)));
         const V excess = cross * (x * x + y * y) - (x * of_x + y * of_y);
         outside |= bits_of(d, excess > bound) << v;
         inside |= bits_of(d, excess < hn::Neg(bound)) << v;
       }
       const Bits others = lowest(near.count) & ~(Bits{1} << second | Bits{1} << third);
-      const Bits perhaps = others & ~outside;
-      bool is_empty = perhaps == 0;
-      if (perhaps != 0 && (perhaps & inside) == 0) [[unlikely]] {
-        is_empty = !is_any_inside(near, p, b, c, perhaps);
+      const Bits uncertain = others & ~outside;
+      bool is_empty = uncertain == 0;
+      if (uncertain != 0 && (uncertain & inside) == 0) [[unlikely]] {
+        is_empty = !is_any_inside(near, p, b, c, uncertain);
         if (is_doubtful()) return false;
       }
       corners_[triangles] = {static_cast<LocalFront::Index>(p), static_cast<LocalFront::Index>(point_of(near.label[b])),
@@ -368,12 +369,12 @@ class Enumeration {
     return true;
   }
 
-  HWY_NOINLINE bool is_any_inside(const Near& near, std::size_t p, std::size_t q, std::size_t s, Bits perhaps) {
+  HWY_NOINLINE bool is_any_inside(const Near& near, std::size_t p, std::size_t q, std::size_t s, Bits uncertain) {
     const auto at = [&](std::size_t i) -> const Point& { return tile_.points[point_of(near.label[i])]; };
-    for (; perhaps != 0; perhaps &= perhaps - 1) {
+    for (; uncertain != 0; uncertain &= uncertain - 1) {
       ++doubts_;
       if (Exact::in_perturbed_circle(tile_.points[p], at(q), at(s),
-                                     at(static_cast<std::size_t>(std::countr_zero(perhaps)))) > 0)
+                                     at(static_cast<std::size_t>(std::countr_zero(uncertain)))) > 0)
         return true;
     }
     return false;
@@ -383,28 +384,28 @@ class Enumeration {
 
   // A pair or a triple in one number: which of the points, and the others by their places among those near it.
   static constexpr int of_point = 16, of_second = 10, of_third = 4;
-  static constexpr std::size_t most_number = 63;
+  static constexpr std::size_t max_number = 63;
 
   const Tile& tile_;
   double alpha_;
   const TileCoordinates& at_;
   LocalFront& front_;
   std::vector<std::int32_t>& labels_;
-  std::vector<Bits>& owned_;
+  std::vector<Bits>& owned_bits_;
   std::vector<std::array<std::uint32_t, 2>>& near_rim_;
   double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
   float reach_, factor_;
-  Box own_{};
+  Box owned_box_{};
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
   std::size_t taken_ = 0, wanted_ = 0;  // points, and triples of which they are the first
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
   Near near_[at_once + 1];
-  std::int32_t pair_[at_once * most_near + near_padding], triple_[full + 2 * most_near];
-  std::array<LocalFront::Index, 3> corners_[full + 2 * most_near];
+  std::int32_t pair_[at_once * max_near + near_padding], triple_[full + 2 * max_near];
+  std::array<LocalFront::Index, 3> corners_[full + 2 * max_near];
 };
 
-bool enumerate_on(const Tile& tile, double alpha, TileWorkspace& workspace) {
-  return Enumeration(tile, alpha, workspace).run();
+bool enumerate_on(const Tile& tile, double alpha, TileWorkspace& workspace, EnumerationWorkspace& own) {
+  return Enumeration(tile, alpha, workspace, own).run();
 }
 
 }  // namespace
@@ -417,8 +418,13 @@ namespace rbpa {
 
 HWY_EXPORT(enumerate_on);
 
-bool enumerate(const Tile& tile, const Radius& radius, TileWorkspace& workspace) {
-  return !radius.is_infinite() && HWY_DYNAMIC_DISPATCH(enumerate_on)(tile, radius.value(), workspace);
+bool find_by_enumeration(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, EnumerationWorkspace& own,
+                         TilePatch& found) {
+  if (alpha.is_infinite() || !HWY_DYNAMIC_DISPATCH(enumerate_on)(tile, alpha.value(), workspace, own)) return false;
+  // All that was found is within alpha.
+  extract_patch(tile, workspace.coordinates, workspace.front, Radius(), workspace.extraction, found);
+  found.unsettled_neighbors.insert(found.unsettled_neighbors.end(), own.near_rim.begin(), own.near_rim.end());
+  return true;
 }
 
 }  // namespace rbpa

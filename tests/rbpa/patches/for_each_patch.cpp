@@ -1,4 +1,4 @@
-#include "rbpa/tile/lay_tiles.h"
+#include "rbpa/patches/for_each_patch.h"
 
 #include <doctest/doctest.h>
 
@@ -10,6 +10,7 @@
 
 #include "meshops/core/validate.h"
 #include "meshops/front/front.h"
+#include "meshops/patch/assembler.h"
 #include "rbpa/core/mesh.h"
 #include "rbpa/predicate/magnitude.h"
 #include "rbpa/predicate/predicates.h"
@@ -24,7 +25,7 @@ using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 
-TEST_SUITE_BEGIN("tile");
+TEST_SUITE_BEGIN("patches");
 
 namespace {
 
@@ -59,10 +60,20 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   meshops::PatchAssembler assembler(mesh, points.size());
   int tiles = 0;
   std::vector<bool> known(points.size(), false);
-  rbpa::lay_tiles(sites, radius, assembler, threads, [&](const rbpa::TileTriangles& tile) {
-    ++tiles;
-    for (const std::uint32_t s : tile.known) known[s] = true;
-  });
+  assembler.reserve(3 * sites.size(), 2 * sites.size());
+  struct Workspace {
+    rbpa::FinderWorkspace finder;
+    rbpa::TilePatch found;
+    meshops::Placement placement;
+  };
+  rbpa::for_each_tile<Workspace>(
+      sites, threads, [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
+      [&](Workspace& w) {
+        assembler.place(w.found.patch, w.found.outline, w.placement);
+        ++tiles;
+        for (const std::uint32_t s : w.found.settled) known[s] = true;
+      },
+      [&](Workspace& w) { assembler.fill(w.found.patch, w.found.outline, w.placement); });
   meshops::Front front(std::move(assembler).join());
   CHECK(tiles == std::ssize(rbpa::blocks(grid, 2048)));
   REQUIRE(meshops::validate(mesh).empty());

@@ -1,13 +1,13 @@
 // What: which point does a ball that rolls over a→b to its left touch first? For sixteen edges at a time, on the points
 //       of a tile. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  the answer is that of Pivot, or none where the tile's points do not tell it.
+// Law:  the answer is the Delaunay apex of the edge among all points, or none where the tile's points do not tell it.
 // How:  the circle through a, b and p has its centre k half-chords left of the chord's middle, and
 //       the least k wins. Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
-#if defined(RBPA_TILE_CONTEST_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RBPA_TILE_CONTEST_INL_H_
-#undef RBPA_TILE_CONTEST_INL_H_
+#if defined(RBPA_PIVOTS_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_PIVOTS_APEX_SEARCH_INL_H_
+#undef RBPA_PIVOTS_APEX_SEARCH_INL_H_
 #else
-#define RBPA_TILE_CONTEST_INL_H_
+#define RBPA_PIVOTS_APEX_SEARCH_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -19,10 +19,10 @@
 #include <limits>
 #include <vector>
 
+#include "rbpa/pivots/edge_batch.h"
+#include "rbpa/pivots/exact_apex.h"
+#include "rbpa/pivots/search_window-inl.h"
 #include "rbpa/tile/coordinates.h"
-#include "rbpa/tile/edge_batch.h"
-#include "rbpa/tile/exact_contest.h"
-#include "rbpa/tile/look-inl.h"
 #include "rbpa/tile/mask_bits-inl.h"
 #include "rbpa/tile/tile.h"
 
@@ -33,15 +33,15 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-class Contest {
+class ApexSearch {
  public:
   using Index = EdgeBatch::Index;
   static constexpr Index none = EdgeBatch::none;
 
   /// Keeps references.
-  Contest(const Tile& tile, const TileCoordinates& coordinates)
+  ApexSearch(const Tile& tile, const TileCoordinates& coordinates)
       : at_(coordinates),
-        look_(edges_, coordinates),
+        window_(edges_, coordinates),
         exact_(tile, coordinates),
         part_(tile.points.size() / lanes + static_cast<std::size_t>(tile.rows) + 1),
         low_(part_.size() * lanes) {
@@ -57,12 +57,12 @@ class Contest {
       edges_.b[i] = edges_.b[0];
       edges_.expected[i] = edges_.expected[0];
     }
-    look_.around();
+    window_.open();
     for (std::size_t i = 0; i < EdgeBatch::size; ++i) bound_errors(i, edges_.extent[i]);
     for (std::size_t i = 0; i < size; ++i) edges_.apex[i] = edges_.fits[i] ? among_three_rows(i) : among_more(i);
-    look_.certify();
+    window_.verify();
     for (std::size_t i = 0; i < size; ++i)
-      if (!edges_.is_certain[i]) edges_.apex[i] = search(i);
+      if (!edges_.is_verified[i]) edges_.apex[i] = search(i);
   }
 
   /// One edge.
@@ -75,16 +75,16 @@ class Contest {
   }
 
  private:
-  using D = Look::D;
+  using D = SearchWindow::D;
   using V = hn::Vec<D>;
-  using Cells = Look::Cells;
+  using Cells = SearchWindow::Cells;
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
-  static constexpr float unit = Look::unit, slack = Look::slack;
+  static constexpr float unit_roundoff = TileCoordinates::unit_roundoff, slack = SearchWindow::slack;
   static constexpr std::size_t rows_at_once = EdgeBatch::rows_at_once, row_length = EdgeBatch::row_length;
   static constexpr std::size_t lanes = hn::MaxLanes(D());
-  static constexpr std::size_t most_contenders = 64;
-  static constexpr float most_reach = 4;  // the whole tile, from any point of it
+  static constexpr std::size_t max_candidates = 64;
+  static constexpr float max_reach = 4;  // the whole tile, from any point of it
 
   /// What rounding can do to the numbers of an edge in a box so wide.
   void bound_errors(std::size_t edge, float width) {
@@ -92,10 +92,10 @@ class Contest {
     const float extent = width * (1 + slack) + slack;
     const float chord =
         std::max(std::abs(edges_.bx[edge] - edges_.ax[edge]), std::abs(edges_.by[edge] - edges_.ay[edge]));
-    const float of_e = two + unit * extent, of_d = two + unit * chord;
+    const float of_e = two + unit_roundoff * extent, of_d = two + unit_roundoff * chord;
     const bool exact = extent <= at_.lattice_extent;
-    error_dot_[edge] = exact ? 0 : 12.3f * extent * (of_e + unit * extent);
-    error_cross_[edge] = exact ? 0 : 2.1f * (chord * of_e + extent * of_d + 2 * unit * chord * extent);
+    error_dot_[edge] = exact ? 0 : 12.3f * extent * (of_e + unit_roundoff * extent);
+    error_cross_[edge] = exact ? 0 : 2.1f * (chord * of_e + extent * of_d + 2 * unit_roundoff * chord * extent);
     right_of_[edge] = exact ? std::numeric_limits<float>::min() : -4 * error_cross_[edge];
   }
 
@@ -130,7 +130,7 @@ class Contest {
     const V ex = px - e.ax, ey = py - e.ay, fx = px - e.bx, fy = py - e.by;
     const V cross = hn::MulSub(e.dx, ey, e.dy * ex), dot = hn::MulAdd(ex, fx, ey * fy);
     const V inverse = hn::Set(d, 1) / cross, k = dot * inverse;
-    const V relative = hn::MulAdd(e.error_cross, inverse, hn::Set(d, 4 * unit));
+    const V relative = hn::MulAdd(e.error_cross, inverse, hn::Set(d, 4 * unit_roundoff));
     const V error = hn::MulAdd(hn::Abs(k), relative, e.error_dot * inverse);
     const auto valid = hn::FirstN(d, count);
     return {k - error, k + error, hn::And(valid, cross > e.left_of), hn::And(valid, cross >= e.right_of)};
@@ -173,8 +173,8 @@ class Contest {
       return static_cast<Index>(static_cast<std::size_t>(edges_.first[at / row_length][edge]) + at % row_length);
     };
     if ((can_win & (can_win - 1)) == 0) return point(can_win);
-    contenders_.clear();
-    for (; can_win != 0; can_win &= can_win - 1) contenders_.push_back(point(can_win));
+    candidates_.clear();
+    for (; can_win != 0; can_win &= can_win - 1) candidates_.push_back(point(can_win));
     return decide(edge);
   }
 
@@ -187,8 +187,8 @@ class Contest {
   /// What the bounds left undecided.
   HWY_NOINLINE Index decide(std::size_t edge) const {
     const auto a = static_cast<std::size_t>(edges_.a[edge]), b = static_cast<std::size_t>(edges_.b[edge]);
-    return error_cross_[edge] == 0 ? exact_.winner_on_lattice(a, b, contenders_)
-                                   : exact_.winner(a, b, contenders_, none);
+    return error_cross_[edge] == 0 ? exact_.winner_on_lattice(a, b, candidates_)
+                                   : exact_.winner(a, b, candidates_, none);
   }
 
   /// Where the first look finds more than three short rows.
@@ -207,18 +207,18 @@ class Contest {
     for (float reach = edges_.found_radius[edge];;) {
       const auto [winner, high] = among(edge, cells);
       if (high < infinity) {
-        const Cells needed = look_.cells_for(edge, high);
+        const Cells needed = window_.cells_for(edge, high);
         if (cells.contain(needed)) {
           edges_.found_radius[edge] = 0.5f * length * std::sqrt(1 + high * high);
-          return look_.is_known(needed) ? winner : none;
+          return window_.is_known(needed) ? winner : none;
         }
         cells = cells.with(needed);
         continue;
       }
-      if (!look_.is_known(cells) || reach > most_reach) return none;
+      if (!window_.is_known(cells) || reach > max_reach) return none;
       reach *= 2;
-      const float ratio = std::min(2 * reach / length, Look::most_chords);
-      cells = look_.cells_for(edge, std::sqrt(std::max(0.0f, ratio * ratio - 1)));
+      const float ratio = std::min(2 * reach / length, SearchWindow::max_chords);
+      cells = window_.cells_for(edge, std::sqrt(std::max(0.0f, ratio * ratio - 1)));
     }
   }
 
@@ -250,7 +250,7 @@ class Contest {
     const float high = least_lane(least);
     const V bound = hn::Set(d, high);
     const auto a = static_cast<std::uint32_t>(edges_.a[edge]), b = static_cast<std::uint32_t>(edges_.b[edge]);
-    std::uint32_t contenders = 0, last = 0;
+    std::uint32_t candidates = 0, last = 0;
     for (std::size_t j = 0; j < parts; ++j) {
       const V low = hn::LoadU(d, low_.data() + j * N);
       const std::uint32_t from_a = a - part_[j].first, from_b = b - part_[j].first;
@@ -258,16 +258,16 @@ class Contest {
       const auto can_win =
           static_cast<std::uint32_t>(bits_of(d, hn::And(low <= bound, low < hn::Set(d, infinity)))) & ~ends;
       part_[j].can_win = can_win;
-      contenders += static_cast<std::uint32_t>(std::popcount(can_win));
+      candidates += static_cast<std::uint32_t>(std::popcount(can_win));
       last = can_win != 0 ? part_[j].first + static_cast<std::uint32_t>(std::countr_zero(can_win)) : last;
     }
-    // A circle full of points: no tile has an easier time with it than the front of the whole mesh.
-    if (contenders == 0 || contenders > most_contenders) return {none, high};
-    if (contenders == 1 && high < infinity) return {static_cast<Index>(last), high};
-    contenders_.clear();
+    // A circle full of points is left to the remainder.
+    if (candidates == 0 || candidates > max_candidates) return {none, high};
+    if (candidates == 1 && high < infinity) return {static_cast<Index>(last), high};
+    candidates_.clear();
     for (std::size_t j = 0; j < parts; ++j)
       for (std::uint32_t bits = part_[j].can_win; bits != 0; bits &= bits - 1)
-        contenders_.push_back(static_cast<Index>(part_[j].first + static_cast<std::uint32_t>(std::countr_zero(bits))));
+        candidates_.push_back(static_cast<Index>(part_[j].first + static_cast<std::uint32_t>(std::countr_zero(bits))));
     return {decide(edge), high};
   }
 
@@ -278,12 +278,12 @@ class Contest {
 
   const TileCoordinates& at_;
   EdgeBatch edges_;
-  Look look_;
-  ExactContest exact_;
+  SearchWindow window_;
+  ExactApex exact_;
   alignas(64) float error_dot_[EdgeBatch::size], error_cross_[EdgeBatch::size], right_of_[EdgeBatch::size];
   std::vector<Part> part_;
   std::vector<float> low_;
-  std::vector<Index> contenders_;
+  std::vector<Index> candidates_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "rbpa/tile/enumerate.h"
+#include "rbpa/enumeration/find_by_enumeration.h"
 
 #include <doctest/doctest.h>
 #include <hwy/targets.h>
@@ -21,42 +21,47 @@
 #include "support/tile_sets.h"
 
 using namespace rbpa_test;
+using rbpa::LocalFront;
 using rbpa::Point;
 using rbpa::Radius;
 using rbpa::Tile;
-using rbpa::TileWorkspace;
 
-TEST_SUITE_BEGIN("tile");
+TEST_SUITE_BEGIN("enumeration");
 
 namespace {
 
 using P = rbpa::Predicates<double>;
 
-std::vector<Tile> tiles_of(const rbpa::PointGrid& grid, std::uint32_t most_points) {
+std::vector<Tile> tiles_of(const rbpa::PointGrid& grid, std::uint32_t max_points) {
   std::vector<Tile> tiles;
   rbpa::Cutter cutter(grid);
-  for (const rbpa::Block& block : rbpa::blocks(grid, most_points)) cutter.cut(block, tiles.emplace_back());
+  for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) cutter.cut(block, tiles.emplace_back());
   return tiles;
 }
 
-bool is_enumerated(const Tile& tile, const Radius& radius, TileWorkspace& workspace) {
-  workspace.coordinates.assign(tile);
-  return enumerate(tile, radius, workspace);
+struct Workspace {
+  rbpa::TileWorkspace tile;
+  rbpa::EnumerationWorkspace own;
+};
+
+bool is_enumerated(const Tile& tile, const Radius& radius, Workspace& workspace) {
+  rbpa::TilePatch found;
+  workspace.tile.coordinates.assign(tile);
+  return find_by_enumeration(tile, radius, workspace.tile, workspace.own, found);
 }
 
 /// Those on the front of a workspace, on the sites.
-std::vector<Triangle> found_on(const Tile& tile, const TileWorkspace& workspace) {
+std::vector<Triangle> found_on(const Tile& tile, const LocalFront& front) {
   std::vector<Triangle> found;
-  for (std::size_t t = 1; t < workspace.front.triangles(); ++t)
-    found.push_back({tile.site[workspace.front.from(4 * t)], tile.site[workspace.front.from(4 * t + 1)],
-                     tile.site[workspace.front.from(4 * t + 2)]});
+  for (std::size_t t = 1; t < front.triangles(); ++t)
+    found.push_back({tile.site[front.from(4 * t)], tile.site[front.from(4 * t + 1)], tile.site[front.from(4 * t + 2)]});
   return canonical(std::move(found));
 }
 
 std::vector<Triangle> expected_on(const Tile& tile, const std::vector<Triangle>& complex) {
   std::set<std::uint32_t> own;
   for (std::size_t v = 0; v < tile.points.size(); ++v)
-    if (tile.own[v]) own.insert(tile.site[v]);
+    if (tile.owned[v]) own.insert(tile.site[v]);
   std::vector<Triangle> expected;
   std::copy_if(complex.begin(), complex.end(), std::back_inserter(expected), [&](const Triangle& t) {
     return std::any_of(t.begin(), t.end(), [&](std::uint32_t s) { return own.contains(s); });
@@ -121,12 +126,12 @@ TEST_CASE("of all triangles within alpha those with a corner of the tile are fou
         const std::vector<Tile> tiles = tiles_of(sites.grid, most);
         for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
           const OneTarget only(target);
-          TileWorkspace workspace;
+          Workspace workspace;
           std::size_t enumerated = 0;
           for (const Tile& tile : tiles) {
             if (!is_enumerated(tile, Radius(alpha), workspace)) continue;
             ++enumerated;
-            CHECK(difference(expected_on(tile, complex), found_on(tile, workspace)) == "");
+            CHECK(difference(expected_on(tile, complex), found_on(tile, workspace.tile.front)) == "");
           }
           CHECK(enumerated >= tiles.size() / 2);
         }
@@ -159,17 +164,17 @@ TEST_CASE("a tile that enumerates tells of every pair within a diameter, one of 
   const Radius radius(0.5 * mean_spacing(sites.points));
   std::size_t pairs = 0;
   for (const Tile& tile : tiles_of(sites.grid, 300)) {
-    TileWorkspace workspace;
+    Workspace workspace;
     REQUIRE(is_enumerated(tile, radius, workspace));
-    std::set<std::array<std::uint32_t, 2>> told(workspace.near_rim.begin(), workspace.near_rim.end());
+    std::set<std::array<std::uint32_t, 2>> told(workspace.own.near_rim.begin(), workspace.own.near_rim.end());
     for (std::size_t v = 0; v < tile.points.size(); ++v)
       for (std::size_t u = 0; u < tile.points.size(); ++u) {
-        if (!tile.own[v] || tile.own[u] || !radius.spans<double>(tile.points[v], tile.points[u])) continue;
+        if (!tile.owned[v] || tile.owned[u] || !radius.spans<double>(tile.points[v], tile.points[u])) continue;
         CHECK(told.contains({tile.site[v], tile.site[u]}));
         ++pairs;
         // Its site may turn out not to be known: who is near it then is to be told as well.
         for (std::size_t w = 0; w < tile.points.size(); ++w)
-          if (w != v && tile.own[w] && radius.spans<double>(tile.points[v], tile.points[w]))
+          if (w != v && tile.owned[w] && radius.spans<double>(tile.points[v], tile.points[w]))
             CHECK(told.contains({tile.site[w], tile.site[v]}));
       }
   }
@@ -183,7 +188,7 @@ TEST_CASE("where alpha is small a tile knows all of its sites but those beside o
     const Radius radius(alpha * mean_spacing(sites.points));
     std::size_t known = 0, shared = 0;
     for (const auto& tile : tell(sites.grid, radius, 2048)) {
-      known += tile.known.size();
+      known += tile.settled.size();
       shared += tile.shared.size();
     }
     CHECK(known + shared == sites.points.size());
@@ -192,7 +197,7 @@ TEST_CASE("where alpha is small a tile knows all of its sites but those beside o
 }
 
 TEST_CASE("nothing is enumerated where it would not pay, or where points are not known") {
-  TileWorkspace workspace;
+  Workspace workspace;
   const auto is_first_enumerated = [&](const Points& points, double alpha) {
     const Tile tile = tiles_of(rbpa::PointGrid(points), 2048).front();
     return is_enumerated(tile, Radius(alpha), workspace);

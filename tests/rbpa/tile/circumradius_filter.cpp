@@ -1,4 +1,4 @@
-#include "rbpa/tile/within_alpha.h"
+#include "rbpa/tile/circumradius_filter.h"
 
 #include <doctest/doctest.h>
 #include <hwy/targets.h>
@@ -14,11 +14,11 @@
 #include "support/random.h"
 
 using namespace rbpa_test;
+using rbpa::CircumradiusFilter;
 using rbpa::LocalFront;
 using rbpa::Point;
 using rbpa::Tile;
 using rbpa::TileCoordinates;
-using rbpa::Within;
 
 TEST_SUITE_BEGIN("tile");
 
@@ -65,7 +65,7 @@ double circumradius(const Tile& tile, const Corners& t) {
 }
 
 struct Counts {
-  std::size_t yes = 0, no = 0, perhaps = 0;
+  std::size_t inside = 0, outside = 0, uncertain = 0;
 };
 
 /// What is told of all triangles, checked. The front and the coordinates are used again, as they are from tile to tile.
@@ -77,19 +77,21 @@ class Checked {
     for (const Corners& t : sample.triangles)
       front_.create(static_cast<LocalFront::Index>(t[0]), static_cast<LocalFront::Index>(t[1]),
                     static_cast<LocalFront::Index>(t[2]), [](LocalFront::Index, bool) {});
-    within_alpha(at_, front_, alpha, within_);
+    filter_circumradii(at_, front_, alpha, filtered_);
     Counts counts;
     for (std::size_t i = 0; i < sample.triangles.size(); ++i) {
       const Corners& t = sample.triangles[i];
-      const Within told = within_[i + 1];
-      (told == Within::yes ? counts.yes : told == Within::no ? counts.no : counts.perhaps) += 1;
-      if (told == Within::perhaps) continue;
+      const CircumradiusFilter told = filtered_[i + 1];
+      (told == CircumradiusFilter::inside    ? counts.inside
+       : told == CircumradiusFilter::outside ? counts.outside
+                                             : counts.uncertain) += 1;
+      if (told == CircumradiusFilter::uncertain) continue;
       const bool is_within = P::compare_circumradius(sample.tile.points[t[0]], sample.tile.points[t[1]],
                                                      sample.tile.points[t[2]], alpha) <= 0;
-      if ((told == Within::yes) == is_within) continue;
+      if ((told == CircumradiusFilter::inside) == is_within) continue;
       CAPTURE(circumradius(sample.tile, t));
       CAPTURE(alpha);
-      FAIL_CHECK("triangle " << i << " is said to be within alpha: " << (told == Within::yes));
+      FAIL_CHECK("triangle " << i << " is said to be within alpha: " << (told == CircumradiusFilter::inside));
     }
     return counts;
   }
@@ -97,7 +99,7 @@ class Checked {
  private:
   TileCoordinates at_;
   LocalFront front_;
-  std::vector<Within> within_;
+  std::vector<CircumradiusFilter> filtered_;
 };
 
 }  // namespace
@@ -140,12 +142,12 @@ TEST_CASE("little is left to exact arithmetic") {
   const Sample made = sample(random, 6000, 0, 1, 0.02, 0);
   for (const double alpha : {0.01, 0.02, 0.03}) {
     const Counts counts = check(made, alpha);
-    CHECK(counts.yes > 100);
-    CHECK(counts.no > 100);
-    CHECK(counts.perhaps < 10);
+    CHECK(counts.inside > 100);
+    CHECK(counts.outside > 100);
+    CHECK(counts.uncertain < 10);
   }
-  // A radius beyond all that can be told apart says "no" of none.
-  CHECK(check(made, 1e12).no == 0);
+  // Nothing is outside a radius beyond all that can be told apart.
+  CHECK(check(made, 1e12).outside == 0);
 }
 
 TEST_SUITE_END();

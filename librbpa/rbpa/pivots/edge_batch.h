@@ -30,7 +30,7 @@ struct EdgeBatch {
   /// How far left of the chord's middle, in half-chords, centres of circles are worth a look; how far the winner's is at
   /// most, infinite without one; and whether no other point can win.
   alignas(64) float k[size], high[size];
-  alignas(64) std::int32_t is_certain[size];
+  alignas(64) std::int32_t is_verified[size];
 
   /// The answers, and the radii of the circles.
   Index apex[size];

@@ -1,0 +1,117 @@
+// What: a plane graph as the quad-edge structure without its dual: directed edges that know their neighbours around the
+//       point they leave, in 32 bits a number.
+// Law:  e and sym(e) are one edge in both directions; following onext() goes around a point counter-clockwise and comes
+//       back.
+// Cost: 12 bytes a directed edge; edges that are taken out are used again, first those that were last.
+// Source: Guibas, Stolfi, Primitives for the manipulation of general subdivisions (1985): Org, Dest, Sym, Onext, …
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace rbpa {
+
+class QuadEdges {
+ public:
+  using Edge = std::uint32_t;
+  using Corner = std::uint32_t;
+
+  /// Edges that are not in use, of which none is another list's: who has a list of their own may add and remove beside
+  /// others.
+  struct Unused {
+    Edge first, last;
+  };
+
+  /// Room for the edges of a triangulation of so many points.
+  explicit QuadEdges(std::size_t points) : size_(6 * points), edges_(std::make_unique_for_overwrite<Links[]>(size_)) {}
+
+  /// Enough for a triangulation of the points from `first` to before `last`; for each point once.
+  /// Requires: at least one.
+  Unused unused_for(std::size_t first, std::size_t last) {
+    const Unused all = {static_cast<Edge>(6 * first), static_cast<Edge>(6 * last - 2)};
+    for (Edge e = all.first; e <= all.last; e += 2) put_away(e, e + 2);
+    return all;
+  }
+  Unused joined(const Unused& a, const Unused& b) {
+    edges_[a.last].onext = b.first;
+    return {a.first, b.last};
+  }
+
+  /// Directed edges are numbered from 0 to size() − 1; some are not in use. Of these lnext() is 0.
+  std::size_t size() const { return size_; }
+
+  static Edge sym(Edge e) { return e ^ 1; }
+  Corner org(Edge e) const { return edges_[e].org; }
+  Corner dest(Edge e) const { return edges_[sym(e)].org; }
+  /// The next edge that leaves the same point, counter-clockwise, clockwise.
+  Edge onext(Edge e) const { return edges_[e].onext; }
+  Edge oprev(Edge e) const { return edges_[e].oprev; }
+  /// The next edge along the left face, the one before along the right face; both leave the point to which `e` leads.
+  Edge lnext(Edge e) const { return oprev(sym(e)); }
+  Edge rprev(Edge e) const { return onext(sym(e)); }
+
+  /// An edge that touches no other.
+  Edge make_edge(Corner org, Corner dest, Unused& unused) {
+    const Edge e = unused.first;
+    unused.first = edges_[e].onext;
+    edges_[e] = {org, e, e};
+    edges_[sym(e)] = {dest, sym(e), sym(e)};
+    return e;
+  }
+
+  /// An edge between the points that `a` and `b` leave, next to each counter-clockwise.
+  Edge connect(Edge a, Edge b, Unused& unused) {
+    const Edge e = unused.first, back = sym(e);
+    unused.first = edges_[e].onext;
+    const Edge a_next = onext(a), b_next = onext(b);
+    edges_[e] = {org(a), a_next, a};
+    edges_[back] = {org(b), b_next, b};
+    edges_[a].onext = edges_[a_next].oprev = e;
+    edges_[b].onext = edges_[b_next].oprev = back;
+    return e;
+  }
+
+  /// Puts an edge that is alone at its point next to another one, counter-clockwise.
+  void insert(Edge e, Edge after) {
+    const Edge before = onext(after);
+    edges_[e].oprev = after;
+    edges_[e].onext = before;
+    edges_[after].onext = e;
+    edges_[before].oprev = e;
+  }
+
+  /// The left face of `e` is none any more: lnext() is 0.
+  void open(Edge e) { edges_[sym(e)].oprev = 0; }
+
+  /// A number in the place of onext().
+  void number(Edge e, int n) { edges_[e].onext = static_cast<Edge>(n); }
+  int number(Edge e) const { return static_cast<int>(edges_[e].onext); }
+
+  void remove(Edge e, Unused& unused) {
+    unlink(e);
+    unlink(sym(e));
+    e &= ~Edge{1};
+    put_away(e, unused.first);
+    unused.first = e;
+  }
+
+ private:
+  struct Links {
+    Corner org;
+    Edge onext, oprev;
+  };
+  void unlink(Edge e) {
+    edges_[onext(e)].oprev = oprev(e);
+    edges_[oprev(e)].onext = onext(e);
+  }
+  void put_away(Edge e, Edge next) {
+    edges_[e].onext = next;
+    edges_[e].oprev = edges_[sym(e)].oprev = 0;
+  }
+
+  std::size_t size_;
+  std::unique_ptr<Links[]> edges_;
+};
+
+}  // namespace rbpa

@@ -1,0 +1,42 @@
+// What: the patch of a tile out of the triangles found on it, and the status of the stars around its points.
+// Cost: linear in the points and triangles of the tile. As a tile's points come in no order that could be foreseen, lists
+//       are written without branches: the next entry always, and counted if it is one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/predicate/radius.h"
+#include "rbpa/tile/circumradius_filter.h"
+#include "rbpa/tile/coordinates.h"
+#include "rbpa/tile/local_front.h"
+#include "rbpa/tile/tile.h"
+#include "rbpa/tile/tile_patch.h"
+
+namespace rbpa {
+
+struct ExtractionWorkspace {
+  // Numbers of triangles: those of the patch, the others, and those of the patch at its rim or at a star that is not
+  // settled.
+  std::vector<std::uint16_t> kept, others, marginal;
+  std::vector<std::uint16_t> owned;      // of each triangle: the tile owns its least corner
+  std::vector<std::uint16_t> number;     // of each side: what the one across is told of it
+  std::vector<std::uint16_t> elsewhere;  // of each point: triangles around it that other tiles own
+  std::vector<int> last,
+      ending;  // of each point: the side that leaves it in an outline; one at the rim that ends there
+  std::vector<CircumradiusFilter> within;  // of each triangle, alpha
+  std::vector<std::uint8_t> star;          // of each point, its status
+  // Lists of the result, before their length is known.
+  std::vector<TilePatch::SharedStar> shared;
+  std::vector<std::array<std::uint32_t, 2>> unsettled_neighbors;
+  std::vector<std::uint32_t> ghost_corners;
+  std::vector<int> outer;
+};
+
+/// Replaces `result` by what the triangles on the front tell: those within alpha that the tile owns, and what is settled.
+/// Requires the tile's coordinates.
+void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
+                   ExtractionWorkspace& workspace, TilePatch& result);
+
+}  // namespace rbpa

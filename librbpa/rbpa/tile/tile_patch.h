@@ -1,0 +1,44 @@
+// What: what is found on a tile: a patch of the solid alpha complex, and what is settled by it.
+// Law:  a triangle comes from the tile that owns its least corner, and from no other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/patch/outline.h"
+#include "meshops/patch/patch.h"
+
+namespace rbpa {
+
+/// The star of a site is the triangles of the complex around it. A tile has seen it when it owns the site and knows all of
+/// them; it is settled when they are all in its patch.
+struct TilePatch {
+  bool with_outline = true;  ///< the outline is wanted
+  meshops::Patch patch;      ///< on the sites
+  meshops::Outline outline;
+  std::vector<std::uint32_t> settled;  ///< sites whose stars are settled
+
+  // What settles more stars when all tiles are done (remainder/remainder.h).
+  struct SharedStar {
+    std::uint32_t site, elsewhere;
+  };
+  std::vector<SharedStar> shared;              ///< other stars seen, and how many of their triangles other tiles own
+  std::vector<std::uint32_t> ghost_corners;    ///< corners of the patch that are ghosts, once for each triangle
+  std::vector<std::uint32_t> loose_triangles;  ///< triangles of the patch none of whose corners is settled
+  /// Sites whose stars are seen, each with a Delaunay neighbour that is not settled; after enumeration with any that is
+  /// not settled and nearer than 2 alpha.
+  std::vector<std::array<std::uint32_t, 2>> unsettled_neighbors;
+
+  void clear() {
+    patch.clear();
+    outline.clear();
+    settled.clear();
+    shared.clear();
+    ghost_corners.clear();
+    loose_triangles.clear();
+    unsettled_neighbors.clear();
+  }
+};
+
+}  // namespace rbpa
