@@ -71,19 +71,14 @@ foreach(root libmeshops librbpa apps)
   endforeach()
 endforeach()
 
-# Headers that users see, and programs, which are users too, know nothing of the inside.
+# Headers that users see, and programs, which are users too, know nothing of the inside. What docs/drawings draws is there.
 file(GLOB public RELATIVE ${ROOT} ${ROOT}/librbpa/rbpa/*.h ${ROOT}/librbpa/rbpa/core/*.h)
-file(GLOB_RECURSE programs RELATIVE ${ROOT} ${ROOT}/apps/*.h ${ROOT}/apps/*.cpp
-     ${ROOT}/docs/drawings/*.h ${ROOT}/docs/drawings/*.cpp)
+file(GLOB_RECURSE programs RELATIVE ${ROOT} ${ROOT}/apps/*.h ${ROOT}/apps/*.cpp)
 foreach(file ${public} ${programs})
   if(file MATCHES "librbpa/(${inside})")
     continue()
   endif()
-  set(hidden ${inside})
-  if(file MATCHES "^docs/drawings/")
-    string(REPLACE "|paper" "" hidden "${inside}")  # that is what they draw
-  endif()
-  file(STRINGS ${ROOT}/${file} includes REGEX "^#include \"(${hidden})")
+  file(STRINGS ${ROOT}/${file} includes REGEX "^#include \"${inside}")
   foreach(line ${includes})
     string(APPEND bad "\n  ${file}: ${line}, which is inside librbpa")
   endforeach()
