@@ -318,10 +318,61 @@ std::string paper_9_two_levels() {
       .svg();
 }
 
+/// From the first level to the last.
+constexpr std::array level_colours = {"#0b3d6b", "#1f6fb2", "#5b9bcf", "#9cc4e4", "#cfe2f2", "#f1f4f7"};
+
+/// A bar for each level, as long as it has triangles, up to a width; and in words.
+void draw_levels(Canvas& canvas, const Frame& frame, const std::vector<rbpa::Level>& levels, Place top, double width) {
+  std::vector<std::size_t> fresh;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    fresh.push_back(levels[i].triangles - (i == 0 ? 0 : levels[i - 1].triangles));
+  const auto most = static_cast<double>(*std::max_element(fresh.begin(), fresh.end()));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Place at = top - Place{0, static_cast<double>(i)};
+    const double length = width * static_cast<double>(fresh[i]) / most;
+    const std::vector<Place> bar = {frame(at), frame(at + Place{length, 0}), frame(at + Place{length, -0.42}),
+                                    frame(at + Place{0, -0.42})};
+    canvas.region({bar}, level_colours[i]);
+    canvas.closed_lines({bar}, {colour::inner, 0.7});
+    canvas.text(frame(at) - Place{0, 5}, "alpha = " + rounded(levels[i].alpha) + ": " + std::to_string(fresh[i]),
+                Lettering::small);
+  }
+}
+
+std::string levels() {
+  const Points points = thinning_out({3.2, 3.6}, {9.6, 7.6}, 20000, 0.05, 0.16, 8);
+  const Hierarchy hierarchy = rbpa::hrbpa(points, 3, {.leaf_capacity = 6, .progress = {}});
+  const auto& levels = hierarchy.levels;
+  if (levels.size() > level_colours.size() || hierarchy.complex.mesh.n_faces() != levels.back().triangles)
+    throw std::logic_error("there are more levels than colours: " + std::to_string(levels.size()));
+  std::vector<std::vector<std::vector<Place>>> by_level(levels.size());
+  const rbpa::Mesh& mesh = hierarchy.complex.mesh;
+  meshops::for_each_face(mesh, [&](Face f) {
+    auto& corners = by_level[rbpa::level_of(hierarchy, static_cast<std::size_t>(f.idx()))].emplace_back();
+    for (const Vertex v : mesh.fv_range(f)) corners.push_back({mesh.point(v)[0], mesh.point(v)[1]});
+  });
+  Panel triangles = panel_over(points, "(a) every triangle by its level",
+                               {of("points", points.size()) + " · " + of("triangles", mesh.n_faces()),
+                                "least radius " + rounded(hierarchy.least_radius)});
+  triangles.more = [=](Canvas& canvas, const Frame& frame) {
+    for (std::size_t i = by_level.size(); i-- > 0;) {
+      canvas.region(in_frame(frame, by_level[i]), level_colours[i]);
+      canvas.closed_lines(in_frame(frame, by_level[i]), {colour::text, 0.4});
+    }
+  };
+  Panel counts =
+      panel_over({}, "(b) triangles a level", {"a level has the triangles of", "circumradius up to its alpha"});
+  counts.extent = {{0, 7.4 - static_cast<double>(levels.size())}, {8.3, 7.4}};
+  counts.more = [=](Canvas& canvas, const Frame& frame) { draw_levels(canvas, frame, levels, {0.3, 6.8}, 8); };
+  return Sheet("The levels of a hierarchy: each triangle comes with the first radius that admits it", 34)
+      .row({triangles, counts})
+      .svg();
+}
+
 }  // namespace
 
 std::span<const Figure> hierarchy_figures() {
-  static constexpr std::array figures = {Figure{"paper_4_least_radius", paper_4_least_radius},
+  static constexpr std::array figures = {Figure{"paper_4_least_radius", paper_4_least_radius}, Figure{"levels", levels},
                                          Figure{"paper_5_level_transfer", paper_5_level_transfer},
                                          Figure{"paper_9_two_levels", paper_9_two_levels}};
   return figures;
