@@ -117,8 +117,8 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order: an index means the same in both.\n"
-      "The full complex is lines f, l and p of an .obj; beside arrays.npy, which has the triangles, there are\n"
-      "arrays.edges.npy and arrays.points.npy.\n" +
+      "The full complex is lines f, l and p of an .obj; of arrays.npy, which has the triangles, there are\n"
+      "arrays.edges.npy and arrays.points.npy beside it.\n" +
       std::string(exit_codes));
 }
 
