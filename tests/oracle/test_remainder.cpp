@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Triangle> triangles_of(const Points& points) {
   const std::vector<std::uint32_t> lowest = lowest_equal(points);
-  std::vector<rbpa::Place> places;
+  std::vector<rbpa::SitePoint> places;
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (lowest[i] == i) places.push_back({points[i], i});
   meshops::Patch patch;

@@ -49,7 +49,7 @@ class DivideAndConquer {
   using P = Predicates<Real>;
 
  public:
-  DivideAndConquer(std::span<Place> places, Threads& threads, const std::function<void()>& working)
+  DivideAndConquer(std::span<SitePoint> places, Threads& threads, const std::function<void()>& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
 
   void run(const Fate& fate, meshops::Patch& patch, meshops::Outline& outline) {
@@ -70,7 +70,7 @@ class DivideAndConquer {
   struct Part : Extremes, Own {};
 
   Part triangulate(std::size_t first, std::size_t last) {
-    const std::span<Place> places = places_.subspan(first, last - first);
+    const std::span<SitePoint> places = places_.subspan(first, last - first);
     if (places.size() <= few) {
       sort_few(places, AlongX());
       Own own = {edges_.unused_for(first, last), 0};
@@ -79,7 +79,7 @@ class DivideAndConquer {
     }
     const Sample sample(places);
     const bool along_x = sample.is_wide();
-    const std::size_t middle = first + (along_x ? cut(places, sample, AlongX()) : cut(places, sample, AlongY()));
+    const std::size_t middle = first + (along_x ? halve(places, sample, AlongX()) : halve(places, sample, AlongY()));
     Part a, b;
     const auto triangulate_half = [&](std::size_t half) {
       (half == 0 ? a : b) = half == 0 ? triangulate(first, middle) : triangulate(middle, last);
@@ -157,28 +157,24 @@ class DivideAndConquer {
       auto of_left = base.candidate(at(edges_.dest(left))), of_right = base.candidate(at(edges_.dest(right)));
       const bool is_left = base.is_left(of_left), is_right = base.is_left(of_right);
       if (!is_left && !is_right) break;
+      const auto cut_off = [&](Edge& side, auto& of_side, auto next_of, bool is_of_left) {
+        for (;;) {
+          const Edge next = next_of(side);
+          const Corner beyond = edges_.dest(next);
+          if ((beyond < middle) != is_of_left) return;
+          const auto of_next = base.candidate(at(beyond));
+          if (!base.is_inside(of_next, of_side)) return;
+          edges_.remove(side, own.unused);
+          side = next;
+          of_side = of_next;
+        }
+      };
       if (is_left)
-        for (;;) {
-          const Edge next = edges_.onext(left);
-          const Corner beyond = edges_.dest(next);
-          if (beyond >= middle) break;
-          const auto of_next = base.candidate(at(beyond));
-          if (!base.is_inside(of_next, of_left)) break;
-          edges_.remove(left, own.unused);
-          left = next;
-          of_left = of_next;
-        }
+        cut_off(
+            left, of_left, [&](Edge e) { return edges_.onext(e); }, true);
       if (is_right)
-        for (;;) {
-          const Edge next = edges_.oprev(right);
-          const Corner beyond = edges_.dest(next);
-          if (beyond < middle) break;
-          const auto of_next = base.candidate(at(beyond));
-          if (!base.is_inside(of_next, of_right)) break;
-          edges_.remove(right, own.unused);
-          right = next;
-          of_right = of_next;
-        }
+        cut_off(
+            right, of_right, [&](Edge e) { return edges_.oprev(e); }, false);
       edge = !is_left || (is_right && base.is_inside(of_right, of_left))
                  ? edges_.connect(edges_.lnext(right), back, own.unused)
                  : edges_.connect(edges_.oprev(edge), sym(left), own.unused);
@@ -306,7 +302,7 @@ class DivideAndConquer {
 
   static constexpr std::size_t edges_at_once = 1u << 13, triangles_at_once = 1u << 14;
   static constexpr std::size_t min_for_threads = 10000;  // a millisecond or two
-  std::span<Place> places_;
+  std::span<SitePoint> places_;
   QuadEdges edges_;
   std::vector<std::array<Corner, 3>> corners_;  // of the triangles of the patch
   std::vector<Edge> hull_;  // of a corner that is extreme, the edge of the hull that leaves it counter-clockwise
@@ -317,7 +313,7 @@ class DivideAndConquer {
 }  // namespace
 
 template <typename Real>
-void divide_and_conquer(std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
+void divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads, meshops::Patch& patch,
                         meshops::Outline& outline, const std::function<void()>& working) {
   patch.clear();
   outline.clear();
@@ -325,9 +321,9 @@ void divide_and_conquer(std::span<Place> places, const Fate& fate, Threads& thre
   DivideAndConquer<Real>(places, threads, working).run(fate, patch, outline);
 }
 
-template void divide_and_conquer<double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&, meshops::Outline&,
-                                         const std::function<void()>&);
-template void divide_and_conquer<long double>(std::span<Place>, const Fate&, Threads&, meshops::Patch&,
+template void divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&, meshops::Patch&,
+                                         meshops::Outline&, const std::function<void()>&);
+template void divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&, meshops::Patch&,
                                               meshops::Outline&, const std::function<void()>&);
 
 }  // namespace rbpa

@@ -19,7 +19,7 @@ namespace rbpa {
 
 /// What becomes of a triangle: 0 when it is kept; else what the patch is to tell those beside it. Called in any thread,
 /// several at a time.
-using Fate = std::function<int(const Place&, const Place&, const Place&)>;
+using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
 /// all points are on a line. Replaces `patch` and its outline, and puts the places in another order.
@@ -28,7 +28,7 @@ using Fate = std::function<int(const Place&, const Place&, const Place&)>;
 ///           (fits_double()), long double wherever they are.
 template <typename Real>
 void divide_and_conquer(
-    std::span<Place> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
+    std::span<SitePoint> places, const Fate& fate, Threads& threads, meshops::Patch& patch, meshops::Outline& outline,
     const std::function<void()>& working = [] {});
 
 }  // namespace rbpa

@@ -15,7 +15,7 @@
 namespace rbpa {
 
 /// A point and its site.
-struct Place {
+struct SitePoint {
   Point at;
   std::uint32_t site;
 };
@@ -23,20 +23,20 @@ struct Place {
 /// The order along x is lexicographic; the one along y is the same after a quarter turn. By branches with_rare_ties(),
 /// and else without.
 struct AlongX {
-  bool operator()(const Place& p, const Place& q) const {
+  bool operator()(const SitePoint& p, const SitePoint& q) const {
     return (p.at.x < q.at.x) | ((p.at.x == q.at.x) & (p.at.y < q.at.y));
   }
-  bool with_rare_ties(const Place& p, const Place& q) const {
+  bool with_rare_ties(const SitePoint& p, const SitePoint& q) const {
     if (p.at.x == q.at.x) [[unlikely]]
       return p.at.y < q.at.y;
     return p.at.x < q.at.x;
   }
 };
 struct AlongY {
-  bool operator()(const Place& p, const Place& q) const {
+  bool operator()(const SitePoint& p, const SitePoint& q) const {
     return (p.at.y < q.at.y) | ((p.at.y == q.at.y) & (p.at.x > q.at.x));
   }
-  bool with_rare_ties(const Place& p, const Place& q) const {
+  bool with_rare_ties(const SitePoint& p, const SitePoint& q) const {
     if (p.at.y == q.at.y) [[unlikely]]
       return p.at.x > q.at.x;
     return p.at.y < q.at.y;
@@ -47,7 +47,7 @@ inline constexpr std::size_t few = 16;
 
 /// Sorts up to `few` points: by counting for each how many come before it, as no branch can be mispredicted then.
 template <typename Order>
-void sort_few(std::span<Place> places, Order before) {
+void sort_few(std::span<SitePoint> places, Order before) {
   std::array<std::size_t, few> rank;
   for (std::size_t i = 0; i < places.size(); ++i) {
     std::size_t before_it = 0;
@@ -58,7 +58,7 @@ void sort_few(std::span<Place> places, Order before) {
     }
     rank[i] = before_it;
   }
-  std::array<Place, few> sorted;
+  std::array<SitePoint, few> sorted;
   for (std::size_t i = 0; i < places.size(); ++i) sorted[rank[i]] = places[i];
   std::copy_n(sorted.begin(), places.size(), places.begin());
 }
@@ -66,7 +66,7 @@ void sort_few(std::span<Place> places, Order before) {
 /// Some points, taken at distances.
 class Sample {
  public:
-  explicit Sample(std::span<const Place> places) : count_(places.size() < 32 * some ? some : many) {
+  explicit Sample(std::span<const SitePoint> places) : count_(places.size() < 32 * some ? some : many) {
     for (std::size_t i = 0; i < count_; ++i) place_[i] = places[(2 * i + 1) * places.size() / (2 * count_)];
     Point low = place_[0].at, high = low;
     for (std::size_t i = 1; i < count_; ++i) {
@@ -80,28 +80,28 @@ class Sample {
   bool is_wide() const { return is_wide_; }
 
   template <typename Order>
-  Place middle(Order before) const {
-    std::array<Place, many> sorted = place_;
-    sort_few(std::span<Place>(sorted.data(), count_), before);
+  SitePoint middle(Order before) const {
+    std::array<SitePoint, many> sorted = place_;
+    sort_few(std::span<SitePoint>(sorted.data(), count_), before);
     return sorted[count_ / 2];
   }
 
  private:
   static constexpr std::size_t some = 5, many = 15;
   std::size_t count_;
-  std::array<Place, many> place_;
+  std::array<SitePoint, many> place_;
   bool is_wide_;
 };
 
 /// Puts the points of one part before those of the other; returns where the second begins. Neither is less than an
 /// eighth of all.
 template <typename Order>
-std::size_t cut(std::span<Place> places, const Sample& sample, Order before) {
+std::size_t halve(std::span<SitePoint> places, const Sample& sample, Order before) {
   const std::size_t n = places.size();
-  const Place pivot = sample.middle(before);
+  const SitePoint pivot = sample.middle(before);
   std::size_t m = 0;
-  for (Place& p : places) {
-    const Place moved = p;
+  for (SitePoint& p : places) {
+    const SitePoint moved = p;
     p = places[m];
     places[m] = moved;
     m += before.with_rare_ties(moved, pivot);

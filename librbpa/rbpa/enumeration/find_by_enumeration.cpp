@@ -79,8 +79,8 @@ class Enumeration {
   static constexpr std::size_t at_once = 32, rows_at_once = 3;
   static constexpr std::size_t max_near = 48, near_padding = 16;  // bits of a word; a register more is written
   static constexpr std::size_t full = 1024;                       // triples; more than one pair can add fit beside them
-
   static constexpr std::size_t word = 64;
+  static_assert(max_near < word);
 
   struct Box {
     float x_low, x_high, y_low, y_high;
@@ -122,13 +122,8 @@ class Enumeration {
       y_low = hn::IfThenElse(owned, hn::Min(y, y_low), y_low);
       y_high = hn::IfThenElse(owned, hn::Max(y, y_high), y_high);
     }
-    alignas(64) float low_x[lanes], high_x[lanes], low_y[lanes], high_y[lanes];
-    hn::Store(x_low, d, low_x);
-    hn::Store(x_high, d, high_x);
-    hn::Store(y_low, d, low_y);
-    hn::Store(y_high, d, high_y);
-    owned_box_ = {*std::min_element(low_x, low_x + lanes), *std::max_element(high_x, high_x + lanes),
-                  *std::min_element(low_y, low_y + lanes), *std::max_element(high_y, high_y + lanes)};
+    owned_box_ = {hn::GetLane(hn::MinOfLanes(d, x_low)), hn::GetLane(hn::MaxOfLanes(d, x_high)),
+                  hn::GetLane(hn::MinOfLanes(d, y_low)), hn::GetLane(hn::MaxOfLanes(d, y_high))};
   }
 
   /// Which points the tile owns, from one on, for at least max_near of them.
@@ -383,8 +378,11 @@ class Enumeration {
   static Bits lowest(std::size_t count) { return (Bits{1} << count) - 1; }
 
   // A pair or a triple in one number: which of the points, and the others by their places among those near it.
+  //   triple:  31 … 16  which of the points listed
+  //            15 … 10  second corner    9 … 4  third corner    0  they are to be exchanged
   static constexpr int of_point = 16, of_second = 10, of_third = 4;
   static constexpr std::size_t max_number = 63;
+  static_assert(max_near + near_padding <= max_number + 1 && at_once < 1u << (31 - of_point));
 
   const Tile& tile_;
   double alpha_;
@@ -392,7 +390,7 @@ class Enumeration {
   LocalFront& front_;
   std::vector<std::int32_t>& labels_;
   std::vector<Bits>& owned_bits_;
-  std::vector<std::array<std::uint32_t, 2>>& near_rim_;
+  std::vector<TilePatch::Neighbors>& near_rim_;
   double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
   float reach_, factor_;
   Box owned_box_{};

@@ -5,7 +5,6 @@
 // Cost: for each point, with m others within 2 alpha: O(m³), in vectors; a few dozen nanoseconds up to m = 6.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +17,7 @@ struct EnumerationWorkspace {
   std::vector<std::int32_t> labels;       // of each point, its number and whether the tile owns it
   std::vector<std::uint64_t> owned_bits;  // which points the tile owns
   /// Pairs of sites at most, about, 2 alpha apart: all of which the tile owns one and another tile the other, and more.
-  std::vector<std::array<std::uint32_t, 2>> near_rim;
+  std::vector<TilePatch::Neighbors> near_rim;
 };
 
 /// False where a search would not pay or would need points that the tile does not have.

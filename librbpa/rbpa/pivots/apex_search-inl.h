@@ -144,7 +144,8 @@ class ApexSearch {
     return ends;
   }
 
-  /// Among the points of at most three short rows; none: look again.
+  /// Among the points of at most three short rows; none: look again. Every point has a bit:
+  ///     47 … 32  third row    31 … 16  second row    15 … 0  first row, its first point last
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
     constexpr std::size_t N = lanes, per_row = row_length / N, vectors = rows_at_once * per_row;

@@ -1,5 +1,5 @@
 // What: points that compete for a circle through the ends of a chord: of those left of it, the one with the least circle
-//       has the least k = dot / cross: docs/pivot.md, section 3.
+//       has the least k = dot / cross: docs/pivot.md, section 1.
 // Law:  the answers are those of the predicates.
 // Why:  what a point and a chord have in common is computed once for each point, not for each pair of them.
 #pragma once

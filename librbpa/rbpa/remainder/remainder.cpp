@@ -51,12 +51,12 @@ void Remainder::complete(meshops::Patch& patch, meshops::Outline& outline, Threa
   const bool fits = sites_.beyond().empty();
   const auto points = sites_.grid().points();
   const Radius radius = fits ? sites_.window().scaled(alpha_) : alpha_;
-  std::vector<Place> places;
+  std::vector<SitePoint> places;
   for (const std::uint32_t s : not_done()) places.push_back({fits ? points[s] : sites_.at(s), s});
 
   // Of the triangles of these only those without a settled corner are surely Delaunay among all points.
   const std::vector<Corners> found = found_without_settled();
-  const auto fate = [&](const Place& a, const Place& b, const Place& c) -> int {
+  const auto fate = [&](const SitePoint& a, const SitePoint& b, const SitePoint& c) -> int {
     if (!(fits ? radius.admits<double>(a.at, b.at, c.at) : radius.admits<long double>(a.at, b.at, c.at)))
       return meshops::Patch::nothing;
     if (is_settled(a.site) || is_settled(b.site) || is_settled(c.site)) return meshops::Patch::open;

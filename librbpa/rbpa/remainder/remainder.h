@@ -48,8 +48,8 @@ class Remainder {
   const Sites& sites_;
   Radius alpha_;
   std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while nobody has seen the whole star
-  std::vector<std::array<std::uint32_t, 2>> unsettled_neighbors_;  // sites whose stars are seen, and who is beside them
-  std::vector<Corners> loose_triangles_;                           // of patches, those that may have no settled corner
+  std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // sites whose stars are seen, and who is beside them
+  std::vector<Corners> loose_triangles_;                   // of patches, those that may have no settled corner
 };
 
 }  // namespace rbpa

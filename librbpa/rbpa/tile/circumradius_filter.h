@@ -1,6 +1,6 @@
 // What: which triangles on a tile have a circumradius ≤ alpha, as far as single precision tells.
 // Law:  `inside` and `outside` are true of the points in double precision; `uncertain` is for exact arithmetic to decide.
-// How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/tiles.md, section 5, derives the bounds.
+// How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/tiles.md, section 7, derives the bounds.
 // Cost: a few nanoseconds a triangle.
 #pragma once
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rbpa {
@@ -22,12 +23,30 @@ constexpr int unpacked(Across across) { return across + Patch::nothing; }
 constexpr int max_sides = 3 * (2 * static_cast<int>(Tile::max_points) + 2);
 static_assert(unpacked(packed(max_sides)) == max_sides);
 
-/// Memory for lists of unknown length: never less than before.
+/// Memory that never gets less.
 template <typename Element>
-Element* room_for(std::vector<Element>& list, std::size_t max_size) {
-  if (list.size() < max_size) list.resize(max_size);
-  return list.data();
+Element* room_for(std::vector<Element>& memory, std::size_t max_size) {
+  if (memory.size() < max_size) memory.resize(max_size);
+  return memory.data();
 }
+
+/// A list without branches: its next entry is always written, and counted if it is one.
+template <typename Element>
+class CountedList {
+ public:
+  CountedList(std::vector<Element>& memory, std::size_t max_size) : first_(room_for(memory, max_size)) {}
+
+  void add(Element element, bool is_one) {
+    first_[size_] = element;
+    size_ += is_one;
+  }
+  const Element* begin() const { return first_; }
+  const Element* end() const { return first_ + size_; }
+
+ private:
+  Element* first_;
+  std::size_t size_ = 0;
+};
 
 /// Without a branch.
 template <typename Number>
@@ -60,6 +79,7 @@ class PatchExtraction {
   }
 
  private:
+  using Index = LocalFront::Index;
   using Corners = std::array<std::size_t, 3>;
   Corners corners(std::size_t t) const { return {front_.from(4 * t), front_.from(4 * t + 1), front_.from(4 * t + 2)}; }
 
@@ -73,20 +93,18 @@ class PatchExtraction {
   void find_owned() {
     const std::size_t triangles = front_.triangles();
     std::uint16_t* const owned = room_for(workspace_.owned, triangles);
-    std::uint16_t* const some = room_for(workspace_.others, triangles);
+    CountedList<Index> some(workspace_.others, triangles);
     const std::uint8_t* const is_owned = tile_.owned.data();
-    std::size_t count = 0;
     for (std::size_t t = 1; t < triangles; ++t) {
       const auto [a, b, c] = corners(t);
       const int corners_owned = is_owned[a] + is_owned[b] + is_owned[c];
       owned[t] = corners_owned == 3;
-      some[count] = static_cast<std::uint16_t>(t);
-      count += (corners_owned == 1) | (corners_owned == 2);
+      some.add(static_cast<Index>(t), (corners_owned == 1) | (corners_owned == 2));
     }
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto [a, b, c] = corners(some[k]);
+    for (const Index t : some) {
+      const auto [a, b, c] = corners(t);
       const std::size_t lesser = either(a, b, is_before(a, b));
-      owned[some[k]] = is_owned[either(lesser, c, is_before(lesser, c))];
+      owned[t] = is_owned[either(lesser, c, is_before(lesser, c))];
     }
   }
 
@@ -96,30 +114,29 @@ class PatchExtraction {
     const std::size_t triangles = front_.triangles();
     Across* const number = room_for(workspace_.number, 4 * triangles);
     const std::uint16_t* const owned = workspace_.owned.data();
-    std::uint16_t* const kept = room_for(workspace_.kept, triangles);
-    std::uint16_t* const others = room_for(workspace_.others, triangles);
+    CountedList<Index> kept(workspace_.kept, triangles), others(workspace_.others, triangles);
     result_.patch.triangles.resize(triangles);
     auto* const patch = result_.patch.triangles.data();
     const std::uint32_t* const site = tile_.site.data();
-    std::size_t count = 0, other = 0;
+    std::size_t count = 0;
     number[LocalFront::none] = packed(Patch::open);
     number[LocalFront::nothing] = packed(Patch::nothing);
     for (std::size_t t = 1; t < triangles; ++t) {
       const Corners corner = corners(t);
-      const bool small = is_within(t), is_kept = small & (owned[t] != 0);
-      const Across apart = packed(small ? Patch::open : Patch::nothing);
+      const bool is_small = is_within(t), is_kept = is_small & (owned[t] != 0);
+      const Across apart = packed(is_small ? Patch::open : Patch::nothing);
       patch[count] = {site[corner[0]], site[corner[1]], site[corner[2]]};
-      kept[count] = others[other] = static_cast<std::uint16_t>(t);
+      kept.add(static_cast<Index>(t), is_kept);
+      others.add(static_cast<Index>(t), !is_kept);
       const auto first = either(packed(static_cast<int>(3 * count)), apart, is_kept);
       number[4 * t] = first;
       number[4 * t + 1] = static_cast<Across>(first + is_kept);
       number[4 * t + 2] = static_cast<Across>(first + 2 * is_kept);
       count += is_kept;
-      other += !is_kept;
     }
-    kept_ = count;
-    others_ = other;
-    result_.patch.triangles.resize(kept_);
+    kept_ = kept;
+    others_ = others;
+    result_.patch.triangles.resize(count);
   }
 
   /// Which stars are settled, and which are for other tiles to settle.
@@ -127,47 +144,39 @@ class PatchExtraction {
     const std::size_t points = tile_.points.size();
     workspace_.elsewhere.assign(points, 0);
     std::uint16_t* const elsewhere = workspace_.elsewhere.data();
-    for (std::size_t k = 0; k < others_; ++k) {
-      const std::size_t t = workspace_.others[k];
+    for (const Index t : others_)
       for (const std::size_t v : corners(t)) elsewhere[v] += workspace_.number[4 * t] == packed(Patch::open);
-    }
     std::uint8_t* const star = room_for(workspace_.star, points);
-    auto* const shared = room_for(workspace_.shared, points);
-    result_.settled.resize(points);
-    std::uint32_t* const done = result_.settled.data();
+    CountedList<std::uint32_t> settled(workspace_.settled, points);
+    CountedList<TilePatch::SharedStar> shared(workspace_.shared, points);
     const std::uint32_t* const site = tile_.site.data();
     const std::uint8_t* const owned = tile_.owned.data();
-    std::size_t settled_count = 0, shared_count = 0;
     for (std::size_t v = 0; v < points; ++v) {
       const bool is_owned = owned[v] != 0, is_touched = front_.is_touched(v), is_on_front = front_.is_on_front(v);
       const bool is_seen = is_owned & is_touched & !is_on_front;
       const bool is_settled = is_seen & (elsewhere[v] == 0);
-      done[settled_count] = site[v];
-      settled_count += is_settled;
-      shared[shared_count] = {site[v], elsewhere[v]};
-      shared_count += is_seen ^ is_settled;
-      star[v] = static_cast<std::uint8_t>(is_seen * StarStatus::shared +
-                                          is_settled * (StarStatus::settled - StarStatus::shared));
+      settled.add(site[v], is_settled);
+      shared.add({site[v], elsewhere[v]}, is_seen ^ is_settled);
+      star[v] = static_cast<std::uint8_t>(is_seen * StarStatus::shared | is_settled * StarStatus::settled);
     }
-    result_.settled.resize(settled_count);
-    result_.shared.assign(shared, shared + shared_count);
+    result_.settled.assign(settled.begin(), settled.end());
+    result_.shared.assign(shared.begin(), shared.end());
   }
 
-  /// What lies across of sides; which triangles are marginal: something lies at their sides or corners that is not in the patch.
+  /// What lies across of sides; which triangles are marginal: something lies at their sides or corners that is not in the
+  /// patch.
   void connect() {
     const std::size_t points = tile_.points.size();
-    result_.patch.across.resize(kept_);
+    result_.patch.across.resize(kept_.size());
     workspace_.last.assign(points + 1, none);
     auto* const across = result_.patch.across.data();
-    std::uint16_t* const marginal = room_for(workspace_.marginal, kept_);
+    CountedList<Index> marginal(workspace_.marginal, kept_.size());
     int* const last = workspace_.last.data();
-    const std::uint16_t* const kept = workspace_.kept.data();
     const Across* const number = workspace_.number.data();
     const std::uint8_t* const star = workspace_.star.data();
-    std::size_t count = 0;
     int side = 0;
-    for (std::size_t k = 0; k < kept_; ++k) {
-      const std::size_t t = kept[k];
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      const std::size_t t = kept_[k];
       const Corners corner = corners(t);
       std::array<int, 3> beyond;
       for (std::size_t i = 0; i < 3; ++i, ++side) {
@@ -175,55 +184,46 @@ class PatchExtraction {
         last[either<std::size_t>(corner[i] + 1, 0, side < beyond[i])] = side;
       }
       across[k] = beyond;
-      marginal[count] = static_cast<std::uint16_t>(k);
       const bool is_settled = (star[corner[0]] & star[corner[1]] & star[corner[2]]) == StarStatus::settled;
       const bool is_at_rim = (beyond[0] | beyond[1] | beyond[2]) < 0;
-      count += !is_settled | is_at_rim;
+      marginal.add(static_cast<Index>(k), !is_settled | is_at_rim);
     }
-    marginal_ = count;
+    marginal_ = marginal;
   }
 
   void outline() {
-    int* const outer = room_for(workspace_.outer, 3 * marginal_);
-    std::size_t count = 0, inside = 0;
-    for (std::size_t m = 0; m < marginal_; ++m) {
-      const std::size_t k = workspace_.marginal[m], t = workspace_.kept[k];
+    CountedList<int> outer(workspace_.outer, 3 * marginal_.size());
+    for (const Index k : marginal_)
       for (std::size_t i = 0; i < 3; ++i) {
         const bool is_outer = result_.patch.across[k][i] < 0;
-        outer[count] = static_cast<int>(3 * k + i);
-        count += is_outer;
-        workspace_.last[either<std::size_t>(front_.from(4 * t + i) + 1, 0, is_outer)] = none;
+        outer.add(static_cast<int>(3 * k + i), is_outer);
+        workspace_.last[either<std::size_t>(front_.from(4 * std::size_t{kept_[k]} + i) + 1, 0, is_outer)] = none;
       }
-    }
-    find_holes(outer, count);
-    const int* const last = workspace_.last.data();
-    result_.outline.inside.resize(workspace_.last.size());
-    for (std::size_t v = 1; v < workspace_.last.size(); ++v) {
-      result_.outline.inside[inside] = last[v];
-      inside += last[v] != none;
-    }
-    result_.outline.inside.resize(inside);
+    find_holes(outer);
+    CountedList<int> inside(workspace_.outer, workspace_.last.size());
+    for (std::size_t v = 1; v < workspace_.last.size(); ++v) inside.add(workspace_.last[v], workspace_.last[v] != none);
+    result_.outline.inside.assign(inside.begin(), inside.end());
   }
 
   /// Tells holes from other sides at which nothing of the patch lies. Most often a single one of them ends at a site, and
   /// if that is a hole, it is the next of the one that begins there.
-  void find_holes(const int* outer, std::size_t count) {
+  void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;
-    outline.rim.resize(count + 1);
-    outline.holes.resize(count + 1);
+    outline.rim.resize(outer.size() + 1);
+    outline.holes.resize(outer.size() + 1);
     workspace_.ending.assign(tile_.points.size(), none);
     int* const ending = workspace_.ending.data();
     std::size_t open_sides = 0;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < outer.size(); ++k) {
       int& at_end = ending[front_.to(on_front(outer[k]))];
       at_end = at_end == none ? outer[k] : several;
       outline.rim[open_sides] = outline.holes[k - open_sides] = outer[k];
       open_sides += across(outer[k]) == Patch::open;
     }
     outline.rim.resize(open_sides);
-    outline.holes.resize(count - open_sides);
-    outline.next_hole.resize(count - open_sides);
+    outline.holes.resize(outer.size() - open_sides);
+    outline.next_hole.resize(outer.size() - open_sides);
     for (std::size_t k = 0; k < outline.holes.size(); ++k) {
       const int hole = outline.holes[k], only = ending[front_.from(on_front(hole))];
       if (only == several) [[unlikely]]
@@ -236,7 +236,7 @@ class PatchExtraction {
   /// A side of the patch as one of the tile's front.
   std::size_t on_front(int side) const {
     const auto s = static_cast<std::size_t>(side);
-    return 4 * std::size_t{workspace_.kept[s / 3]} + s % 3;
+    return 4 * std::size_t{kept_[s / 3]} + s % 3;
   }
   int across(int side) const {
     const auto s = static_cast<std::size_t>(side);
@@ -246,38 +246,35 @@ class PatchExtraction {
   /// What is around stars that are not settled: for the remainder.
   void list_unsettled() {
     const std::uint8_t* const star = workspace_.star.data();
-    auto* const neighbors = room_for(workspace_.unsettled_neighbors, 3 * (marginal_ + others_));
-    auto* const ghost_corners = room_for(workspace_.ghost_corners, 3 * marginal_);
-    std::size_t pairs = 0, ghosts = 0;
+    CountedList<TilePatch::Neighbors> neighbors(workspace_.unsettled_neighbors,
+                                                3 * (marginal_.size() + others_.size()));
+    CountedList<std::uint32_t> ghosts(workspace_.ghost_corners, 3 * marginal_.size());
     const auto list_neighbors = [&](const Corners& corner) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t p = corner[i], q = corner[(i + 1) % 3];
-        neighbors[pairs] = {tile_.site[p], tile_.site[q]};
-        pairs += (star[p] != StarStatus::unseen) & (star[q] != StarStatus::settled);
+        neighbors.add({tile_.site[p], tile_.site[q]},
+                      (star[p] != StarStatus::unseen) & (star[q] != StarStatus::settled));
       }
     };
     result_.loose_triangles.clear();
-    for (std::size_t m = 0; m < marginal_; ++m) {
-      const std::size_t k = workspace_.marginal[m];
-      const Corners corner = corners(workspace_.kept[k]);
+    for (const Index k : marginal_) {
+      const Corners corner = corners(kept_[k]);
       list_neighbors(corner);
-      for (const std::size_t p : corner) {
-        ghost_corners[ghosts] = tile_.site[p];
-        ghosts += tile_.owned[p] == 0;
-      }
+      for (const std::size_t p : corner) ghosts.add(tile_.site[p], tile_.owned[p] == 0);
       if (((star[corner[0]] | star[corner[1]] | star[corner[2]]) & ~StarStatus::shared) == 0)
-        result_.loose_triangles.push_back(static_cast<std::uint32_t>(k));
+        result_.loose_triangles.push_back(k);
     }
-    for (std::size_t k = 0; k < others_; ++k) list_neighbors(corners(workspace_.others[k]));
-    result_.unsettled_neighbors.assign(neighbors, neighbors + pairs);
-    result_.ghost_corners.assign(ghost_corners, ghost_corners + ghosts);
+    for (const Index t : others_) list_neighbors(corners(t));
+    result_.unsettled_neighbors.assign(neighbors.begin(), neighbors.end());
+    result_.ghost_corners.assign(ghosts.begin(), ghosts.end());
   }
 
   const Tile& tile_;
   const LocalFront& front_;
   ExtractionWorkspace& workspace_;
   TilePatch& result_;
-  std::size_t kept_ = 0, others_ = 0, marginal_ = 0;
+  // Triangles by their numbers: those of the patch, the others; and which of the first are marginal.
+  std::span<const Index> kept_, others_, marginal_;
 };
 
 }  // namespace

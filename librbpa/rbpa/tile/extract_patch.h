@@ -3,7 +3,6 @@
 //       are written without branches: the next entry always, and counted if it is one.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,21 +15,20 @@
 
 namespace rbpa {
 
+/// Memory, from tile to tile; extract_patch.cpp says what for.
 struct ExtractionWorkspace {
-  // Numbers of triangles: those of the patch, the others, and those of the patch at its rim or at a star that is not
-  // settled.
-  std::vector<std::uint16_t> kept, others, marginal;
-  std::vector<std::uint16_t> owned;      // of each triangle: the tile owns its least corner
-  std::vector<std::uint16_t> number;     // of each side: what the one across is told of it
-  std::vector<std::uint16_t> elsewhere;  // of each point: triangles around it that other tiles own
+  std::vector<std::uint16_t> kept, others, marginal;  // numbers of triangles
+  std::vector<std::uint16_t> owned;                   // of each triangle: the tile owns its least corner
+  std::vector<std::uint16_t> number;                  // of each side: what the one across is told of it
+  std::vector<std::uint16_t> elsewhere;               // of each point: triangles around it that other tiles own
   std::vector<int> last,
-      ending;  // of each point: the side that leaves it in an outline; one at the rim that ends there
+      ending;  // of each point: the side that leaves it in an outline; one of the rim that ends there
   std::vector<CircumradiusFilter> within;  // of each triangle, alpha
   std::vector<std::uint8_t> star;          // of each point, its status
   // Lists of the result, before their length is known.
+  std::vector<std::uint32_t> settled, ghost_corners;
   std::vector<TilePatch::SharedStar> shared;
-  std::vector<std::array<std::uint32_t, 2>> unsettled_neighbors;
-  std::vector<std::uint32_t> ghost_corners;
+  std::vector<TilePatch::Neighbors> unsettled_neighbors;
   std::vector<int> outer;
 };
 

@@ -42,7 +42,8 @@ struct Tile {
     unknown.clear();
   }
 
-  static constexpr std::size_t max_points = 8000;  ///< two triangles a point, four numbers a triangle, in 16 bits
+  static constexpr std::size_t max_points = 8000;
+  static_assert(4 * (2 * max_points + 2) <= 0xffff, "two triangles a point, four numbers a triangle, in 16 bits");
 };
 
 }  // namespace rbpa

@@ -28,7 +28,8 @@ struct TilePatch {
   std::vector<std::uint32_t> loose_triangles;  ///< triangles of the patch none of whose corners is settled
   /// Sites whose stars are seen, each with a Delaunay neighbour that is not settled; after enumeration with any that is
   /// not settled and nearer than 2 alpha.
-  std::vector<std::array<std::uint32_t, 2>> unsettled_neighbors;
+  using Neighbors = std::array<std::uint32_t, 2>;
+  std::vector<Neighbors> unsettled_neighbors;
 
   void clear() {
     patch.clear();

@@ -43,7 +43,7 @@ constexpr auto all_are_kept = [](const auto&...) { return 0; };
 void delaunay(
     const Points& points, Patch& patch, unsigned threads = 1, const std::function<void()>& working = [] {},
     const rbpa::Fate& fate = all_are_kept) {
-  std::vector<rbpa::Place> places;
+  std::vector<rbpa::SitePoint> places;
   for (const Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads some(threads);
   meshops::Outline outline, surveyed;
@@ -248,7 +248,7 @@ TEST_CASE("what is not kept is what those beside it are told") {
     if (fate == 0) kept.push_back(t);
   }
   Patch patch;
-  const auto fate = [&](const rbpa::Place& a, const rbpa::Place& b, const rbpa::Place& c) {
+  const auto fate = [&](const rbpa::SitePoint& a, const rbpa::SitePoint& b, const rbpa::SitePoint& c) {
     return by_sum(a.site + b.site + c.site);
   };
   delaunay(

@@ -77,7 +77,7 @@ double circumradius(const Points& points, const Triangle& t) {
 }
 
 /// Some of the least circumradii, exactly or nearly.
-std::vector<Radius> least_radii(const Sites& sites) {
+std::vector<Radius> least_radii(const SiteSet& sites) {
   std::vector<double> radii;
   for (const Triangle& t : sites.delaunay)
     if (const double r = circumradius(sites.points, t); std::isfinite(r) && r > 0) radii.push_back(r);
@@ -115,7 +115,7 @@ TEST_CASE("of all triangles within alpha those with a corner of the tile are fou
                              TileSet{"thinned lattice of tenths", thinned_lattice(60, 0.1, 0.3, 8)},
                              TileSet{"far out", moved(uniform(800, 9), 0x1p30, -0x1p31)}}) {
     CAPTURE(set.name);
-    const Sites sites(set.points);
+    const SiteSet sites(set.points);
     const double spacing = mean_spacing(sites.points);
     std::vector<double> alphas = {0.1 * spacing, 0.3 * spacing, 0.5 * spacing, 0.65 * spacing};
     for (const Radius& r : least_radii(sites)) alphas.push_back(r.value());
@@ -160,7 +160,7 @@ TEST_CASE("what a tile tells is true, and the same by every vector unit: radii t
 }
 
 TEST_CASE("a tile that enumerates tells of every pair within a diameter, one of which it owns and another does not") {
-  const Sites sites(uniform(1500, 12));
+  const SiteSet sites(uniform(1500, 12));
   const Radius radius(0.5 * mean_spacing(sites.points));
   std::size_t pairs = 0;
   for (const Tile& tile : tiles_of(sites.grid, 300)) {
@@ -182,7 +182,7 @@ TEST_CASE("a tile that enumerates tells of every pair within a diameter, one of 
 }
 
 TEST_CASE("where alpha is small a tile knows all of its sites but those beside others, also without a triangle") {
-  const Sites sites(uniform(1500, 13));
+  const SiteSet sites(uniform(1500, 13));
   for (const double alpha : {0.01, 0.3, 0.5}) {
     CAPTURE(alpha);
     const Radius radius(alpha * mean_spacing(sites.points));

@@ -37,7 +37,7 @@ bool admits(const Radius& radius, const Points& points, const Corners& t) {
 
 /// All triangles, which is what an infinite ladder admits.
 Patch delaunay_patch(const Points& points) {
-  std::vector<rbpa::Place> places;
+  std::vector<rbpa::SitePoint> places;
   for (const rbpa::Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
   rbpa::Threads one;
   Patch patch;

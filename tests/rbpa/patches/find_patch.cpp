@@ -39,7 +39,7 @@ namespace {
 using P = rbpa::Predicates<double>;
 
 /// Infinity, some circumradii exactly or nearly, and a radius for which there is nothing.
-std::vector<Radius> radii(const Sites& sites) {
+std::vector<Radius> radii(const SiteSet& sites) {
   Random random(1);
   std::vector<Radius> all = {Radius()};
   for (int i = 0; i < 3 && !sites.delaunay.empty(); ++i) {
@@ -138,7 +138,7 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
         TileSet{"fine grid far out", moved(perfect_grid(40, 0x1p-20), 0x1p30, 0x1p31)},
         TileSet{"grid of tenths", perfect_grid(40, 0.1)}, TileSet{"rotated", rotated_rounded_grid(40)}}) {
     CAPTURE(set.name);
-    const Sites sites(set.points);
+    const SiteSet sites(set.points);
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
       const OneTarget only(target);
       for (const std::uint32_t most : {300u, 2048u}) {

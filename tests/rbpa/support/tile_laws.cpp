@@ -45,10 +45,10 @@ Triangle corners(const std::array<meshops::Site, 3>& t) {
 
 }  // namespace
 
-Sites::Sites(const Points& input)
+SiteSet::SiteSet(const Points& input)
     : grid(input), points(grid.points().begin(), grid.points().end()), delaunay(delaunay_by_winners(points)) {}
 
-std::vector<Triangle> Sites::within(const Radius& radius) const {
+std::vector<Triangle> SiteSet::within(const Radius& radius) const {
   std::vector<Triangle> found;
   for (const Triangle& t : delaunay)
     if (radius.admits<double>(points[t[0]], points[t[1]], points[t[2]])) found.push_back(t);
@@ -125,8 +125,8 @@ std::string wrong_with(const std::vector<TilePatch>& told, const std::vector<Tri
 }
 
 std::string wrong_on(const Points& input, std::uint32_t max_points,
-                     const std::function<std::vector<Radius>(const Sites&)>& radii) {
-  const Sites sites(input);
+                     const std::function<std::vector<Radius>(const SiteSet&)>& radii) {
+  const SiteSet sites(input);
   for (const Radius& r : radii(sites)) {
     const std::vector<Triangle> complex = sites.within(r);
     std::vector<TilePatch> first;

@@ -15,8 +15,8 @@
 namespace rbpa_test {
 
 /// The Delaunay triangles of the sites of a grid, once for many radii.
-struct Sites {
-  explicit Sites(const Points& input);
+struct SiteSet {
+  explicit SiteSet(const Points& input);
   rbpa::PointGrid grid;
   Points points;
   std::vector<Triangle> delaunay;
@@ -34,6 +34,6 @@ std::string wrong_with(const std::vector<rbpa::TilePatch>& told, const std::vect
 
 /// The same of every vector unit that this processor has, and that all tell the same.
 std::string wrong_on(const Points& input, std::uint32_t max_points,
-                     const std::function<std::vector<rbpa::Radius>(const Sites&)>& radii);
+                     const std::function<std::vector<rbpa::Radius>(const SiteSet&)>& radii);
 
 }  // namespace rbpa_test
