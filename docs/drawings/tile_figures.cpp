@@ -26,19 +26,19 @@ namespace {
 
 using Corners3 = std::array<std::uint32_t, 3>;
 
-/// Even points in a square of side 12 but for an empty disc, and a crowd.
-Points with_a_crowd_and_a_lake() {
+/// Uniform points in a square of side 12 but for an empty disc, and many in one place.
+Points with_a_dense_place_and_a_gap() {
   Points points;
   Random random(11);
-  const Place lake{8.6, 8.4}, crowd{4.1, 6.2};
+  const Place gap{8.6, 8.4}, dense{4.1, 6.2};
   for (int row = 0; row < 24; ++row)
     for (int column = 0; column < 24; ++column) {
       const double x = 0.5 * (column + 0.1 + 0.8 * random()), y = 0.5 * (row + 0.1 + 0.8 * random());
-      if (length(Place{x, y} - lake) > 1.7) points.push_back({x, y});
+      if (length(Place{x, y} - gap) > 1.7) points.push_back({x, y});
     }
   for (int i = 0; i < 700; ++i) {
-    const double right = crowd.x + 0.22 * random();
-    points.push_back({right, crowd.y + 0.22 * random()});
+    const double right = dense.x + 0.22 * random();
+    points.push_back({right, dense.y + 0.22 * random()});
   }
   return points;
 }
@@ -170,7 +170,7 @@ std::vector<Place> seen(const Frame& frame, std::vector<Place> places) {
 
 std::string tile() {
   constexpr double alpha = 1.9;
-  const Points points = with_a_crowd_and_a_lake();
+  const Points points = with_a_dense_place_and_a_gap();
   const Tiling tiling = tiling_of(points, alpha, 100);
   const OfTile& one = most_telling(tiling.tiles);
 

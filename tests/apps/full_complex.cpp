@@ -1,5 +1,6 @@
 // `rbpa mesh --complex full`: what is in its files, against the definition, against persistence, and wrong usage.
 #include <doctest/doctest.h>
+#include <png.h>
 
 #include <algorithm>
 #include <array>
@@ -161,6 +162,21 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
   return count;
 }
 
+/// Pixels of a picture that have this colour.
+std::size_t count_of_colour(const std::string& png, const std::array<std::uint8_t, 3>& colour) {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  REQUIRE(png_image_begin_read_from_memory(&image, png.data(), png.size()) != 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+  REQUIRE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr) != 0);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+    count += std::equal(colour.begin(), colour.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i)) ? 1U : 0U;
+  return count;
+}
+
 /// The description of the path with this name in a picture.
 std::string path_of(const std::string& svg, const std::string& id) {
   const std::size_t at = svg.find("<path id=\"" + id + "\"");
@@ -301,7 +317,14 @@ TEST_SUITE("full complex") {
     CHECK(count_of(path_of(solid, "isolated"), "h0") == 4);
     CHECK(count_of(path_of(full, "isolated"), "h0") == 1);
     for (const char* layer : {"solid", "edges", "boundary"}) CHECK(path_of(full, layer) == path_of(solid, layer));
-    CHECK(folder.content("f.png") != folder.content("s.png"));
+    // The line is as dark as the boundary, and longer.
+    CHECK(count_of_colour(folder.content("f.png"), {0x10, 0x33, 0x5C}) >
+          count_of_colour(folder.content("s.png"), {0x10, 0x33, 0x5C}) + 100);
+    // Without a triangle the width of lines follows these edges.
+    folder.file("line.xy", "0 0\n1 0\n2 0\n");
+    REQUIRE(folder.rbpa("mesh line.xy --alpha 1 --complex full -o l.svg -q").code == 0);
+    CHECK(folder.content("l.svg").find("<path id=\"dangling\" fill=\"none\" stroke=\"#10335c\" stroke-width=\"2.2\"") !=
+          std::string::npos);
     // An edge too short to be seen is a dot, like a curve.
     folder.file("q.xy", "0 0\n1e-9 0\n1 1\n");
     REQUIRE(folder.rbpa("mesh q.xy --alpha 1e-9 --complex full -o q.svg -q").code == 0);
