@@ -107,10 +107,7 @@ Tiling tiling_of(const Points& points, double alpha, std::uint32_t max_points) {
     tiling.tiles.push_back(std::move(of));
   }
   tiling.not_done = remainder.not_done();
-  meshops::Patch missing;
-  meshops::Outline outline;
-  remainder.complete(missing, outline, threads, [] {});
-  tiling.missing = triangles_of(missing);
+  tiling.missing = triangles_of(remainder.complete(threads, [] {}));
   require_complex(tiling, sites, points, alpha);
   return tiling;
 }

@@ -34,7 +34,8 @@ class Remainder {
   /// After all tiles: the sites that are not settled or have a neighbour that may not be, ascending.
   std::vector<std::uint32_t> not_done() const;
 
-  /// After all tiles: the triangles of the complex that are in no patch, on the sites. Calls working() now and then, in any thread and one at a time; it may throw to end it.
+  /// After all tiles: the triangles of the complex that are in no patch, on the sites. Calls working() now and then, in
+  /// any thread and one at a time; it may throw to end it.
   meshops::Patch complete(Threads& threads, const std::function<void()>& working) const;
 
  private:
