@@ -363,12 +363,13 @@ std::vector<Site> Front::finish() {
     site_of = detail::compact(mesh_, vertices_, edges_, faces_);
   }
   vertices_.clear();
-  state_ = {};
-  active_ = {};
+  // Not = {}, which empties a vector and keeps its memory.
+  state_ = std::vector<State>();
+  active_ = std::vector<Halfedge>();
   head_ = 0;
-  frozen_ = {};
-  carried_ = {};
-  reopened_ = {};
+  frozen_ = std::vector<Halfedge>();
+  carried_ = std::vector<Site>();
+  reopened_ = std::vector<Site>();
   return site_of;
 }
 

@@ -29,10 +29,11 @@ Site SiteVertices::add_site() {
 
 void SiteVertices::clear() {
   first_ = 0;
-  further_ = {};
-  listed_at_first_ = {};
-  listed_ = {};
-  spare_ = {};
+  // Not = {}, which empties a vector and keeps its memory.
+  further_ = std::vector<Further>();
+  listed_at_first_ = std::vector<int>();
+  listed_ = std::vector<int>();
+  spare_ = std::vector<Vertex>();
 }
 
 int& SiteVertices::link(Site s) {

@@ -31,7 +31,7 @@ class WaitingTriangles {
     std::vector<std::size_t> next(start_);
     corners_.resize(added_.size());
     for (const WaitingTriangle& t : added_) corners_[next[static_cast<std::size_t>(t.level)]++] = t.corners;
-    added_ = {};
+    added_ = std::vector<WaitingTriangle>();  // = {} would keep the memory
   }
 
   std::span<const Corners> of_level(int level) const {
