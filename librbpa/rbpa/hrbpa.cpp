@@ -34,10 +34,11 @@ class Levels {
       end(level, ladder.radius(level.number), is_last, front);
       if (is_last) return;
 
-      const meshops::LevelTransfer transfer = front.next_level();
+      // What Front::next_level() would tell of a front on which halfedges are attached to: here triangles are put beside
+      // frozen ones, and a level costs no more than its triangles.
       level = {.number = std::clamp(growth.next(level.number), level.number + 1, ladder.end()),
-               .transferred = transfer.carried.size(),
-               .advancing = transfer.reactivated};
+               .transferred = growth.open_sites(),
+               .advancing = 2 * front.edges() - 3 * front.faces()};
     }
   }
 

@@ -44,12 +44,14 @@ class EqualSquares {
   /// Requires that they are apart, and points in the square.
   void count(std::span<const Point> points) {
     held_.assign(std::size_t{1} << 2 * depth_, 0);
-    for (const Point& p : points) ++held_[number(p)];
+    square_of_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) ++held_[square_of_[i] = number(points[i])];
   }
 
   std::size_t max_held() const { return *std::max_element(held_.begin(), held_.end()); }
 
-  /// Calls visit(std::span<Point>, Square) with every square that holds more than `few` of the points that were counted.
+  /// Calls visit(std::span<Point>, Square) with every square that holds more than `few` of the points, which are those
+  /// that were counted.
   template <typename Visit>
   void for_each_above(std::size_t few, std::span<const Point> points, Visit visit) const {
     std::vector<std::uint32_t> end(held_.size());  // of the points of such a square, in one order
@@ -59,8 +61,8 @@ class EqualSquares {
       if (held_[i] > few) size += held_[i];
     }
     meshops::FreshVector<Point> sorted(size);
-    for (const Point& p : points)
-      if (const std::size_t i = number(p); held_[i] > few) sorted[end[i]++] = p;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (const std::uint32_t i = square_of_[p]; held_[i] > few) sorted[end[i]++] = points[p];
     for (std::size_t i = 0; i < held_.size(); ++i) {
       if (held_[i] <= few) continue;
       const std::size_t column = i & ((std::size_t{1} << depth_) - 1), row = i >> depth_;
@@ -111,14 +113,15 @@ class EqualSquares {
     Real low_, per_unit_;
   };
 
-  std::size_t number(const Point& p) const {
-    return rows_.interval_of(Real(p.y)) << depth_ | columns_.interval_of(Real(p.x));
+  std::uint32_t number(const Point& p) const {
+    return static_cast<std::uint32_t>(rows_.interval_of(Real(p.y)) << depth_ | columns_.interval_of(Real(p.x)));
   }
 
   int depth_;
   Real side_;
   Cuts columns_, rows_;
   std::vector<std::uint32_t> held_;
+  meshops::FreshVector<std::uint32_t> square_of_;  // of each point that was counted
 };
 
 }  // namespace rbpa

@@ -21,24 +21,30 @@ struct Share {
 }  // namespace
 
 std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
-  std::size_t sites = 0;
-  if (level == 0)
-    for (meshops::Site s = 0; s < front.sites(); ++s) sites += !front.is_free(s);
-  else
-    sites = insert(level, front);
+  const std::size_t sites = level == 0 ? look_at(front) : insert(level, front);
   for (auto h = front.pop(); h.is_valid(); h = front.pop()) front.freeze(h);
+  return sites;
+}
+
+/// The first level, which is there: how many sites have a triangle.
+std::size_t GrowthByTiles::look_at(const meshops::Front& front) {
+  std::size_t sites = 0;
+  for (meshops::Site s = 0; s < front.sites(); ++s) {
+    const bool is_free = front.is_free(s);
+    sites += !is_free;
+    open_sites_ += is_free || front.is_on_boundary(s);
+  }
   return sites;
 }
 
 meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) {
   const auto points = sites_.grid().points();
-  const Window& window = sites_.window();
   const Radius all = ladder_.radius(ladder_.end());
   assembler.reserve(3 * sites_.size(), 2 * sites_.size());
   const meshops::Patch rest = for_each_patch<Share>(
       sites_, all, threads_,
       [&](const TilePatch& tile, Share& share) {
-        share.levels.part(tile.patch, points, ladder_, window);
+        share.levels.part(tile.patch, points, scaled_ladder_);
         if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
       },
       [&](const TilePatch& tile, Share& share) {
@@ -50,7 +56,10 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
       },
       [&] { report_.worked(assembler.faces()); });
   LevelPatch levels;
-  levels.part(rest, sites_, ladder_);
+  if (sites_.beyond().empty())
+    levels.part(rest, points, scaled_ladder_);
+  else
+    levels.part(rest, sites_, ladder_);
   report_.worked(assembler.faces());
   assembler.lay(levels.later.empty() ? rest : levels.first);
   waiting_.add(levels.later);
@@ -66,9 +75,13 @@ std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {
   seen_.resize(front.sites());
   std::size_t sites = 0;
   for (const auto& corners : waiting_.of_level(level)) {
-    report_.seeded(front, front.create(corners[0], corners[1], corners[2]));
-    for (const meshops::Site s : corners) {
-      std::uint16_t& seen = seen_[s];
+    const meshops::InsertedTriangle inserted = front.create(corners[0], corners[1], corners[2]);
+    report_.seeded(front, inserted);
+    for (const meshops::Halfedge side : inserted.side) {
+      const meshops::Vertex v = front.mesh().to_vertex_handle(side);
+      // In the plane the fan that closes around a site is its only one.
+      open_sites_ -= !front.mesh().is_boundary(v);
+      std::uint16_t& seen = seen_[front.site(v)];
       sites += seen != level;
       seen = static_cast<std::uint16_t>(level);
     }

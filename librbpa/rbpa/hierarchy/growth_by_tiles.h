@@ -25,7 +25,7 @@ class GrowthByTiles {
  public:
   /// Keeps references.
   GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Report& report)
-      : sites_(sites), ladder_(ladder), threads_(threads), report_(report) {}
+      : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()), threads_(threads), report_(report) {}
 
   /// The front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
@@ -34,18 +34,24 @@ class GrowthByTiles {
   /// Returns: how many sites have one of them.
   std::size_t grow(int level, meshops::Front& front);
 
+  /// How many sites are isolated or on the boundary, when a level has ended.
+  std::size_t open_sites() const { return open_sites_; }
+
   /// The first level after this one on which there is anything to do.
   int next(int level) const { return waiting_.after(level); }
 
  private:
   meshops::AssembledPatches lay(meshops::PatchAssembler assembler);
+  std::size_t look_at(const meshops::Front& front);
   std::size_t insert(int level, meshops::Front& front);
 
   const Sites& sites_;
   const Ladder& ladder_;
+  ScaledLadder scaled_ladder_;
   Threads& threads_;
   Report& report_;
   WaitingTriangles waiting_;
+  std::size_t open_sites_ = 0;
   std::vector<std::uint16_t> seen_;  // of each site, the last level but the first that had a triangle there
 };
 

@@ -1,12 +1,15 @@
-// What:   the ladder of radii: 2^i α₀, then the last one.
+// What:   the ladder of radii: 2^i α₀, then the last one; and the same through the window of doubles.
 // Source: Restricted BPA, section 6.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "rbpa/predicate/radius.h"
+#include "rbpa/predicate/window.h"
 
 namespace rbpa {
 
@@ -45,6 +48,27 @@ class Ladder {
   double least_;
   Radius last_;
   int end_ = 0;
+};
+
+/// The ladder as the points in a window see it, scaled as they are.
+class ScaledLadder {
+ public:
+  /// Keeps a reference to the ladder. Cost: linear in the levels.
+  ScaledLadder(const Ladder& ladder, const Window& window)
+      : ladder_(ladder), per_scaled_(std::ldexp(Ladder::Real(1), -window.exponent)) {
+    for (int level = 0; level <= ladder.end(); ++level) radii_.push_back(window.scaled(ladder.radius(level)));
+  }
+
+  int end() const { return ladder_.end(); }
+  bool is_last(int level) const { return ladder_.is_last(level); }
+  const Radius& radius(int level) const { return radii_[static_cast<std::size_t>(level)]; }
+  /// As that of the ladder, of a radius as the points in the window see it.
+  int first_reaching(double radius) const { return ladder_.first_reaching(radius * per_scaled_); }
+
+ private:
+  const Ladder& ladder_;
+  Ladder::Real per_scaled_;
+  std::vector<Radius> radii_;
 };
 
 }  // namespace rbpa

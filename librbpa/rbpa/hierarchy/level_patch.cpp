@@ -1,22 +1,18 @@
 #include "rbpa/hierarchy/level_patch.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rbpa/hierarchy/circumradius.h"
 
 namespace rbpa {
 namespace {
 
-/// The first level whose radius admits the triangle, the points being 2^exponent times as large as the radii are told;
-/// radius_of(level) is as they see it.
-template <typename Real, typename RadiusOf>
-int first_level(const Point& a, const Point& b, const Point& c, const Ladder& ladder, int exponent,
-                RadiusOf radius_of) {
-  if (radius_of(0).template admits<Real>(a, b, c)) return 0;
-  const Ladder::Real about = std::ldexp(Ladder::Real(circumradius<Real>(a, b, c)), -exponent);
-  int level = std::clamp(ladder.first_reaching(about), 1, ladder.end());
-  while (!ladder.is_last(level) && !radius_of(level).template admits<Real>(a, b, c)) ++level;
+/// The first level whose radius admits the triangle.
+template <typename Real, typename SomeLadder>
+int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder& ladder) {
+  if (ladder.radius(0).template admits<Real>(a, b, c)) return 0;
+  int level = std::clamp(ladder.first_reaching(circumradius<Real>(a, b, c)), 1, ladder.end());
+  while (!ladder.is_last(level) && !ladder.radius(level).template admits<Real>(a, b, c)) ++level;
   return level;
 }
 
@@ -58,21 +54,13 @@ void LevelPatch::part(const meshops::Patch& patch, LevelOf level_of) {
   for (auto t = waiting.rbegin(); t != waiting.rend(); ++t) take_out(first, *t);
 }
 
-void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points, const Ladder& ladder,
-                      const Window& window) {
-  const Radius least = window.scaled(ladder.radius(0));
-  const auto radius_of = [&](int level) { return level == 0 ? least : window.scaled(ladder.radius(level)); };
-  part(patch, [&](const auto& t) {
-    return first_level<double>(points[t[0]], points[t[1]], points[t[2]], ladder, window.exponent, radius_of);
-  });
+void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points, const ScaledLadder& ladder) {
+  part(patch, [&](const auto& t) { return first_level<double>(points[t[0]], points[t[1]], points[t[2]], ladder); });
 }
 
 void LevelPatch::part(const meshops::Patch& patch, const Sites& sites, const Ladder& ladder) {
-  if (sites.beyond().empty()) return part(patch, sites.grid().points(), ladder, sites.window());
-  const auto radius_of = [&](int level) { return ladder.radius(level); };
-  part(patch, [&](const auto& t) {
-    return first_level<long double>(sites.at(t[0]), sites.at(t[1]), sites.at(t[2]), ladder, 0, radius_of);
-  });
+  part(patch,
+       [&](const auto& t) { return first_level<long double>(sites.at(t[0]), sites.at(t[1]), sites.at(t[2]), ladder); });
 }
 
 }  // namespace rbpa

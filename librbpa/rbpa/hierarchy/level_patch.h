@@ -11,7 +11,6 @@
 #include "meshops/patch/patch.h"
 #include "rbpa/core/point.h"
 #include "rbpa/hierarchy/ladder.h"
-#include "rbpa/predicate/window.h"
 #include "rbpa/search/sites.h"
 
 namespace rbpa {
@@ -28,9 +27,9 @@ struct LevelPatch {
   std::vector<std::size_t> waiting;    ///< their numbers there
 
   /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then. The corners are in the
-  /// window, scaled.
+  /// window, scaled as the ladder is.
   /// Requires: triangles within the last radius of the ladder.
-  void part(const meshops::Patch& patch, std::span<const Point> points, const Ladder& ladder, const Window& window);
+  void part(const meshops::Patch& patch, std::span<const Point> points, const ScaledLadder& ladder);
   /// The same of triangles on any sites.
   void part(const meshops::Patch& patch, const Sites& sites, const Ladder& ladder);
 

@@ -21,6 +21,7 @@ using meshops::Patch;
 using rbpa::Ladder;
 using rbpa::LevelPatch;
 using rbpa::Radius;
+using rbpa::ScaledLadder;
 using rbpa::WaitingTriangle;
 using rbpa::WaitingTriangles;
 
@@ -49,7 +50,7 @@ void check_parts(const Points& points, double least) {
   const Patch patch = delaunay_patch(points);
   const Ladder ladder(least, Radius(), 1e6);
   LevelPatch parts;
-  parts.part(patch, points, ladder, rbpa::window_of(points));
+  parts.part(patch, points, ScaledLadder(ladder, rbpa::window_of(points)));
   if (parts.later.empty()) parts.first = patch;
 
   // The same triangles, each on its level.
@@ -104,7 +105,8 @@ TEST_CASE(
   patch.triangles = {{0, 1, 2}, {2, 1, 3}};
   patch.across = {{Patch::open, 3, Patch::nothing}, {1, Patch::open, Patch::open}};
   LevelPatch parts;
-  parts.part(patch, points, Ladder(1, Radius(), 100), rbpa::window_of(points));
+  const Ladder ladder(1, Radius(), 100);
+  parts.part(patch, points, ScaledLadder(ladder, rbpa::window_of(points)));
   REQUIRE(parts.first.triangles == std::vector<Corners>{{0, 1, 2}});
   CHECK(parts.first.across == std::vector<std::array<int, 3>>{{Patch::open, Patch::nothing, Patch::nothing}});
   REQUIRE(parts.later.size() == 1);
