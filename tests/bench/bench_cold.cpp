@@ -1,4 +1,4 @@
-// Single runs in fresh processes, in turn: the cold tables of docs/performance.md, and their targets.
+// Single runs in fresh processes, in any order: the cold tables of docs/performance.md, and their targets.
 //   bench_cold [--runs=N] [--points=N]      15 runs of each, 1,000,000 points
 #include <stdlib.h>
 #include <unistd.h>
@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "bench/tables.h"
 #include "bench/timings.h"
 #include "bench/workload.h"
+#include "support/random.h"
 
 namespace rbpa_bench {
 namespace {
@@ -65,9 +67,13 @@ Row run_all(const std::string& program, const Workload& workload, std::size_t co
   const PointsFile file(points);
   const std::size_t contestants = cold_contestants().size();
   Row row{workload.name, points.size(), std::vector<Cold>(contestants)};
-  for (int round = 0; round < runs; ++round)
-    for (std::size_t turn = 0; turn < contestants; ++turn) {
-      const std::size_t i = (turn + static_cast<std::size_t>(round)) % contestants;
+  // In another order each round: what a process leaves behind is felt by the next one, and nobody's by one alone.
+  rbpa_test::Random random(1);
+  std::vector<std::size_t> order(contestants);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (int round = 0; round < runs; ++round) {
+    random.shuffle(order);
+    for (const std::size_t i : order) {
       const ColdRun run = run_cold(program, i, file.path());
       const auto n = static_cast<double>(points.size());
       row.of[i].nanoseconds.of.push_back(1e9 * run.seconds / n);
@@ -75,6 +81,7 @@ Row run_all(const std::string& program, const Workload& workload, std::size_t co
       row.of[i].bytes.of.push_back(run.bytes / n);
       row.of[i].triangles = run.triangles;
     }
+  }
   return row;
 }
 

@@ -1,5 +1,7 @@
 #include "rbpa/hierarchy/growth_by_tiles.h"
 
+#include <array>
+
 #include "rbpa/patches/for_each_patch.h"
 
 namespace rbpa {
@@ -17,6 +19,15 @@ struct Share {
     return levels.later.empty() ? tile.outline : outline;
   }
 };
+
+/// As fit() says, which would also look for what a complex has not: an edge with two triangles on one side.
+meshops::Fit fit_of_complex(const meshops::Front& front, const std::array<meshops::Site, 3>& corners) {
+  meshops::Fit fit(corners);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const meshops::Site from = corners[i], to = corners[(i + 1) % 3]; !front.is_free(from) && !front.is_free(to))
+      fit.sides.side[i] = front.boundary_into(from, to);
+  return fit;
+}
 
 }  // namespace
 
@@ -75,7 +86,7 @@ std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {
   seen_.resize(front.sites());
   std::size_t sites = 0;
   for (const auto& corners : waiting_.of_level(level)) {
-    const meshops::InsertedTriangle inserted = front.create(corners[0], corners[1], corners[2]);
+    const meshops::InsertedTriangle inserted = front.insert(fit_of_complex(front, corners));
     report_.seeded(front, inserted);
     for (const meshops::Halfedge side : inserted.side) {
       const meshops::Vertex v = front.mesh().to_vertex_handle(side);
