@@ -80,8 +80,8 @@ void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
 
 /// A grid of sites, which it sorts; none when all are one point.
 auto PointGrid::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
-  const std::vector<Point> points(points_.begin() + first, points_.begin() + last);
-  const std::vector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
+  const meshops::FreshVector<Point> points(points_.begin() + first, points_.begin() + last);
+  const meshops::FreshVector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
   if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; })) return std::nullopt;
   Level level = make_level(points, threads);
   sort_by_cell({points, index.data()}, level, first, points_.data() + first, index_.data() + first, threads);

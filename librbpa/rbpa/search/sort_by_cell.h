@@ -1,7 +1,7 @@
 // What: brings points into the order of the cells of a grid.
 // Law:  points of one cell keep their order. The result does not depend on the number of threads.
-// Cost: linear. Many points are first parted into bands of rows, so that each band is sorted within a cache and by one
-//       thread: 24 bytes a point while that lasts.
+// Cost: linear. Many points are first parted into bands of rows, where they are to be, so that each band is sorted within
+//       a cache and by one thread: 24 bytes for each point of the bands at work.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace rbpa {
 
-/// Sorts points into `sorted` and `names`, both as long, in the order of the cells `first_cell` … `last_cell` − 1 of a
-/// level, in which all of them lie. Fills in `level.start` of these cells, `first` being that of the first.
+/// Sorts points into `sorted` and `names`, both as long and apart from the input, in the order of the cells `first_cell` …
+/// `last_cell` − 1 of a level, in which all of them lie. Fills in `level.start` of these cells, `first` being that of the first.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell, std::size_t last_cell,
                   std::uint32_t first, Point* sorted, std::uint32_t* names) {
@@ -76,19 +76,19 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, P
   }
   band_start[bands] = sum;
 
-  meshops::FreshVector<Point> parted(n);
-  meshops::FreshVector<std::uint32_t> parted_names(n);
   for_each_part(threads, n, at_a_time, [&](std::size_t from, std::size_t to) {
     std::uint32_t* const next = &place[from / at_a_time * bands];
     for (std::size_t i = from; i < to; ++i) {
       const std::uint32_t at = next[band_of(input.points[i])]++;
-      parted[at] = input.points[i];
-      parted_names[at] = input.name(i);
+      sorted[at] = input.points[i];
+      names[at] = input.name(i);
     }
   });
   for_each_index(threads, bands, [&](std::size_t band) {
     const std::uint32_t from = band_start[band], to = band_start[band + 1];
-    sort_by_cell({{parted.data() + from, to - from}, parted_names.data() + from}, level, (band << shift) * columns,
+    const meshops::FreshVector<Point> parted(sorted + from, sorted + to);
+    const meshops::FreshVector<std::uint32_t> parted_names(names + from, names + to);
+    sort_by_cell({parted, parted_names.data()}, level, (band << shift) * columns,
                  std::min((band + 1) << shift, rows) * columns, first + from, sorted + from, names + from);
   });
 }
