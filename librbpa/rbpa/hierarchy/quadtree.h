@@ -14,6 +14,7 @@
 
 #include "rbpa/core/point.h"
 #include "rbpa/hierarchy/equal_squares.h"
+#include "rbpa/search/box.h"
 
 namespace rbpa {
 
@@ -28,35 +29,23 @@ class Quadtree {
   /// many points, which may throw.
   Real smallest_side(const std::function<void()>& ask = {}) const {
     if (points_.empty()) return 0;
-    const Box box = box_of(points_);
-    const Square<Real> root{box.x, box.y, std::max(box.width, box.height)};
+    const auto [low, high] = box_of(points_);
+    const Square<Real> root{Real(low.x), Real(low.y), std::max(Real(high.x) - Real(low.x), Real(high.y) - Real(low.y))};
     if (points_.size() > many) return smallest_in(points_, root, ask);
     std::vector<Point> points(points_.begin(), points_.end());
     return smallest_one_by_one(points, root, ask);
   }
 
  private:
-  struct Box {
-    Real x, y, width, height;
-  };
   static constexpr std::size_t many = 4096;  ///< so many points are worth being counted
-
-  static Box box_of(std::span<const Point> points) {
-    Point low = points[0], high = low;
-    for (const Point& p : points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return {Real(low.x), Real(low.y), Real(high.x) - Real(low.x), Real(high.y) - Real(low.y)};
-  }
 
   /// Down from a square to be cut to the last that holds all its points, without touching them.
   Square<Real> around(std::span<const Point> points, Square<Real> square) const {
-    const Box box = box_of(points);
-    const Real right = box.x + box.width, top = box.y + box.height;
+    const auto [low, high] = box_of(points);
     while (square.can_be_cut()) {
       const Real x = square.middle_x(), y = square.middle_y();
-      const bool in_right = box.x >= x, in_left = right < x, in_top = box.y >= y, in_bottom = top < y;
+      const bool in_right = Real(low.x) >= x, in_left = Real(high.x) < x, in_top = Real(low.y) >= y,
+                 in_bottom = Real(high.y) < y;
       if (!(in_right || in_left) || !(in_top || in_bottom)) break;
       square = {in_right ? x : square.x, in_top ? y : square.y, square.side / 2};
     }

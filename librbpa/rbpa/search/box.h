@@ -21,13 +21,18 @@ inline Box common_box(const Box& a, const Box& b) {
 }
 
 /// The least box around points, at least one.
+inline Box box_of(std::span<const Point> points) {
+  Box box{points[0], points[0]};
+  for (const Point& p : points) box = common_box(box, {p, p});
+  return box;
+}
+
+/// The same by several threads.
 inline Box box_of(std::span<const Point> points, Threads& threads) {
   constexpr std::size_t at_a_time = 1u << 16;  // by one thread
   std::vector<Box> boxes((points.size() + at_a_time - 1) / at_a_time);
   for_each_part(threads, points.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    Box box{points[first], points[first]};
-    for (std::size_t i = first; i < last; ++i) box = common_box(box, {points[i], points[i]});
-    boxes[first / at_a_time] = box;
+    boxes[first / at_a_time] = box_of(points.subspan(first, last - first));
   });
   Box box = boxes[0];
   for (const Box& other : boxes) box = common_box(box, other);
