@@ -105,18 +105,18 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   }
   const bool is_above_all = sites.beyond().empty() && sites.window().scaled(Radius::of(alpha)).is_infinite();
   const Radius radius = is_above_all ? Radius() : Radius::of(alpha);
-  Report report(options.progress, sites.size());
+  Monitor monitor(options.progress, sites.size());
   Levels levels(alpha, options.level_ended, sites.input_index(), result);
   if (options.search == Search::paper) {
     meshops::Front front = assembly.front();
-    result.least_radius = paper::hrbpa(sites.points(), radius, leaf_capacity, front, report,
+    result.least_radius = paper::hrbpa(sites.points(), radius, leaf_capacity, front, monitor,
                                        [&](const paper::Level& level) { levels.end(level, front); });
     assembly.finish(front);
     return result;
   }
   result.least_radius = least_radius(sites, leaf_capacity, asking(options.progress, sites.size()));
   const Ladder ladder(result.least_radius, radius, sites.diameter_bound());
-  GrowthByTiles growth(sites, ladder, threads, report);
+  GrowthByTiles growth(sites, ladder, threads, monitor);
   meshops::Front front = growth.begin(assembly);
   levels.run(ladder, growth, front);
   assembly.finish(front);

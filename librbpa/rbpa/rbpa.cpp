@@ -13,18 +13,18 @@ namespace {
 
 /// Tiles tell what they can, and the remainder what is missing.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
-                                   Threads& threads, Report& report) {
+                                   Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());
   using meshops::Placement;
   const meshops::Patch rest = for_each_patch<Placement>(
       sites, radius, threads, [](const TilePatch&, Placement&) {},
       [&](const TilePatch& tile, Placement& placement) { assembler.place(tile.patch, tile.outline, placement); },
       [&](const TilePatch& tile, Placement& placement) { assembler.fill(tile.patch, tile.outline, placement); },
-      [&] { report.worked(assembler.faces()); });
+      [&] { monitor.worked(assembler.faces()); });
   assembler.lay(rest);
-  report.worked(assembler.faces());
+  monitor.worked(assembler.faces());
   auto assembled = std::move(assembler).join();
-  report.completed(assembled.mesh());
+  monitor.completed(assembled.mesh());
   return assembled;
 }
 
@@ -37,13 +37,13 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   Assembly assembly(points, complex, threads, options.progress);
   const Sites& sites = assembly.sites();
   const Radius radius = Radius::of(alpha);
-  Report report(options.progress, sites.size());
+  Monitor monitor(options.progress, sites.size());
   if (options.search == Search::near_to_far && !assembly.are_collinear()) {
-    assembly.finish(by_tiles(sites, radius, assembly.assembler(), threads, report));
+    assembly.finish(by_tiles(sites, radius, assembly.assembler(), threads, monitor));
     return complex;
   }
   meshops::Front front = assembly.front();
-  if (!assembly.are_collinear()) paper::rbpa(sites.points(), radius, front, report);
+  if (!assembly.are_collinear()) paper::rbpa(sites.points(), radius, front, monitor);
   assembly.finish(front);
   return complex;
 }

@@ -65,20 +65,20 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
       [&](const TilePatch& tile, Share& share) {
         assembler.fill(share.patch(tile), share.outline_of(tile), share.placement);
       },
-      [&] { report_.worked(assembler.faces()); });
+      [&] { monitor_.worked(assembler.faces()); });
   LevelPatch levels;
   if (sites_.beyond().empty())
     levels.part(rest, points, scaled_ladder_);
   else
     levels.part(rest, sites_, ladder_);
-  report_.worked(assembler.faces());
+  monitor_.worked(assembler.faces());
   assembler.lay(levels.later.empty() ? rest : levels.first);
   waiting_.add(levels.later);
-  report_.worked(assembler.faces());
+  monitor_.worked(assembler.faces());
   waiting_.sort(ladder_.end());
-  report_.worked(assembler.faces());
+  monitor_.worked(assembler.faces());
   auto assembled = std::move(assembler).join();
-  report_.completed(assembled.mesh());
+  monitor_.completed(assembled.mesh());
   return assembled;
 }
 
@@ -87,7 +87,7 @@ std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {
   std::size_t sites = 0;
   for (const auto& corners : waiting_.of_level(level)) {
     const meshops::InsertedTriangle inserted = front.insert(fit_of_complex(front, corners));
-    report_.seeded(front, inserted);
+    monitor_.seeded(front, inserted);
     for (const meshops::Halfedge side : inserted.side) {
       const meshops::Vertex v = front.mesh().to_vertex_handle(side);
       // In the plane the fan that closes around a site is its only one.

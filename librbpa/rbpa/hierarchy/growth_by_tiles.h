@@ -16,7 +16,7 @@
 #include "rbpa/hierarchy/waiting_triangles.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/run/assembly.h"
-#include "rbpa/run/report.h"
+#include "rbpa/run/monitor.h"
 #include "rbpa/search/sites.h"
 
 namespace rbpa {
@@ -24,8 +24,8 @@ namespace rbpa {
 class GrowthByTiles {
  public:
   /// Keeps references.
-  GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Report& report)
-      : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()), threads_(threads), report_(report) {}
+  GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
+      : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()), threads_(threads), monitor_(monitor) {}
 
   /// The front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
@@ -49,7 +49,7 @@ class GrowthByTiles {
   const Ladder& ladder_;
   ScaledLadder scaled_ladder_;
   Threads& threads_;
-  Report& report_;
+  Monitor& monitor_;
   WaitingTriangles waiting_;
   std::size_t open_sites_ = 0;
   std::vector<std::uint16_t> seen_;  // of each site, the last level but the first that had a triangle there

@@ -47,9 +47,9 @@ struct Look {
 
 class Run {
  public:
-  Run(std::span<const Point> points, const Radii& radii, Front& front, Report& report,
+  Run(std::span<const Point> points, const Radii& radii, Front& front, Monitor& monitor,
       const std::function<void(const Level&)>& level_ended)
-      : points_(points), radii_(radii), front_(front), report_(report), level_ended_(level_ended) {}
+      : points_(points), radii_(radii), front_(front), monitor_(monitor), level_ended_(level_ended) {}
 
   /// Section 6, "Summarizing HRBPA", steps 2 to 4.
   void all_levels() {
@@ -58,7 +58,7 @@ class Run {
       RestrictedBallPivoting rbpa = input_of(i);
       // 3. Apply RBPA with radius αᵢ; or with radius α if that is not larger, and stop.
       const std::size_t before = front_.faces();
-      meshops::advance(front_, rbpa, report_);
+      meshops::advance(front_, rbpa, monitor_);
       level_ended_(level_);
       if (level_.is_last) return;
       // 4. Set i = i + 1, αᵢ = 2αᵢ₋₁; where nothing happens any more for a while, go on to where something does.
@@ -71,7 +71,7 @@ class Run {
   RestrictedBallPivoting input_of(int i) {
     meshops::LevelTransfer transfer = front_.next_level();
     level_ = {i, radii_[i], i == radii_.last(), transfer.carried.size(), transfer.reactivated};
-    return {points_, std::move(transfer.carried), level_.radius, [&](const Front& seen) { report_.searched(seen); }};
+    return {points_, std::move(transfer.carried), level_.radius, [&](const Front& seen) { monitor_.searched(seen); }};
   }
 
   /// The first level with a triangle to attach, or the last, given one up to which there is none: by steps that double
@@ -102,20 +102,20 @@ class Run {
   std::span<const Point> points_;
   const Radii& radii_;
   Front& front_;
-  Report& report_;
+  Monitor& monitor_;
   const std::function<void(const Level&)>& level_ended_;
   Level level_{};
 };
 
 }  // namespace
 
-double hrbpa(std::span<const Point> points, Radius alpha, std::size_t leaf_capacity, Front& front, Report& report,
+double hrbpa(std::span<const Point> points, Radius alpha, std::size_t leaf_capacity, Front& front, Monitor& monitor,
              const std::function<void(const Level&)>& level_ended) {
   // 1. Compute the minimal radius α₀, set αᵢ = α₀ and i = 0.
   const double minimal = minimal_radius(quadtree(points, leaf_capacity));
   const Box box = box_of(points);
   const Radii radii(minimal, alpha, 2 * (box.width + box.height));
-  Run(points, radii, front, report, level_ended).all_levels();
+  Run(points, radii, front, monitor, level_ended).all_levels();
   return minimal;
 }
 

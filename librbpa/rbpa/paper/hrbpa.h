@@ -26,7 +26,7 @@ struct Level {
 /// frozen. What it throws ends the run.
 /// Requires: what rbpa() does; leaf_capacity ≥ 1.
 /// Returns:  α₀.
-double hrbpa(std::span<const Point> points, Radius alpha, std::size_t leaf_capacity, Front& front, Report& report,
+double hrbpa(std::span<const Point> points, Radius alpha, std::size_t leaf_capacity, Front& front, Monitor& monitor,
              const std::function<void(const Level&)>& level_ended);
 
 }  // namespace rbpa::paper

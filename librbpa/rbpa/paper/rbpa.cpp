@@ -11,10 +11,10 @@ std::optional<Site> RestrictedBallPivoting::propose(const Front& front, Halfedge
 
 // Section 3.1, "Algorithm outline". Seed after seed, and a pivot on each edge of the front: meshops::advance(). Boundary
 // curves joined and separated by gluing: Front::attach().
-void rbpa(std::span<const Point> points, Radius alpha, Front& front, Report& report) {
+void rbpa(std::span<const Point> points, Radius alpha, Front& front, Monitor& monitor) {
   RestrictedBallPivoting policy(points, front.next_level().carried, alpha,
-                                [&](const Front& seen) { report.searched(seen); });
-  meshops::advance(front, policy, report);
+                                [&](const Front& seen) { monitor.searched(seen); });
+  meshops::advance(front, policy, monitor);
 }
 
 }  // namespace rbpa::paper

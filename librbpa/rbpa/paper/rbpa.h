@@ -16,7 +16,7 @@
 
 #include "meshops/front/front.h"
 #include "rbpa/paper/ball.h"
-#include "rbpa/run/report.h"
+#include "rbpa/run/monitor.h"
 
 namespace rbpa::paper {
 
@@ -55,7 +55,7 @@ class RestrictedBallPivoting {
 
 /// The solid alpha complex of the points, by RBPA with one radius.
 /// Requires: distinct points, not all on a line; an empty front on which site i is point i.
-/// Throws:   what `report` throws.
-void rbpa(std::span<const Point> points, Radius alpha, Front& front, Report& report);
+/// Throws:   what `monitor` throws.
+void rbpa(std::span<const Point> points, Radius alpha, Front& front, Monitor& monitor);
 
 }  // namespace rbpa::paper

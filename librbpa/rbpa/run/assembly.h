@@ -15,7 +15,7 @@
 #include "meshops/patch/assembler.h"
 #include "rbpa/collinear.h"
 #include "rbpa/core/complex.h"
-#include "rbpa/run/report.h"
+#include "rbpa/run/monitor.h"
 #include "rbpa/search/sites.h"
 
 namespace rbpa {

@@ -101,9 +101,9 @@ Told run(const Points& points, double alpha, std::size_t leaf_capacity) {
   rbpa::Mesh mesh;
   meshops::Front front(mesh, points.size());
   const std::function<bool(const rbpa::Progress&)> no_progress;
-  rbpa::Report report(no_progress, points.size());
+  rbpa::Monitor monitor(no_progress, points.size());
   told.least_radius =
-      rbpa::paper::hrbpa(points, radius_of(alpha), leaf_capacity, front, report, [&](const rbpa::paper::Level& level) {
+      rbpa::paper::hrbpa(points, radius_of(alpha), leaf_capacity, front, monitor, [&](const rbpa::paper::Level& level) {
         told.levels.push_back(level);
         told.triangles.push_back(front.faces());
         for (const auto& curve : front.curves())

@@ -1,5 +1,5 @@
-// What: asks the caller, now and then, whether to go on. In the debug build, validates the mesh after every triangle
-//       while it is small, and each time it has grown by a sixteenth when it is large.
+// What: the visitor of every run: asks the caller, now and then, whether to go on. In the debug build, validates the mesh
+//       after every triangle while it is small, and each time it has grown by a sixteenth when it is large.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,10 @@ inline constexpr bool debug = false;
 inline constexpr bool debug = true;
 #endif
 
-class Report : public meshops::FrontVisitor {
+class Monitor : public meshops::FrontVisitor {
  public:
   /// Keeps a reference.
-  Report(const std::function<bool(const Progress&)>& progress, std::size_t points)
+  Monitor(const std::function<bool(const Progress&)>& progress, std::size_t points)
       : progress_(progress), points_(points) {}
 
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
