@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "fuzz/target.h"
+#include "walk/front_policies.h"
 #include "walk/front_walk.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,7 @@
 // Everything that a front can be asked, at random.
 #include <doctest/doctest.h>
 
+#include "walk/front_policies.h"
 #include "walk/front_walk.h"
 
 using namespace meshops::test;

@@ -48,4 +48,7 @@ class ByteChoices : public Choices {
   std::span<const std::uint8_t> bytes_;
 };
 
+/// Of nothing the first.
+inline unsigned below(Choices& choices, std::uint32_t bound) { return bound < 2 ? 0 : choices.below(bound); }
+
 }  // namespace meshops::test

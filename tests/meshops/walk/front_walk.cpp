@@ -18,9 +18,6 @@ namespace {
 using Corners3 = std::array<Site, 3>;
 using State = FrontModel::State;
 
-/// Of nothing the first.
-unsigned below(Choices& choices, std::uint32_t bound) { return bound < 2 ? 0 : choices.below(bound); }
-
 std::size_t index(RefusalKind kind) { return static_cast<std::size_t>(kind); }
 
 /// Of the corpus what a step can be compared on in no time.
@@ -418,116 +415,6 @@ class FrontWalk {
   std::string log_;
 };
 
-/// Answers anything.
-template <bool ordered>
-struct AnyPolicy {
-  Choices& choices;
-  AdvanceCounts& counts;
-  std::size_t questions;
-
-  bool tired() { return counts.proposals >= questions || !choices.any_left(); }
-  Site any_site(const Front& front) {
-    if (choices.one_in(60)) return static_cast<Site>(-1);
-    return below(choices,
-                 static_cast<std::uint32_t>(front.sites()) + (choices.one_in(12) && front.sites() < 60 ? 2 : 0));
-  }
-  std::optional<std::array<Site, 3>> seed(const Front& front) {
-    if (tired() || choices.one_in(6)) return std::nullopt;
-    return std::array{any_site(front), any_site(front), any_site(front)};
-  }
-  Proposal propose(const Front& front, Halfedge h) {
-    ++counts.proposals;
-    if (tired()) return std::nullopt;
-    if (choices.one_in(400)) throw std::runtime_error("tired");
-    switch (below(choices, 8)) {
-      case 0:
-        return std::nullopt;
-      case 1:
-        return choices.one_in(4)
-                   ? Proposal::detach(
-                         Face(static_cast<int>(below(choices, static_cast<std::uint32_t>(front.faces()) + 3)) - 1))
-                   : Proposal(std::nullopt);
-      case 2:
-        return front.to_site(front.mesh().next_halfedge_handle(h));
-      default:
-        return any_site(front);
-    }
-  }
-  std::uint32_t key(const Front&, Halfedge) requires ordered { return below(choices, 5); }
-};
-static_assert(FrontPolicy<AnyPolicy<false>> && !OrderedFrontPolicy<AnyPolicy<false>>);
-static_assert(OrderedFrontPolicy<AnyPolicy<true>>);
-
-void demand(bool holds, const char* law) {
-  if (!holds) throw LawBroken(law);
-}
-
-template <bool ordered>
-void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
-  TestMesh mesh;
-  Front front(mesh, 3 + below(choices, choices.one_in(3) ? 40 : 10));
-  /// Keeps its own account of triangles, halfedges and curves.
-  struct Account : CurveVisitor {
-    explicit Account(AdvanceCounts& all) : counts(all) {}
-    AdvanceCounts& counts;
-    std::size_t triangles = 0;
-    long curves = 0;
-    Halfedge refused_at;
-    void seeded(const Front& front, const InsertedTriangle&) {
-      ++counts.seeded;
-      demand(front.faces() == ++triangles, "a seed is a triangle more");
-    }
-    void attached(const Front& front, Halfedge h, const InsertedTriangle& t) {
-      ++counts.attached;
-      demand(front.faces() == ++triangles && t.side[0] == h, "what is attached is a triangle more, at the edge");
-    }
-    void detached(const Front& front, const DetachedTriangle&) {
-      ++counts.detached;
-      demand(front.faces() == --triangles, "what is detached is a triangle less");
-    }
-    void refused(const Front& front, Halfedge h, const Refusal& refusal) {
-      ++counts.refused;
-      demand(front.is_boundary(h) && !describe(refusal).empty(), "refused is something at the front, with a reason");
-      refused_at = h;
-    }
-    void seed_refused(const Front& front, const std::array<Site, 3>& seed, const Refusal& refusal) {
-      ++counts.seeds_refused;
-      demand(front.create_blocker(seed[0], seed[1], seed[2]) == refusal, "a seed is refused for what the blocker says");
-    }
-    void frozen(const Front& front, Halfedge h) {
-      ++counts.frozen;
-      demand(front.is_frozen(h), "frozen is what is told to be");
-      demand(!refused_at.is_valid() || refused_at == h, "an edge where something was refused is frozen next");
-      refused_at = Halfedge();
-      demand(curves == static_cast<long>(front.curves().size()), "the events of curves tell how many there are");
-    }
-    void curve_begun(const Front&, Halfedge) { ++curves; }
-    void curves_joined(const Front&, Halfedge) { --curves; }
-    void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
-    void curve_closed(const Front&) { --curves; }
-  } account(counts);
-  AnyPolicy<ordered> policy{choices, counts, questions};
-  for (unsigned level = 0; level < 4 && !policy.tired(); ++level) {
-    bool thrown = false;
-    try {
-      advance(front, policy, account);
-    } catch (const LawBroken&) {
-      throw;
-    } catch (const std::runtime_error&) {
-      ++counts.thrown;
-      thrown = true;
-    }
-    demand(validate(mesh).empty(), "the mesh is sound, whatever the policy says");
-    for (const BoundaryCurve& curve : front.curves())
-      for (const Halfedge h : curve)
-        demand(front.is_frozen(h) || (thrown && front.is_active(h)),
-               "all is frozen at the end; or active, if it threw");
-    front.next_level();
-  }
-  front.finish();
-  demand(validate(mesh).empty(), "what finish() leaves is sound");
-}
-
 }  // namespace
 
 void walk_on_front(Choices& choices, std::size_t steps, FrontWalkCounts& counts) {
@@ -536,12 +423,6 @@ void walk_on_front(Choices& choices, std::size_t steps, FrontWalkCounts& counts)
     const std::size_t length = 10 + below(choices, 120);
     for (std::size_t i = 0; i < length && choices.any_left(); ++i, ++done) walk.step();
   }
-}
-
-void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
-  while (counts.proposals < questions && choices.any_left())
-    choices.one_in(2) ? advance_once<true>(choices, questions, counts)
-                      : advance_once<false>(choices, questions, counts);
 }
 
 }  // namespace meshops::test

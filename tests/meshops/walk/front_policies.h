@@ -1,0 +1,22 @@
+// What: advancing fronts whose policies answer anything. Whatever they say, the mesh stays sound, and the events tell what
+//       happens.
+#pragma once
+
+#include <cstddef>
+
+#include "walk/choices.h"
+#include "walk/law.h"
+
+namespace meshops::test {
+
+/// What advancing fronts have met.
+struct AdvanceCounts {
+  std::size_t proposals = 0, attached = 0, frozen = 0, refused = 0, detached = 0, seeded = 0, seeds_refused = 0;
+  std::size_t thrown = 0;
+};
+
+/// Lets a policy advance that answers anything, in its own order or first in first out, and sometimes throws; until it has
+/// been asked so many questions, or the choices end. Throws LawBroken.
+void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts);
+
+}  // namespace meshops::test
