@@ -20,6 +20,7 @@
 #include "io/output_file.h"
 #include "io/same_file.h"
 #include "picture/filtration_plot.h"
+#include "rbpa/filtration/covering.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
 
@@ -29,6 +30,7 @@ namespace {
 struct Report {
   std::size_t points = 0;
   std::size_t most_components = 1;
+  double cover = 1;  ///< share of the points, of the next two
   Filtration filtration = {};
   std::optional<double> least_covering = std::nullopt;   ///< "min"
   std::optional<double> least_connected = std::nullopt;  ///< "auto"
@@ -41,20 +43,30 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
 }
 
-Report examine(const std::vector<Point>& points, std::size_t most_components, const AlphaArguments& arguments,
-               ComplexKind kind, const RunOptions& run) {
+/// What the report is to be about.
+struct Request {
+  std::size_t most_components;
+  double cover;
+  bool with_pairs;
+  ComplexKind kind;  ///< whose pairs
+};
+
+Report examine(const std::vector<Point>& points, const Request& request, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
-  Report report{.points = points.size(), .most_components = most_components};
+  Report report{.points = points.size(), .most_components = request.most_components, .cover = request.cover};
   {
     const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
     report.filtration = filtration(delaunay, points, until_interrupted());
   }
   stop_if_interrupted();
-  report.least_covering = smallest_covering(report.filtration);
-  report.least_connected = smallest_covering(report.filtration, report.most_components);
-  if (arguments.persistence || arguments.picture) {
+  const auto least = [&](std::optional<std::size_t> most_components) {
+    return smallest_covering(delaunay, report.filtration, {request.cover, most_components}, until_interrupted());
+  };
+  report.least_covering = least(std::nullopt);
+  report.least_connected = least(request.most_components);
+  if (request.with_pairs) {
     const ProgressLine line("rbpa", !run.quiet, "persistence");
-    report.pairs = persistence(delaunay, points, report.filtration, kind, until_interrupted());
+    report.pairs = persistence(delaunay, points, report.filtration, request.kind, until_interrupted());
   }
   return report;
 }
@@ -174,9 +186,13 @@ std::string for_people(const Report& report) {
   const auto& steps = report.filtration.steps;
   std::string text = "points    " + std::to_string(report.points) + ", " + std::to_string(report.filtration.distinct) +
                      " of them distinct\n";
-  text += "min       " + text_of(report.least_covering) + "  (least alpha that covers every point)\n";
-  text += "auto      " + text_of(report.least_connected) + "  (moreover in at most " +
-          counted(report.most_components, "solid component") + ")\n";
+  const std::string pieces = counted(report.most_components, "solid component");
+  const bool every = report.cover == 1;
+  text += "min       " + text_of(report.least_covering) + "  (least alpha that covers " +
+          (every ? "every point" : "a share of " + text_of(report.cover) + " of the points") + ")\n";
+  text += "auto      " + text_of(report.least_connected) +
+          (every ? "  (moreover in at most " + pieces : "  (moreover with at most " + pieces + ", without the others") +
+          ")\n";
   text += "critical  " + std::to_string(steps.size()) + (steps.size() == 1 ? " radius" : " radii");
   if (!steps.empty()) text += ", from " + text_of(steps.front().alpha) + " to " + text_of(steps.back().alpha);
   text += "\n";
@@ -204,8 +220,10 @@ void write(OutputFile& out, const Report& report, const AlphaArguments& argument
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
-  const ComplexKind kind = parse_complex(arguments);
-  const std::size_t most_components = parse_components(arguments.components);
+  const Request request{.most_components = parse_components(arguments.components),
+                        .cover = arguments.cover ? parse_cover(*arguments.cover) : 1,
+                        .with_pairs = arguments.persistence || arguments.picture,
+                        .kind = parse_complex(arguments)};
   const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
   if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)
@@ -218,7 +236,7 @@ void run_alpha(const AlphaArguments& arguments) {
   Stopwatch watch;
   const std::vector<Point> points = read(source, run.quiet);
   Stats stats{.read_seconds = watch.lap()};
-  Report report = examine(points, most_components, arguments, kind, run);
+  Report report = examine(points, request, run);
   stats.build_seconds = watch.lap();
 
   // What cannot be written is found out before anything is said on standard output.

@@ -54,16 +54,40 @@ void add_method_options(CLI::App& verb, MethodArguments& arguments) {
       ->type_name("K");
 }
 
+void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
+  verb.add_option(
+          "--cover", cover,
+          "Share of the points that min and auto are to cover, such as 0.99, so that outliers decide nothing; auto "
+          "then leaves out small components as well; 1 by default")
+      ->type_name("SHARE");
+}
+
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("--alpha", arguments.alpha,
-                  "Largest circumradius: a radius in units of the points, or inf; min is the least that covers every "
-                  "point, auto the least that does so in at most K solid components (see rbpa alpha)")
-      ->type_name("R|auto|inf|min")
-      ->required();
-  verb.add_option("--components", arguments.components,
-                  "How many solid components `auto` may have at most; 1 by default")
+  RadiusArguments& radius = arguments.radius;
+  CLI::Option* alpha =
+      verb.add_option(
+              "--alpha", radius.alpha,
+              "Largest circumradius: a radius in units of the points, or inf; min is the least that covers every "
+              "point, auto the least that does so in at most K solid components (see rbpa alpha)")
+          ->type_name("R|auto|inf|min");
+  CLI::Option* squared = verb.add_option("--alpha-squared", radius.squared,
+                                         "In place of --alpha: the square of the radius, as CGAL has it")
+                             ->type_name("A")
+                             ->excludes(alpha);
+  verb.add_option("--alpha-inverse", radius.inverse,
+                  "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
+      ->type_name("A")
+      ->excludes(alpha)
+      ->excludes(squared);
+  verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
       ->type_name("K");
+  add_cover_option(verb, radius.cover);
+  verb.callback([&radius] {
+    if (radius.alpha || radius.squared || radius.inverse) return;
+    throw CLI::RequiredError("found no --alpha, expected a radius, auto, inf or min; rbpa alpha POINTS says which",
+                             CLI::ExitCodes::RequiredError);
+  });
 }
 
 template <typename Arguments>
@@ -129,6 +153,7 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
       ->type_name("K")
       ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
   CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
   add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
       ->excludes(json);
@@ -187,11 +212,16 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
       std::string(exit_codes));
 }
 
+/// "rbpa mesh", or "rbpa" where no verb was given.
+std::string asked_for(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? program : program + (" " + verbs.front()->get_name());
+}
+
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
-  const auto verbs = app.get_subcommands();  // those given
-  if (verbs.empty()) return found + "mesh, alpha, shape or info (see rbpa --help)";
-  const std::string verb = "rbpa " + verbs.front()->get_name();
+  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape or info (see rbpa --help)";
+  const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
 }
@@ -224,7 +254,7 @@ int main(int argc, char** argv) {
     // What is missing may be there under a wrong name.
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
-    return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
+    return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
