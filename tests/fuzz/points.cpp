@@ -9,7 +9,7 @@
 #include "fuzz/target.h"
 #include "io/failure.h"
 #include "io/message.h"
-#include "io/read_points.h"
+#include "io/points/read_points.h"
 
 namespace {
 
@@ -22,15 +22,15 @@ PointSource source_of(std::uint8_t selector) {
   PointSource source{.path = "", .format = formats[selector % std::size(formats)]};
   switch (selector / std::size(formats) % 4) {
     case 1:
-      source.columns = {{.number = 2}, {.number = 1}};
+      source.columns = Columns{{.number = 2}, {.number = 1}};
       source.pixels = {.foreground = Foreground::dark};
       break;
     case 2:
-      source.columns = {{.name = "x"}, {.name = "y"}};
+      source.columns = Columns{{.name = "x"}, {.name = "y"}};
       source.pixels = {.foreground = Foreground::light, .threshold = 0.25};
       break;
     case 3:
-      source.columns = {{.number = 3}, {.name = "lat"}};
+      source.columns = Columns{{.number = 3}, {.name = "lat"}};
       source.pixels = {.threshold = 1};
       break;
     default:
@@ -75,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   if (source.format == PointFormat::png) bytes = with_check_sums(bytes);
   try {
-    const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source);
+    const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source).points;
     fuzz::require(std::all_of(points.begin(), points.end(), rbpa::is_finite), "points are finite");
   } catch (const BadInput& refusal) {
     is_a_sentence(refusal.what());
