@@ -42,8 +42,8 @@ PointSource parse_source(const PointArguments& arguments) {
   if (arguments.skip_invalid) require(text, "--skip-invalid", "without lines of points", "text");
   if (arguments.where) require(format == PointFormat::las, "--where", "without such fields", "las");
   if (arguments.vertices)
-    require(text || format == PointFormat::wkt, "--vertices", "without lines and polygons",
-            "wkt, or text with a column of it");
+    require(text || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
+            "without lines and polygons", "geojson, wkt, or text with a column of it");
   const bool image = format == PointFormat::png || format == PointFormat::pgm;
   if (arguments.pixels.foreground) require(image, "--foreground", "without pixels", "png or pgm");
   if (arguments.pixels.threshold) require(image, "--threshold", "without pixels", "png or pgm");

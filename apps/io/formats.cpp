@@ -41,10 +41,13 @@ std::string conversion(std::string_view ending, const std::string& path) {
 
 std::optional<PointFormat> point_format(std::string_view name) {
   constexpr std::pair<std::string_view, PointFormat> known[] = {
-      {"xy", PointFormat::text},  {"txt", PointFormat::text},  {"csv", PointFormat::text}, {"tsv", PointFormat::text},
-      {"xyz", PointFormat::text}, {"text", PointFormat::text}, {"npy", PointFormat::npy},  {"off", PointFormat::off},
-      {"ply", PointFormat::ply},  {"f64xy", PointFormat::raw}, {"png", PointFormat::png},  {"pgm", PointFormat::pgm},
-      {"las", PointFormat::las},  {"wkt", PointFormat::wkt}};
+      {"xy", PointFormat::text},       {"txt", PointFormat::text},         {"csv", PointFormat::text},
+      {"tsv", PointFormat::text},      {"xyz", PointFormat::text},         {"text", PointFormat::text},
+      {"npy", PointFormat::npy},       {"off", PointFormat::off},          {"ply", PointFormat::ply},
+      {"f64xy", PointFormat::raw},     {"png", PointFormat::png},          {"pgm", PointFormat::pgm},
+      {"las", PointFormat::las},       {"wkt", PointFormat::wkt},          {"geojson", PointFormat::geojson},
+      {"json", PointFormat::geojson},  {"geojsonl", PointFormat::geojson}, {"geojsons", PointFormat::geojson},
+      {"ndjson", PointFormat::geojson}};
   return find(known, name);
 }
 

@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt };
+enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
@@ -36,7 +36,7 @@ std::string_view input_ending(std::string_view path);
 [[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
 
 /// What there is, for messages and help.
-constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, las, wkt, npy, off, ply, f64xy, png, pgm";
+constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, las, geojson, wkt, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";

@@ -229,8 +229,7 @@ TEST_SUITE("tables of people") {
         "others)\n";
     const std::string degrees =
         "rbpa: fiji.csv: coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is 0.95 "
-        "of "
-        "one of latitude there (ogr2ogr -t_srs projects them)\n";
+        "to 0.96 of one of latitude there (ogr2ogr -t_srs projects them)\n";
     const Outcome far = folder.rbpa("info fiji.csv");
     CHECK(far.err ==
           columns + degrees +

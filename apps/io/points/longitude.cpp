@@ -23,8 +23,8 @@ Box box_of(const std::vector<Point>& points) {
   return box;
 }
 
-/// Whether the points are nearer to each other across longitude 180 than through longitude 0: the widest gap between
-/// longitudes, in whole degrees, is not the one around 180.
+/// Whether half a globe around longitude 180 has all points, and longitude 180 is among them: more than 180 degrees
+/// between two of them are without.
 bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   if (box.least.x < -180 || box.greatest.x > 180 || box.greatest.x - box.least.x <= 180) return false;
   std::array<bool, 361> taken{};
@@ -32,12 +32,22 @@ bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   int widest = 0, gap = 0;
   for (const bool degree : taken) {
     gap = degree ? 0 : gap + 1;
-    const bool inside = gap < 360;
-    if (inside) widest = std::max(widest, gap);
+    widest = std::max(widest, gap);
   }
-  // Gaps at both ends are one, around 180.
-  const double around = 360 - (box.greatest.x - box.least.x);
-  return widest > around + 1;
+  return widest > 180;
+}
+
+/// How long a degree of longitude is from one end of the box to the other, of one of latitude: "0.62", "0.50 to 0.71".
+std::string share_of_latitude(const Box& box) {
+  constexpr double radians = 0.017453292519943295;
+  const bool has_equator = box.least.y <= 0 && box.greatest.y >= 0;
+  const double farthest = std::max(std::abs(box.least.y), std::abs(box.greatest.y));
+  const double nearest = has_equator ? 0 : std::min(std::abs(box.least.y), std::abs(box.greatest.y));
+  char least[16], greatest[16];
+  std::snprintf(least, sizeof least, "%.2f", std::abs(std::cos(farthest * radians)));
+  std::snprintf(greatest, sizeof greatest, "%.2f", std::cos(nearest * radians));
+  const std::string text = least;
+  return text == greatest ? text : text + " to " + greatest;
 }
 
 }  // namespace
@@ -63,12 +73,8 @@ void remark_on_degrees(PointFile& file) {
                            (exchanged ? ": are they exchanged?" : ": are they degrees?"));
     return;
   }
-  constexpr double radians = 0.017453292519943295;
-  char ratio[16];
-  std::snprintf(ratio, sizeof ratio, "%.2f", std::cos((box.least.y / 2 + box.greatest.y / 2) * radians));
-  file.remarks.push_back(
-      std::string("coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is ") + ratio +
-      " of one of latitude there (ogr2ogr -t_srs projects them)");
+  file.remarks.push_back("coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is " +
+                         share_of_latitude(box) + " of one of latitude there (ogr2ogr -t_srs projects them)");
   if (lie_around_antimeridian(file.points, box))
     file.remarks.push_back(
         "points lie on both sides of the antimeridian, longitude 180, and are far apart in the plane "

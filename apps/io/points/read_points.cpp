@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/failure.h"
+#include "io/gis/geojson_points.h"
 #include "io/gis/wkt_points.h"
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
@@ -35,6 +36,8 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
       return {.points = read_pgm_points(bytes, name, source.pixels)};
     case PointFormat::las:
       return read_las_points(bytes, name, source.where);
+    case PointFormat::geojson:
+      return read_geojson_points(bytes, name, source.vertices);
     case PointFormat::wkt:
       return read_wkt_points(bytes, name, source.vertices);
     case PointFormat::text:
