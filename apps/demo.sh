@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
-  nlohmann-json3-dev
+  zlib1g-dev nlohmann-json3-dev
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)"
 mkdir -p rbpa-demo

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
 packages=(g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev doctest-dev libcli11-dev libpng-dev
-          nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
+          zlib1g-dev nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
           clang-tidy-14)
 [ "$preset" = clang ] && packages+=(clang-14)
 bash tests/install_packages.sh "${packages[@]}"

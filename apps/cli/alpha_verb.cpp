@@ -225,7 +225,7 @@ void run_alpha(const AlphaArguments& arguments) {
                         .with_pairs = arguments.persistence || arguments.picture,
                         .kind = parse_complex(arguments)};
   const RunOptions run = parse_run(arguments.run);
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
+  const PointSource source = parse_source(arguments);
   if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)
     throw WrongUsage(*arguments.picture + ": found the ending " + in_quotes(ending(*arguments.picture)) +
                      ", expected svg");
@@ -234,7 +234,7 @@ void run_alpha(const AlphaArguments& arguments) {
   if (arguments.stats) outputs.push_back(*arguments.stats);
   require_different(outputs, arguments.points, "points");
   Stopwatch watch;
-  const std::vector<Point> points = read(source, run.quiet);
+  const std::vector<Point> points = read(source, run.quiet).points;
   Stats stats{.read_seconds = watch.lap()};
   Report report = examine(points, request, run);
   stats.build_seconds = watch.lap();

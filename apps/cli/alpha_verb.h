@@ -4,16 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "cli/pixel_arguments.h"
+#include "cli/point_arguments.h"
 #include "cli/run_options.h"
 
 namespace rbpa::app {
 
-struct AlphaArguments {
-  std::string points;
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  PixelArguments pixels;
+struct AlphaArguments : PointArguments {
   std::optional<std::string> stats;
   std::optional<std::string> picture;  ///< an .svg to write
   std::string components = "1";        ///< at most, at `auto`

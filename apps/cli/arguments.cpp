@@ -82,29 +82,6 @@ int parse_width(const std::string& text) {
   return static_cast<int>(parse_whole("--width", text, {.least = least_width, .greatest = greatest_width}, "pixels"));
 }
 
-PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
-                         const std::optional<std::string>& columns, const PixelArguments& pixels) {
-  PointSource source{.path = path, .pixels = parse_pixel_rule(pixels)};
-  if (path.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
-  if (columns) source.columns = parse_columns(*columns);
-  if (format) {
-    const std::optional<PointFormat> known = point_format(*format);
-    if (!known) refuse_name("--format", *format, point_formats);
-    source.format = *known;
-  } else if (path != "-") {
-    const std::optional<PointFormat> known = point_format(ending(path));
-    if (!known) refuse_ending(path, point_formats, "--format");
-    source.format = *known;
-  }
-  if (columns && source.format != PointFormat::text)
-    throw WrongUsage("--columns: found a format with fixed columns, expected text");
-  const bool is_image = source.format == PointFormat::png || source.format == PointFormat::pgm;
-  if ((pixels.foreground || pixels.threshold) && !is_image)
-    throw WrongUsage(std::string(pixels.foreground ? "--foreground" : "--threshold") +
-                     ": found a format without pixels, expected png or pgm");
-  return source;
-}
-
 bool parse_is_full(const std::string& complex) {
   if (complex != "solid" && complex != "full")
     throw WrongUsage("--complex: found " + in_quotes(complex) + ", expected solid or full");

@@ -5,16 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/pixel_arguments.h"
 #include "io/formats.h"
-#include "io/read_points.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {
-
-/// Where the points come from: the format as said, else by the ending; standard input is text.
-PointSource parse_source(const std::string& path, const std::optional<std::string>& format,
-                         const std::optional<std::string>& columns, const PixelArguments& pixels);
 
 /// A bound on areas: a number >= 0, or "inf".
 double parse_area(const std::string& option, const std::string& text);

@@ -1,12 +1,20 @@
 #include "cli/build.h"
 
+#include <optional>
+
 #include "cli/progress.h"
+#include "io/message.h"
 
 namespace rbpa::app {
 
-std::vector<Point> read(const PointSource& source, bool quiet) {
-  const ProgressLine line("rbpa", !quiet && !read_from_terminal(source.path), "reading");
-  return read_points(source);
+PointFile read(const PointSource& source, bool quiet) {
+  std::optional<ProgressLine> line(std::in_place, "rbpa", !quiet && !read_from_terminal(source.path), "reading");
+  PointFile file = read_points(source);
+  line.reset();
+  const std::string name = source.path == "-" ? "standard input" : source.path;
+  for (const std::string& remark : file.remarks)
+    if (!quiet) say("rbpa", name + ": " + remark);
+  return file;
 }
 
 SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run, Search search) {

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "cli/run_options.h"
-#include "io/read_points.h"
+#include "io/points/read_points.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {
 
-/// read_points() with a progress line unless quiet.
-std::vector<Point> read(const PointSource& source, bool quiet);
+/// read_points() with a progress line, and what there is to remark, unless quiet.
+PointFile read(const PointSource& source, bool quiet);
 
 /// rbpa() with a progress line unless quiet. Throws Cancelled after a signal.
 SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run,

@@ -16,7 +16,7 @@ namespace rbpa::app {
 
 ComplexRequest parse_request(const ComplexArguments& arguments) {
   const RunOptions options = parse_run(arguments.run);
-  return {.source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels),
+  return {.source = parse_source(arguments),
           .alpha = parse_alpha(arguments.radius),
           .method = parse_method(arguments.method),
           .options = options,
@@ -28,7 +28,9 @@ ComplexRequest parse_request(const ComplexArguments& arguments) {
 ComplexRun begin_run(ComplexRequest request) {
   ComplexRun run{.request = std::move(request)};
   const AlphaChoice& choice = run.request.alpha;
-  run.points = read(run.request.source, run.request.options.quiet);
+  PointFile file = read(run.request.source, run.request.options.quiet);
+  run.points = std::move(file.points);
+  run.crs = std::move(file.crs);
   run.stats.read_seconds = run.watch.lap();
   run.stats.alpha = choose_alpha(choice, run.points, run.request.options);
   if (choice.rule != AlphaRule::given) run.stats.choose_seconds = run.watch.lap();

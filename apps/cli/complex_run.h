@@ -9,20 +9,16 @@
 
 #include "cli/alpha_choice.h"
 #include "cli/method.h"
-#include "cli/pixel_arguments.h"
+#include "cli/point_arguments.h"
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "io/output_file.h"
-#include "io/read_points.h"
+#include "io/points/read_points.h"
 
 namespace rbpa::app {
 
 /// What the command line says, as text.
-struct ComplexArguments {
-  std::string points;
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  PixelArguments pixels;
+struct ComplexArguments : PointArguments {
   RadiusArguments radius;
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
@@ -51,8 +47,9 @@ struct ComplexRun {
   ComplexRequest request;
   Stopwatch watch = {};
   std::vector<Point> points = {};
-  double alpha = 0;  ///< that was given, or that the points have chosen
-  Stats stats = {};  ///< what is known so far
+  std::optional<Crs> crs = std::nullopt;  ///< of the points, where it is known
+  double alpha = 0;                       ///< that was given, or that the points have chosen
+  Stats stats = {};                       ///< what is known so far
 };
 
 /// Reads the points and lets them choose the radius where a rule says so. Throws BadInput, Failure, Cancelled.

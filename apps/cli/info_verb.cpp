@@ -24,7 +24,8 @@ struct Box {
 struct Info {
   std::size_t points = 0;
   std::size_t distinct = 0;
-  std::optional<Box> box = std::nullopt;         ///< none when there are no points
+  std::optional<Box> box = std::nullopt;  ///< none when there are no points
+  std::optional<Crs> crs = std::nullopt;
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); none when the area is zero
 };
 
@@ -55,6 +56,7 @@ std::string for_people(const Info& info) {
   std::string text = "points      " + std::to_string(info.points) + "\n";
   text += "distinct    " + std::to_string(info.distinct) + "\n";
   text += "duplicates  " + std::to_string(info.points - info.distinct) + "\n";
+  if (info.crs) text += "crs         " + info.crs->text() + "\n";
   if (info.box) {
     text += "box         x " + text_of(info.box->least.x) + " .. " + text_of(info.box->greatest.x) + "\n";
     text += "            y " + text_of(info.box->least.y) + " .. " + text_of(info.box->greatest.y) + "\n";
@@ -72,25 +74,27 @@ std::string as_json(const Info& info) {
   if (info.box)
     box = {{"min", Json::array({info.box->least.x, info.box->least.y})},
            {"max", Json::array({info.box->greatest.x, info.box->greatest.y})}};
-  const Json report = {{"points", info.points},
-                       {"distinct", info.distinct},
-                       {"duplicates", info.points - info.distinct},
-                       {"box", box},
-                       {"spacing", info.spacing ? Json(*info.spacing) : Json(nullptr)}};
+  Json report = {{"points", info.points},
+                 {"distinct", info.distinct},
+                 {"duplicates", info.points - info.distinct},
+                 {"box", box},
+                 {"spacing", info.spacing ? Json(*info.spacing) : Json(nullptr)}};
+  if (info.crs) report["crs"] = info.crs->text();
   return report.dump(2) + "\n";
 }
 
 }  // namespace
 
 void run_info(const InfoArguments& arguments) {
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
+  const PointSource source = parse_source(arguments);
   std::vector<std::string> outputs{"-"};
   if (arguments.stats) outputs.push_back(*arguments.stats);
   require_different(outputs, arguments.points, "points");
   Stopwatch watch;
-  std::vector<Point> points = read(source, arguments.quiet);
+  PointFile given = read(source, arguments.quiet);
   Stats stats{.read_seconds = watch.lap()};
-  const Info info = examine(std::move(points), !arguments.quiet);
+  Info info = examine(std::move(given.points), !arguments.quiet);
+  info.crs = given.crs;
 
   OutputSet files;
   if (arguments.stats) {

@@ -4,15 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "cli/pixel_arguments.h"
+#include "cli/point_arguments.h"
 
 namespace rbpa::app {
 
-struct InfoArguments {
-  std::string points;
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  PixelArguments pixels;
+struct InfoArguments : PointArguments {
   std::optional<std::string> stats;
   bool json = false;
   bool quiet = false;  ///< taken like by the other verbs; there is nothing to leave out

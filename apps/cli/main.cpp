@@ -29,12 +29,24 @@ CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, co
 
 template <typename Arguments>
 void add_point_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("POINTS", arguments.points, "File of points, or - for standard input")->required();
+  verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
   verb.add_option("--format", arguments.format,
                   "Format of POINTS, where its ending does not say: " + std::string(point_formats))
       ->type_name("NAME");
-  verb.add_option("--columns", arguments.columns, "Columns of text that are x and y: numbers from 1, or header names")
+  verb.add_option(
+          "--columns", arguments.columns,
+          "Columns of text that are x and y: numbers from 1, or header names; by default as the header says, else 1,2")
       ->type_name("X,Y");
+  add_switch(verb, "--skip-invalid", arguments.skip_invalid,
+             "Leave out lines of text that are no point, and say how many");
+  verb.add_option("--where", arguments.where,
+                  "Points of a LAS file that count: \"classification == 6 and return_number == 1\"")
+      ->type_name("CONDITION");
+  add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
+  verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
+      ->type_name("CRS");
+  add_switch(verb, "--shift-longitude", arguments.shift_longitude,
+             "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
   verb.add_option("--foreground", arguments.pixels.foreground,
                   "Pixels of an image that are points: dark or light; by default what its border mostly is not")
       ->type_name("NAME");

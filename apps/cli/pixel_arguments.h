@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/foreground.h"
+#include "io/points/foreground.h"
 
 namespace rbpa::app {
 

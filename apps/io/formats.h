@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-enum class PointFormat { text, npy, off, ply, raw, png, pgm };
+enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
@@ -26,12 +26,17 @@ std::optional<LevelFormat> level_format(std::string_view name);
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);
 
+/// The same of a file that is read, which .gz may follow.
+std::string_view input_ending(std::string_view path);
+
 /// Throw WrongUsage: `option` was given a name, `path` has an ending, that is none of `known`.
 [[noreturn]] void refuse_name(const std::string& option, std::string_view name, std::string_view known);
 [[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);
+/// The same of a file that is read: where a program is known that makes something of it that we read, it is named.
+[[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
 
 /// What there is, for messages and help.
-constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, npy, off, ply, f64xy, png, pgm";
+constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, las, geojson, wkt, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";

@@ -8,9 +8,11 @@
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "io/descriptor.h"
 #include "io/failure.h"
+#include "io/gunzip.h"
 #include "io/interrupt.h"
 #include "meshops/core/large_pages.h"
 
@@ -34,6 +36,19 @@ struct stat status_of(int descriptor, const std::string& name) {
 bool same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
 
 }  // namespace
+
+void InputBytes::gunzip() {
+  const std::unique_ptr<char, Free> packed = std::move(data_);
+  const std::string_view bytes(packed.get(), size_);
+  room_ = size_ = 0;
+  app::gunzip(
+      bytes, name_,
+      [this](std::size_t size) {
+        if (room_ - size_ < size) make_room(std::max(2 * room_, size_ + size));
+        return data_.get() + size_;
+      },
+      [this](std::size_t size) { size_ += size; });
+}
 
 InputBytes::InputBytes(const std::string& name, const std::string& expected)
     : name_(name == "-" ? "standard input" : name) {

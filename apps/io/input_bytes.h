@@ -17,6 +17,9 @@ class InputBytes {
   /// such file, or when a regular file changes while it is read; Failure when reading breaks off; Cancelled.
   InputBytes(const std::string& name, const std::string& expected);
 
+  /// The bytes of a gzip file become those of the file that was compressed. Throws BadInput, Cancelled.
+  void gunzip();
+
   std::string_view bytes() const { return {data_.get(), size_}; }
   /// What messages call it.
   const std::string& name() const { return name_; }

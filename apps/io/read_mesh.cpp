@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "io/failure.h"
+#include "io/gunzip.h"
 #include "io/input_bytes.h"
 #include "io/obj_mesh.h"
 #include "io/off_mesh.h"
@@ -29,7 +30,8 @@ MeshFile parse(MeshFormat format, std::string_view bytes, const std::string& nam
 }  // namespace
 
 MeshFile read_mesh(const MeshSource& source) {
-  const InputBytes input(source.path, "a mesh file");
+  InputBytes input(source.path, "a mesh file");
+  if (is_gzip(input.bytes())) input.gunzip();
   return mesh_in(input.bytes(), input.name(), source.format);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 MeshSource parse_source(const std::string& path, const std::optional<std::string>& format) {
   if (path == "-" && !format) throw WrongUsage("-: found no --format, expected one of " + std::string(mesh_formats));
-  const std::optional<MeshFormat> known = mesh_format(format ? std::string_view(*format) : ending(path));
+  const std::optional<MeshFormat> known = mesh_format(format ? std::string_view(*format) : input_ending(path));
   if (known) return {path, *known};
   if (format) refuse_name("--format", *format, mesh_formats);
   refuse_ending(path, mesh_formats, "--format");

@@ -11,7 +11,7 @@
 #include "drawings/figures.h"
 #include "drawings/random.h"
 #include "drawings/sheet.h"
-#include "io/foreground.h"
+#include "io/points/foreground.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
 #include "rbpa/topology.h"

@@ -65,9 +65,9 @@ TEST_SUITE("bad input") {
 
   TEST_CASE("text in the first columns of a table with more: how to choose others") {
     const Folder folder;
-    folder.file("p.csv", "name,lon,lat\nBerlin,13.4,52.5\n");
+    folder.file("p.csv", "name,a,b\nBerlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
-            "p.csv:2: found 'Berlin', expected a number (--columns X,Y chooses other columns of 'name,lon,lat')");
+            "p.csv:2: found 'Berlin', expected a number (--columns X,Y chooses other columns of 'name,a,b')");
     folder.file("p.csv", "Berlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
             "p.csv:1: found 'Berlin', expected a number (--columns X,Y chooses other columns)");
@@ -76,7 +76,8 @@ TEST_SUITE("bad input") {
   }
 
   TEST_CASE("not a number and infinity") {
-    refuses_text("0 0\nnan 1\n", "p.xy:2: found 'nan', expected a finite number");
+    refuses_text("0 0\nnan 1\n",
+                 "p.xy:2: found 'nan', expected a finite number (--skip-invalid leaves out lines that are no point)");
     refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number");
   }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "io/read_points.h"
+#include "io/points/read_points.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -35,7 +35,9 @@ std::string as_text(const std::vector<Point>& points, const std::string& separat
   return text;
 }
 
-std::vector<Point> read(const std::string& path, PointFormat format) { return rbpa::app::read_points({path, format}); }
+std::vector<Point> read(const std::string& path, PointFormat format) {
+  return rbpa::app::read_points({path, format}).points;
+}
 
 }  // namespace
 

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "io/failure.h"
-#include "io/pgm_points.h"
-#include "io/png_points.h"
-#include "io/read_points.h"
+#include "io/points/pgm_points.h"
+#include "io/points/png_points.h"
+#include "io/points/read_points.h"
 #include "support/image_files.h"
 #include "support/program.h"
 
@@ -163,8 +163,8 @@ TEST_SUITE("images") {
 
   TEST_CASE("the horse is the points that others took from its image") {
     const std::string folder = RBPA_TEST_DATA "/";
-    auto expected = rbpa::app::read_points({folder + "shape_skimage_horse_fill.xy", PointFormat::text});
-    auto points = rbpa::app::read_points({folder + "shape_skimage_horse_fill.png", PointFormat::png});
+    auto expected = rbpa::app::read_points({folder + "shape_skimage_horse_fill.xy", PointFormat::text}).points;
+    auto points = rbpa::app::read_points({folder + "shape_skimage_horse_fill.png", PointFormat::png}).points;
     for (Point& p : expected) p = {p.x + 0.5, p.y + 0.5};  // theirs are corners
     std::sort(expected.begin(), expected.end());
     std::sort(points.begin(), points.end());

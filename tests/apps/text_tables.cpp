@@ -8,7 +8,7 @@
 
 #include "io/failure.h"
 #include "io/number.h"
-#include "io/text_points.h"
+#include "io/table/text_points.h"
 
 using rbpa::Point;
 using rbpa::app::Columns;
@@ -115,9 +115,9 @@ TEST_SUITE("text tables") {
     for_each_shape([](Tables tables, const Columns& columns) {
       Table table;
       for (int i = 0; i < 100; ++i) tables.add_line(table);
-      CHECK(rbpa::app::read_text_points(table.text, "t", columns) == table.points);
+      CHECK(rbpa::app::read_text_points(table.text, "t", {.columns = columns}).points == table.points);
       while (!table.text.empty() && table.text.back() == '\n') table.text.pop_back();  // no end of the last line
-      CHECK(rbpa::app::read_text_points(table.text, "t", columns) == table.points);
+      CHECK(rbpa::app::read_text_points(table.text, "t", {.columns = columns}).points == table.points);
     });
   }
 
@@ -131,7 +131,7 @@ TEST_SUITE("text tables") {
       for (int i = 0; i < 20; ++i) tables.add_line(table);
       std::string message;
       try {
-        rbpa::app::read_text_points(table.text, "t", columns);
+        rbpa::app::read_text_points(table.text, "t", {.columns = columns});
       } catch (const rbpa::app::BadInput& error) {
         message = error.what();
       }

@@ -23,8 +23,8 @@
 #include "bench/machine.h"
 #include "bench/timings.h"
 #include "io/output_file.h"
+#include "io/points/read_points.h"
 #include "io/read_mesh.h"
-#include "io/read_points.h"
 #include "io/write_triangles.h"
 #include "rbpa/rbpa.h"
 
@@ -197,7 +197,7 @@ class Table {
   void add_read_points(const std::string& name, const std::string& path) {
     const auto read = [path, this] {
       const auto format = rbpa::app::point_format(rbpa::app::ending(path));
-      if (rbpa::app::read_points({path, *format}).size() != points_.size())
+      if (rbpa::app::read_points({path, *format}).points.size() != points_.size())
         throw std::runtime_error(path + ": other points");
     };
     rows_.push_back({name, path, points_.size(), read, [path] { read_plainly(path); }});

@@ -8,8 +8,9 @@
 
 #include "fuzz/target.h"
 #include "io/failure.h"
+#include "io/gunzip.h"
 #include "io/message.h"
-#include "io/read_points.h"
+#include "io/points/read_points.h"
 
 namespace {
 
@@ -18,19 +19,47 @@ using namespace rbpa::app;
 constexpr PointFormat formats[] = {PointFormat::text, PointFormat::npy, PointFormat::off, PointFormat::ply,
                                    PointFormat::raw,  PointFormat::png, PointFormat::pgm};
 
-PointSource source_of(std::uint8_t selector) {
-  PointSource source{.path = "", .format = formats[selector % std::size(formats)]};
-  switch (selector / std::size(formats) % 4) {
+constexpr std::size_t ways = 4;  // in which each is read
+
+/// Formats that came later, each with what may be asked of it; selectors below have kept their meaning.
+PointSource later_source_of(std::size_t selector) {
+  PointSource source{.path = ""};
+  source.vertices = selector % 2 == 1;
+  source.skip_invalid = selector % 4 > 1;
+  switch (selector / 4 % 4) {
+    case 0:
+      source.format = PointFormat::las;
+      source.skip_invalid = source.vertices = false;
+      if (selector % 4 == 1) source.where = Condition("classification == 2 or x < 0 and not withheld");
+      if (selector % 4 == 2) source.where = Condition("gps_time > 1 or red > 1");
+      break;
     case 1:
-      source.columns = {{.number = 2}, {.number = 1}};
+      source.format = PointFormat::geojson;
+      break;
+    case 2:
+      source.format = PointFormat::wkt;
+      break;
+    default:
+      source.shift_longitude = selector % 8 > 5;
+      break;
+  }
+  return source;
+}
+
+PointSource source_of(std::uint8_t selector) {
+  if (selector >= ways * std::size(formats)) return later_source_of(selector - ways * std::size(formats));
+  PointSource source{.path = "", .format = formats[selector % std::size(formats)]};
+  switch (selector / std::size(formats) % ways) {
+    case 1:
+      source.columns = Columns{{.number = 2}, {.number = 1}};
       source.pixels = {.foreground = Foreground::dark};
       break;
     case 2:
-      source.columns = {{.name = "x"}, {.name = "y"}};
+      source.columns = Columns{{.name = "x"}, {.name = "y"}};
       source.pixels = {.foreground = Foreground::light, .threshold = 0.25};
       break;
     case 3:
-      source.columns = {{.number = 3}, {.name = "lat"}};
+      source.columns = Columns{{.number = 3}, {.name = "lat"}};
       source.pixels = {.threshold = 1};
       break;
     default:
@@ -61,10 +90,27 @@ std::string with_check_sums(std::string_view bytes) {
 }
 
 void is_a_sentence(const std::string& message) {
-  fuzz::require(message.starts_with("FILE") || message.starts_with("--columns: "), "a message says where");
+  fuzz::require(message.starts_with("FILE") || message.starts_with("--"), "a message says where");
   fuzz::require(message.find(": found ") != std::string::npos, "a message says what was found");
   fuzz::require(message.find(", expected ") != std::string::npos, "a message says what was expected");
   fuzz::require(printable(message) == message, "a message is one line of visible characters");
+}
+
+/// What reads before there are points: what was compressed, and the condition of a command line.
+void read_before(bool compressed, const std::string& bytes) {
+  if (!compressed) {
+    const Condition condition(bytes);
+    return;
+  }
+  std::string text;
+  std::size_t size = 0;
+  gunzip(
+      bytes, "FILE",
+      [&](std::size_t room) {
+        text.resize(size + room);
+        return text.data() + size;
+      },
+      [&](std::size_t written) { size += written; });
 }
 
 }  // namespace
@@ -75,7 +121,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   if (source.format == PointFormat::png) bytes = with_check_sums(bytes);
   try {
-    const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source);
+    constexpr std::uint8_t gzip_selector = 255, condition_selector = 254;
+    if (data[0] >= condition_selector) {
+      read_before(data[0] == gzip_selector, bytes);
+      return 0;
+    }
+    const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source).points;
     fuzz::require(std::all_of(points.begin(), points.end(), rbpa::is_finite), "points are finite");
   } catch (const BadInput& refusal) {
     is_a_sentence(refusal.what());

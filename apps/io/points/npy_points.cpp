@@ -1,11 +1,11 @@
-#include "io/npy_points.h"
+#include "io/points/npy_points.h"
 
 #include <charconv>
 #include <optional>
 
-#include "io/binary_points.h"
 #include "io/failure.h"
 #include "io/lines.h"
+#include "io/points/binary_points.h"
 
 namespace rbpa::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/foreground.h"
+#include "io/points/foreground.h"
 
 #include <algorithm>
 #include <array>

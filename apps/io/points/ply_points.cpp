@@ -1,10 +1,10 @@
-#include "io/ply_points.h"
+#include "io/points/ply_points.h"
 
 #include <algorithm>
 
-#include "io/binary_points.h"
 #include "io/failure.h"
 #include "io/ply_data.h"
+#include "io/points/binary_points.h"
 #include "io/vertex_lines.h"
 
 namespace rbpa::app {

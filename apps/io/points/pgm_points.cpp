@@ -1,4 +1,4 @@
-#include "io/pgm_points.h"
+#include "io/points/pgm_points.h"
 
 #include <charconv>
 #include <limits>

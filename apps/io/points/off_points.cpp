@@ -1,4 +1,4 @@
-#include "io/off_points.h"
+#include "io/points/off_points.h"
 
 #include "io/failure.h"
 #include "io/interrupt.h"

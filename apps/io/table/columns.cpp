@@ -1,4 +1,4 @@
-#include "io/columns.h"
+#include "io/table/columns.h"
 
 #include <algorithm>
 #include <charconv>

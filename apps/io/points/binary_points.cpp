@@ -1,4 +1,4 @@
-#include "io/binary_points.h"
+#include "io/points/binary_points.h"
 
 #include <algorithm>
 

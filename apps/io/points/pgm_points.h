@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/foreground.h"
+#include "io/points/foreground.h"
 #include "rbpa/core/point.h"
 
 namespace rbpa::app {

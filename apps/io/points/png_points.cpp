@@ -1,4 +1,4 @@
-#include "io/png_points.h"
+#include "io/points/png_points.h"
 
 #include <png.h>
 

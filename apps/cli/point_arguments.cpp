@@ -1,0 +1,53 @@
+#include "cli/point_arguments.h"
+
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+PointFormat parse_format(const std::string& path, const std::optional<std::string>& format) {
+  if (format) {
+    const std::optional<PointFormat> known = point_format(*format);
+    if (!known) refuse_name("--format", *format, point_formats);
+    return *known;
+  }
+  if (path == "-") return PointFormat::text;
+  const std::optional<PointFormat> known = point_format(input_ending(path));
+  if (!known) refuse_input(path, point_formats, "--format");
+  return *known;
+}
+
+/// An option that was given is about another format.
+void require(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
+  if (!fits) throw WrongUsage(option + ": found a format " + found + ", expected " + expected);
+}
+
+}  // namespace
+
+PointSource parse_source(const PointArguments& arguments) {
+  if (arguments.points.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
+  PointSource source{.path = arguments.points,
+                     .pixels = parse_pixel_rule(arguments.pixels),
+                     .skip_invalid = arguments.skip_invalid,
+                     .vertices = arguments.vertices,
+                     .shift_longitude = arguments.shift_longitude};
+  if (arguments.columns) source.columns = parse_columns(*arguments.columns);
+  if (arguments.where) source.where = Condition(*arguments.where);
+  if (arguments.crs) source.crs = parse_crs(*arguments.crs);
+  source.format = parse_format(arguments.points, arguments.format);
+
+  const PointFormat format = source.format;
+  const bool text = format == PointFormat::text;
+  if (arguments.columns) require(text, "--columns", "with fixed columns", "text");
+  if (arguments.skip_invalid) require(text, "--skip-invalid", "without lines of points", "text");
+  if (arguments.where) require(format == PointFormat::las, "--where", "without such fields", "las");
+  if (arguments.vertices)
+    require(text || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
+            "without lines and polygons", "geojson, wkt, or text with a column of it");
+  const bool image = format == PointFormat::png || format == PointFormat::pgm;
+  if (arguments.pixels.foreground) require(image, "--foreground", "without pixels", "png or pgm");
+  if (arguments.pixels.threshold) require(image, "--threshold", "without pixels", "png or pgm");
+  return source;
+}
+
+}  // namespace rbpa::app

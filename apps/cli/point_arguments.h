@@ -1,0 +1,29 @@
+// What: the options about points: where they are, in which format, and what of it counts.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/pixel_arguments.h"
+#include "io/points/read_points.h"
+
+namespace rbpa::app {
+
+/// What the command line says, as text.
+struct PointArguments {
+  std::string points;  ///< the file
+  std::optional<std::string> format;
+  std::optional<std::string> columns;
+  PixelArguments pixels;
+  std::optional<std::string> where;
+  std::optional<std::string> crs;
+  bool skip_invalid = false;
+  bool vertices = false;
+  bool shift_longitude = false;
+};
+
+/// Where the points come from: the format as said, else by the ending; standard input is text. Throws WrongUsage naming
+/// the value, or an option that is about another format.
+PointSource parse_source(const PointArguments& arguments);
+
+}  // namespace rbpa::app

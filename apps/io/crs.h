@@ -1,0 +1,36 @@
+// What: coordinate reference systems, as files and people name them.
+// Law:  a name is carried from input to output; no coordinate is changed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rbpa::app {
+
+struct Crs {
+  std::string authority;  ///< "EPSG"; "OGC" of CRS84
+  std::string code;       ///< "28992"
+  bool degrees = false;   ///< geographic: x is a longitude and y a latitude
+
+  /// "EPSG:28992".
+  std::string text() const { return authority + ":" + code; }
+  /// "urn:ogc:def:crs:EPSG::28992".
+  std::string urn() const;
+  /// Longitude and latitude of WGS 84, which GeoJSON means by itself.
+  bool is_wgs84() const;
+};
+
+/// What GeoJSON and GPS receivers have.
+Crs wgs84();
+
+/// "EPSG:28992", or the same as a URN or URL of the OGC. Letters may be of either case.
+std::optional<Crs> crs_of_name(std::string_view name);
+
+/// The system of the last AUTHORITY or ID in well-known text, which is the one of the whole text; nothing when it has none.
+std::optional<Crs> crs_of_wkt(std::string_view text);
+
+/// `--crs`. Throws WrongUsage naming the value.
+Crs parse_crs(const std::string& text);
+
+}  // namespace rbpa::app

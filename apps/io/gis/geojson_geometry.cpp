@@ -1,0 +1,60 @@
+#include "io/gis/geojson_geometry.h"
+
+#include <utility>
+
+namespace rbpa::app {
+
+std::optional<GeoJsonKind> geojson_kind(std::string_view type) {
+  constexpr std::pair<std::string_view, GeoJsonKind> known[] = {
+      {"Point", {1, true, false}},       {"MultiPoint", {2, true, false}},
+      {"LineString", {2, false, false}}, {"MultiLineString", {3, false, false}},
+      {"Polygon", {3, false, true}},     {"MultiPolygon", {4, false, true}}};
+  for (const auto& [name, kind] : known)
+    if (type == name) return kind;
+  return std::nullopt;
+}
+
+const char* GeoJsonGeometry::open() {
+  constexpr int deepest = 4;
+  if (coordinates_ > 0) return "a list among numbers";
+  if (open_ == deepest) return "five brackets around each other";
+  ++open_;
+  return nullptr;
+}
+
+const char* GeoJsonGeometry::add(double coordinate) {
+  if (open_ == 0) return "a number";
+  if (coordinates_ < position_.size()) position_[coordinates_] = coordinate;
+  ++coordinates_;
+  return nullptr;
+}
+
+const char* GeoJsonGeometry::close(std::vector<Point>& points) {
+  if (coordinates_ == 1) return "one number";
+  if (coordinates_ > 0) {
+    if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
+    depth_ = open_;
+    points.push_back({position_[0], position_[1]});
+    coordinates_ = 0;
+  } else if (depth_ == open_ + 1) {
+    ends_.push_back(points.size());
+  }
+  --open_;
+  return nullptr;
+}
+
+bool GeoJsonGeometry::finish(const GeoJsonKind& kind, std::vector<Point>& points) const {
+  if (depth_ != 0 && depth_ != kind.depth) return false;
+  if (!kind.rings) return true;
+  std::size_t begin = first_, kept = first_;
+  for (std::size_t end : ends_) {
+    const std::size_t next = end;
+    if (end > begin + 1 && points[end - 1] == points[begin]) --end;
+    for (; begin < end; ++begin) points[kept++] = points[begin];
+    begin = next;
+  }
+  points.resize(kept);
+  return true;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,263 @@
+#include "io/gis/geojson_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/gis/geojson_geometry.h"
+#include "io/interrupt.h"
+#include "io/lines.h"
+
+namespace rbpa::app {
+namespace {
+
+/// The text as nlohmann's parser wants it; how far it has come is seen by others.
+class Position {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  explicit Position(const char*& at) : at_(&at) {}
+  reference operator*() const { return **at_; }
+  Position& operator++() {
+    ++*at_;
+    return *this;
+  }
+  friend bool operator==(const Position& a, const Position& b) { return *a.at_ == *b.at_; }
+  friend bool operator!=(const Position& a, const Position& b) { return !(a == b); }
+
+ private:
+  const char** at_;
+};
+
+/// What the value of a key is.
+enum class Slot { ignored, type, coordinates, object, objects, crs };
+
+Slot slot_of(const std::string& key) {
+  if (key == "type") return Slot::type;
+  if (key == "coordinates") return Slot::coordinates;
+  if (key == "geometry") return Slot::object;
+  if (key == "features" || key == "geometries") return Slot::objects;
+  return key == "crs" ? Slot::crs : Slot::ignored;
+}
+
+/// The events of a parser as points. Objects may say what they are behind what is in them.
+class Events {
+ public:
+  Events(std::string_view text, const std::string& name, bool vertices)
+      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), name_(name), vertices_(vertices) {}
+
+  PointFile read() {
+    if (at_end()) refuse("nothing but blanks", "GeoJSON");
+    while (!at_end()) {
+      Position first(at_), last(end_);
+      constexpr bool to_the_end = false;  // others may follow
+      nlohmann::json::sax_parse(first, last, this, nlohmann::json::input_format_t::json, to_the_end);
+    }
+    if (without_geometry_ > 0) file_.remarks.push_back(counted(without_geometry_, "feature") + " without a geometry");
+    settle_crs();
+    return std::move(file_);
+  }
+
+  bool null() {
+    if (!frames_.empty() && is_in(Slot::object)) ++without_geometry_;
+    if (is_in(Slot::crs)) crs_is_unknown_ = true;
+    return scalar("null", is_in(Slot::object) || is_in(Slot::crs));
+  }
+  bool boolean(bool value) { return scalar(value ? "true" : "false", false); }
+  bool number_integer(std::int64_t value) {
+    // The one integer whose sign is lost.
+    const bool negative_zero = value == 0 && at_ - begin_ >= 3 && at_[-3] == '-' && at_[-2] == '0';
+    const bool at_the_end = value == 0 && at_ == end_ && at_ - begin_ >= 2 && at_[-2] == '-' && at_[-1] == '0';
+    return number(negative_zero || at_the_end ? -0.0 : static_cast<double>(value));
+  }
+  bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
+  bool number_float(double value, const std::string& /*text*/) { return number(value); }
+  bool binary(const std::vector<std::uint8_t>& /*value*/) { return true; }
+
+  bool string(const std::string& value) {
+    if (in_crs_ > 0) {
+      if (crs_key_ == "name") crs_name_ = value;
+      return true;
+    }
+    if (skipped_ == 0 && is_in(Slot::type)) frames_.back().type = value;
+    return scalar(in_quotes(value), is_in(Slot::type));
+  }
+
+  bool key(const std::string& key) {
+    if (in_crs_ > 0) {
+      crs_key_ = key;
+    } else if (skipped_ == 0) {
+      Frame& frame = frames_.back();
+      frame.slot = slot_of(key);
+      if (frame.slot != Slot::coordinates) return true;
+      if (frame.geometry) refuse("coordinates twice in an object", "once");
+      frame.geometry = GeoJsonGeometry(file_.points.size());
+    }
+    return true;
+  }
+
+  bool start_object(std::size_t /*size*/) {
+    if (passes_over(+1)) return true;
+    if (!frames_.empty()) {
+      const Frame& frame = frames_.back();
+      if (frame.slot == Slot::crs) return ++in_crs_ > 0;
+      if (frame.slot == Slot::ignored) return ++skipped_ > 0;
+      if (frame.slot == Slot::coordinates || frame.slot == Slot::type ||
+          (frame.slot == Slot::objects && !frame.in_list))
+        refuse("an object", "a " + expected(frame.slot));
+    }
+    frames_.push_back({});
+    return true;
+  }
+  bool end_object() {
+    if (passes_over(-1)) return true;
+    finish(frames_.back());
+    frames_.pop_back();
+    return true;
+  }
+
+  bool start_array(std::size_t /*size*/) {
+    if (passes_over(+1)) return true;
+    if (frames_.empty()) refuse("an array", "a GeoJSON object");
+    Frame& frame = frames_.back();
+    if (frame.slot == Slot::ignored) return ++skipped_ > 0;
+    if (frame.slot == Slot::coordinates) return check(frame.geometry->open());
+    if (frame.slot != Slot::objects || frame.in_list) refuse("an array", "a " + expected(frame.slot));
+    return frame.in_list = true;
+  }
+  bool end_array() {
+    if (passes_over(-1)) return true;
+    Frame& frame = frames_.back();
+    if (frame.slot == Slot::coordinates) return check(frame.geometry->close(file_.points));
+    frame.in_list = false;
+    return true;
+  }
+
+  bool parse_error(std::size_t /*position*/, const std::string& token, const nlohmann::detail::exception& error) {
+    constexpr int number_overflow = 406;
+    if (error.id == number_overflow) refuse(in_quotes(token), "a number within the range of a double (up to 1.8e308)");
+    refuse(at_ == end_ ? "the end of the file" : in_quotes(token), "JSON");
+  }
+
+ private:
+  /// An object of GeoJSON that is not at its end.
+  struct Frame {
+    std::string type = {};
+    Slot slot = Slot::ignored;
+    bool in_list = false;  // of Slot::objects
+    std::optional<GeoJsonGeometry> geometry = std::nullopt;
+  };
+
+  static std::string expected(Slot slot) {
+    if (slot == Slot::type) return "type: a text";
+    if (slot == Slot::coordinates) return "list of coordinates";
+    return slot == Slot::object || slot == Slot::crs ? "GeoJSON object" : "list of GeoJSON objects";
+  }
+
+  [[noreturn]] void refuse(const std::string& found, const std::string& expected) const {
+    const std::size_t before = count_line_ends({begin_, static_cast<std::size_t>(at_ - begin_)});
+    const bool behind_end = at_ != begin_ && at_[-1] == '\n';  // which the parser has seen already
+    bad_input(at_line(name_, before + (behind_end ? 0 : 1)), found, expected);
+  }
+  bool check(const char* fault) const {
+    if (fault != nullptr) refuse(fault, "coordinates: positions of two numbers or more, in lists");
+    return true;
+  }
+
+  bool at_end() {
+    constexpr char record_separator = '\x1E';  // of RFC 8142
+    while (at_ != end_ && (is_blank(*at_) || *at_ == '\n' || *at_ == record_separator)) ++at_;
+    return at_ == end_;
+  }
+
+  bool is_in(Slot slot) const {
+    return skipped_ == 0 && in_crs_ == 0 && !frames_.empty() && frames_.back().slot == slot;
+  }
+
+  /// What begins or ends lies in what is of no interest.
+  bool passes_over(int step) {
+    if (++events_ % 65536 == 0) stop_if_interrupted();
+    std::size_t& depth = in_crs_ > 0 ? in_crs_ : skipped_;
+    if (depth == 0) return false;
+    depth = step > 0 ? depth + 1 : depth - 1;
+    return true;
+  }
+
+  /// A value that is neither number, object nor array.
+  bool scalar(const std::string& found, bool fits) const {
+    if (skipped_ > 0 || in_crs_ > 0) return true;
+    if (frames_.empty()) refuse(found, "a GeoJSON object");
+    if (!fits && frames_.back().slot != Slot::ignored) refuse(found, "a " + expected(frames_.back().slot));
+    return true;
+  }
+
+  bool number(double value) {
+    if (in_crs_ > 0 && crs_key_ == "code" && value > 0 && value < 1e9 && value == std::trunc(value))
+      crs_name_ = "EPSG:" + std::to_string(static_cast<std::uint64_t>(value));
+    if (is_in(Slot::coordinates)) return check(frames_.back().geometry->add(value));
+    return scalar("a number", false);
+  }
+
+  /// At the end of an object it is known what it was.
+  void finish(Frame& frame) {
+    const std::optional<GeoJsonKind> kind = geojson_kind(frame.type);
+    if (!kind) {
+      constexpr std::string_view others[] = {"FeatureCollection", "Feature", "GeometryCollection"};
+      if (std::find(std::begin(others), std::end(others), frame.type) != std::end(others)) {
+        if (frame.geometry) refuse("coordinates in a " + frame.type, "a geometry that has them");
+        return;
+      }
+      if (frame.type == "Topology") refuse("TopoJSON", "GeoJSON (ogr2ogr -f GeoJSON points.geojson FILE)");
+      refuse(frame.type.empty() ? "an object without a type" : "the type " + in_quotes(frame.type),
+             "one of GeoJSON, such as FeatureCollection or MultiPoint");
+    }
+    if (!frame.geometry) refuse("a " + frame.type + " without coordinates", "some");
+    if (!vertices_ && !kind->points)
+      refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
+    if (!frame.geometry->finish(*kind, file_.points))
+      refuse("coordinates of another depth", std::to_string(kind->depth) + " brackets, as a " + frame.type + " has");
+  }
+
+  void settle_crs() {
+    if (!crs_name_ && !crs_is_unknown_) file_.crs = wgs84();
+    if (!crs_name_) return;
+    file_.crs = crs_of_name(*crs_name_);
+    if (!file_.crs)
+      file_.remarks.push_back("the system of coordinates is " + in_quotes(*crs_name_) +
+                              ", which is not understood (--crs says it)");
+  }
+
+  const char* begin_;
+  const char* at_;  // how far the parser has read
+  const char* end_;
+  const std::string& name_;
+  bool vertices_;
+  PointFile file_ = {};
+  std::vector<Frame> frames_ = {};
+  std::size_t skipped_ = 0;  // brackets that are open around what is of no interest
+  std::size_t in_crs_ = 0;   // and in "crs"
+  std::string crs_key_ = {};
+  std::optional<std::string> crs_name_ = std::nullopt;
+  bool crs_is_unknown_ = false;
+  std::size_t without_geometry_ = 0;
+  std::size_t events_ = 0;
+};
+
+}  // namespace
+
+PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return Events(text, name, vertices).read();
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,18 @@
+// What: points from GeoJSON (RFC 7946, and the "crs" of its draft), one text or a sequence of them, one a line or so.
+// Law:  a coordinate is the double nearest to its decimal text, -0 included.
+// Cost: one pass, and no more memory than the points.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/point_file.h"
+
+namespace rbpa::app {
+
+/// Those of Point and MultiPoint, and with `vertices` those of all geometries; the point at which a ring closes counts
+/// once. Without "crs" they are longitudes and latitudes of WGS 84. Features without a geometry are counted in a remark.
+/// Throws BadInput naming the line.
+PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices);
+
+}  // namespace rbpa::app

@@ -1,0 +1,54 @@
+// What: the points of geometries in well-known text (OGC Simple Features; SRID=... before it, as PostGIS has it).
+// Law:  a coordinate is the double nearest to its decimal text.
+// Cost: one pass.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/crs.h"
+#include "rbpa/core/point.h"
+
+namespace rbpa::app {
+
+/// What is wrong, and where in the text.
+struct WktFault {
+  const char* at;
+  std::string found;
+  std::string expected;
+};
+
+/// One geometry after the other.
+class WktGeometries {
+ public:
+  /// Of other geometries than POINT and MULTIPOINT the vertices count as points, if so wanted; the point at which a ring
+  /// closes counts once.
+  WktGeometries(std::string_view text, bool vertices) : text_(text), vertices_(vertices) {}
+
+  /// Appends the points of the next geometry; false when there is none. Throws WktFault.
+  bool next(std::vector<Point>& points);
+
+  /// The system that an SRID has named, if any.
+  const std::optional<Crs>& crs() const { return crs_; }
+
+ private:
+  void take_srid();
+  void take_geometry(std::vector<Point>& points, int depth);
+  void take_lists(std::vector<Point>& points, int brackets, bool rings);
+  void take_list(std::vector<Point>& points);
+  bool take_empty();
+  void take_position(std::vector<Point>& points);
+  std::string_view take_word();
+  bool take_sign(char sign);
+  void expect_sign(char sign);
+  void skip_space();
+  [[noreturn]] void refuse(const std::string& expected) const;
+
+  std::string_view text_;
+  bool vertices_;
+  std::optional<Crs> crs_ = std::nullopt;
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,24 @@
+#include "io/gis/wkt_points.h"
+
+#include "io/failure.h"
+#include "io/gis/wkt_geometry.h"
+#include "io/interrupt.h"
+#include "io/lines.h"
+
+namespace rbpa::app {
+
+PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices) {
+  PointFile file;
+  WktGeometries geometries(text, vertices);
+  try {
+    for (std::size_t i = 0; geometries.next(file.points); ++i)
+      if (i % 16384 == 0) stop_if_interrupted();
+  } catch (const WktFault& fault) {
+    const std::size_t before = count_line_ends(text.substr(0, static_cast<std::size_t>(fault.at - text.data())));
+    bad_input(at_line(name, before + 1), fault.found, fault.expected);
+  }
+  file.crs = geometries.crs();
+  return file;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,14 @@
+// What: points from a file of well-known text: geometries one behind the other, most often one a line.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/point_file.h"
+
+namespace rbpa::app {
+
+/// Those of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput naming the line.
+PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices);
+
+}  // namespace rbpa::app

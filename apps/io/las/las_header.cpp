@@ -1,0 +1,98 @@
+#include "io/las/las_header.h"
+
+#include <cmath>
+
+#include "io/failure.h"
+#include "io/las/las_fields.h"
+#include "io/number.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr std::size_t first_header_size = 227, header_size_of_4 = 375;
+
+void require_version(std::string_view bytes, const std::string& name) {
+  if (!bytes.starts_with("LASF"))
+    bad_input(name, in_quotes(bytes.substr(0, 4)), "a LAS file, which begins with 'LASF'");
+  if (bytes.size() < first_header_size)
+    bad_input(name, counted(bytes.size(), "byte"), "a LAS header, of at least " + std::to_string(first_header_size));
+  const unsigned major = las_value<std::uint8_t>(bytes.data() + 24), minor = las_value<std::uint8_t>(bytes.data() + 25);
+  if (major != 1 || minor > 4)
+    bad_input(name, "LAS version " + std::to_string(major) + "." + std::to_string(minor), "1.0 to 1.4");
+}
+
+/// How many points there are. Version 1.4 counts beyond 32 bits, and leaves the older place zero where it cannot.
+std::size_t point_count(std::string_view bytes, const LasHeader& header) {
+  const std::size_t legacy = las_value<std::uint32_t>(bytes.data() + 107);
+  if (header.minor < 4 || header.size < header_size_of_4) return legacy;
+  const auto count = las_value<std::uint64_t>(bytes.data() + 247);
+  return count == 0 ? legacy : count;
+}
+
+/// Version 1.0 has a signature before the points. Some writers count it among them.
+bool begins_with_signature(std::string_view data) {
+  return data.starts_with("\xDD\xCC") || data.starts_with("\xCC\xDD");
+}
+
+void find_points(LasHeader& header, std::string_view bytes, const std::string& name) {
+  const std::size_t begin = las_value<std::uint32_t>(bytes.data() + 96);
+  if (begin < header.size || begin > bytes.size())
+    bad_input(name, "an offset to point data of " + std::to_string(begin),
+              "one behind the header, from " + std::to_string(header.size) + " to " + std::to_string(bytes.size()));
+  std::string_view data = bytes.substr(begin);
+  constexpr std::size_t signature = 2;
+  if (header.minor == 0 && begins_with_signature(data) && data.size() >= signature &&
+      header.count <= (data.size() - signature) / header.length)
+    data.remove_prefix(signature);
+  if (header.count > data.size() / header.length)
+    bad_input(
+        name,
+        counted(data.size(), "byte") + " of points, which are " + counted(data.size() / header.length, "whole record"),
+        std::to_string(header.count) + " records of " + std::to_string(header.length) + " bytes as the header says");
+  header.points = data.data();
+}
+
+}  // namespace
+
+LasHeader read_las_header(std::string_view bytes, const std::string& name) {
+  require_version(bytes, name);
+  const char* at = bytes.data();
+  LasHeader header{};
+  header.minor = las_value<std::uint8_t>(at + 25);
+  header.size = las_value<std::uint16_t>(at + 94);
+  if (header.size < first_header_size || header.size > bytes.size())
+    bad_input(
+        name, "a header size of " + std::to_string(header.size),
+        "from " + std::to_string(first_header_size) + " to the size of the file, " + std::to_string(bytes.size()));
+  header.records = las_value<std::uint32_t>(at + 100);
+  const unsigned format = las_value<std::uint8_t>(at + 104);
+  constexpr unsigned compressed = 0xC0U;  // bits that LASzip sets
+  if ((format & compressed) != 0)
+    bad_input(name, "LAZ, which is compressed",
+              "LAS (pdal translate FILE points.las, or las2las -i FILE -o points.las)");
+  if (format > last_las_format)
+    bad_input(name, "point format " + std::to_string(format), "0 to " + std::to_string(last_las_format));
+  header.format = format;
+  header.length = las_value<std::uint16_t>(at + 105);
+  if (header.length < las_record_size(format))
+    bad_input(name, "point records of " + counted(header.length, "byte"),
+              "at least " + std::to_string(las_record_size(format)) + " of point format " + std::to_string(format));
+  header.count = point_count(bytes, header);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    header.scale[axis] = las_value<double>(at + 131 + 8 * axis);
+    header.offset[axis] = las_value<double>(at + 155 + 8 * axis);
+    const bool plane = axis < 2;  // the height matters where it is asked for
+    if (plane && (!std::isfinite(header.scale[axis]) || header.scale[axis] == 0))
+      bad_input(name, "a scale of " + in_quotes(ShortestText(header.scale[axis])), "a finite number other than 0");
+    if (plane && !std::isfinite(header.offset[axis]))
+      bad_input(name, "an offset of " + in_quotes(ShortestText(header.offset[axis])), "a finite number");
+  }
+  if (header.minor >= 4 && header.size >= header_size_of_4) {
+    header.extended_begin = las_value<std::uint64_t>(at + 235);
+    header.extended_records = las_value<std::uint32_t>(at + 243);
+  }
+  find_points(header, bytes, name);
+  return header;
+}
+
+}  // namespace rbpa::app

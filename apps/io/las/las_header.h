@@ -1,0 +1,38 @@
+// What: the public header block of a LAS file, versions 1.0 to 1.4.
+// Law:  every record that it speaks of lies within the bytes.
+// Source: ASPRS, LAS specification 1.4 R15, and those before it.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "io/scalar.h"
+
+namespace rbpa::app {
+
+/// A value of a LAS file, which is little-endian.
+template <typename T>
+T las_value(const char* at) {
+  return load<T>(at, std::endian::little);
+}
+
+struct LasHeader {
+  unsigned minor;   ///< of version 1.minor
+  unsigned format;  ///< of point records, 0 to 10
+  std::size_t size;
+  std::size_t records;                           ///< variable length records, which begin behind the header
+  std::size_t count;                             ///< of points
+  std::size_t length;                            ///< of a point record, with whatever follows the fields of its format
+  const char* points;                            ///< the first
+  std::size_t extended_begin, extended_records;  ///< variable length records behind the points, from 1.4 on
+  std::array<double, 3> scale, offset;
+};
+
+/// Throws BadInput when the bytes are no LAS file that can be read, naming what is wrong.
+LasHeader read_las_header(std::string_view bytes, const std::string& name);
+
+}  // namespace rbpa::app

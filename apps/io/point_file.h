@@ -1,0 +1,21 @@
+// What: points as a file has them, and what the file says about them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/crs.h"
+#include "rbpa/core/point.h"
+
+namespace rbpa::app {
+
+struct PointFile {
+  std::vector<Point> points = {};         ///< in the order of the file, all finite
+  std::optional<Crs> crs = std::nullopt;  ///< where the file names one
+  bool degrees = false;                   ///< x is a longitude and y a latitude, as a CRS or the names of columns say
+  /// What was found by itself and might be meant otherwise, or was left out: a sentence each, for people.
+  std::vector<std::string> remarks = {};
+};
+
+}  // namespace rbpa::app

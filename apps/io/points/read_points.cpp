@@ -1,0 +1,77 @@
+#include "io/points/read_points.h"
+
+#include <utility>
+
+#include "io/failure.h"
+#include "io/gis/geojson_points.h"
+#include "io/gis/wkt_points.h"
+#include "io/gunzip.h"
+#include "io/input_bytes.h"
+#include "io/las/las_points.h"
+#include "io/points/binary_points.h"
+#include "io/points/longitude.h"
+#include "io/points/npy_points.h"
+#include "io/points/off_points.h"
+#include "io/points/pgm_points.h"
+#include "io/points/ply_points.h"
+#include "io/points/png_points.h"
+#include "io/table/text_points.h"
+
+namespace rbpa::app {
+namespace {
+
+PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
+  switch (source.format) {
+    case PointFormat::npy:
+      return {.points = read_npy_points(bytes, name)};
+    case PointFormat::off:
+      return {.points = read_off_points(bytes, name)};
+    case PointFormat::ply:
+      return {.points = read_ply_points(bytes, name)};
+    case PointFormat::raw:
+      return {.points = read_raw_points(bytes, name)};
+    case PointFormat::png:
+      return {.points = read_png_points(bytes, name, source.pixels)};
+    case PointFormat::pgm:
+      return {.points = read_pgm_points(bytes, name, source.pixels)};
+    case PointFormat::las:
+      return read_las_points(bytes, name, source.where);
+    case PointFormat::geojson:
+      return read_geojson_points(bytes, name, source.vertices);
+    case PointFormat::wkt:
+      return read_wkt_points(bytes, name, source.vertices);
+    case PointFormat::text:
+      break;
+  }
+  return read_text_points(
+      bytes, name, {.columns = source.columns, .skip_invalid = source.skip_invalid, .vertices = source.vertices});
+}
+
+/// What the command line says of the system of the points counts more than what the file says.
+void settle_crs(PointFile& file, const std::optional<Crs>& said) {
+  if (said && file.crs && file.crs->text() != said->text())
+    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
+  if (said) file.crs = said;
+  if (file.crs && file.crs->degrees) file.degrees = true;
+}
+
+}  // namespace
+
+PointFile read_points(const PointSource& source) {
+  InputBytes input(source.path, "a file of points");
+  // Numbers may begin like a gzip file.
+  if (is_gzip(input.bytes()) && (source.format != PointFormat::raw || is_gzip_name(source.path))) input.gunzip();
+  return points_in(input.bytes(), input.name(), source);
+}
+
+PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source) {
+  // No points may be meant; no bytes at all come from a command that failed before.
+  if (bytes.empty()) bad_input(name, "an empty file", "points");
+  PointFile file = parse(bytes, name, source);
+  settle_crs(file, source.crs);
+  if (source.shift_longitude) shift_longitude(file, name);
+  if (file.degrees) remark_on_degrees(file);
+  return file;
+}
+
+}  // namespace rbpa::app

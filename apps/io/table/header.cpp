@@ -1,0 +1,81 @@
+#include "io/table/header.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <string>
+#include <tuple>
+
+namespace rbpa::app {
+namespace {
+
+/// Names that go together. Letters and digits count, small; what is in brackets, a unit, does not.
+struct Names {
+  std::vector<std::string_view> x, y;
+  bool degrees = false;
+};
+const std::vector<Names>& known_names() {
+  static const std::vector<Names> known = {
+      {{"lon", "lng", "long", "longitude", "decimallongitude", "longitudedeg", "londeg"},
+       {"lat", "latitude", "decimallatitude", "latitudedeg", "latdeg"},
+       true},
+      {{"x", "xcoord", "xcoordinate", "coordx", "coordinatex", "xcoor", "pointx", "posx", "positionx", "utmx"},
+       {"y", "ycoord", "ycoordinate", "coordy", "coordinatey", "ycoor", "pointy", "posy", "positiony", "utmy"}},
+      {{"easting", "eastings", "east", "e", "utmeasting", "rechtswert", "ostwert"},
+       {"northing", "northings", "north", "n", "utmnorthing", "hochwert", "nordwert"}}};
+  return known;
+}
+constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
+                                          "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
+
+std::string folded(std::string_view name) {
+  std::string result;
+  for (const char c : name.substr(0, std::min(name.find_first_of("(["), name.size())))
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// The first column that has one of the names.
+template <typename Known>
+std::optional<std::size_t> find_first(const std::vector<std::string>& header, const Known& names) {
+  const auto found = std::find_first_of(header.begin(), header.end(), std::begin(names), std::end(names));
+  if (found == header.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+std::vector<std::string> all_folded(const std::vector<std::string_view>& header) {
+  std::vector<std::string> names;
+  for (const std::string_view name : header) names.push_back(folded(name));
+  return names;
+}
+
+bool is_one_of(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), folded(name)) != names.end();
+}
+
+}  // namespace
+
+std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header) {
+  const std::vector<std::string> names = all_folded(header);
+  std::optional<NamedColumns> best;
+  const auto rank = [](const NamedColumns& found) {
+    return std::tuple(std::max(found.x, found.y) > 1, std::min(found.x, found.y));
+  };
+  for (const Names& known : known_names()) {
+    const std::optional<std::size_t> x = find_first(names, known.x), y = find_first(names, known.y);
+    if (!x || !y) continue;
+    const NamedColumns found{*x, *y, known.degrees};
+    if (!best || rank(found) < rank(*best)) best = found;
+  }
+  return best;
+}
+
+bool is_longitude(std::string_view name) { return is_one_of(known_names().front().x, name); }
+bool is_latitude(std::string_view name) { return is_one_of(known_names().front().y, name); }
+
+std::optional<std::size_t> find_wkt(const std::vector<std::string_view>& header) {
+  return find_first(all_folded(header), wkt_names);
+}
+
+}  // namespace rbpa::app

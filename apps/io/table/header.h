@@ -1,0 +1,27 @@
+// What: which columns are x and y, by the names that people give them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace rbpa::app {
+
+struct NamedColumns {
+  std::size_t x, y;  ///< from 0
+  bool degrees;      ///< they are called longitude and latitude
+};
+
+/// The columns whose names are a pair such as lon and lat, x and y, easting and northing, in whatever order and with
+/// whatever beside them. Of several pairs the one in the first two columns, else the one farthest to the left.
+std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
+
+/// Whether such a name is one of a longitude, a latitude.
+bool is_longitude(std::string_view name);
+bool is_latitude(std::string_view name);
+
+/// The column of geometries in well-known text, called wkt, geom, geometry or the like.
+std::optional<std::size_t> find_wkt(const std::vector<std::string_view>& header);
+
+}  // namespace rbpa::app

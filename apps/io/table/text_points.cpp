@@ -1,0 +1,323 @@
+#include "io/table/text_points.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "io/failure.h"
+#include "io/gis/wkt_geometry.h"
+#include "io/interrupt.h"
+#include "io/number.h"
+#include "io/table/fields.h"
+#include "io/table/header.h"
+#include "io/table/separator.h"
+
+namespace rbpa::app {
+namespace {
+
+/// With a decimal point or comma.
+bool is_number(std::string_view field) {
+  std::string text(field);
+  std::replace(text.begin(), text.end(), ',', '.');
+  return parse_whole_number(text).fault != NumberFault::not_a_number;
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  const auto same_letter = [](char p, char q) {
+    return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_letter);
+}
+
+/// What programs write where there is no value.
+bool is_missing(std::string_view field) {
+  constexpr std::string_view signs[] = {"", "NA", "N/A", "#N/A", "NaN", "-NaN", "null", "none", "nil", "-", "\\N"};
+  return std::any_of(std::begin(signs), std::end(signs), [&](std::string_view sign) { return same_name(field, sign); });
+}
+
+class TextReader {
+ public:
+  TextReader(std::string_view text, const std::string& name, const TableRule& rule)
+      : text_(text), lines_(text), name_(name), rule_(rule) {}
+
+  PointFile read() {
+    if (!lines_.next_with_content()) {
+      if (rule_.columns && (rule_.columns->x.number == 0 || rule_.columns->y.number == 0))
+        bad_input(name_, "no header line", "one with the column names");
+      return {};
+    }
+    const bool header = take_header();
+    if (header && !lines_.next_with_content()) return std::move(file_);
+    separator_ = data_separator();
+    if (!header) first_line_ = lines_.number();
+    first_point_ = lines_.number();
+
+    // A point takes four characters or more; room that is not used costs nothing.
+    file_.points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text_.size() / 4 + 1));
+    do {
+      take_line();
+      if (width_ && !wkt_ && !decimal_comma_) read_plain_lines();
+    } while (lines_.next_with_content());
+    tell();
+    return std::move(file_);
+  }
+
+ private:
+  std::string here() const { return at_line(name_, lines_.number()); }
+
+  /// Finds the columns; whether the current line is the header.
+  bool take_header() {
+    const std::vector<std::string_view> fields = split(lines_.line(), separator_of(lines_.line()));
+    if (rule_.columns) {
+      const auto position = [&](const Column& column) {
+        return column.number > 0 ? column.number - 1 : find_name(fields, column.name);
+      };
+      x_ = position(rule_.columns->x);
+      y_ = position(rule_.columns->y);
+    } else if (find_by_header(fields)) {
+      return accept_header(fields);
+    }
+    const bool by_name = rule_.columns && (rule_.columns->x.number == 0 || rule_.columns->y.number == 0);
+    const std::size_t needed = std::max(x_, y_) + 1;
+    if (fields.size() < needed) {
+      const bool text_only = std::none_of(fields.begin(), fields.end(), is_number);
+      bad_input(here(), text_only ? in_quotes(lines_.line()) : counted(fields.size(), "column"),
+                needed == 2 ? (text_only ? "two numbers" : "two columns")
+                            : "at least " + counted(needed, "column") + ", as --columns asks");
+    }
+    if (x_ == y_) refuse_one_column(fields[x_]);  // under two names, or by name and by number
+    if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) return false;
+    if (!by_name && is_missing(fields[x_]) && is_missing(fields[y_])) return false;
+    file_.degrees = is_longitude(fields[x_]) && is_latitude(fields[y_]);
+    if (is_latitude(fields[x_]) && is_longitude(fields[y_]))
+      file_.remarks.push_back("x is the latitude " + in_quotes(fields[x_]) + " and y the longitude " +
+                              in_quotes(fields[y_]) + ", as --columns asks");
+    return accept_header(fields);
+  }
+
+  bool accept_header(const std::vector<std::string_view>& fields) {
+    first_line_ = lines_.number();
+    header_ = lines_.line();
+    width_ = fields.size();
+    return true;
+  }
+
+  /// Whether the line is a header with names that say where the points are.
+  bool find_by_header(const std::vector<std::string_view>& fields) {
+    if (const std::optional<NamedColumns> found = find_coordinates(fields)) {
+      x_ = found->x;
+      y_ = found->y;
+      file_.degrees = found->degrees;
+      if (x_ != 0 || y_ != 1)
+        file_.remarks.push_back("x is column " + std::to_string(x_ + 1) + ", " + in_quotes(fields[x_]) +
+                                ", and y is column " + std::to_string(y_ + 1) + ", " + in_quotes(fields[y_]) +
+                                ", as the header says (--columns chooses others)");
+      return true;
+    }
+    wkt_ = find_wkt(fields);
+    return wkt_.has_value();
+  }
+
+  std::size_t find_name(const std::vector<std::string_view>& fields, const std::string& wanted) const {
+    auto found = std::find(fields.begin(), fields.end(), wanted);
+    if (found == fields.end())
+      found =
+          std::find_if(fields.begin(), fields.end(), [&](std::string_view field) { return same_name(field, wanted); });
+    if (found == fields.end())
+      bad_input(here(), in_quotes(lines_.line()), "a header with a column " + in_quotes(wanted));
+    return static_cast<std::size_t>(found - fields.begin());
+  }
+
+  /// That of the line, which is the first of data. The commas of a geometry separate none of its fields.
+  char data_separator() const {
+    if (!wkt_) return separator_of(lines_.line());
+    return header_.find_first_of(",;\t") == std::string_view::npos ? ';' : separator_of(header_);
+  }
+
+  /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
+  void read_plain_lines() {
+    for (Point p; const char* behind = read_plain_line(p); lines_.pass_line(behind)) {
+      if (file_.points.size() % 16384 == 0) stop_if_interrupted();
+      file_.points.push_back(p);
+    }
+  }
+
+  /// Where the next line ends, when it is plain and a point; else null.
+  const char* read_plain_line(Point& p) const {
+    const char* at = lines_.rest().data();
+    const char* const end = at + lines_.rest().size();
+    const auto skip_blanks = [&](char but) {
+      while (at != end && is_blank(*at) && *at != but) ++at;
+    };
+    const char kept = separator_ == blanks ? '\0' : separator_;  // a tab may be the separator
+    skip_blanks('\0');
+    for (std::size_t column = 0; column < *width_; ++column) {
+      if (column > 0) {
+        const char* const field_end = at;
+        skip_blanks(kept);
+        if (separator_ == blanks) {
+          if (at == field_end) return nullptr;
+        } else {
+          if (at == end || *at != separator_) return nullptr;
+          ++at;
+          skip_blanks(kept);
+        }
+      }
+      if (column == x_ || column == y_) {
+        const ParsedNumber number = parse_number(at, end);
+        if (number.fault != NumberFault::none) return nullptr;
+        if (column == x_) p.x = number.value;
+        if (column == y_) p.y = number.value;
+        at = number.end;
+      } else {
+        const char* const field = at;
+        while (at != end && !is_blank(*at) && *at != separator_ && *at != '\n' && *at != '"' && *at != '#') ++at;
+        if (at == field) return nullptr;
+      }
+    }
+    skip_blanks('\0');
+    return at == end || *at == '\n' ? at : nullptr;
+  }
+
+  /// The points of the current line, or a note that there are none.
+  void take_line() {
+    try {
+      wkt_ ? read_geometries() : read_point();
+    } catch (const BadInput& refusal) {
+      if (!rule_.skip_invalid) throw;
+      if (skipped_++ == 0) first_skipped_ = refusal.what();
+    }
+  }
+
+  void read_point() {
+    Fields fields(lines_.line(), separator_);
+    std::optional<double> x, y;
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      if (count == x_ || count == y_) {
+        const double value = read_number(fields);
+        if (count == x_) x = value;
+        if (count == y_) y = value;
+      } else {
+        fields.take();
+      }
+    }
+    take_width(count);
+    file_.points.push_back({*x, *y});
+  }
+
+  void take_width(std::size_t count) {
+    if (!width_) width_ = count;
+    if (count != *width_)
+      bad_input(here(), counted(count, "column") + " (" + in_quotes(lines_.line()) + ")",
+                std::to_string(*width_) + " as in line " + std::to_string(first_line_));
+  }
+
+  /// The geometries of the current line, in its field of well-known text.
+  void read_geometries() {
+    Fields fields(lines_.line(), separator_);
+    std::string_view text;
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      const std::string_view field = without_quotes(fields.take());
+      if (count == *wkt_) text = field;
+    }
+    take_width(count);
+    const std::size_t first = file_.points.size();
+    WktGeometries geometries(text, rule_.vertices);
+    try {
+      while (geometries.next(file_.points)) continue;
+    } catch (const WktFault& fault) {
+      file_.points.resize(first);
+      bad_input(here(), fault.found, fault.expected);
+    }
+    if (file_.points.size() == first)
+      bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + skip_hint());
+    if (!geometries.crs()) return;
+    if (file_.crs && file_.crs->code != geometries.crs()->code)
+      bad_input(here(), geometries.crs()->text(), file_.crs->text() + " as in lines before");
+    file_.crs = geometries.crs();
+  }
+
+  double read_number(Fields& fields) {
+    const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
+    const bool whole_field = number.fault == NumberFault::none && !decimal_comma_ && fields.take_up_to(number.end);
+    if (whole_field) return number.value;
+    const std::string_view field = without_quotes(fields.take());
+    if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
+    if (decimal_comma_ && field.find('.') != std::string_view::npos)
+      bad_input(here(), in_quotes(field), "a number with a decimal comma, as in line " + std::to_string(comma_line_));
+    const ParsedNumber whole = parse_whole_number(field);
+    if (whole.fault != NumberFault::none)
+      bad_input(here(), in_quotes(field),
+                expected_instead(whole.fault) + (is_missing(field) ? skip_hint() : hint(whole.fault)));
+    return whole.value;
+  }
+
+  /// A sign is either: numbers with a point before this one leave it no number.
+  double read_decimal_comma(std::string_view field) {
+    std::string text(field);
+    const bool one = std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos;
+    std::replace(text.begin(), text.end(), ',', '.');
+    const ParsedNumber number = parse_whole_number(text);
+    if (!one || number.fault != NumberFault::none)
+      bad_input(here(), in_quotes(field), expected_instead(one ? number.fault : NumberFault::not_a_number));
+    if (!decimal_comma_) {
+      const auto is_whole = [](const Point& p) { return std::trunc(p.x) == p.x && std::trunc(p.y) == p.y; };
+      if (!std::all_of(file_.points.begin(), file_.points.end(), is_whole))
+        bad_input(here(), in_quotes(field), "a number with a decimal point, as in lines before");
+      decimal_comma_ = true;
+      comma_line_ = lines_.number();
+      file_.remarks.push_back("the decimal sign is a comma: " + shown(field) + " is read as " + shown(text));
+    }
+    return number.value;
+  }
+
+  std::string skip_hint() const {
+    return rule_.skip_invalid ? "" : " (--skip-invalid leaves out lines that are no point)";
+  }
+
+  /// The first point has text where a number should be: others of its columns may be meant.
+  std::string hint(NumberFault fault) const {
+    if (fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
+    if (split(lines_.line(), separator_).size() <= 2) return "";
+    return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
+  }
+
+  /// What was left out.
+  void tell() {
+    if (skipped_ == 0) return;
+    if (file_.points.empty())
+      bad_input(name_, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
+    file_.remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
+                            " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
+  }
+
+  std::string_view text_;
+  Lines lines_;
+  const std::string& name_;
+  const TableRule& rule_;
+  PointFile file_ = {};
+  char separator_ = blanks;
+  std::size_t x_ = 0;
+  std::size_t y_ = 1;
+  std::optional<std::size_t> wkt_ = std::nullopt;    // the column of geometries, in place of both
+  std::size_t first_line_ = 0;                       // the line that says how many columns there are
+  std::optional<std::size_t> width_ = std::nullopt;  // how many
+  std::string_view header_ = {};                     // empty without one
+  std::size_t first_point_ = 0;                      // its line
+  bool decimal_comma_ = false;                       // and no decimal point
+  std::size_t comma_line_ = 0;                       // that has shown it
+  std::size_t skipped_ = 0;
+  std::string first_skipped_ = {};
+};
+
+}  // namespace
+
+PointFile read_text_points(std::string_view text, const std::string& name, const TableRule& rule) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
+  return TextReader(text, name, rule).read();
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,29 @@
+// What: points from a table in text, one a line.
+// Law:  every line is a point, a comment ('#'), blank, or the one header; anything else is refused by its line, or left
+//       out and counted.
+// Cost: one pass.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/point_file.h"
+#include "io/table/columns.h"
+
+namespace rbpa::app {
+
+struct TableRule {
+  std::optional<Columns> columns = std::nullopt;  ///< absent: as the header names them, else the first two
+  bool skip_invalid = false;                      ///< leave out lines that are no point, and say how many
+  bool vertices = false;                          ///< take those of lines and polygons in a column of geometries
+};
+
+/// The separator is the first of comma, semicolon, tab and blanks that the first line of data contains; but where every
+/// comma stands inside a number, as in "1,5;2,5", it is a decimal sign. Fields may stand in double quotes (not with
+/// blanks). A first line without a number in either column is a header; where its names are known, such as lat and lon,
+/// they say which columns are x and y, or that there is one of geometries in well-known text. All lines have the same
+/// number of columns. Throws BadInput naming the line, and WrongUsage when both columns turn out to be one.
+PointFile read_text_points(std::string_view text, const std::string& name, const TableRule& rule);
+
+}  // namespace rbpa::app

@@ -1,0 +1,201 @@
+// GeoJSON in: every geometry, in whatever order its members stand, and what is none.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/gis/geojson_points.h"
+#include "io/number.h"
+#include "support/program.h"
+
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+PointFile read(const std::string& text, bool vertices = false) {
+  return read_geojson_points(text, "p.geojson", vertices);
+}
+
+std::string refusal(const std::string& text, bool vertices = true) {
+  try {
+    read(text, vertices);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::string geometry(const std::string& type, const std::string& coordinates) {
+  std::string text = R"({"type":")";
+  text += type;
+  text += R"(","coordinates":)";
+  text += coordinates;
+  return text += "}";
+}
+
+std::string features(const std::vector<std::string>& geometries, const std::string& member = "") {
+  std::string text = R"({"type":"FeatureCollection",)";
+  text += member;
+  text += R"("features":[)";
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    text += i == 0 ? "\n" : ",\n";
+    text += R"({"type":"Feature","properties":{"coordinates":[7,7],"geometry":{"type":1}},"geometry":)";
+    text += geometries[i];
+    text += "}";
+  }
+  return text += "\n]}\n";
+}
+
+}  // namespace
+
+TEST_SUITE("GeoJSON in") {
+  TEST_CASE("points, wherever they stand") {
+    const std::vector<Point> expected = {{1, 2}, {-3.5, 400}};
+    const std::string first = geometry("Point", "[1,2]"), second = geometry("Point", "[-3.5,4e2,9]");
+    const std::string texts[] = {features({first, second}),
+                                 features({geometry("MultiPoint", "[[1,2],[-3.5,400]]")}),
+                                 geometry("MultiPoint", "[[1,2],[-3.5,400]]"),
+                                 R"({"type":"GeometryCollection","geometries":[)" + first + "," + second + "]}",
+                                 R"({"coordinates":[[1,2],[-3.5,400]],"type":"MultiPoint"})",
+                                 R"({"features":[{"geometry":)" + first + R"(,"type":"Feature"},{"geometry":)" +
+                                     second + R"(,"type":"Feature","bbox":[1,2,3,4]}],"type":"FeatureCollection"})",
+                                 first + "\n" + second + "\n",
+                                 "\x1E" + first + "\n\x1E" + second,
+                                 "\xEF\xBB\xBF" + features({first, geometry("MultiPoint", "[]"), second}),
+                                 R"({"type":"Feature","properties":null,"geometry":)" +
+                                     geometry("MultiPoint", " [ [ 1 , 2 ] , [ -3.5 , 400 ] ] ") + "}"};
+    for (const std::string& text : texts) {
+      CAPTURE(text);
+      CHECK(read(text).points == expected);
+      CHECK(read(text, true).points == expected);
+    }
+  }
+
+  TEST_CASE("vertices of lines and polygons; the point at which a ring closes counts once") {
+    const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (const std::string& text :
+         {geometry("LineString", "[[0,0],[1,0],[1,1],[0,1]]"), geometry("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]"),
+          geometry("Polygon", "[[[0,0],[1,0]],[[1,1],[0,1],[1,1]]]"),
+          std::string(R"({"coordinates":[[[0,0],[1,0],[0,0]],[[1,1],[0,1],[1,1]]],"type":"Polygon"})"),
+          geometry("MultiLineString", "[[[0,0],[1,0]],[[1,1],[0,1]]]"),
+          geometry("MultiPolygon", "[[[[0,0],[1,0],[0,0]]],[],[[[1,1],[0,1],[1,1]]]]"),
+          features({geometry("Polygon", "[[[0,0],[1,0],[0,0]]]"), geometry("Polygon", "[[[1,1],[0,1],[1,1]]]")})}) {
+      CAPTURE(text);
+      CHECK(read(text, true).points == square);
+      CHECK(refusal(text, false)
+                .find(", expected Point or MultiPoint (--vertices takes the vertices of lines and polygons)") !=
+            std::string::npos);
+    }
+    CHECK(read(geometry("LineString", "[[0,0],[1,0],[0,0]]"), true).points.size() == 3);
+  }
+
+  TEST_CASE("every double to the last bit") {
+    std::mt19937_64 random(7);
+    std::vector<Point> points = {{-0.0, 0.0}, {0.0, -0.0}, {9007199254740993.0, -9223372036854775808.0}, {1.5, -0.0}};
+    std::string text =
+        R"({"type":"MultiPoint","coordinates":[[-0,0],[0 , -0 ],[9007199254740993,-9223372036854775808],[1.5,-0.0])";
+    while (points.size() < 2000) {
+      const std::uint64_t x = random(), y = random();
+      const Point p{std::bit_cast<double>(x), std::bit_cast<double>(y)};
+      if (!rbpa::is_finite(p)) continue;
+      points.push_back(p);
+      text += ",[" + std::string(ShortestText(p.x)) + "," + std::string(ShortestText(p.y)) + "]";
+    }
+    const std::vector<Point> found = read(text + "]}").points;
+    REQUIRE(found.size() == points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      CAPTURE(i);
+      CHECK(std::bit_cast<std::uint64_t>(found[i].x) == std::bit_cast<std::uint64_t>(points[i].x));
+      CHECK(std::bit_cast<std::uint64_t>(found[i].y) == std::bit_cast<std::uint64_t>(points[i].y));
+    }
+  }
+
+  TEST_CASE("degrees of WGS 84, unless it says another system") {
+    const auto crs = [](const std::string& member) {
+      const PointFile file = read(features({geometry("Point", "[1,2]")}, member));
+      CHECK(file.points == std::vector<Point>{{1, 2}});
+      return file.crs ? file.crs->text() : "none";
+    };
+    CHECK(crs("") == "EPSG:4326");
+    CHECK(crs(R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}},)") == "OGC:CRS84");
+    CHECK(crs(R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::28992"}},)") == "EPSG:28992");
+    CHECK(crs(R"("crs":{"properties":{"name":"EPSG:28992"},"type":"name"},)") == "EPSG:28992");
+    CHECK(crs(R"("crs":{"type":"EPSG","properties":{"code":31370}},)") == "EPSG:31370");
+    CHECK(crs(R"("crs":null,)") == "none");
+    CHECK(crs(R"("crs":{"type":"name","properties":{"name":"my yard"}},)") == "none");
+    CHECK(read(features({}, R"("crs":{"type":"name","properties":{"name":"my yard"}},)")).remarks ==
+          std::vector<std::string>{"the system of coordinates is 'my yard', which is not understood (--crs says it)"});
+  }
+
+  TEST_CASE("features without a geometry are counted") {
+    const PointFile file = read(features({"null", geometry("Point", "[1,2]"), "null"}));
+    CHECK(file.points == std::vector<Point>{{1, 2}});
+    CHECK(file.remarks == std::vector<std::string>{"2 features without a geometry"});
+  }
+
+  TEST_CASE("what is no GeoJSON, by its line") {
+    const std::string at_1 = "p.geojson:1: found ";
+    CHECK(refusal("") == at_1 + "nothing but blanks, expected GeoJSON");
+    CHECK(refusal(" \n ") == "p.geojson:2: found nothing but blanks, expected GeoJSON");
+    CHECK(refusal("{\"type\":\"Point\",\n\"coordinates\":[1,]}") == "p.geojson:2: found '1,]', expected JSON");
+    CHECK(refusal("{\"type\":\"Point\",\n\"coordinates\":[1,2]") ==
+          "p.geojson:2: found the end of the file, expected JSON");
+    CHECK(refusal(geometry("Point", "[1,1e999]")) ==
+          at_1 + "'1e999', expected a number within the range of a double (up to 1.8e308)");
+    CHECK(refusal(geometry("Point", "[1,NaN]")) == at_1 + "'1,N', expected JSON");
+    CHECK(refusal("[1,2]") == at_1 + "an array, expected a GeoJSON object");
+    CHECK(refusal("17") == at_1 + "a number, expected a GeoJSON object");
+    CHECK(refusal("{}") ==
+          at_1 + "an object without a type, expected one of GeoJSON, such as FeatureCollection or MultiPoint");
+    CHECK(refusal(R"({"type":"Circle"})").starts_with(at_1 + "the type 'Circle', expected one of GeoJSON"));
+    CHECK(refusal(R"({"type":"Topology","objects":{}})") ==
+          at_1 + "TopoJSON, expected GeoJSON (ogr2ogr -f GeoJSON points.geojson FILE)");
+    CHECK(refusal(R"({"type":"Point"})") == at_1 + "a Point without coordinates, expected some");
+    CHECK(refusal(R"({"type":7})") == at_1 + "a number, expected a type: a text");
+    CHECK(refusal(R"({"type":"FeatureCollection","features":{}})") ==
+          at_1 + "an object, expected a list of GeoJSON objects");
+    CHECK(refusal(R"({"type":"FeatureCollection","features":[[]]})") ==
+          at_1 + "an array, expected a list of GeoJSON objects");
+    CHECK(refusal(R"({"type":"FeatureCollection","features":[null]})") ==
+          at_1 + "null, expected a list of GeoJSON objects");
+    CHECK(refusal(R"({"type":"Feature","geometry":[]})") == at_1 + "an array, expected a GeoJSON object");
+    CHECK(refusal(R"({"type":"Feature","coordinates":[1,2]})") ==
+          at_1 + "coordinates in a Feature, expected a geometry that has them");
+    CHECK(refusal(R"({"type":"Point","coordinates":[1,2],"coordinates":[1,2]})") ==
+          at_1 + "coordinates twice in an object, expected once");
+    const std::string positions = ", expected coordinates: positions of two numbers or more, in lists";
+    CHECK(refusal(geometry("Point", "[1]")) == at_1 + "one number" + positions);
+    CHECK(refusal(geometry("Point", "1")) == at_1 + "a number" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[1,[2,3]]")) == at_1 + "a list among numbers" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[[1,2],[[2,3]]]")) == at_1 + "positions in different brackets" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[[[[[1,2]]]]]")) == at_1 + "five brackets around each other" + positions);
+    CHECK(refusal(geometry("Point", "[\"1\",2]")) == at_1 + "'1', expected a list of coordinates");
+    CHECK(refusal(geometry("Point", "{}")) == at_1 + "an object, expected a list of coordinates");
+    CHECK(refusal(geometry("Point", "[[1,2]]")) ==
+          at_1 + "coordinates of another depth, expected 1 brackets, as a Point has");
+    CHECK(refusal(geometry("Polygon", "[[1,2]]")) ==
+          at_1 + "coordinates of another depth, expected 3 brackets, as a Polygon has");
+    // Brackets without end take no room.
+    CHECK(refusal(R"({"a":)" + std::string(1000000, '[')) == at_1 + "the end of the file, expected JSON");
+  }
+
+  TEST_CASE("on the command line: in a file, compressed, and what is said") {
+    const apps_test::Folder folder;
+    folder.file("p.geojson", features({geometry("MultiPoint", "[[5,52],[5.5,52],[5,52.5]]")}));
+    REQUIRE(folder.run("/bin/gzip", "-k p.geojson").code == 0);
+    for (const std::string name : {"p.geojson", "p.geojson.gz"}) {
+      const apps_test::Outcome outcome = folder.rbpa("info " + name);
+      CHECK(outcome.out.starts_with(
+          "points      3\ndistinct    3\nduplicates  0\ncrs         EPSG:4326\nbox         x 5 .. 5.5\n"));
+      CHECK(outcome.err.find("a degree of longitude is 0.61 to 0.62 of one of latitude there") != std::string::npos);
+    }
+    CHECK(folder.rbpa("info p.geojson --crs EPSG:28992").err ==
+          "rbpa: p.geojson: the file says EPSG:4326, and --crs EPSG:28992 is taken\n");
+    CHECK(folder.rbpa("info p.geojson --columns 1,2").err ==
+          "rbpa: --columns: found a format with fixed columns, expected text\n");
+  }
+}

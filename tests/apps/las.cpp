@@ -1,0 +1,338 @@
+// LAS against the bytes of its specification: every version, every point format, every field; and what is no LAS.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/points/read_points.h"
+#include "support/las_file.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+PointFile read(const std::string& bytes, const std::string& where = "") {
+  PointSource source{.path = "p.las", .format = PointFormat::las};
+  if (!where.empty()) source.where = Condition(where);
+  return points_in(bytes, "p.las", source);
+}
+
+std::string refusal(const std::string& bytes, const std::string& where = "") {
+  try {
+    read(bytes, where);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::string refused_condition(const std::string& text) {
+  try {
+    const Condition condition(text);
+  } catch (const WrongUsage& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// Formats that a version has.
+std::vector<unsigned> formats_of(unsigned minor) {
+  const unsigned last[] = {1, 1, 3, 5, 10};
+  std::vector<unsigned> formats;
+  for (unsigned format = 0; format <= last[minor]; ++format) formats.push_back(format);
+  return formats;
+}
+
+template <typename Check>
+void for_each_layout(const Check& check) {
+  for (unsigned minor = 0; minor <= 4; ++minor)
+    for (const unsigned format : formats_of(minor))
+      for (const unsigned extra : {0U, 5U}) {
+        CAPTURE(minor);
+        CAPTURE(format);
+        CAPTURE(extra);
+        check(LasFile{.minor = minor, .format = format, .extra_bytes = extra});
+      }
+}
+
+/// Two points that differ in every field.
+std::vector<LasPoint> two_points(const LasFile& file) {
+  const bool flags = file.minor > 0;
+  return {{.x = 1, .y = 2, .z = 3},
+          {.x = -1000,
+           .y = 2147483647,
+           .z = -7,
+           .intensity = 65535,
+           .return_number = 5,
+           .number_of_returns = 7,
+           .scan_direction = 1,
+           .edge = 1,
+           .classification = file.format < 6 && flags ? 21U : 201U,
+           .synthetic = flags ? 1U : 0U,
+           .key_point = flags ? 1U : 0U,
+           .withheld = flags ? 1U : 0U,
+           .overlap = 1,
+           .channel = 2,
+           .scan_angle = file.format < 6 ? -90 : -15000,
+           .user_data = 129,
+           .source = 40000,
+           .time = 12345.625,
+           .red = 1000,
+           .green = 50000,
+           .blue = 3,
+           .infrared = 60000}};
+}
+
+}  // namespace
+
+TEST_SUITE("las") {
+  TEST_CASE("every version and point format") {
+    for_each_layout([](LasFile file) {
+      file.points = two_points(file);
+      file.records = {{"somebody", 7, "anything"}, {"LASF_Spec", 4, std::string(192, 'x')}};
+      const std::vector<Point> expected = {{0.01, 0.02}, {-10, 21474836.47}};
+      CHECK(read(bytes_of(file)).points == expected);
+      file.signature_counts = true;  // as some writers of 1.0 have it
+      CHECK(read(bytes_of(file)).points == expected);
+    });
+  }
+
+  TEST_CASE("every field of every format tells two points apart") {
+    for_each_layout([](LasFile file) {
+      file.points = two_points(file);
+      const bool is_new = file.format >= 6, flags = file.minor > 0;
+      const bool time = is_new || file.format == 1 || file.format >= 3;
+      const bool colour =
+          is_new ? file.format != 6 && file.format != 9 : file.format % 4 == 2 || file.format == 3 || file.format == 5;
+      const bool infrared = file.format == 8 || file.format == 10;
+      struct Field {
+        std::string condition;
+        bool there = true;
+      };
+      const Field fields[] = {{"x == -10"},
+                              {"y > 21474836.46"},
+                              {"z = -0.07"},
+                              {"intensity == 65535"},
+                              {"return_number == 5"},
+                              {"NumberOfReturns == 7"},
+                              {"scan_direction_flag"},
+                              {"EdgeOfFlightLine == 1"},
+                              {"classification == " + std::to_string(file.points[1].classification)},
+                              {"synthetic == 1", flags},
+                              {"key_point == 1", flags},
+                              {"withheld == 1", flags},
+                              {"overlap == 1", is_new},
+                              {"scanner_channel == 2", is_new},
+                              {"scan_angle == -90"},
+                              {"user_data == 129"},
+                              {"PointSourceId == 40000"},
+                              {"gps_time == 12345.625", time},
+                              {"red == 1000", colour},
+                              {"green == 50000", colour},
+                              {"blue == 3", colour},
+                              {"infrared == 60000", infrared}};
+      for (const Field& field : fields) {
+        CAPTURE(field.condition);
+        if (field.there) {
+          CHECK(read(bytes_of(file), field.condition).points == std::vector<Point>{{-10, 21474836.47}});
+          CHECK(read(bytes_of(file), "not (" + field.condition + ")").points == std::vector<Point>{{0.01, 0.02}});
+        } else {
+          CHECK(refusal(bytes_of(file), field.condition).find("expected one with ") != std::string::npos);
+        }
+      }
+    });
+  }
+
+  TEST_CASE("coordinates are the nearest doubles of the decimals that they are") {
+    std::mt19937_64 random(5);
+    struct Grid {
+      double scale, offset;
+      int places;
+    };
+    for (const Grid& grid :
+         {Grid{0.01, 0, 2}, Grid{0.001, 500000, 3}, Grid{0.0001, -6328493.4188, 4}, Grid{1e-7, 180, 7},
+          Grid{0.25, 0.5, 2}, Grid{1, 0, 0}, Grid{100, 7, 0}, Grid{-0.01, 3, 2}}) {
+      CAPTURE(grid.scale);
+      LasFile file{.scale = {grid.scale, grid.scale, 1}, .offset = {grid.offset, 0, 0}};
+      for (int i = 0; i < 1000; ++i)
+        file.points.push_back({.x = static_cast<std::int32_t>(random()), .y = static_cast<std::int32_t>(random())});
+      const std::vector<Point> points = read(bytes_of(file)).points;
+      REQUIRE(points.size() == 1000);
+      const std::int64_t power = std::llround(std::pow(10, grid.places));
+      const auto scaled = [&](double value) { return std::llround(value * static_cast<double>(power)); };
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        // As text, which strtod() rounds.
+        const auto nearest = [&](std::int32_t value, double offset) {
+          std::int64_t n = value * scaled(grid.scale) + scaled(offset);
+          std::string text = n < 0 ? "-" : "";
+          if (n < 0) n = -n;
+          text += std::to_string(n) + "e-" + std::to_string(grid.places);
+          return std::strtod(text.c_str(), nullptr);
+        };
+        CHECK(points[i] == Point{nearest(file.points[i].x, grid.offset), nearest(file.points[i].y, 0)});
+      }
+    }
+  }
+
+  TEST_CASE("a scale that is no short decimal: the rule of the specification") {
+    const double scale = 1.029520741639058e-06, offset = 6328493.418841014;
+    const LasFile file{.scale = {scale, scale, 1}, .offset = {offset, 0, 0}, .points = {{.x = 1717425, .y = -99}}};
+    CHECK(read(bytes_of(file)).points == std::vector<Point>{{1717425 * scale + offset, -99 * scale}});
+  }
+
+  TEST_CASE("the coordinate reference system: text before keys, and keys that say nothing") {
+    const auto keys = [](std::vector<std::vector<unsigned>> entries) {
+      std::string data = little(1, 2) + little(1, 2) + little(0, 2) + little(entries.size(), 2);
+      for (const auto& entry : entries)
+        for (const unsigned number : entry) data += little(number, 2);
+      return LasRecord{"LASF_Projection", 34735, data};
+    };
+    const LasRecord text{"LASF_Projection", 2112,
+                         "PROJCS[\"Amersfoort / RD New\",GEOGCS[\"Amersfoort\",AUTHORITY[\"EPSG\",\"4289\"]],"
+                         "AUTHORITY[\"EPSG\",\"28992\"]]" +
+                             std::string(1, '\0')};
+    const LasRecord newer{
+        "LASF_Projection", 2112,
+        "PROJCRS[\"WGS 84 / UTM zone 31N\",BASEGEOGCRS[\"WGS 84\",ID[\"EPSG\",4326]],ID[\"EPSG\",32631]]"};
+    const auto crs = [](LasFile file) {
+      file.points = {{}};
+      const auto found = read(bytes_of(file)).crs;
+      return found ? found->text() + (found->degrees ? " in degrees" : "") : "none";
+    };
+    CHECK(crs({}) == "none");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26915}})}}) == "EPSG:26915");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 2}, {2048, 0, 1, 4269}})}}) == "EPSG:4269 in degrees");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {2048, 0, 1, 4269}, {3072, 0, 1, 32767}})}}) == "none");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {2048, 0, 1, 4269}})}}) == "none");
+    CHECK(crs({.records = {keys({{3072, 34737, 1, 26915}})}}) == "none");
+    CHECK(crs({.records = {{"other", 34735, keys({{3072, 0, 1, 26915}}).data}}}) == "none");
+    CHECK(crs({.records = {keys({{3072, 0, 1, 26915}}), text}}) == "EPSG:28992");
+    CHECK(crs({.minor = 4, .format = 6, .extended = {newer}}) == "EPSG:32631");
+    CHECK(crs({.records = {{"LASF_Projection", 2112, "LOCAL_CS[\"a yard\"]"}}}) == "none");
+  }
+
+  TEST_CASE("records that claim too much are passed over: they are about the points only") {
+    LasFile file{.records = {{"a", 1, "0123456789"}}, .points = {{.x = 5}}};
+    std::string bytes = bytes_of(file);
+    bytes.replace(100, 4, little(4000000000U, 4));
+    CHECK(read(bytes).points == std::vector<Point>{{0.05, 0}});
+    bytes.replace(227 + 20, 2, little(65535, 2));
+    CHECK(read(bytes).points == std::vector<Point>{{0.05, 0}});
+  }
+
+  TEST_CASE("what is broken, is another format, or claims too much") {
+    const LasFile file{.minor = 4, .format = 6, .points = {{}, {.x = 1}, {.x = 2}}};
+    const std::string good = bytes_of(file);
+    const auto with = [&](std::size_t at, const std::string& bytes) {
+      std::string changed = good;
+      return changed.replace(at, bytes.size(), bytes);
+    };
+    const std::string name = "p.las: found ";
+    CHECK(refusal("LAS") == name + "'LAS', expected a LAS file, which begins with 'LASF'");
+    CHECK(refusal(good.substr(0, 226)) == name + "226 bytes, expected a LAS header, of at least 227");
+    CHECK(refusal(with(24, little(2, 1))) == name + "LAS version 2.4, expected 1.0 to 1.4");
+    CHECK(refusal(with(25, little(5, 1))) == name + "LAS version 1.5, expected 1.0 to 1.4");
+    CHECK(refusal(with(94, little(100, 2))) ==
+          name + "a header size of 100, expected from 227 to the size of the file, 465");
+    CHECK(refusal(with(94, little(466, 2))).find("a header size of 466") != std::string::npos);
+    CHECK(refusal(with(96, little(374, 4))) ==
+          name + "an offset to point data of 374, expected one behind the header, from 375 to 465");
+    CHECK(refusal(with(96, little(466, 4))).find("an offset to point data of 466") != std::string::npos);
+    CHECK(refusal(with(104, little(6 | 0x80, 1))) == name +
+                                                         "LAZ, which is compressed, expected LAS (pdal translate FILE "
+                                                         "points.las, or las2las -i FILE -o points.las)");
+    CHECK(refusal(with(104, little(11, 1))) == name + "point format 11, expected 0 to 10");
+    CHECK(refusal(with(105, little(29, 2))) ==
+          name + "point records of 29 bytes, expected at least 30 of point format 6");
+    CHECK(refusal(with(105, little(0, 2))).find("point records of 0 bytes") != std::string::npos);
+    CHECK(refusal(good.substr(0, 464)) ==
+          name + "89 bytes of points, which are 2 whole records, expected 3 records of 30 bytes as the header says");
+    CHECK(refusal(with(247, little(~std::uint64_t{0}, 8))).find("expected 18446744073709551615 records") !=
+          std::string::npos);
+    CHECK(refusal(with(131, little(0.0))) == name + "a scale of '0', expected a finite number other than 0");
+    CHECK(refusal(with(139, little(std::nan("")))).find("a scale of 'nan'") != std::string::npos);
+    CHECK(refusal(with(155, little(HUGE_VAL))) == name + "an offset of 'inf', expected a finite number");
+    CHECK(refusal(with(131, little(1e300))).find("expected coordinates within the range of a double") !=
+          std::string::npos);
+  }
+
+  TEST_CASE("conditions: what they mean, and what is none") {
+    LasFile file{.minor = 4, .format = 7, .scale = {1, 1, 1}};
+    for (unsigned i = 0; i < 64; ++i)
+      file.points.push_back(
+          {.x = static_cast<std::int32_t>(i), .return_number = 1 + i % 4, .classification = i % 8, .red = i});
+    const std::string bytes = bytes_of(file);
+    const auto count = [&](const std::string& where, const auto& holds) {
+      CAPTURE(where);
+      std::vector<Point> expected;
+      for (unsigned i = 0; i < 64; ++i)
+        if (holds(i)) expected.push_back({static_cast<double>(i), 0});
+      CHECK(read(bytes, where).points == expected);
+    };
+    count("classification==6 and return_number==3", [](unsigned i) { return i % 8 == 6; });
+    count("Classification = 4 AND ReturnNumber = 1", [](unsigned i) { return i % 8 == 4; });
+    count("classification in (2, 6)", [](unsigned i) { return i % 4 == 2; });
+    count("classification not in (2, 6)", [](unsigned i) { return i % 4 != 2; });
+    count("red < 10 or red >= 60 and classification != 6",
+          [](unsigned i) { return i < 10 || (i >= 60 && i % 8 != 6); });
+    count("(red < 10 or red >= 60) and classification <> 6",
+          [](unsigned i) { return (i < 10 || i >= 60) && i % 8 != 6; });
+    count("!(red<=5) && !red>6", [](unsigned i) { return i == 6; });
+    count("5 < red <= 7", [](unsigned i) { return i == 6 || i == 7; });
+    count("1e1 > x || x==63", [](unsigned i) { return i < 10 || i == 63; });
+    count("z > -0.5", [](unsigned) { return true; });
+    count("red", [](unsigned i) { return i != 0; });
+    CHECK(read(bytes, "red == 1").remarks == std::vector<std::string>{"1 of 64 points are as --where asks"});
+
+    CHECK(
+        refused_condition("").starts_with("--where: found the end, expected a number or a field of LAS: x, y, z, int"));
+    CHECK(refused_condition("class == 2").starts_with("--where: found 'class', expected a number or a field"));
+    CHECK(refused_condition("red == ").starts_with("--where: found the end, expected a number or"));
+    CHECK(refused_condition("red == 2 blue == 3") == "--where: found 'blue', expected and, or, or the end");
+    CHECK(refused_condition("(red == 2") == "--where: found the end, expected ')'");
+    CHECK(refused_condition("red in 2") == "--where: found '2', expected '('");
+    CHECK(refused_condition("red in (2 3)") == "--where: found '3', expected ',' or ')'");
+    CHECK(refused_condition("red not 2") == "--where: found '2', expected in");
+    CHECK(refused_condition("red == -blue") == "--where: found 'blue', expected a number");
+    CHECK(refused_condition(std::string(200, '(')).find("at most 100 brackets") != std::string::npos);
+  }
+
+  TEST_CASE("points that are withheld are points, and it is said") {
+    const LasFile file{.points = {{.withheld = 1}, {.x = 1}, {.x = 2, .withheld = 1}}};
+    CHECK(read(bytes_of(file)).remarks ==
+          std::vector<std::string>{"2 points are marked as withheld (--where \"not withheld\" leaves them out)"});
+    CHECK(read(bytes_of(file), "not withheld").points == std::vector<Point>{{0.01, 0}});
+  }
+
+  TEST_CASE("on the command line: with its system, and compressed by gzip") {
+    const Folder folder;
+    LasFile file{.minor = 4, .format = 6};
+    for (int i = 0; i < 9; ++i)
+      file.points.push_back({.x = 10000000 + i % 3, .y = i / 3, .classification = i < 6 ? 2U : 6U});
+    file.records = {{"LASF_Projection", 2112, "PROJCS[\"x\",AUTHORITY[\"EPSG\",\"28992\"]]"}};
+    folder.file("p.las", bytes_of(file));
+    REQUIRE(folder.run("/bin/gzip", "-k p.las").code == 0);
+    for (const std::string name : {"p.las", "p.las.gz"}) {
+      const Outcome outcome = folder.rbpa("mesh " + name + " --where classification==2 --alpha inf -o m.off");
+      CHECK(outcome.code == 0);
+      CHECK(outcome.err ==
+            "rbpa: " + name +
+                ": 6 of 9 points are as --where asks\nrbpa: 6 points, 4 triangles, 0 isolated -> m.off\n");
+      CHECK(folder.content("m.off").starts_with("OFF\n6 4 0\n1e+05 0 0\n100000.01 0 0\n100000.02 0 0\n1e+05 0.01 0\n"));
+      CHECK(folder.rbpa("info " + name).out.find("crs         EPSG:28992\n") != std::string::npos);
+    }
+    CHECK(folder.rbpa("info p.las --crs EPSG:7415").out.find("crs         EPSG:7415\n") != std::string::npos);
+    CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 2);
+    CHECK(folder.rbpa("info p.las --where red==2").code == 3);
+    folder.file("p.xy", corner);
+    CHECK(folder.rbpa("info p.xy --where x==2").err ==
+          "rbpa: --where: found a format without such fields, expected las\n");
+  }
+}

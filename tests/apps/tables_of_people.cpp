@@ -1,0 +1,280 @@
+// Tables as people have them: names in the header, decimal commas, missing values, geometries in a column, .gz.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/number.h"
+#include "io/table/text_points.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+PointFile read(const std::string& text, const TableRule& rule = {}) { return read_text_points(text, "t", rule); }
+
+std::string refusal(const std::string& text, const TableRule& rule = {}) {
+  try {
+    read(text, rule);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+const std::vector<Point> three = {{13.4, 52.5}, {7.1, 50.7}, {-3, 40}};
+constexpr TableRule skipping{.skip_invalid = true};
+
+}  // namespace
+
+TEST_SUITE("tables of people") {
+  TEST_CASE("columns are found by their names, whatever their order and what is beside them") {
+    struct Names {
+      std::string x, y;
+      bool degrees;
+    };
+    const Names names[] = {{"lon", "lat", true},
+                           {"Longitude", "Latitude", true},
+                           {"LNG", "LAT", true},
+                           {"long", "lat", true},
+                           {"decimalLongitude", "decimalLatitude", true},
+                           {"x", "y", false},
+                           {"X", "Y", false},
+                           {"x_coord", "y_coord", false},
+                           {"POINT_X", "POINT_Y", false},
+                           {"Easting", "Northing", false},
+                           {"E", "N", false},
+                           {"x [m]", "y [m]", false},
+                           {"Longitude (deg)", "Latitude (deg)", true}};
+    for (const Names& name : names)
+      for (const char separator : {',', ';', '\t'})
+        for (const std::string order : {"xy", "yx", "ixy", "iyx", "xiy", "yix", "iixyi", "iiyxi"}) {
+          CAPTURE(name.x);
+          CAPTURE(order);
+          std::string text;
+          const auto add_line = [&](const std::string& x, const std::string& y, const std::string& other) {
+            std::string before;
+            for (const char column : order) {
+              text += before + (column == 'x' ? x : column == 'y' ? y : other);
+              before = separator;
+            }
+            text += '\n';
+          };
+          add_line(name.x, name.y, "name");
+          add_line("13.4", "52.5", "Berlin");
+          add_line("7.1", "\"50.7\"", "Bonn");
+          add_line("-3", "40", "\"17\"");
+          const PointFile file = read(text);
+          CHECK(file.points == three);
+          CHECK(file.degrees == name.degrees);
+          const bool said = order != "xy";
+          CHECK(file.remarks.size() == (said ? 1 : 0));
+        }
+  }
+
+  TEST_CASE("what is taken by name is said") {
+    CHECK(read("lat,lon\n1,2\n").remarks ==
+          std::vector<std::string>{
+              "x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses others)"});
+    const PointFile transposed = read("lat,lon\n1,2\n", {.columns = Columns{{.name = "lat"}, {.name = "lon"}}});
+    CHECK(transposed.points == std::vector<Point>{{1, 2}});
+    CHECK(transposed.remarks ==
+          std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns asks"});
+    CHECK_FALSE(transposed.degrees);
+  }
+
+  TEST_CASE("of several pairs of names that of the first two columns, else the leftmost; of none the first columns") {
+    CHECK(read("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
+    CHECK(read("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read("a,b,c\n1,2,3\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read("lon,height,depth\n1,2,3\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read("x,y,WKT\n1,2,POINT (3 4)\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read("lat,lon\n1,2\n", {.columns = Columns{}}).points == std::vector<Point>{{1, 2}});
+  }
+
+  TEST_CASE("a decimal comma, and what is none") {
+    const std::vector<Point> points = {{13.4, 52.5}, {7, -0.25}, {1e10, 3}};
+    for (const std::string text :
+         {"13,4;52,5\n7;-0,25\n1e10;3\n", "x;y\n13,4;52,5\n7;-0,25\n1e10;3\n", "13,4\t52,5\n7\t-0,25\n1e10\t3\n",
+          "13,4 52,5\n7 -0,25\n1e10  3\n", "\"13,4\";\"52,5\"\n7;\"-0,25\"\n1e10;3\n"}) {
+      CAPTURE(text);
+      const PointFile file = read(text);
+      CHECK(file.points == points);
+      CHECK(file.remarks == std::vector<std::string>{"the decimal sign is a comma: 13,4 is read as 13.4"});
+    }
+    CHECK(read("1;2\n3;4\n1,5;2,5\n").points == std::vector<Point>{{1, 2}, {3, 4}, {1.5, 2.5}});
+    CHECK(read("1,2\n3,4\n").points == std::vector<Point>{{1, 2}, {3, 4}});
+    CHECK(read("1,2,a;b\n", {}).points == std::vector<Point>{{1, 2}});
+    CHECK(refusal("1.5;2\n1,5;2\n") == "t:2: found '1,5', expected a number with a decimal point, as in lines before");
+    CHECK(refusal("1,5;2\n1.5;2\n") == "t:2: found '1.5', expected a number with a decimal comma, as in line 1");
+    CHECK(refusal("1;2\n1,234,567;2\n") == "t:2: found '1,234,567', expected a number");
+    CHECK(refusal("1;2\n1,234.5;2\n") == "t:2: found '1,234.5', expected a number");
+  }
+
+  TEST_CASE("every double is read to the last bit, with a comma as with a point") {
+    std::mt19937_64 random(8);
+    std::vector<Point> points;
+    std::string text = "y;name;x\n";
+    while (points.size() < 2000) {
+      const std::array<std::uint64_t, 2> bits = {random(), random()};
+      const Point p{std::bit_cast<double>(bits[0]), std::bit_cast<double>(bits[1])};
+      if (!rbpa::is_finite(p)) continue;
+      points.push_back(p);
+      std::string line = std::string(ShortestText(p.y)) + ";a;" + std::string(ShortestText(p.x)) + "\n";
+      std::replace(line.begin(), line.end(), '.', ',');
+      text += line;
+    }
+    const std::vector<Point> found = read(text).points;
+    REQUIRE(found.size() == points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      CHECK(std::bit_cast<std::uint64_t>(found[i].x) == std::bit_cast<std::uint64_t>(points[i].x));
+      CHECK(std::bit_cast<std::uint64_t>(found[i].y) == std::bit_cast<std::uint64_t>(points[i].y));
+    }
+  }
+
+  TEST_CASE("lines that are no point are refused, or left out and counted") {
+    const std::string hint = " (--skip-invalid leaves out lines that are no point)";
+    for (const std::string sign : {"NA", "N/A", "null", "", "-", "None", "\\N"}) {
+      CAPTURE(sign);
+      CHECK(refusal("x,y\n1,2\n3," + sign + "\n") == "t:3: found '" + sign + "', expected a number" + hint);
+    }
+    CHECK(refusal("x,y\n1,2\n3,nan\n") == "t:3: found 'nan', expected a finite number" + hint);
+    const PointFile file = read("x,y\nNA,NA\n1,2\n3,NA\n5,six\n7\n-inf,8\n9,10\n1e999,0\n", skipping);
+    CHECK(file.points == std::vector<Point>{{1, 2}, {9, 10}});
+    CHECK(file.remarks ==
+          std::vector<std::string>{"6 lines are left out: the first is t:2: found 'NA', expected a number"});
+    CHECK(read("1,2\n3,NA\n", skipping).remarks ==
+          std::vector<std::string>{"1 line is left out: t:2: found 'NA', expected a number"});
+    CHECK(read("NA,NA\n3,4\n", skipping).points == std::vector<Point>{{3, 4}});  // no header
+    CHECK(refusal("NA,NA\n3,4\n") == "t:1: found 'NA', expected a number" + hint);
+    CHECK(refusal("x,y\nNA,1\n2,NA\n", skipping) ==
+          "t: found 2 lines and no point, expected at least one (t:2: found 'NA', expected a number)");
+    CHECK(read("x,y\n1,2\n", skipping).remarks.empty());
+  }
+
+  TEST_CASE("a column of geometries") {
+    const std::vector<Point> points = {{1, 2}, {3, 4}, {5, 6}};
+    CHECK(read("id,WKT\n7,POINT (1 2)\n8,\"MULTIPOINT (3 4, 5 6)\"\n").points == points);
+    CHECK(read("WKT\nPOINT (1 2)\nMULTIPOINT ((3 4), (5 6))\n").points == points);
+    CHECK(read("the_geom;a\nPOINT Z (1 2 9);x\n\"MULTIPOINT (3 4, 5 6)\";y\n").points == points);
+    CHECK(read("geometry\tid\nPOINT(1 2)\t1\nMULTIPOINT(3 4,5 6)\t1\n").points == points);
+    const PointFile srid = read("id,geom\n7,SRID=28992;POINT (1 2)\n");
+    CHECK(srid.crs->text() == "EPSG:28992");
+    CHECK(refusal("id,geom\n7,SRID=28992;POINT (1 2)\n7,SRID=4326;POINT (1 2)\n") ==
+          "t:3: found EPSG:4326, expected EPSG:28992 as in lines before");
+    const std::string lines = "id,geom\n7,\"LINESTRING (1 2, 3 4)\"\n8,POINT(5 6)\n";
+    CHECK(refusal(lines) ==
+          "t:2: found LINESTRING, expected POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)");
+    CHECK(read(lines, {.vertices = true}).points == points);
+    CHECK(refusal("id,geom\n7,POINT EMPTY\n") ==
+          "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)' (--skip-invalid leaves out lines that "
+          "are no point)");
+    CHECK(refusal("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number");
+    CHECK(read("id,geom\n7,POINT EMPTY\n8,\"MULTIPOINT (1 2, 3\"\n9,POINT (1 2)\n9\n", skipping).points ==
+          std::vector<Point>{{1, 2}});
+  }
+
+  TEST_CASE("gzip: every format, several members, and what is broken") {
+    const Folder folder;
+    std::string text;
+    for (int i = 0; i < 200000; ++i) text += std::to_string(i) + " " + std::to_string(i * 7 % 1000) + "\n";
+    folder.file("p.xy", text);
+    folder.file("q.xy", "0.5 0.5\n");
+    REQUIRE(folder.rbpa("mesh p.xy --alpha 2 -o m.off -o m.ply -q").code == 0);
+    REQUIRE(folder
+                .run("/bin/sh",
+                     "-c 'gzip -k p.xy m.off m.ply; cat p.xy q.xy > r.xy; gzip -c p.xy > r.xy.gz; "
+                     "gzip -c q.xy >> r.xy.gz'")
+                .code == 0);
+    for (const std::string name : {"p.xy", "m.off", "m.ply", "r.xy"}) {
+      CAPTURE(name);
+      const Outcome plain = folder.rbpa("info " + name + " --json");
+      CHECK(plain.code == 0);
+      CHECK(folder.rbpa("info " + name + ".gz --json").out == plain.out);
+    }
+    CHECK(folder.rbpa("info - < p.xy.gz").out == folder.rbpa("info p.xy").out);
+    CHECK(folder.meshtopo("m.off.gz").out == folder.meshtopo("m.off").out);
+    const std::string packed = folder.content("p.xy.gz");
+    const auto refuses = [&](const std::string& bytes, const std::string& message) {
+      folder.file("b.xy.gz", bytes);
+      const Outcome outcome = folder.rbpa("info b.xy.gz");
+      CHECK(outcome.code == 3);
+      CHECK(outcome.err == "rbpa: b.xy.gz: found " + message + "\n");
+    };
+    for (const std::size_t size : {std::size_t{3}, std::size_t{12}, packed.size() / 2, packed.size() - 1})
+      refuses(packed.substr(0, size), "the end of the file inside compressed data, expected a whole gzip file");
+    refuses(packed + "junk", "4 bytes behind the compressed data, expected the end of the file");
+    std::string wrong = packed;
+    wrong[wrong.size() - 6] ^= 1;  // of the check sum
+    refuses(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file");
+    // Numbers may look like a gzip file.
+    folder.file("n.f64xy", std::string("\x1F\x8B\x08\x00\x00\x00\xF0\x3F\x00\x00\x00\x00\x00\x00\xF0\x3F", 16));
+    CHECK(folder.rbpa("info n.f64xy").out.starts_with("points      1\n"));
+  }
+
+  TEST_CASE("longitudes and latitudes: a word about degrees, about the antimeridian, and the way out") {
+    const Folder folder;
+    folder.file("fiji.csv", "lat,lon\n-18,179\n-17,-179.5\n-16.5,178.25\n-17,-180\n");
+    const std::string columns =
+        "rbpa: fiji.csv: x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses "
+        "others)\n";
+    const std::string degrees =
+        "rbpa: fiji.csv: coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is 0.95 "
+        "to 0.96 of one of latitude there (ogr2ogr -t_srs projects them)\n";
+    const Outcome far = folder.rbpa("info fiji.csv");
+    CHECK(far.err ==
+          columns + degrees +
+              "rbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far apart "
+              "in the plane (--shift-longitude adds 360 to longitudes below 0)\n");
+    CHECK(far.out.find("box         x -180 .. 179\n") != std::string::npos);
+    const Outcome near = folder.rbpa("info fiji.csv --shift-longitude");
+    CHECK(near.err == columns + degrees);
+    CHECK(near.out.find("box         x 178.25 .. 180.5\n") != std::string::npos);
+    CHECK(folder.rbpa("info fiji.csv -q").err.empty());
+    // Around the world, but not around the antimeridian.
+    folder.file("atlantic.csv", "lon,lat\n-100,0\n-80,0\n-40,0\n0,1\n50,0\n95,3\n");
+    CHECK(folder.rbpa("info atlantic.csv").err.find("antimeridian") == std::string::npos);
+    folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
+    CHECK(folder.rbpa("info exchanged.csv").err ==
+          "rbpa: exchanged.csv: longitudes and latitudes are expected, and found up to 52 and 113: are they "
+          "exchanged?\n");
+    folder.file("metres.csv", "lon,lat\n500000,5800000\n");
+    CHECK(folder.rbpa("info metres.csv").err.find("are they degrees?") != std::string::npos);
+    const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");
+    CHECK(no_degrees.code == 3);
+    CHECK(no_degrees.err ==
+          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360, as --shift-longitude asks\n");
+  }
+
+  TEST_CASE("a system of coordinates is said, or refused") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    for (const std::string name :
+         {"EPSG:28992", "epsg:28992", "urn:ogc:def:crs:EPSG::28992", "http://www.opengis.net/def/crs/EPSG/0/28992"})
+      CHECK(folder.rbpa("info p.xy --crs " + name).out.find("crs         EPSG:28992\n") != std::string::npos);
+    CHECK(folder.rbpa("info p.xy --crs OGC:CRS84").err.find("coordinates are degrees") != std::string::npos);
+    for (const std::string name : {"28992", "EPSG:", "EPSG:abc", ":1", "''"}) {
+      CAPTURE(name);
+      const Outcome outcome = folder.rbpa("info p.xy --crs " + name);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err.starts_with("rbpa: --crs: found "));
+    }
+  }
+
+  TEST_CASE("what is not read names what converts it") {
+    const Folder folder;
+    CHECK(folder.rbpa("info p.laz").err.find("(pdal translate p.laz points.las)") != std::string::npos);
+    CHECK(folder.rbpa("info p.gpx").err.find("(ogr2ogr -f CSV -lco GEOMETRY=AS_WKT points.csv p.gpx)") !=
+          std::string::npos);
+    CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
+  }
+}
