@@ -62,13 +62,15 @@ class TileFront {
       front_.create(v, q, left, note);
     else if (const Index right = apexes_(q, v); right != none)
       front_.create(q, v, right, note);
-    else
-      failures_ += 2;
   }
 
-  /// Edges beyond which nothing is found are few, and each costs a long search. Where they are not, points lie along
-  /// curves, and what is not told yet is left out.
-  bool has_given_up() const { return failures_ > 16 + tile_.points.size() / 8; }
+  /// Long searches are few where points are scattered. Where they are not, along curves and in crowds, the remainder needs
+  /// less time, and what is not told yet is left to it.
+  bool has_given_up() const {
+    constexpr std::size_t max_work = 200;                          // measured: points looked at for a triangle
+    const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first
+    return apexes_.work() > max_work * (front_.triangles() + in_advance);
+  }
 
   /// The nearest point, where it is known.
   Index nearest(Index v) const {
@@ -111,7 +113,7 @@ class TileFront {
       std::size_t size = 0;
       EdgeBatch& edges = apexes_.edges();
       Index side[EdgeBatch::size + 1];
-      for (std::size_t k = 0; k < stride; ++k)
+      for (std::size_t k = 0; k < stride && !has_given_up(); ++k)
         for (std::size_t i = k; i < length; i += stride) {
           const Index s = wave_[i];
           side[size] = s;
@@ -135,7 +137,6 @@ class TileFront {
     apexes_.run(size);
     const EdgeBatch& edges = apexes_.edges();
     for (std::size_t i = 0; i < size; ++i) {
-      failures_ += edges.apex[i] == none;
       if (edges.apex[i] == none || front_.across(side[i]) != LocalFront::none) continue;
       circumradius_[front_.triangles()] = edges.found_radius[i];
       front_.attach(side[i], static_cast<Index>(edges.a[i]), static_cast<Index>(edges.b[i]), edges.apex[i],
@@ -147,7 +148,7 @@ class TileFront {
   const TileCoordinates& at_;
   LocalFront& front_;
   std::vector<Index>&queue_, &wave_;
-  std::size_t queued_ = 0, failures_ = 0;
+  std::size_t queued_ = 0;
   std::vector<float>& circumradius_;  // of each triangle, that of its circle
   ApexSearch apexes_;
 };

@@ -132,6 +132,23 @@ TEST_CASE("a tile tells the same whatever the workspace and the result were used
   CHECK(again.settled.empty());
 }
 
+TEST_CASE("tiles along streets give up soon, at every vector unit") {
+  Random random(8);
+  Points streets;
+  for (int i = 0; i < 20000; ++i) {
+    const double along = random.unit(), street = random.integer(0, 12) / 12.0;
+    streets.push_back(random.chance(0.5) ? Point{along, street} : Point{street, along});
+  }
+  const PointGrid grid(streets);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const OneTarget only(target);
+    std::size_t triangles = 0;
+    for (const TilePatch& tile : tell(grid, Radius(), 2048)) triangles += tile.patch.triangles.size();
+    CHECK(triangles > 0);
+    CHECK(triangles < streets.size() / 8);
+  }
+}
+
 TEST_CASE("a tile that has all points knows most sites and triangles of a set of even density") {
   for (const TileSet& set :
        {TileSet{"uniform", uniform(1500, 5)}, TileSet{"grid", perfect_grid(40, 1)},
