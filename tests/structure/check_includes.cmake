@@ -47,6 +47,8 @@ set(arrows
   picture>meshops/front picture>rbpa picture>rbpa/core picture>rbpa/filtration picture>rbpa/shape
   triangulation>rbpa triangulation>rbpa/shape
   program>meshops/topology program>rbpa/core
+  python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
+  python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/shape
   cli>rbpa cli>rbpa/filtration cli>rbpa/shape
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology)
