@@ -32,5 +32,6 @@ PYBIND11_MODULE(_core, module) {
   bind_errors(module);
   rbpa::python::bind_triangulation(module);
   rbpa::python::bind_polygons(module);
+  rbpa::python::bind_filtration(module);
   rbpa::python::bind_locator(module);
 }

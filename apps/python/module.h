@@ -7,6 +7,7 @@ namespace rbpa::python {
 
 void bind_triangulation(pybind11::module_& module);
 void bind_polygons(pybind11::module_& module);
+void bind_filtration(pybind11::module_& module);
 void bind_locator(pybind11::module_& module);
 
 }  // namespace rbpa::python

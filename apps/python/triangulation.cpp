@@ -1,16 +1,13 @@
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
+#include "rbpa/triangulate.h"
 
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
 #include <cstring>
-#include <limits>
-#include <optional>
 
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/rbpa.h"
-#include "rbpa/triangulate.h"
 
 namespace rbpa::python {
 namespace {
@@ -28,17 +25,6 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
   result["isolated"] = line<std::int32_t>(std::move(made.isolated));
   result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
   return result;
-}
-
-/// The least alpha that covers all points, in at most so many solid components if that is asked for.
-std::optional<double> least_alpha(const Doubles& points, std::optional<std::size_t> components, unsigned threads,
-                                  const py::object& progress) {
-  const auto input = points_of(points);
-  return watched(input.size(), progress, [&](Watch& watch) {
-    const SolidAlphaComplex delaunay =
-        rbpa::rbpa(input, std::numeric_limits<double>::infinity(), {.threads = threads, .progress = watch.progress()});
-    return smallest_covering(filtration(delaunay, input, watch.until_stopped()), components);
-  });
 }
 
 /// Of each point its neighbours, ascending, one list after the other, and where each begins.
@@ -99,8 +85,6 @@ std::uint64_t fingerprint(const Doubles& points) {
 void bind_triangulation(py::module_& module) {
   using py::arg;
   module.def("triangulate", &triangulate, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
-  module.def("least_alpha", &least_alpha, arg("points").noconvert(), arg("components"), arg("threads"),
-             arg("progress"));
   module.def("vertex_neighbors", &vertex_neighbors, arg("simplices").noconvert(), arg("points"));
   module.def("fingerprint", &fingerprint, arg("points").noconvert());
 }

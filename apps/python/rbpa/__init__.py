@@ -13,6 +13,8 @@
 What there is:
 
     alpha_shape(points, alpha="auto")    the solid alpha complex: triangles, outline, area      -> AlphaShape
+    concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
+    filtration(points)                   components, holes, area at every radius; persistence   -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
 
 The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
@@ -33,9 +35,11 @@ Errors: ``InvalidInput`` (a ValueError) says which value is not what was expecte
 """
 
 from rbpa._alpha_shape import AlphaShape, alpha_shape
+from rbpa._concave_hull import concave_hull
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay
+from rbpa._filtration import Filtration, filtration
 from rbpa._polygons import Polygon, Polygons
 
 __all__ = [
@@ -43,13 +47,16 @@ __all__ = [
     "Cancelled",
     "ContractViolation",
     "Delaunay",
+    "Filtration",
     "InvalidInput",
     "Polygon",
     "Polygons",
     "__version__",
     "alpha_shape",
+    "concave_hull",
+    "filtration",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
-for _public in (AlphaShape, Delaunay, Polygon, Polygons, alpha_shape):
+for _public in (AlphaShape, Delaunay, Filtration, Polygon, Polygons, alpha_shape, concave_hull, filtration):
     _public.__module__ = __name__

@@ -13,6 +13,7 @@ from rbpa._core import InvalidInput, fingerprint
 
 Floats = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.int32]
+Integers = npt.NDArray[np.int64]
 Progress = Optional[Callable[[int, int], Optional[bool]]]
 Alpha = Union[float, str]
 
