@@ -6,7 +6,7 @@
 #include "io/interrupt.h"
 #include "io/sort.h"
 #include "meshops/front/boundary_curve.h"
-#include "triangulation/boundary_curves.h"
+#include "rbpa/shape/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {
@@ -56,7 +56,7 @@ Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& compl
 Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind) {
   Drawing drawing{.points = points,
                   .inner_edges = {},
-                  .curves = boundary_curves(complex),
+                  .curves = boundary_curves(complex, until_interrupted()),
                   .isolated = kind == Complex::full ? complex.points : complex.isolated,
                   .dangling = complex.edges};
   drawing.inner_edges.reserve(complex.triangles.size() * 3 / 2);

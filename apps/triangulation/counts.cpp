@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/interrupt.h"
-#include "triangulation/boundary_curves.h"
+#include "rbpa/shape/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {
@@ -81,7 +81,7 @@ ComplexCounts count(const Triangulation& complex, Complex kind) {
   ComplexCounts counts{.points_covered = complex.distinct - outside,
                        .edges = count_edges(complex),
                        .triangles = complex.triangles.size(),
-                       .boundary_curves = boundary_curves(complex).size(),
+                       .boundary_curves = boundary_curves(complex, until_interrupted()).size(),
                        .solid_components = count_solid_components(complex)};
   const std::size_t points = kind == Complex::full ? complex.distinct : counts.points_covered;
   counts.components = points - count_joins(complex);

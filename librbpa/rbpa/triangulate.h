@@ -16,6 +16,7 @@
 #include "rbpa/core/duplicate.h"
 #include "rbpa/core/point.h"
 #include "rbpa/core/progress.h"
+#include "rbpa/core/triangle_arrays.h"
 
 namespace rbpa {
 
@@ -39,7 +40,7 @@ struct TriangulationOptions {
 /// Indices are those of the input points, of equal points the lowest.
 struct Triangulation {
   /// What stands for a neighbour where there is none.
-  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// Counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -56,6 +57,9 @@ struct Triangulation {
   /// diametral circle is empty. Of points on one line, those between neighbours.
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
+
+  /// Requires neighbours, for what takes them.
+  operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
 /// Requires and throws: as rbpa().

@@ -11,11 +11,12 @@ set(arrows
   meshops/graph>meshops/core
   meshops/topology>meshops/core meshops/topology>meshops/front meshops/topology>meshops/handle
   meshops/topology>meshops/stellar meshops/topology>meshops/graph
+  rbpa/core>meshops/core
   rbpa/predicate>rbpa/core
   rbpa/search>rbpa/core rbpa/search>rbpa/predicate rbpa/search>meshops/core
   rbpa/paper>rbpa/core rbpa/paper>rbpa/predicate rbpa/paper>rbpa/run rbpa/paper>meshops/front rbpa/paper>meshops/patch
   rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate
-  rbpa/shape>meshops/front rbpa/shape>meshops/topology
+  rbpa/shape>meshops/core rbpa/shape>meshops/front rbpa/shape>meshops/topology
   rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search
   rbpa/run>rbpa
   rbpa/run>meshops/core rbpa/run>meshops/front rbpa/run>meshops/patch
@@ -46,8 +47,10 @@ set(arrows
   io/table>io io/table>io/gis io/las>io io/gis>io io/gis>rbpa/core
   io>meshops/core io>meshops/topology io>rbpa/core io>rbpa/shape
   picture>meshops/front picture>rbpa picture>rbpa/core picture>rbpa/filtration picture>rbpa/shape
-  triangulation>rbpa
+  triangulation>rbpa triangulation>rbpa/shape
   program>meshops/topology program>rbpa/core
+  python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
+  python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/shape
   cli>rbpa cli>rbpa/filtration cli>rbpa/shape
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology)

@@ -4,10 +4,12 @@
 #include <tuple>
 #include <utility>
 
+#include "meshops/core/contract.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/topology/disjoint_sets.h"
 #include "rbpa/core/error.h"
 #include "rbpa/predicate/predicates.h"
+#include "rbpa/shape/boundary_walk.h"
 #include "rbpa/shape/measure.h"
 #include "rbpa/shape/nesting.h"
 #include "rbpa/shape/split_curve.h"
@@ -32,7 +34,7 @@ std::vector<Point> points_under(const SolidAlphaComplex& complex) {
 /// equal.
 class Order {
  public:
-  explicit Order(const std::vector<Point>& points) : points_(points) {}
+  explicit Order(std::span<const Point> points) : points_(points) {}
 
   bool operator()(const Ring& a, const Ring& b) const { return key(a) < key(b); }
   bool operator()(const Polygon& a, const Polygon& b) const { return key(a.shell) < key(b.shell); }
@@ -50,10 +52,32 @@ class Order {
  private:
   std::pair<Point, Point> key(const Ring& ring) const { return {points_[ring.points[0]], points_[ring.points[1]]}; }
 
-  const std::vector<Point>& points_;
+  std::span<const Point> points_;
 };
 
-/// The rings of each solid component.
+/// Brings the rings of a component together.
+class RingsByComponent {
+ public:
+  /// For components that are named by numbers below `names`.
+  RingsByComponent(std::size_t points, std::size_t names) : splitter_(points), number_(names, 0) {}
+
+  /// A boundary curve with the complex on its left.
+  void add(std::span<const std::uint32_t> curve, std::uint32_t component) {
+    std::uint32_t& number = number_[component];
+    if (number == 0) {
+      rings_.emplace_back();
+      number = static_cast<std::uint32_t>(rings_.size());
+    }
+    splitter_.split(curve, rings_[number - 1]);
+  }
+  std::vector<std::vector<Ring>> take() { return std::move(rings_); }
+
+ private:
+  CurveSplitter splitter_;
+  std::vector<std::uint32_t> number_;  // of each name, from 1
+  std::vector<std::vector<Ring>> rings_;
+};
+
 std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& complex, std::size_t points) {
   const Mesh& mesh = complex.mesh;
   meshops::DisjointSets components(mesh.n_vertices());
@@ -62,23 +86,41 @@ std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& compl
     components.unite(static_cast<std::uint32_t>(index(mesh.from_vertex_handle(h))),
                      static_cast<std::uint32_t>(index(mesh.to_vertex_handle(h))));
   }
-  std::vector<std::vector<Ring>> rings;
-  std::vector<std::uint32_t> number(mesh.n_vertices(), 0);  // from 1, by the least vertex
-  CurveSplitter splitter(points);
+  RingsByComponent rings(points, mesh.n_vertices());
   std::vector<std::uint32_t> curve;
   for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {
     curve.clear();
     for (const meshops::Halfedge h : boundary) curve.push_back(complex.input_index[index(mesh.to_vertex_handle(h))]);
     std::reverse(curve.begin(), curve.end());  // the mesh is on the left now
-    std::uint32_t& component =
-        number[components.find(static_cast<std::uint32_t>(index(mesh.to_vertex_handle(boundary.front()))))];
-    if (component == 0) {
-      rings.emplace_back();
-      component = static_cast<std::uint32_t>(rings.size());
-    }
-    splitter.split(curve, rings[component - 1]);
+    rings.add(curve, components.find(static_cast<std::uint32_t>(index(mesh.to_vertex_handle(boundary.front())))));
   }
-  return rings;
+  return rings.take();
+}
+
+std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex, std::size_t points,
+                                                  const std::function<bool()>& go_on) {
+  const auto triangles = static_cast<std::uint32_t>(complex.triangles.size());
+  const auto ask = [&](std::uint32_t t) {
+    if (t % 16384 == 0 && go_on && !go_on()) throw Cancelled();
+  };
+  meshops::DisjointSets components(triangles);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    ask(t);
+    for (const std::uint32_t other : complex.neighbors[t])
+      if (other < t) components.unite(t, other);
+  }
+  RingsByComponent rings(points, triangles);
+  BoundaryWalk walk(complex);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    ask(t);
+    for (std::size_t across = 0; across < 3; ++across) {
+      if (!walk.is_new({t, across})) continue;
+      std::vector<std::uint32_t> curve = walk.curve_from({t, across});
+      std::reverse(curve.begin(), curve.end());  // the triangles are on the left now
+      rings.add(curve, components.find(t));
+    }
+  }
+  return rings.take();
 }
 
 /// One of the rings runs counter-clockwise. It has the least point of all, perhaps with holes that touch it there.
@@ -87,6 +129,7 @@ Polygon polygon_of(std::vector<Ring> rings, const Order& order) {
   std::sort(rings.begin(), rings.end(), order);
   const auto shell =
       std::find_if(rings.begin(), rings.end(), [&](const Ring& ring) { return order.is_counter_clockwise(ring); });
+  meshops::require(shell != rings.end(), "polygons: the complex is of other points than those given");
   Polygon polygon{.shell = std::move(*shell)};
   rings.erase(shell);
   polygon.holes = std::move(rings);
@@ -94,7 +137,7 @@ Polygon polygon_of(std::vector<Ring> rings, const Order& order) {
 }
 
 /// Takes holes that are too small out of their polygons, and the polygons in those holes.
-void fill_holes(std::vector<Polygon>& polygons, const std::vector<Point>& points, double min_area) {
+void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, double min_area) {
   std::vector<std::vector<bool>> filled;
   bool any = false;
   for (const Polygon& polygon : polygons) {
@@ -120,22 +163,37 @@ void fill_holes(std::vector<Polygon>& polygons, const std::vector<Point>& points
   polygons = std::move(kept);
 }
 
-}  // namespace
-
-std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter) {
+void check(const PolygonFilter& filter) {
   if (!(filter.min_hole_area >= 0)) throw InvalidInput("min_hole_area: expected an area, 0 or more");
   if (!(filter.min_part_area >= 0)) throw InvalidInput("min_part_area: expected an area, 0 or more");
-  const std::vector<Point> points = points_under(complex);
+}
+
+std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std::span<const Point> points,
+                                 const PolygonFilter& filter) {
   const Order order(points);
   std::vector<Polygon> result;
-  for (std::vector<Ring>& rings : rings_by_component(complex, points.size()))
-    result.push_back(polygon_of(std::move(rings), order));
+  for (std::vector<Ring>& rings : components) result.push_back(polygon_of(std::move(rings), order));
   std::sort(result.begin(), result.end(), order);
 
   if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area);
   for (Polygon& polygon : result) measure(polygon, points);
   std::erase_if(result, [&](const Polygon& polygon) { return polygon.area < filter.min_part_area; });
   return result;
+}
+
+}  // namespace
+
+std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter) {
+  check(filter);
+  const std::vector<Point> points = points_under(complex);
+  return polygons_of(rings_by_component(complex, points.size()), points, filter);
+}
+
+std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex, const PolygonFilter& filter,
+                              const std::function<bool()>& go_on) {
+  check(filter);
+  require_linked(complex, points.size());
+  return polygons_of(rings_by_component(complex, points.size(), go_on), points, filter);
 }
 
 }  // namespace rbpa

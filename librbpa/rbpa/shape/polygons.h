@@ -8,10 +8,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "rbpa/core/api.h"
+#include "rbpa/core/triangle_arrays.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa {
@@ -46,6 +48,12 @@ struct PolygonFilter {
 /// Throws: InvalidInput when a bound of the filter is negative or not a number.
 /// Cost:   as above; each filter for holes adds a plane sweep over the boundary.
 RBPA_API std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {});
+
+/// The same of a solid complex in arrays, with neighbours, on these points.
+/// Throws: moreover ContractViolation as require_linked(), or when the points are visibly others; Cancelled when `go_on`,
+///         which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex,
+                                       const PolygonFilter& filter = {}, const std::function<bool()>& go_on = {});
 
 struct PolygonTotals {
   std::size_t holes = 0;

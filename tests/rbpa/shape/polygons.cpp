@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "meshops/core/contract.h"
 #include "rbpa/core/error.h"
 #include "rbpa/topology.h"
+#include "rbpa/triangulate.h"
 #include "support/data_folder.h"
 #include "support/generate.h"
 #include "support/pictures.h"
@@ -39,6 +41,7 @@ std::vector<Polygon> checked(const Points& points, double alpha) {
   CHECK_MESSAGE(wrong.empty(), wrong, ", alpha ", literal(alpha));
   const rbpa::ComplexCounts counts = rbpa::count(complex);
   CHECK(polygons.size() == counts.solid_components);
+  CHECK(rbpa::polygons(points, rbpa::triangulate(points, alpha, {.neighbors = true})) == polygons);
   return polygons;
 }
 
@@ -168,12 +171,15 @@ TEST_CASE("filters: random pictures, filled and dropped as flood fill says") {
   for (const double solid : {0.5, 0.6, 0.7, 0.8})
     for (int run = 0; run < 10; ++run) {
       const Picture picture = random_picture(14, 14, solid, random);
-      const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points_of(picture), picture_alpha);
+      const Points points = points_of(picture);
+      const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, picture_alpha);
+      const rbpa::Triangulation arrays = rbpa::triangulate(points, picture_alpha, {.neighbors = true});
       for (const double hole : {0.0, 4.0, 5.0, 8.5, 40.0, infinity})
         for (const double part : {0.0, 4.0, 4.5, 30.0, infinity}) {
           CAPTURE(hole);
           CAPTURE(part);
           REQUIRE(parts(rbpa::polygons(complex, {hole, part})) == parts_of(picture, hole, part));
+          REQUIRE(rbpa::polygons(points, arrays, {hole, part}) == rbpa::polygons(complex, {hole, part}));
         }
     }
 }
@@ -200,10 +206,23 @@ TEST_CASE("filters: a hole that is filled takes the islands in it along, one tha
 
 TEST_CASE("filters refuse what is no area") {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(Points{{0, 0}, {1, 0}, {0, 1}}, 1);
+  const rbpa::Triangulation arrays = rbpa::triangulate(Points{{0, 0}, {1, 0}, {0, 1}}, 1, {.neighbors = true});
   for (const double bad : {-1.0, -infinity, std::nan("")}) {
+    CHECK_THROWS_AS(rbpa::polygons(Points(3), arrays, {.min_hole_area = bad}), rbpa::InvalidInput);
     CHECK_THROWS_AS(rbpa::polygons(complex, {.min_hole_area = bad}), rbpa::InvalidInput);
     CHECK_THROWS_AS(rbpa::polygons(complex, {.min_part_area = bad}), rbpa::InvalidInput);
   }
+}
+
+TEST_CASE("arrays of other points are refused, and a cancelled run ends") {
+  const Points points = uniform(5000, 1);
+  const rbpa::Triangulation arrays = rbpa::triangulate(points, 0.7, {.neighbors = true});
+  CHECK_THROWS_AS(rbpa::polygons(Points(17), arrays), meshops::ContractViolation);
+  Points mirrored = points;
+  for (Point& p : mirrored) p.x = -p.x;
+  CHECK_THROWS_AS(rbpa::polygons(mirrored, rbpa::triangulate(points, infinity, {.neighbors = true})),
+                  meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::polygons(points, arrays, {}, [] { return false; }), rbpa::Cancelled);
 }
 
 TEST_CASE("integer grids: shells less holes are the triangles, to the last unit") {

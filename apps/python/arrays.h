@@ -1,0 +1,85 @@
+// What: NumPy arrays as the library's spans, and the library's vectors as NumPy arrays. Nothing is copied.
+// Law:  an array that is made here owns the vector, whose memory lives as long as the array; it cannot be written.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rbpa/core/duplicate.h"
+#include "rbpa/core/point.h"
+#include "rbpa/core/triangle_arrays.h"
+
+namespace rbpa::python {
+
+namespace py = pybind11;
+
+using Doubles = py::array_t<double, py::array::c_style>;
+using Indices = py::array_t<std::int32_t, py::array::c_style>;
+using Triple = std::array<std::uint32_t, 3>;
+
+/// Contiguous points, an array of n × 2. The array must outlive the span.
+inline std::span<const Point> points_of(const Doubles& array) {
+  if (array.ndim() != 2 || array.shape(1) != 2) throw py::value_error("points: expected an array of shape (n, 2)");
+  static_assert(sizeof(Point) == 2 * sizeof(double));
+  return {reinterpret_cast<const Point*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+inline std::span<const Triple> triples_of(const Indices& array, const char* name) {
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw py::value_error(std::string(name) + ": expected an array of shape (n, 3)");
+  return {reinterpret_cast<const Triple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+/// −1, which stands for no neighbour in SciPy, has the bits of TriangleArrays::none.
+inline TriangleArrays triangle_arrays_of(const Indices& simplices, const Indices& neighbors) {
+  static_assert(static_cast<std::uint32_t>(-1) == TriangleArrays::none);
+  return {triples_of(simplices, "simplices"), triples_of(neighbors, "neighbors")};
+}
+
+/// What arrays see of a value that Python frees with the last of them.
+template <typename Value>
+class Kept {
+ public:
+  explicit Kept(Value value)
+      : value_(new Value(std::move(value))), owner_(value_, [](void* p) { delete static_cast<Value*>(p); }) {}
+
+  const Value& operator*() const { return *value_; }
+  const Value* operator->() const { return value_; }
+
+  /// Numbers from `first` on, of these shape and distances in bytes.
+  template <typename Number>
+  py::array view(const void* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides) const {
+    py::array array(py::dtype::of<Number>(), std::move(shape), std::move(strides), first, owner_);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
+  }
+
+ private:
+  Value* value_;
+  py::capsule owner_;
+};
+
+/// An item of a vector is a row of `columns` numbers.
+template <typename Number, typename Item>
+py::array rows(std::vector<Item> items) {
+  constexpr std::size_t columns = sizeof(Item) / sizeof(Number);
+  const Kept kept(std::move(items));
+  return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size()), py::ssize_t(columns)},
+                                    {py::ssize_t(sizeof(Item)), py::ssize_t(sizeof(Number))});
+}
+
+/// An item of a vector is a number.
+template <typename Number, typename Item>
+py::array line(std::vector<Item> items) {
+  static_assert(sizeof(Number) == sizeof(Item));
+  const Kept kept(std::move(items));
+  return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size())}, {py::ssize_t(sizeof(Item))});
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,96 @@
+"""Makes a wheel of the source tree: CMake builds the package, and a wheel is a zip of it. For pip, under PEP 517.
+
+Nothing is downloaded: needed are what the library needs to be built, and pybind11 (docs/python.md).
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import tempfile
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def version() -> str:
+    found = re.search(r"^project\(rbpa VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
+    if not found:
+        raise SystemExit("CMakeLists.txt: expected project(rbpa VERSION ...)")
+    return found[1]
+
+
+def metadata() -> str:
+    return (
+        "Metadata-Version: 2.1\nName: rbpa\n"
+        f"Version: {version()}\n"
+        "Summary: Alpha shapes, concave hulls and Delaunay triangulations in the plane, exact and fast\n"
+        "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n"
+        "Description-Content-Type: text/markdown\n\n" + (ROOT / "docs" / "python.md").read_text()
+    )
+
+
+def build_package(folder: pathlib.Path) -> pathlib.Path:
+    """The package, built for the Python that runs this."""
+    configure = [
+        "cmake", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release", "-DRBPA_BUILD_PYTHON=ON",
+        "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}",
+    ]  # fmt: skip
+    build = ["cmake", "--build", str(folder), "--parallel", str(os.cpu_count() or 1), "--target", "rbpa_python_package"]
+    for command in (configure, build):
+        ran = subprocess.run(command, stdout=sys.stderr)
+        if ran.returncode:
+            raise SystemExit(f"{' '.join(command[:2])} failed: see above for what is missing")
+    return folder / "python" / "rbpa"
+
+
+def build_wheel(wheel_directory: str, config_settings=None, metadata_directory=None) -> str:
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    info = f"rbpa-{version()}.dist-info"
+    record: list[str] = []
+
+    with tempfile.TemporaryDirectory() as folder:
+        package = build_package(pathlib.Path(folder))
+        name = f"rbpa-{version()}-{python}-{python}-{platform}.whl"
+        with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
+
+            def add(path: str, content: bytes) -> None:
+                digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+                record.append(f"{path},sha256={digest},{len(content)}")
+                wheel.writestr(path, content)
+
+            for file in sorted(package.iterdir()):
+                if file.is_file():
+                    add(f"rbpa/{file.name}", file.read_bytes())
+            add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
+            add(f"{info}/METADATA", metadata().encode())
+            tag = f"{python}-{python}-{platform}"
+            add(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: rbpa\nRoot-Is-Purelib: false\nTag: {tag}\n".encode())
+            wheel.writestr(f"{info}/RECORD", "\n".join([*record, f"{info}/RECORD,,", ""]))
+    return name
+
+
+def build_sdist(sdist_directory: str, config_settings=None) -> str:
+    top = f"rbpa-{version()}"
+    kept = ["CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "CHANGELOG.md", "pyproject.toml",
+            "libmeshops", "librbpa", "apps", "docs/python.md"]  # fmt: skip
+
+    def source(member: tarfile.TarInfo) -> tarfile.TarInfo | None:
+        return None if "__pycache__" in member.name else member
+
+    with tarfile.open(pathlib.Path(sdist_directory, f"{top}.tar.gz"), "w:gz", format=tarfile.PAX_FORMAT) as archive:
+        for path in kept:
+            archive.add(ROOT / path, f"{top}/{path}", filter=source)
+        with tempfile.TemporaryDirectory() as folder:
+            info = pathlib.Path(folder, "PKG-INFO")
+            info.write_text(metadata())
+            archive.add(info, f"{top}/PKG-INFO")
+    return f"{top}.tar.gz"

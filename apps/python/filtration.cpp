@@ -1,0 +1,87 @@
+#include "rbpa/filtration/filtration.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <optional>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+#include "rbpa/filtration/persistence.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa::python {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+SolidAlphaComplex delaunay_of(std::span<const Point> points, unsigned threads, Watch& watch) {
+  return rbpa::rbpa(points, infinity, {.threads = threads, .progress = watch.progress()});
+}
+
+/// The least alpha that covers all points, in at most so many solid components if that is asked for.
+std::optional<double> least_alpha(const Doubles& points, std::optional<std::size_t> components, unsigned threads,
+                                  const py::object& progress) {
+  const auto input = points_of(points);
+  return watched(input.size(), progress, [&](Watch& watch) {
+    return smallest_covering(filtration(delaunay_of(input, threads, watch), input, watch.until_stopped()), components);
+  });
+}
+
+/// The steps column by column.
+py::dict filtration_steps(const Doubles& points, unsigned threads, const py::object& progress) {
+  const auto input = points_of(points);
+  Filtration made = watched(input.size(), progress, [&](Watch& watch) {
+    return filtration(delaunay_of(input, threads, watch), input, watch.until_stopped());
+  });
+  const std::size_t distinct = made.distinct;
+  const Kept steps(std::move(made.steps));
+  py::dict result;
+  const auto column = [&]<typename Number>(const char* name, const Number FiltrationStep::*member) {
+    using Seen = std::conditional_t<std::is_integral_v<Number>, std::int64_t, Number>;
+    static_assert(sizeof(Seen) == sizeof(Number));
+    const void* first = steps->empty() ? nullptr : &((*steps)[0].*member);
+    result[name] = steps.view<Seen>(first, {py::ssize_t(steps->size())}, {py::ssize_t(sizeof(FiltrationStep))});
+  };
+  column("alpha", &FiltrationStep::alpha);
+  column("triangles", &FiltrationStep::triangles);
+  column("solid_components", &FiltrationStep::solid_components);
+  column("components", &FiltrationStep::components);
+  column("holes", &FiltrationStep::holes);
+  column("covered", &FiltrationStep::covered);
+  column("area", &FiltrationStep::area);
+  result["distinct"] = distinct;
+  return result;
+}
+
+using Interval = std::array<double, 2>;
+
+/// Births and deaths of components, and of holes; without a death, infinity.
+py::tuple persistence_intervals(const Doubles& points, bool full, unsigned threads, const py::object& progress) {
+  const auto input = points_of(points);
+  auto intervals = watched(input.size(), progress, [&](Watch& watch) {
+    const SolidAlphaComplex delaunay = delaunay_of(input, threads, watch);
+    const Filtration made = filtration(delaunay, input, watch.until_stopped());
+    std::array<std::vector<Interval>, 2> of_dimension;
+    for (const PersistencePair& pair :
+         persistence(delaunay, input, made, full ? ComplexKind::full : ComplexKind::solid, watch.until_stopped()))
+      of_dimension[static_cast<std::size_t>(pair.dimension)].push_back({pair.birth, pair.death.value_or(infinity)});
+    return of_dimension;
+  });
+  return py::make_tuple(rows<double>(std::move(intervals[0])), rows<double>(std::move(intervals[1])));
+}
+
+}  // namespace
+
+void bind_filtration(py::module_& module) {
+  using py::arg;
+  module.def("least_alpha", &least_alpha, arg("points").noconvert(), arg("components"), arg("threads"),
+             arg("progress"));
+  module.def("filtration", &filtration_steps, arg("points").noconvert(), arg("threads"), arg("progress"));
+  module.def("persistence", &persistence_intervals, arg("points").noconvert(), arg("full"), arg("threads"),
+             arg("progress"));
+}
+
+}  // namespace rbpa::python

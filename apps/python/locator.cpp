@@ -1,0 +1,50 @@
+#include <pybind11/pybind11.h>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+#include "rbpa/locate.h"
+
+namespace rbpa::python {
+namespace {
+
+/// A Locator, and the arrays on which it stands.
+class ArrayLocator {
+ public:
+  ArrayLocator(Doubles points, Indices simplices, Indices neighbors)
+      : points_(std::move(points)),
+        simplices_(std::move(simplices)),
+        neighbors_(std::move(neighbors)),
+        locator_(make()) {}
+
+  py::array find(const Doubles& queries) const {
+    const auto input = points_of(queries);
+    return line<std::int32_t>(watched(input.size(), py::none(), [&](Watch& watch) {
+      return locator_.find(input, {.go_on = watch.until_stopped()});
+    }));
+  }
+
+ private:
+  Locator make() const {
+    const auto input = points_of(points_);
+    const TriangleArrays triangles = triangle_arrays_of(simplices_, neighbors_);
+    return watched(input.size(), py::none(),
+                   [&](Watch& watch) { return Locator(input, triangles, {.go_on = watch.until_stopped()}); });
+  }
+
+  Doubles points_;
+  Indices simplices_, neighbors_;
+  Locator locator_;
+};
+
+}  // namespace
+
+void bind_locator(py::module_& module) {
+  using py::arg;
+  py::class_<ArrayLocator>(module, "Locator")
+      .def(py::init<Doubles, Indices, Indices>(), arg("points").noconvert(), arg("simplices").noconvert(),
+           arg("neighbors").noconvert())
+      .def("find", &ArrayLocator::find, arg("queries").noconvert());
+}
+
+}  // namespace rbpa::python

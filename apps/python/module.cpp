@@ -1,0 +1,37 @@
+// The extension module rbpa._core: arrays in and out, and nothing that a user should have to see.
+#include "python/module.h"
+
+#include <pybind11/pybind11.h>
+
+#include "meshops/core/contract.h"
+#include "rbpa/core/error.h"
+
+namespace {
+
+namespace py = pybind11;
+
+/// Errors are Python's, with the library's sentences.
+void bind_errors(py::module_& module) {
+  const auto describe = [&](const char* name, const char* what) {
+    module.attr(name).attr("__module__") = "rbpa";
+    module.attr(name).attr("__doc__") = what;
+  };
+  py::register_exception<rbpa::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
+  py::register_exception<meshops::ContractViolation>(module, "ContractViolation", PyExc_ValueError);
+  py::register_exception<rbpa::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
+  describe("InvalidInput", "The data or parameters given are not what the function takes; nothing was computed.");
+  describe("ContractViolation", "A requirement of the function was not met; nothing was changed.");
+  describe("Cancelled", "The progress callback asked to stop.");
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The compiled part of rbpa.";
+  module.attr("version") = RBPA_VERSION;
+  bind_errors(module);
+  rbpa::python::bind_triangulation(module);
+  rbpa::python::bind_polygons(module);
+  rbpa::python::bind_filtration(module);
+  rbpa::python::bind_locator(module);
+}

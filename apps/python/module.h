@@ -1,0 +1,13 @@
+// What: the parts of the extension module, each in a file of its name.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace rbpa::python {
+
+void bind_triangulation(pybind11::module_& module);
+void bind_polygons(pybind11::module_& module);
+void bind_filtration(pybind11::module_& module);
+void bind_locator(pybind11::module_& module);
+
+}  // namespace rbpa::python

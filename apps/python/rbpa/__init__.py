@@ -1,0 +1,62 @@
+"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane: exact on any input, and fast.
+
+    >>> import rbpa
+    >>> shape = rbpa.alpha_shape([[0, 0], [1, 0], [1, 1], [0, 1], [9, 9]], alpha=1.0)
+    >>> shape.simplices                  # triangles, as rows of three indices into the points
+    array([[0, 1, 3],
+           [1, 2, 3]], dtype=int32)
+    >>> shape.isolated                   # points in no triangle
+    array([4], dtype=int32)
+    >>> shape.to_wkt()
+    'MULTIPOLYGON (((0.0 0.0, 1.0 0.0, 1.0 1.0, 0.0 1.0, 0.0 0.0)))'
+
+What there is:
+
+    alpha_shape(points, alpha="auto")    the solid alpha complex: triangles, outline, area      -> AlphaShape
+    concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
+    filtration(points)                   components, holes, area at every radius; persistence   -> Filtration
+    Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
+
+The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
+a radius, in the units of the coordinates: never its square (as in CGAL and PostGIS), never its inverse (as in the package
+alphashape).
+
+Points are an array of shape (n, 2), or anything that NumPy makes one of; float64 in C order is used without a copy.
+Every decision is exact, also on grids, duplicates, collinear points and extreme coordinates, and the triangles depend on
+the set of points and on alpha alone. Fewer than three points, or points on one line, have no triangle: that is an empty
+result, not an error.
+
+Long computations run without Python's global lock on all processors, tell their progress (``progress=f`` is called as
+``f(triangles, points)`` every tenth of a second; what it raises, or returning False, ends the run), and end within a
+fraction of a second on Ctrl-C. Points must not be changed while one runs.
+
+Errors: ``InvalidInput`` (a ValueError) says which value is not what was expected; ``Cancelled`` (a RuntimeError) that
+``progress`` returned False; ``ContractViolation`` (a ValueError) that arrays do not belong together.
+"""
+
+from rbpa._alpha_shape import AlphaShape, alpha_shape
+from rbpa._concave_hull import concave_hull
+from rbpa._core import Cancelled, ContractViolation, InvalidInput
+from rbpa._core import version as __version__
+from rbpa._delaunay import Delaunay
+from rbpa._filtration import Filtration, filtration
+from rbpa._polygons import Polygon, Polygons
+
+__all__ = [
+    "AlphaShape",
+    "Cancelled",
+    "ContractViolation",
+    "Delaunay",
+    "Filtration",
+    "InvalidInput",
+    "Polygon",
+    "Polygons",
+    "__version__",
+    "alpha_shape",
+    "concave_hull",
+    "filtration",
+]
+
+# What users see is rbpa.AlphaShape, wherever it is written.
+for _public in (AlphaShape, Delaunay, Filtration, Polygon, Polygons, alpha_shape, concave_hull, filtration):
+    _public.__module__ = __name__

@@ -1,0 +1,162 @@
+"""The Delaunay triangulation under SciPy's names."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._input import Floats, Indices, Progress, Unchanged, as_points, as_threads, freeze
+
+
+class Delaunay:
+    """The Delaunay triangulation of points in the plane, with the attributes of scipy.spatial.Delaunay.
+
+    What is different from SciPy: points with no triangle (fewer than three, or on one line) give an empty triangulation
+    instead of an error; every decision is exact, so that every point is a vertex, however near to others it lies; points on
+    a common circle are triangulated in one definite way that does not depend on their order; arrays are read-only.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 2)
+        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
+        is in use; anything else is converted.
+    threads : int, optional
+        At most so many threads work; all processors by default. The result is the same.
+    progress : callable, optional
+        Called as progress(triangles, points) every tenth of a second; returning False ends the run with `Cancelled`.
+
+    Attributes
+    ----------
+    points : float64 array of shape (n, 2)
+    simplices : int32 array of shape (m, 3)
+        The corners of each triangle, counter-clockwise, the smallest index first, in lexicographic order.
+    neighbors : int32 array of shape (m, 3)
+        Number k of a triangle is the one across from its corner k, or -1.
+    convex_hull : int32 array of shape (k, 2)
+        The edges of the convex hull, each counter-clockwise around it.
+    duplicates : int32 array of shape (d, 2)
+        Points equal to one before them, and that one, which stands for them everywhere.
+    npoints, nsimplex, ndim : int
+    min_bound, max_bound : float64 array of shape (2,)
+        The box of the points.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError: points of another shape, or a coordinate that is not finite; says which.
+
+    Examples
+    --------
+    >>> tri = rbpa.Delaunay([[0, 0], [2, 0], [0, 2], [2, 2.5]])
+    >>> tri.simplices
+    array([[0, 1, 2],
+           [1, 3, 2]], dtype=int32)
+    >>> tri.find_simplex([[0.5, 0.5], [5, 5]])
+    array([ 0, -1], dtype=int32)
+    """
+
+    ndim = 2
+    points: Floats
+    simplices: Indices
+    neighbors: Indices
+    convex_hull: Indices
+    duplicates: Indices
+
+    def __init__(
+        self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None
+    ) -> None:
+        self.points = as_points(points)
+        made = _core.triangulate(self.points, math.inf, as_threads(threads), progress)
+        self.simplices = made["simplices"]
+        self.neighbors = made["neighbors"]
+        self.convex_hull = made["boundary"]
+        self.duplicates = made["duplicates"]
+        self._unchanged = Unchanged(self.points)
+
+    def find_simplex(self, xi: npt.ArrayLike, bruteforce: bool = False, tol: Optional[float] = None) -> Any:
+        """The triangle in which each point lies, exactly.
+
+        Parameters
+        ----------
+        xi : array_like of shape (..., 2)
+        bruteforce, tol
+            Taken as SciPy takes them, and without effect: there is nothing to tolerate.
+
+        Returns
+        -------
+        int32 array of shape (...)
+            Sides and corners belong to triangles; of several the first. -1 outside of the convex hull, and where a
+            coordinate is not finite.
+        """
+        self._unchanged.check(self.points)
+        queries = np.asarray(xi)
+        if queries.ndim == 0 or queries.shape[-1] != 2:
+            raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
+        found = self._locator.find(as_points(queries.reshape(-1, 2), "xi"))
+        return found.reshape(queries.shape[:-1])
+
+    @cached_property
+    def _locator(self) -> _core.Locator:
+        return _core.Locator(self.points, self.simplices, self.neighbors)
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
+        """(indptr, indices): the neighbours of point k are indices[indptr[k]:indptr[k + 1]], ascending."""
+        return _core.vertex_neighbors(self.simplices, len(self.points))
+
+    @cached_property
+    def vertex_to_simplex(self) -> Indices:
+        """Of each point some triangle of which it is a corner, or -1; int32 of shape (n,)."""
+        of = np.full(len(self.points), -1, dtype=np.int32)
+        for corner in range(3):
+            of[self.simplices[:, corner]] = np.arange(len(self.simplices), dtype=np.int32)
+        return of
+
+    @cached_property
+    def coplanar(self) -> Indices:
+        """Points that are no vertices, here the duplicates: rows of point, a triangle that it is on, the vertex it is equal to.
+
+        Int32 of shape (d, 3).
+        """
+        point, vertex = self.duplicates.T
+        return np.column_stack((point, self.vertex_to_simplex[vertex], vertex)).astype(np.int32)
+
+    @property
+    def npoints(self) -> int:
+        return len(self.points)
+
+    @property
+    def nsimplex(self) -> int:
+        return len(self.simplices)
+
+    @property
+    def min_bound(self) -> Floats:
+        bound: Floats = self.points.min(axis=0)
+        return bound
+
+    @property
+    def max_bound(self) -> Floats:
+        bound: Floats = self.points.max(axis=0)
+        return bound
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh of all points and the triangles. Needs the package meshio."""
+        import meshio
+
+        return meshio.Mesh(self.points, [("triangle", self.simplices)])
+
+    def __repr__(self) -> str:
+        return f"<rbpa.Delaunay of {self.npoints} points: {self.nsimplex} triangles, {len(self.duplicates)} duplicates>"
+
+    def __getstate__(self) -> dict[str, Any]:
+        cached = ("_locator", "vertex_neighbor_vertices", "vertex_to_simplex", "coplanar")
+        return {name: value for name, value in self.__dict__.items() if name not in cached}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        freeze(self.simplices, self.neighbors, self.convex_hull, self.duplicates)

@@ -1,0 +1,161 @@
+"""The solid alpha complex at every radius."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._input import Floats, Integers, Progress, Unchanged, as_count, as_points, as_threads, freeze
+
+_COLUMNS = ("alpha", "triangles", "solid_components", "components", "holes", "covered", "area")
+
+
+def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> Filtration:
+    """The solid alpha complex of points in the plane at every radius: what there is to choose from.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 2)
+        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
+        is in use; anything else is converted.
+    threads : int, optional
+        At most so many threads work; all processors by default. The result is the same.
+    progress : callable, optional
+        Called as progress(triangles, points) every tenth of a second; returning False ends the run with `Cancelled`.
+
+    Returns
+    -------
+    Filtration
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError: points of another shape, or a coordinate that is not finite; says which.
+
+    Examples
+    --------
+    >>> f = rbpa.filtration([[0, 0], [3, 0], [0, 4], [30, 40]])
+    >>> f.alpha.tolist()
+    [2.5, 24.797395789682]
+    >>> f.betti(10), f.covered.tolist(), f.auto
+    ((1, 0), [3, 4], 24.797395789682)
+    """
+    array = as_points(points)
+    return Filtration(array, _core.filtration(array, as_threads(threads), progress))
+
+
+class Filtration:
+    """The solid alpha complex at every radius: what `filtration` returns. Arrays are read-only.
+
+    All arrays have an entry for each critical radius, a radius at which the complex changes; entry i holds for
+    alpha[i] <= radius < alpha[i + 1]. Below the first there is no triangle.
+
+    Attributes
+    ----------
+    alpha : float64 array
+        The critical radii, ascending, in the units of the points: each the least double at which the complex is this.
+    triangles : int64 array
+        Triangles so far.
+    solid_components : int64 array
+        Pieces connected through edges.
+    components, holes : int64 arrays
+        The Betti numbers of the union: pieces connected through points, and bounded pieces of what is left of the plane.
+    covered : int64 array
+        Distinct points in triangles.
+    area : float64 array
+        Of the triangles so far, in squared units of the points; rounded.
+    distinct : int
+        The number of distinct points.
+    points : float64 array of shape (n, 2)
+    """
+
+    points: Floats
+    alpha: Floats
+    triangles: Integers
+    solid_components: Integers
+    components: Integers
+    holes: Integers
+    covered: Integers
+    area: Floats
+    distinct: int
+
+    def __init__(self, points: Floats, steps: dict[str, Any]) -> None:
+        self.points = points
+        self.__dict__.update(steps)
+        self._unchanged = Unchanged(points)
+
+    def smallest_covering(self, components: Optional[int] = None) -> Optional[float]:
+        """The least radius at which every point is in a triangle, and the pieces are at most `components`, if it is given.
+
+        None where there is no such radius, as the points are on one line or fewer than three.
+        """
+        good = self.covered == self.distinct
+        if components is not None:
+            good &= self.solid_components <= as_count(components, "components", 1)
+        return float(self.alpha[good.argmax()]) if good.any() else None
+
+    @property
+    def auto(self) -> Optional[float]:
+        """What alpha="auto" chooses: the least radius that covers every point in one piece."""
+        return self.smallest_covering(1)
+
+    @property
+    def min(self) -> Optional[float]:
+        """What alpha="min" chooses: the least radius that covers every point."""
+        return self.smallest_covering()
+
+    def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any]:
+        """(components, holes) at a radius, or at each of an array of radii: the Betti numbers b0 and b1."""
+        step = np.searchsorted(self.alpha, np.asarray(alpha, dtype=float), side="right")
+        components, holes = (np.insert(of, 0, 0)[step] for of in (self.components, self.holes))
+        return (int(components), int(holes)) if step.ndim == 0 else (components, holes)
+
+    def persistence(self, dimension: int, *, complex: str = "solid") -> Floats:
+        """Births and deaths of components (dimension 0) or holes (dimension 1) while the radius grows.
+
+        Parameters
+        ----------
+        dimension : 0 or 1
+        complex : "solid" or "full"
+            The triangles with their edges and corners, or the alpha complex: also every point from radius 0 on, and every
+            edge whose ends a disc of the radius can touch with no point inside. Of the full one these are the square roots
+            of what GUDHI's AlphaComplex gives.
+
+        Returns
+        -------
+        float64 array of shape (k, 2)
+            Birth and death of each, sorted; a death of infinity is none. Of two that meet the younger dies.
+
+        Notes
+        -----
+        Computed anew with each call; it takes about twice the time of `filtration`.
+        """
+        if dimension not in (0, 1):
+            raise _core.InvalidInput(f"dimension: found {dimension!r}, expected 0 for components or 1 for holes")
+        if complex not in ("solid", "full"):
+            raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
+        self._unchanged.check(self.points)
+        return _core.persistence(self.points, complex == "full", as_threads(None), None)[dimension]
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws components and holes against the radius with matplotlib, on logarithmic scales, and returns the axes."""
+        import matplotlib.pyplot as plt
+
+        if ax is None:
+            ax = plt.gca()
+        for of, label in ((self.components, "components"), (self.holes, "holes")):
+            ax.step(self.alpha, of, where="post", label=label, linewidth=1)
+        ax.set(xscale="log", yscale="symlog", xlabel="alpha")
+        ax.legend()
+        return ax
+
+    def __repr__(self) -> str:
+        radii = f", from {self.alpha[0]} to {self.alpha[-1]}" if len(self.alpha) else ""
+        return f"<rbpa.Filtration of {len(self.points)} points: {len(self.alpha)} critical radii{radii}>"
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        freeze(*(state[name] for name in _COLUMNS))

@@ -1,0 +1,93 @@
+"""What users give, as the compiled part takes it; and what is wrong with it, in a sentence."""
+
+from __future__ import annotations
+
+import numbers
+import os
+from typing import Any, Callable, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa._core import InvalidInput, fingerprint
+
+Floats = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.int32]
+Integers = npt.NDArray[np.int64]
+Progress = Optional[Callable[[int, int], Optional[bool]]]
+Alpha = Union[float, str]
+
+_EXACT = 2**53  # doubles have every integer up to it
+
+
+def as_points(points: npt.ArrayLike, name: str = "points") -> Floats:
+    """An array of shape (n, 2), float64, in C order: the same object where it is one already."""
+    array = np.asarray(points)
+    if array.ndim == 1 and array.size == 0:
+        return np.empty((0, 2))
+    if array.dtype.kind not in "iuf":
+        hint = "; take (z.real, z.imag) as two columns" if array.dtype.kind == "c" else ""
+        raise InvalidInput(f"{name}: found an array of {array.dtype}, expected numbers (float64){hint}")
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise InvalidInput(f"{name}: found an array of shape {array.shape}, expected (n, 2){_hint(array, name)}")
+    if array.dtype.kind in "iu" and array.dtype.itemsize == 8 and array.size:
+        if max(int(array.max()), -int(array.min())) > _EXACT:
+            raise InvalidInput(f"{name}: found integers beyond 2**53, expected coordinates that float64 can hold")
+    return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def _hint(array: npt.NDArray[Any], name: str) -> str:
+    if array.ndim == 2 and array.shape[1] > 2:
+        return f": this is the plane; {name}[:, :2] leaves the other columns out"
+    if array.ndim == 2 and array.shape[0] == 2:
+        return f": {name}.T, if a row is a coordinate"
+    if array.ndim == 1 and array.shape == (2,):
+        return f": [{name}], if it is one point"
+    return ""
+
+
+def as_radius(alpha: float) -> float:
+    """A number; whether it is a radius is for the library to say."""
+    if isinstance(alpha, (bool, np.bool_)) or not isinstance(alpha, (numbers.Real, np.number)):
+        raise InvalidInput(f"alpha: found {alpha!r}, expected a radius (a number > 0, or inf), 'auto' or 'min'")
+    return float(alpha)
+
+
+def as_count(value: int, name: str, least: int) -> int:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
+        raise InvalidInput(f"{name}: found {value!r}, expected a whole number, {least} or more")
+    return int(value)
+
+
+def as_threads(threads: int | None) -> int:
+    """0 for all processors."""
+    return _default_threads if threads is None else as_count(threads, "threads", 1)
+
+
+# A forked child has none of its parent's worker threads, and must not wait for them.
+_default_threads = 0
+
+
+def _work_alone() -> None:
+    global _default_threads
+    _default_threads = 1
+
+
+os.register_at_fork(after_in_child=_work_alone)
+
+
+class Unchanged:
+    """Notices that points were changed after something was computed of them."""
+
+    def __init__(self, points: Floats) -> None:
+        self._before = fingerprint(points)
+
+    def check(self, points: Floats) -> None:
+        if fingerprint(points) != self._before:
+            raise InvalidInput("points: they were changed after this was computed; compute it anew, or from a copy")
+
+
+def freeze(*arrays: npt.NDArray[Any]) -> None:
+    """Makes arrays read-only again, which pickles forget."""
+    for array in arrays:
+        array.setflags(write=False)

@@ -1,0 +1,159 @@
+"""Polygons with holes, and how other programs take them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Iterator, overload
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from rbpa._input import Floats, Indices
+
+
+class Polygon:
+    """A polygon with holes, valid under OGC Simple Features: rings touch each other in single points, if at all.
+
+    Attributes
+    ----------
+    shell : int32 array of shape (k,)
+        Indices of the points along the outer ring, counter-clockwise; the first is not repeated.
+    holes : list of such arrays
+        The rings of the holes, clockwise.
+    area : float
+        Of the shell less the holes, in squared units of the points: the exact number, rounded once.
+    perimeter : float
+        Length of all rings.
+    """
+
+    def __init__(self, points: Floats, shell: Indices, holes: list[Indices], area: float, perimeter: float) -> None:
+        self._points = points
+        self.shell = shell
+        self.holes = holes
+        self.area = area
+        self.perimeter = perimeter
+
+    @property
+    def exterior(self) -> Floats:
+        """Coordinates along the outer ring, closed: float64 of shape (k + 1, 2), the last row being the first."""
+        return self._coordinates(self.shell)
+
+    @property
+    def interiors(self) -> list[Floats]:
+        """Coordinates along the rings of the holes, each closed like `exterior`."""
+        return [self._coordinates(hole) for hole in self.holes]
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        return {"type": "Polygon", "coordinates": [ring.tolist() for ring in self._rings()]}
+
+    def _coordinates(self, ring: Indices) -> Floats:
+        closed: Floats = self._points[np.append(ring, ring[0])]
+        return closed
+
+    def _rings(self) -> list[Floats]:
+        return [self.exterior, *self.interiors]
+
+    def __repr__(self) -> str:
+        return f"<rbpa.Polygon of {len(self.shell)} points, {len(self.holes)} holes, area {self.area:.6g}>"
+
+
+class Polygons(Sequence[Polygon]):
+    """The polygons of a shape, one for each solid component, and their totals. A sequence of `Polygon`.
+
+    Attributes
+    ----------
+    area, perimeter : float
+        The exact sums of the polygons' own, rounded once.
+    """
+
+    def __init__(self, points: Floats, flat: dict[str, Any]) -> None:
+        self._points = points
+        self._flat = flat
+        self.area: float = flat["area"]
+        self.perimeter: float = flat["perimeter"]
+
+    def __len__(self) -> int:
+        return len(self._flat["areas"])
+
+    @overload
+    def __getitem__(self, index: int) -> Polygon: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Polygon]: ...
+    def __getitem__(self, index: int | slice) -> Polygon | list[Polygon]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        i = range(len(self))[index]
+        flat = self._flat
+        begin = flat["ring_begin"]
+        rings = [
+            flat["indices"][begin[r] : begin[r + 1]]
+            for r in range(flat["polygon_begin"][i], flat["polygon_begin"][i + 1])
+        ]
+        return Polygon(self._points, rings[0], rings[1:], float(flat["areas"][i]), float(flat["perimeters"][i]))
+
+    def __iter__(self) -> Iterator[Polygon]:
+        return (self[i] for i in range(len(self)))
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """As GeoPandas, Shapely and others take it: a MultiPolygon."""
+        return {"type": "MultiPolygon", "coordinates": [p.__geo_interface__["coordinates"] for p in self]}
+
+    def to_geojson(self) -> str:
+        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter and number of holes.
+
+        Every coordinate reads back to the same double.
+        """
+        features = [
+            {
+                "type": "Feature",
+                "properties": {
+                    "area": p.area if np.isfinite(p.area) else None,
+                    "perimeter": p.perimeter if np.isfinite(p.perimeter) else None,
+                    "holes": len(p.holes),
+                },
+                "geometry": p.__geo_interface__,
+            }
+            for p in self
+        ]
+        return json.dumps({"type": "FeatureCollection", "features": features})
+
+    def to_wkt(self) -> str:
+        """The text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
+
+        def ring(coordinates: Floats) -> str:
+            return "(" + ", ".join(f"{x!r} {y!r}" for x, y in coordinates.tolist()) + ")"
+
+        def polygon(p: Polygon) -> str:
+            return "(" + ", ".join(ring(r) for r in p._rings()) + ")"
+
+        return "MULTIPOLYGON (" + ", ".join(polygon(p) for p in self) + ")" if len(self) else "MULTIPOLYGON EMPTY"
+
+    def to_shapely(self) -> Any:
+        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
+        from shapely.geometry import MultiPolygon
+
+        return MultiPolygon([(p.exterior, p.interiors) for p in self])
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draws the polygons with matplotlib. `style` goes to matplotlib.patches.PathPatch. Returns the axes."""
+        import matplotlib.pyplot as plt
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+
+        if ax is None:
+            ax = plt.gca()
+        rings = [ring for p in self for ring in p._rings()]
+        if rings:
+            codes = [np.r_[Path.MOVETO, np.full(len(r) - 2, Path.LINETO), Path.CLOSEPOLY] for r in rings]
+            look = {"facecolor": "#9ecae1", "edgecolor": "#08519c", "alpha": 0.8, **style}
+            ax.add_patch(PathPatch(Path(np.concatenate(rings), np.concatenate(codes)), **look))
+            ax.autoscale_view()
+        ax.set_aspect("equal")
+        return ax
+
+    def __repr__(self) -> str:
+        holes = len(self._flat["ring_begin"]) - 1 - len(self)
+        return f"<rbpa.Polygons: {len(self)} polygons, {holes} holes, area {self.area:.6g}>"

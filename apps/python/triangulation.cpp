@@ -1,0 +1,92 @@
+#include "rbpa/triangulate.h"
+
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+
+namespace rbpa::python {
+namespace {
+
+py::dict triangulate(const Doubles& points, double alpha, unsigned threads, const py::object& progress) {
+  const auto input = points_of(points);
+  Triangulation made = watched(input.size(), progress, [&](Watch& watch) {
+    return rbpa::triangulate(input, alpha,
+                             {.neighbors = true, .boundary = true, .threads = threads, .progress = watch.progress()});
+  });
+  py::dict result;
+  result["simplices"] = rows<std::int32_t>(std::move(made.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["boundary"] = rows<std::int32_t>(std::move(made.boundary));
+  result["isolated"] = line<std::int32_t>(std::move(made.isolated));
+  result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  return result;
+}
+
+/// Of each point its neighbours, ascending, one list after the other, and where each begins.
+py::tuple vertex_neighbors(const Indices& simplices, std::size_t points) {
+  const auto triangles = triples_of(simplices, "simplices");
+  std::vector<std::int32_t> begin(points + 1), neighbors;
+  {
+    const py::gil_scoped_release unlocked;
+    std::vector<std::size_t> next(points + 1);
+    for (const Triple& t : triangles)
+      for (const std::uint32_t corner : t) next.at(corner + std::size_t{1}) += 2;
+    for (std::size_t i = 0; i < points; ++i) next[i + 1] += next[i];
+    std::vector<std::int32_t> twice(next[points]);  // an inner edge is a side of two triangles
+    const std::vector<std::size_t> first = next;
+    for (const Triple& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const std::size_t other : {k + 1, k + 2}) twice[next[t[k]]++] = static_cast<std::int32_t>(t[other % 3]);
+    neighbors.reserve(twice.size() / 2 + points);
+    for (std::size_t i = 0; i < points; ++i) {
+      const auto from = twice.begin() + static_cast<std::ptrdiff_t>(first[i]),
+                 to = twice.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
+      std::sort(from, to);
+      neighbors.insert(neighbors.end(), from, std::unique(from, to));
+      begin[i + 1] = static_cast<std::int32_t>(neighbors.size());
+    }
+  }
+  return py::make_tuple(line<std::int32_t>(std::move(begin)), line<std::int32_t>(std::move(neighbors)));
+}
+
+/// Of the coordinates' bits, by which an object notices that its points were changed behind its back.
+std::uint64_t fingerprint(const Doubles& points) {
+  const auto input = points_of(points);
+  const py::gil_scoped_release unlocked;
+  constexpr std::size_t lanes = 8;  // each waits for its own product only
+  constexpr std::uint64_t prime = 0x100000001b3;
+  std::array<std::uint64_t, lanes> hash{};
+  const std::size_t words = 2 * input.size();
+  const auto* at = reinterpret_cast<const unsigned char*>(input.data());
+  const auto word = [&](std::size_t i) {
+    std::uint64_t bits;
+    std::memcpy(&bits, at + i * sizeof bits, sizeof bits);
+    return bits;
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= words; i += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      std::uint64_t mixed = (hash[lane] ^ word(i + lane)) * prime;
+      hash[lane] = mixed ^ mixed >> 32U;
+    }
+  for (; i < words; ++i) hash[i % lanes] = (hash[i % lanes] ^ word(i)) * prime;
+  std::uint64_t all = words;
+  for (const std::uint64_t one : hash) all = (all ^ one ^ one >> 29U) * prime;
+  return all;
+}
+
+}  // namespace
+
+void bind_triangulation(py::module_& module) {
+  using py::arg;
+  module.def("triangulate", &triangulate, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
+  module.def("vertex_neighbors", &vertex_neighbors, arg("simplices").noconvert(), arg("points"));
+  module.def("fingerprint", &fingerprint, arg("points").noconvert());
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,86 @@
+#include "python/watched.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "rbpa/core/error.h"
+
+namespace rbpa::python {
+namespace {
+
+/// Work in a thread of its own.
+class Running {
+ public:
+  Running(const std::function<void(Watch&)>& work, Watch& watch)
+      : thread_([this, &work, &watch] {
+          try {
+            work(watch);
+          } catch (...) {
+            failure_ = std::current_exception();
+          }
+          const std::lock_guard lock(mutex_);
+          is_done_ = true;
+          done_.notify_one();
+        }) {}
+  ~Running() { thread_.join(); }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  bool wait_for(std::chrono::milliseconds time) {
+    std::unique_lock lock(mutex_);
+    return done_.wait_for(lock, time, [&] { return is_done_; });
+  }
+  /// After it is done.
+  const std::exception_ptr& failure() const { return failure_; }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable done_;
+  bool is_done_ = false;
+  std::exception_ptr failure_;
+  std::thread thread_;  // the last, as it uses the others
+};
+
+/// Requires Python's lock. Throws what a handler of signals, or the function, raises; Cancelled.
+void ask(const Watch& watch, const py::object& progress, bool is_time_to_tell) {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  if (progress.is_none() || !is_time_to_tell) return;
+  const Progress now = watch.last();
+  if (progress(now.triangles, now.points).is(py::bool_(false))) throw Cancelled();
+}
+
+}  // namespace
+
+void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress) {
+  constexpr std::chrono::milliseconds between_looks(20);
+  constexpr int looks_to_tell = 5;
+  Watch watch;
+  std::exception_ptr stopped, failed;
+  if (is_short) {
+    const py::gil_scoped_release unlocked;
+    work(watch);
+    return;
+  }
+  {
+    const py::gil_scoped_release unlocked;
+    Running running(work, watch);
+    for (int looks = 1; !running.wait_for(between_looks); ++looks) {
+      if (stopped) continue;
+      const py::gil_scoped_acquire locked;
+      try {
+        ask(watch, progress, looks % looks_to_tell == 0);
+      } catch (...) {
+        stopped = std::current_exception();
+        watch.stop();
+      }
+    }
+    failed = running.failure();
+  }
+  if (stopped) std::rethrow_exception(stopped);
+  if (failed) std::rethrow_exception(failed);
+}
+
+}  // namespace rbpa::python

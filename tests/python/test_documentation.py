@@ -1,0 +1,60 @@
+"""What pages and help say in Python is what Python does."""
+
+import doctest
+import pathlib
+import pydoc
+import re
+
+import numpy as np
+import pytest
+import rbpa
+
+ROOT = pathlib.Path(__file__).parents[2]
+PUBLIC = [name for name in rbpa.__all__ if not name.startswith("__")]
+
+
+def blocks(page: str) -> list:
+    return re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(), re.DOTALL | re.MULTILINE)
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/python.md"])
+def test_lines_of_pages_run(page, tmp_path, monkeypatch):
+    found = blocks(page)
+    assert found
+    (tmp_path / "tests").symlink_to(ROOT / "tests")
+    monkeypatch.chdir(tmp_path)
+    pytest.importorskip("matplotlib")
+    names: dict = {}
+    for block in found:
+        exec(compile(block, page, "exec"), names)
+        for line in block.splitlines():  # `expression  # value` and what follows is prose
+            said = re.fullmatch(r"([a-z][^#=]*?)\s+# -> (.*)", line)
+            if said:
+                assert repr(eval(said[1], names)) == said[2], line
+
+
+def test_examples_in_docstrings_are_right():
+    count = 0
+    finder = doctest.DocTestFinder(recurse=True)
+    runner = doctest.DocTestRunner()
+    for thing in (rbpa, *(getattr(rbpa, name) for name in PUBLIC)):
+        for test in finder.find(thing, globs={"rbpa": rbpa, "np": np}):
+            count += len(test.examples)
+            assert runner.run(test).failed == 0, test.name
+    assert count >= 8
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_help_says_what_everything_is(name):
+    thing = getattr(rbpa, name)
+    assert thing.__doc__ and thing.__module__ == "rbpa"
+    if isinstance(thing, type):
+        for member, value in vars(thing).items():
+            if not member.startswith("_") and callable(value):
+                assert value.__doc__, f"{name}.{member}"
+
+
+def test_help_of_the_package_names_all_that_is_there():
+    text = pydoc.plain(pydoc.render_doc(rbpa))
+    for name in PUBLIC:
+        assert name in text

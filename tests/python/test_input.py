@@ -1,0 +1,100 @@
+"""What users give: every form of points that says what it means is taken, every other is refused with a sentence."""
+
+import math
+
+import numpy as np
+import pytest
+import rbpa
+from sets import uniform
+
+POINTS = uniform(300)
+EXPECTED = rbpa.alpha_shape(POINTS, 0.1).simplices
+QUARTERS = np.round(POINTS * 4096) / 4096  # float32 has these
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        POINTS.tolist(),
+        np.asfortranarray(POINTS),
+        np.repeat(POINTS, 2, axis=0)[::2],
+        np.column_stack((POINTS, POINTS))[:, :2],
+        POINTS[::-1][::-1],
+        POINTS.astype(">f8"),
+        np.frombuffer(b"\0" + POINTS.tobytes(), np.uint8)[1:].view(np.float64).reshape(-1, 2),
+    ],
+    ids=["list", "fortran", "strided rows", "strided columns", "negative strides", "big endian", "unaligned"],
+)
+def test_the_same_points_in_another_form_are_the_same(given):
+    assert np.array_equal(rbpa.alpha_shape(given, 0.1).simplices, EXPECTED)
+
+
+def test_other_numbers_are_converted_exactly():
+    expected = rbpa.alpha_shape(QUARTERS, 0.1).simplices
+    assert np.array_equal(rbpa.alpha_shape(QUARTERS.astype(np.float32), 0.1).simplices, expected)
+    for kind in (np.int16, np.int32, np.int64, np.uint16, np.uint64):
+        assert np.array_equal(rbpa.alpha_shape((QUARTERS * 4096).astype(kind), 409.6).simplices, expected)
+
+
+@pytest.mark.parametrize(
+    "given, sentence",
+    [
+        (uniform(4).repeat(2, axis=1)[:, :3], r"shape \(4, 3\), expected \(n, 2\): this is the plane; points\[:, :2\]"),
+        (uniform(4).repeat(2, axis=1)[:, :3].T, r"shape \(3, 4\), expected \(n, 2\)"),
+        (uniform(5).T, r"shape \(2, 5\), expected \(n, 2\): .*|.*points.T"),
+        ([1.0, 2.0], r"shape \(2,\), expected \(n, 2\): \[points\], if it is one point"),
+        (3.0, r"shape \(\), expected"),
+        (np.zeros((2, 2, 2)), r"shape \(2, 2, 2\)"),
+        ([["a", "b"]], r"expected numbers"),
+        (np.array([1 + 2j]), r"complex128, expected numbers.*z.real, z.imag"),
+        (np.array([[object(), 1]]), r"expected numbers"),
+        ([[True, False]], r"bool, expected numbers"),
+        ([[0, 2**60 + 1], [1, 1]], r"beyond 2\*\*53"),
+        ([[0, -(2**60) - 1], [1, 1]], r"beyond 2\*\*53"),
+        ([[0, 0], [math.nan, 1], [1, 1]], r"point 1 is \(nan, 1\), expected finite coordinates"),
+        ([[0, 0], [2, 1], [1, -math.inf]], r"point 2 is \(1, -inf\), expected finite coordinates"),
+    ],
+)
+def test_what_is_no_points_is_refused(given, sentence):
+    for use in (rbpa.alpha_shape, rbpa.Delaunay):
+        with pytest.raises(rbpa.InvalidInput, match=sentence):
+            use(given)
+
+
+@pytest.mark.parametrize(
+    "options, sentence",
+    [
+        ({"alpha": 0}, "alpha is 0, expected a radius above 0, or infinity"),
+        ({"alpha": -1.5}, "alpha is -1.5, expected"),
+        ({"alpha": math.nan}, "alpha is nan, expected"),
+        ({"alpha": "least"}, "alpha: found 'least', expected a radius .*'auto' or 'min'"),
+        ({"alpha": None}, "alpha: found None"),
+        ({"alpha": True}, "alpha: found True"),
+        ({"alpha": [1]}, r"alpha: found \[1\]"),
+        ({"components": 0}, "components: found 0, expected a whole number, 1 or more"),
+        ({"components": 1.5}, "components: found 1.5"),
+        ({"alpha": 1.0, "components": 2}, "components: found alpha=1.0, expected alpha='auto'"),
+        ({"threads": 0}, "threads: found 0"),
+    ],
+)
+def test_what_is_no_option_is_refused(options, sentence):
+    with pytest.raises(rbpa.InvalidInput, match=sentence):
+        rbpa.alpha_shape(POINTS, **options)
+
+
+def test_errors_are_those_that_python_programs_catch():
+    assert issubclass(rbpa.InvalidInput, ValueError) and issubclass(rbpa.ContractViolation, ValueError)
+    assert issubclass(rbpa.Cancelled, RuntimeError)
+    assert rbpa.InvalidInput.__module__ == "rbpa"
+
+
+def test_radii_of_every_kind_of_number():
+    for alpha in (1, 1.0, np.float32(1), np.int64(1), np.array(1.0)[()]):
+        assert rbpa.alpha_shape(POINTS, alpha).alpha == 1.0
+
+
+def test_points_are_not_written():
+    points = uniform(100)
+    points.setflags(write=False)
+    assert len(rbpa.alpha_shape(points).simplices)
+    assert len(rbpa.Delaunay(points).find_simplex(points)) == 100

@@ -1,0 +1,113 @@
+"""Long runs: Ctrl-C, progress, other threads, children."""
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+import rbpa
+from sets import uniform
+
+MANY = uniform(700_000)
+
+
+def interrupted_after(seconds: float, run) -> float:
+    """How long the run took to end after Ctrl-C."""
+    sent = []
+
+    def send() -> None:
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, send)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        try:
+            run()
+            timer.join()  # the run was shorter: the signal comes now, and nothing was shown
+        finally:
+            timer.cancel()
+    return time.monotonic() - sent[0]
+
+
+@pytest.mark.parametrize("after", [0.05, 0.2, 0.35])
+def test_control_c_ends_a_run(after):
+    delay = interrupted_after(after, lambda: [rbpa.alpha_shape(MANY) for _ in range(9)])
+    assert delay < 3  # it is some 0.1 s on a machine that has nothing else to do; this one may have a lot
+    assert len(rbpa.alpha_shape(MANY[:1000], 0.1).simplices)
+
+
+def test_progress_is_told_in_the_calling_thread():
+    told = []
+    rbpa.alpha_shape(MANY, progress=lambda triangles, points: told.append((triangles, points, threading.get_ident())))
+    assert len(told) > 1
+    assert {ident for _, _, ident in told} == {threading.get_ident()}
+    assert all(0 <= triangles <= 2 * len(MANY) and 0 <= points <= len(MANY) for triangles, points, _ in told)
+    assert max(triangles for triangles, _, _ in told) > 0
+
+
+def test_progress_ends_the_run():
+    with pytest.raises(rbpa.Cancelled, match="cancelled"):
+        rbpa.Delaunay(np.concatenate([MANY] * 3), progress=lambda *_: False)
+
+    def fails(*_):
+        raise ZeroDivisionError("on purpose")
+
+    with pytest.raises(ZeroDivisionError, match="on purpose"):
+        rbpa.Delaunay(np.concatenate([MANY] * 3), progress=fails)
+
+
+def test_other_threads_of_python_run_on():
+    counted = [0]
+    done = threading.Event()
+
+    def count() -> None:
+        while not done.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    try:
+        rbpa.alpha_shape(MANY)
+    finally:
+        done.set()
+        thread.join()
+    assert counted[0] > 50  # with the lock kept it would be none
+
+
+def test_several_threads_compute_at_once():
+    expected = rbpa.Delaunay(MANY[:100_000]).simplices
+    results = [None] * 4
+
+    def run(i: int) -> None:
+        results[i] = rbpa.Delaunay(MANY[:100_000]).simplices
+
+    threads = [threading.Thread(target=run, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(r, expected) for r in results)
+
+
+def _count(points: np.ndarray) -> int:
+    return rbpa.Delaunay(points).nsimplex
+
+
+def test_a_forked_child_computes_too():
+    points = MANY[:200_000]
+    expected = _count(points)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map_async(_count, [points] * 3).get(timeout=60) == [expected] * 3
+
+
+def test_the_end_of_python_does_not_wait_for_anything():
+    code = "import rbpa, numpy; s = rbpa.alpha_shape(numpy.random.rand(60000, 2), 0.01); print(len(s.polygons) > 0)"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert (ran.stdout, ran.stderr, ran.returncode) == ("True\n", "", 0)

@@ -1,0 +1,21 @@
+"""What a user's type checker sees: run by mypy --strict, and never executed."""
+
+import numpy as np
+import numpy.typing as npt
+import rbpa
+
+points: npt.NDArray[np.float64] = np.zeros((5, 2))
+shape: rbpa.AlphaShape = rbpa.alpha_shape(points, alpha="auto", components=2, progress=lambda t, p: t < 10)
+simplices: npt.NDArray[np.int32] = shape.simplices
+alpha: float = shape.alpha or 0.0
+area: float = sum(p.area for p in shape.polygons)
+first: rbpa.Polygon = shape.polygons[0]
+several: list[rbpa.Polygon] = shape.polygons[1:]
+text: str = shape.to_geojson() + shape.to_wkt()
+delaunay = rbpa.Delaunay([[0, 0], [1, 0], [0, 1]])
+begin, neighbors = delaunay.vertex_neighbor_vertices
+hull: npt.NDArray[np.int32] = delaunay.convex_hull
+
+wrong_alpha = rbpa.alpha_shape(points, alpha=[1.0])  # type: ignore[arg-type]
+wrong_name = rbpa.alpha_shape(points, radius=1.0)  # type: ignore[call-arg]
+wrong_member = shape.triangles  # type: ignore[attr-defined]
