@@ -5,10 +5,7 @@
 namespace apps_test {
 namespace {
 
-std::string padded(std::string text, std::size_t size) {
-  text.resize(size, '\0');
-  return text;
-}
+std::string padded(const std::string& text, std::size_t size) { return text + std::string(size - text.size(), '\0'); }
 
 std::string bytes_of(const LasRecord& record, bool extended) {
   return little(0, 2) + padded(record.user, 16) + little(record.number, 2) +
