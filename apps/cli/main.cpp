@@ -1,5 +1,6 @@
 // The program `rbpa`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -15,6 +16,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "program/exit_code.h"
+#include "program/manual.h"
 #include "program/narrow_help.h"
 
 namespace rbpa::app {
@@ -238,6 +240,17 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
          " --help)";
 }
 
+/// What was asked, last word first, as CLI has it. "help VERB" is "VERB --help".
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
 int main(int argc, char** argv) {
   occupy_standard_streams();
   catch_interrupts();
@@ -247,7 +260,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"
-      "`rbpa VERB --help` says more.");
+      "`rbpa help VERB` says more.");
   MeshArguments mesh;
   ShapeArguments shape;
   InfoArguments info;
@@ -256,8 +269,9 @@ int main(int argc, char** argv) {
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_info(app, info);
+  add_manual(app, std::string("rbpa ") + RBPA_VERSION);
   try {
-    app.parse(argc, argv);
+    app.parse(words_of(argc, argv));
   } catch (const CLI::Success& e) {  // help or version
     std::ostringstream text, nothing;
     app.exit(e, text, nothing);

@@ -9,6 +9,7 @@
 #include "io/write_mesh.h"
 #include "meshtopo/run_topology.h"
 #include "program/exit_code.h"
+#include "program/manual.h"
 #include "program/narrow_help.h"
 
 namespace rbpa::app {
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
       "  meshtopo scan.obj --repair -o clean.off --generators loops.obj\n\n"
       "Vertices and faces are numbered as in the file, from 0.\n" +
       std::string(exit_codes));
+  add_manual(app, std::string("meshtopo ") + RBPA_VERSION);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {  // help or version

@@ -1,0 +1,114 @@
+// Manual pages and completions say what --help says.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+const std::vector<std::string> programs = {"rbpa", "meshtopo"};
+
+/// Every option that the help names at the begin of a line.
+std::set<std::string> options_in(const std::string& help) {
+  const std::regex line("\n  (-[a-z]),(--[a-z-]+)|\n  (-[a-z-]+)");
+  std::set<std::string> found;
+  for (auto m = std::sregex_iterator(help.begin(), help.end(), line); m != std::sregex_iterator(); ++m)
+    for (std::size_t group = 1; group < m->size(); ++group)
+      if ((*m)[group].matched) found.insert((*m)[group]);
+  return found;
+}
+
+Outcome ask(const Folder& folder, const std::string& program, const std::string& arguments) {
+  return program == "rbpa" ? folder.rbpa(arguments) : folder.meshtopo(arguments);
+}
+
+std::set<std::string> all_options(const Folder& folder, const std::string& program) {
+  std::set<std::string> all = options_in(ask(folder, program, "--help").out);
+  if (program == "rbpa")
+    for (const std::string verb : {"mesh", "alpha", "shape", "info"})
+      all.merge(options_in(folder.rbpa(verb + " --help").out));
+  return all;
+}
+
+/// What bash offers after these words, the last of them begun only.
+std::string completed(const Folder& folder, const std::string& program, const std::string& words) {
+  folder.file("ask.sh", "source script\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_" +
+                            program + "\nprintf '%s ' \"${COMPREPLY[@]}\"\n");
+  return folder.run("bash", "ask.sh").out;
+}
+
+}  // namespace
+
+TEST_SUITE("manual") {
+  TEST_CASE("every option of every help is in the manual page and in both completions") {
+    const Folder folder;
+    for (const std::string& program : programs) {
+      CAPTURE(program);
+      const std::set<std::string> options = all_options(folder, program);
+      CHECK(options.size() > 8);
+      CHECK(options.contains("--completion"));
+      CHECK(options.contains("-q"));
+      const std::string page = ask(folder, program, "--man").out;
+      const std::string bash = ask(folder, program, "--completion bash").out;
+      const std::string zsh = ask(folder, program, "--completion zsh").out;
+      for (const std::string& option : options) {
+        CAPTURE(option);
+        const std::string in_roff = std::regex_replace(option, std::regex("-"), "\\-");
+        CHECK(page.find("\\fB" + in_roff + "\\fR") != std::string::npos);
+        CHECK(std::regex_search(bash, std::regex("[' ]" + option + "[' ]")));
+        CHECK(std::regex_search(zsh, std::regex("'\\*" + option + "=?\\[")));
+      }
+    }
+  }
+
+  TEST_CASE("a manual page is clean for groff, and shows texts as they are") {
+    const Folder folder;
+    for (const std::string& program : programs) {
+      folder.file("page", ask(folder, program, "--man").out);
+      const Outcome shown = folder.run("groff", "-man -Tascii -P-c -P-b -P-u -ww page");
+      if (shown.code == 127) continue;  // no groff on this machine
+      CHECK(shown.err.empty());
+      CHECK(shown.out.find("EXIT STATUS") != std::string::npos);
+      CHECK(shown.out.find(program == "rbpa" ? "rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png"
+                                             : "meshtopo part.stl --json -o report.json") != std::string::npos);
+    }
+  }
+
+  TEST_CASE("bash completes verbs, and of a verb its options") {
+    const Folder folder;
+    folder.file("script", folder.rbpa("--completion bash").out);
+    CHECK(completed(folder, "rbpa", "rbpa m") == "mesh ");
+    CHECK(completed(folder, "rbpa", "rbpa --v") == "--version ");
+    CHECK(completed(folder, "rbpa", "rbpa mesh points.xy --alpha-i") == "--alpha-inverse ");
+    CHECK(completed(folder, "rbpa", "rbpa info --lev").find("--levels") == std::string::npos);
+    CHECK(completed(folder, "rbpa", "rbpa mesh --lev") == "--levels ");
+    folder.file("script", folder.meshtopo("--completion bash").out);
+    CHECK(completed(folder, "meshtopo", "meshtopo --rep") == "--repair ");
+  }
+
+  TEST_CASE("help VERB is VERB --help") {
+    const Folder folder;
+    CHECK(folder.rbpa("help").out == folder.rbpa("--help").out);
+    CHECK(folder.rbpa("help shape").out == folder.rbpa("shape --help").out);
+    CHECK(folder.rbpa("help shape").out.find("--min-hole-area") != std::string::npos);
+    const Outcome wrong = folder.rbpa("help mehs");
+    CHECK(wrong.code == 2);
+    CHECK(wrong.err.find("found 'mehs'") != std::string::npos);
+  }
+
+  TEST_CASE("a shell that is not known is refused by name") {
+    const Folder folder;
+    for (const std::string& program : programs) {
+      const Outcome fish = ask(folder, program, "--completion fish");
+      CHECK(fish.code == 2);
+      CHECK(fish.err.find("--completion: found 'fish', expected bash or zsh") != std::string::npos);
+    }
+  }
+}
