@@ -11,6 +11,7 @@
 #include "io/number.h"
 #include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
+#include "rbpa/filtration/plateaus.h"
 
 namespace rbpa::app {
 namespace {
@@ -25,10 +26,12 @@ std::optional<double> parse_size(const std::string& text) {
   return number.value;
 }
 
+constexpr std::string_view alphas = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
+
 double parse_radius(const std::string& text) {
   const std::optional<double> radius = parse_size(text);
   if (!radius || *radius == 0)
-    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius (a number > 0, or inf), auto or min");
+    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected " + std::string(alphas));
   return *radius;
 }
 
@@ -55,6 +58,10 @@ AlphaChoice parse_choice(const RadiusArguments& arguments) {
     return {.radius = parse_inverse(*arguments.inverse), .converted = " of --alpha-inverse " + *arguments.inverse};
   if (*arguments.alpha == "auto") return {.rule = AlphaRule::automatic};
   if (*arguments.alpha == "min") return {.rule = AlphaRule::least};
+  if (*arguments.alpha == "plateau") return {.rule = AlphaRule::plateau};
+  if (constexpr std::string_view ranked = "plateau:"; arguments.alpha->starts_with(ranked))
+    return {.rule = AlphaRule::plateau,
+            .rank = parse_whole("--alpha plateau", arguments.alpha->substr(ranked.size()), {.least = 1})};
   return {.radius = parse_radius(*arguments.alpha)};
 }
 
@@ -82,19 +89,21 @@ AlphaChoice parse_alpha(const RadiusArguments& arguments) {
   };
   if (arguments.components && choice.rule != AlphaRule::automatic)
     throw WrongUsage("--components: found " + found() + ", expected --alpha auto, which is what it is about");
-  if (arguments.cover && choice.rule == AlphaRule::given)
+  if (arguments.cover && choice.rule != AlphaRule::automatic && choice.rule != AlphaRule::least)
     throw WrongUsage("--cover: found " + found() + ", expected --alpha auto or min, which are what it is about");
   if (arguments.components) choice.most_components = parse_components(*arguments.components);
   if (arguments.cover) choice.cover = parse_cover(*arguments.cover);
   return choice;
 }
 
-const char* name_of(AlphaRule rule) {
-  switch (rule) {
+std::string name_of(const AlphaChoice& choice) {
+  switch (choice.rule) {
     case AlphaRule::automatic:
       return "auto";
     case AlphaRule::least:
       return "min";
+    case AlphaRule::plateau:
+      return choice.rank == 1 ? "plateau" : "plateau:" + std::to_string(choice.rank);
     case AlphaRule::given:
       break;
   }
@@ -106,6 +115,13 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   const SolidAlphaComplex delaunay = build(points, infinity, run);
   const ProgressLine line("rbpa", !run.quiet, "choosing alpha");
   const Filtration all = filtration(delaunay, points, until_interrupted());
+  if (choice.rule == AlphaRule::plateau) {
+    const std::vector<Plateau> found = plateaus(delaunay, points, all, until_interrupted());
+    if (found.empty()) return std::nullopt;
+    if (choice.rank <= found.size()) return found[choice.rank - 1].alpha;
+    throw WrongUsage("--alpha " + name_of(choice) + ": found " + counted(found.size(), "plateau") +
+                     ", expected a rank that there is (rbpa alpha POINTS shows them)");
+  }
   Covering covering{.share = choice.cover};
   if (choice.rule == AlphaRule::automatic) covering.max_components = choice.most_components;
   return smallest_covering(delaunay, all, covering, until_interrupted());
@@ -114,7 +130,7 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
 std::string said(const AlphaChoice& choice, std::optional<double> alpha) {
   if (choice.rule == AlphaRule::given)
     return choice.converted.empty() ? "" : ", alpha " + text_of(choice.radius) + choice.converted;
-  std::string text = std::string(", alpha ") + name_of(choice.rule) + " = " + (alpha ? text_of(*alpha) : "none");
+  std::string text = ", alpha " + name_of(choice) + " = " + (alpha ? text_of(*alpha) : "none");
   if (choice.cover < 1) text += " with --cover " + text_of(choice.cover);
   return text;
 }

@@ -41,7 +41,7 @@ ComplexRun begin_run(ComplexRequest request) {
 
 void end_run(ComplexRun& run, OutputSet& outputs) {
   if (run.request.stats) {
-    run.stats.alpha_rule = name_of(run.request.alpha.rule);
+    run.stats.alpha_rule = name_of(run.request.alpha);
     run.stats.points = run.points.size();
     run.stats.threads = threads_used(run.points.size(), run.request.options.threads);
     run.stats.method = run.request.method.name();

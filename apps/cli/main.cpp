@@ -79,12 +79,13 @@ void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   RadiusArguments& radius = arguments.radius;
-  CLI::Option* alpha =
-      verb.add_option(
-              "--alpha", radius.alpha,
-              "Largest circumradius: a radius in units of the points, or inf; min is the least that covers every "
-              "point, auto the least that does so in at most K solid components (see rbpa alpha)")
-          ->type_name("R|auto|inf|min");
+  CLI::Option* alpha = verb.add_option("--alpha", radius.alpha,
+                                       "Largest circumradius: a radius in units of the points, or inf; plateau is one "
+                                       "around which the shape hardly changes, "
+                                       "plateau:K the K-th best of those; min is the least that covers every point, "
+                                       "auto the least that does so in at most K "
+                                       "solid components (rbpa alpha shows them all)")
+                           ->type_name("R|plateau|auto|min|inf");
   CLI::Option* squared = verb.add_option("--alpha-squared", radius.squared,
                                          "In place of --alpha: the square of the radius, as CGAL has it")
                              ->type_name("A")
@@ -99,8 +100,9 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   add_cover_option(verb, radius.cover);
   verb.callback([&radius] {
     if (radius.alpha || radius.squared || radius.inverse) return;
-    throw CLI::RequiredError("found no --alpha, expected a radius, auto, inf or min; rbpa alpha POINTS says which",
-                             CLI::ExitCodes::RequiredError);
+    throw CLI::RequiredError(
+        "found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them",
+        CLI::ExitCodes::RequiredError);
   });
 }
 
@@ -181,8 +183,9 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   add_run_options(verb, arguments.run, "No progress");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
-      "are "
-      "at most K solid components. Solid components hang together through edges, components through points.\n\n"
+      "are at most K solid components. A plateau is a range of alpha over which parts and holes hardly change; the "
+      "best is "
+      "recommended. Parts are solid components: they hang together through edges, components through points.\n\n"
       "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
       "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n\n" +
       std::string(exit_codes));

@@ -137,7 +137,8 @@ TEST_SUITE("alpha cover") {
     const Folder folder;
     for (const std::string verb : {"mesh", "shape"}) {
       CHECK(folder.rbpa(verb + " p.xy -o s.svg").err ==
-            "rbpa: found no --alpha, expected a radius, auto, inf or min; rbpa alpha POINTS says which (see rbpa " +
+            "rbpa: found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them (see "
+            "rbpa " +
                 verb + " --help)\n");
       CHECK(folder.rbpa(verb + " p.xy").code == 2);
     }

@@ -31,13 +31,13 @@ std::optional<double> smallest_covering(const SolidAlphaComplex& delaunay, const
   Pulse pulse(go_on);
   const std::vector<double>& alpha = filtration.triangle_alpha;
   const std::vector<std::uint32_t> faces = ascending(filtration, pulse);
-  SolidParts parts(delaunay.mesh);
+  const std::vector<FaceCell> cells = face_cells(delaunay.mesh, faces);
+  SolidParts parts(cells, delaunay.mesh.n_vertices());
   // So many triangles, joined by edges, have at most two vertices more.
   PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     pulse.beat();
-    parts.add(
-        faces[i], [&](std::uint32_t size) { sizes.remove(size); }, [&](std::uint32_t size) { sizes.add(size); });
+    parts.add_next([&](std::uint32_t size) { sizes.remove(size); }, [&](std::uint32_t size) { sizes.add(size); });
     if (i + 1 < faces.size() && alpha[faces[i + 1]] == alpha[faces[i]]) continue;
     const std::size_t taken_away = sizes.sum() - sizes.largest(*covering.max_components);
     if (taken_away <= parts.covered() && is_share(parts.covered() - taken_away, distinct, covering.share))

@@ -18,6 +18,19 @@ std::vector<FaceCell> face_cells(const Mesh& mesh) {
   return cells;
 }
 
+std::vector<FaceCell> face_cells(const Mesh& mesh, const std::vector<std::uint32_t>& order) {
+  const std::vector<FaceCell> cells = face_cells(mesh);
+  std::vector<std::uint32_t> place(cells.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  std::vector<FaceCell> ordered(cells.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    ordered[i] = cells[order[i]];
+    for (std::uint32_t& neighbour : ordered[i].neighbours)
+      if (neighbour != FaceCell::none) neighbour = place[neighbour];
+  }
+  return ordered;
+}
+
 std::vector<std::uint32_t> gaps_of(const std::vector<FaceCell>& cells, std::size_t vertices) {
   std::vector<std::uint32_t> gaps(vertices);
   for (const FaceCell& cell : cells)

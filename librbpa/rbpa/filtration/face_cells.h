@@ -17,6 +17,10 @@ struct FaceCell {
 
 std::vector<FaceCell> face_cells(const Mesh& mesh);
 
+/// The same, the i-th of face `order[i]`, with neighbours numbered so as well: who goes through them in this order reads
+/// memory from end to end, and which of two neighbours comes first is seen from their numbers.
+std::vector<FaceCell> face_cells(const Mesh& mesh, const std::vector<std::uint32_t>& order);
+
 /// Of each vertex, how many faces are missing around it while there is none, with one for the boundary.
 std::vector<std::uint32_t> gaps_of(const std::vector<FaceCell>& cells, std::size_t vertices);
 

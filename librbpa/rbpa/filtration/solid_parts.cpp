@@ -2,12 +2,7 @@
 
 namespace rbpa {
 
-SolidParts::SolidParts(const Mesh& mesh)
-    : cells_(face_cells(mesh)),
-      gaps_(gaps_of(cells_, mesh.n_vertices())),
-      parts_(mesh.n_faces()),
-      vertices_(mesh.n_faces()),
-      in_(mesh.n_faces()),
-      on_(mesh.n_vertices()) {}
+SolidParts::SolidParts(const std::vector<FaceCell>& cells, std::size_t vertices)
+    : cells_(cells), gaps_(gaps_of(cells, vertices)), parts_(cells.size()), vertices_(cells.size()), on_(vertices) {}
 
 }  // namespace rbpa

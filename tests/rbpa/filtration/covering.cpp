@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "filtration/small_sets.h"
-#include "meshops/core/connectivity.h"
+#include "filtration/solid_sizes.h"
 #include "meshops/core/contract.h"
 #include "rbpa/core/error.h"
 #include "rbpa/filtration/part_sizes.h"
@@ -31,32 +31,12 @@ std::optional<double> covering_of(const Points& points, const Covering& covering
   return rbpa::smallest_covering(delaunay, rbpa::filtration(delaunay, points), covering);
 }
 
-/// Vertices of each solid component of the mesh, the largest first: found by walking from vertex to vertex.
-std::vector<std::size_t> sizes_of(const rbpa::Mesh& mesh) {
-  std::vector<std::size_t> sizes;
-  std::vector<bool> seen(mesh.n_vertices());
-  for (std::size_t first = 0; first < seen.size(); ++first) {
-    if (seen[first]) continue;
-    std::vector<std::size_t> waiting{first};
-    seen[first] = true;
-    for (std::size_t i = 0; i < waiting.size(); ++i)
-      for (const auto v : mesh.vv_range(meshops::Vertex(static_cast<int>(waiting[i])))) {
-        const auto at = static_cast<std::size_t>(v.idx());
-        if (!seen[at]) waiting.push_back(at);
-        seen[at] = true;
-      }
-    sizes.push_back(waiting.size());
-  }
-  std::sort(sizes.begin(), sizes.end(), std::greater());
-  return sizes;
-}
-
 /// What is left of the points when the complex at alpha is built anew, and all but the `most` largest components go.
 std::size_t left_over(const Points& points, double alpha, std::optional<std::size_t> most) {
   const auto complex = rbpa::rbpa(points, alpha);
   const std::size_t covered = complex.distinct - complex.isolated.size();
   if (!most) return covered;
-  const std::vector<std::size_t> sizes = sizes_of(complex.mesh);
+  const std::vector<std::size_t> sizes = solid_sizes(complex.mesh);
   const std::size_t gone = std::accumulate(sizes.begin() + static_cast<std::ptrdiff_t>(std::min(*most, sizes.size())),
                                            sizes.end(), std::size_t{0});
   return gone < covered ? covered - gone : 0;
