@@ -244,11 +244,12 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
 }
 
 /// What was asked, last word first, as CLI has it. "help VERB" is "VERB --help".
-std::vector<std::string> words_of(int argc, char** argv) {
+std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
-    words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
+    const auto is_asked_for = [&](const CLI::App* verb) { return verb->check_name(words[0]); };
+    if (words.empty() || !app.get_subcommands(is_asked_for).empty()) words.push_back("--help");
   }
   std::reverse(words.begin(), words.end());
   return words;
@@ -274,7 +275,7 @@ int main(int argc, char** argv) {
   add_info(app, info);
   add_manual(app, std::string("rbpa ") + RBPA_VERSION);
   try {
-    app.parse(words_of(argc, argv));
+    app.parse(words_of(app, argc, argv));
   } catch (const CLI::Success& e) {  // help or version
     std::ostringstream text, nothing;
     app.exit(e, text, nothing);

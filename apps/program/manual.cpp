@@ -123,10 +123,15 @@ std::string footer_of(const CLI::App& app) {
 // ---- shells
 
 /// Between single quotes of a shell.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text) safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return "'" + safe + "'";
+std::string in_single_quotes(const std::string& text) {
+  std::string safe = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      safe += "'\\''";
+    else
+      safe += c;
+  }
+  return safe += "'";
 }
 
 /// A text within an argument of zsh's _arguments.
@@ -146,7 +151,7 @@ std::string zsh_arguments(const CLI::App& app) {
       std::string argument = "*" + name + (takes_value(*option) && name.starts_with("--") ? "=" : "") + "[" +
                              zsh_text(option->get_description()) + "]";
       if (takes_value(*option)) argument += ":" + zsh_text(option->get_type_name()) + ":_files";
-      text += " \\\n        " + quoted(argument);
+      text += " \\\n        " + in_single_quotes(argument);
     }
   return text + " \\\n        '*:file:_files'\n";
 }
@@ -202,7 +207,7 @@ std::string zsh_completion(const CLI::App& app) {
   if (verbs.empty()) return text + zsh_arguments(app);
   text += "if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n  local -a verbs=(\n";
   for (const CLI::App* verb : verbs)
-    text += "    " + quoted(verb->get_name() + ":" + zsh_text(verb->get_description())) + "\n";
+    text += "    " + in_single_quotes(verb->get_name() + ":" + zsh_text(verb->get_description())) + "\n";
   text += "  )\n  _describe verb verbs\nelse\n  case $words[2] in\n";
   for (const CLI::App* verb : verbs)
     text += "    " + verb->get_name() + ")\n      shift words; (( CURRENT-- ))\n      " + zsh_arguments(*verb) +

@@ -39,7 +39,7 @@ std::set<std::string> all_options(const Folder& folder, const std::string& progr
 
 /// What bash offers after these words, the last of them begun only.
 std::string completed(const Folder& folder, const std::string& program, const std::string& words) {
-  folder.file("ask.sh", "source script\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_" +
+  folder.file("ask.sh", "source ./script\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_" +
                             program + "\nprintf '%s ' \"${COMPREPLY[@]}\"\n");
   return folder.run("bash", "ask.sh").out;
 }
