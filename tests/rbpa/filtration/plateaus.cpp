@@ -85,6 +85,20 @@ Points two_discs(Random& random) {
   return both(in_disc(500, {0, 0}, 0, 1, random), in_disc(500, {3, 0}, 0, 1, random));
 }
 
+/// A ring with a mouth that closes long before its middle fills up.
+Points closing_ring(Random& random) {
+  Points points = in_disc(6000, {0, 0}, 3, 4, random);
+  std::erase_if(points, [](const rbpa::Point& p) { return p.x > 0 && std::abs(p.y) < p.x / 2; });
+  return points;
+}
+
+/// A band bent so far that its bay holds more than it does.
+Points bay(Random& random) {
+  Points points = in_disc(5000, {0, 0}, 4, 5, random);
+  std::erase_if(points, [](const rbpa::Point& p) { return p.x > -1; });
+  return points;
+}
+
 /// What is recommended has so many effective parts, so much of it is hole, and alpha is between spacing and gap.
 void recommends(const Points& points, double parts, double hole_share, double at_least, double below) {
   const std::vector<Plateau> plateaus = plateaus_of(points);
@@ -243,10 +257,10 @@ TEST_CASE("shapes are found as they were made") {
       points.push_back(p.y > 0 ? p : rbpa::Point{p.x + 1, p.y + 0.4});
     recommends(points, 2, 0, 0.02, 0.25);
   }
-  SUBCASE("a crescent keeps its mouth open") {
-    Points points = in_disc(3000, {0, 0}, 3, 4, random);
-    std::erase_if(points, [](const rbpa::Point& p) { return p.x > 0 && std::abs(p.y) < 2; });
-    recommends(points, 1, 0, 0.1, 1);
+  SUBCASE("a ring with a mouth, which stays open") { recommends(closing_ring(random), 1, 0, 0.1, 1); }
+  SUBCASE("a bay stays open, with an outlier too") {
+    recommends(bay(random), 1, 0, 0.1, 2);
+    recommends(both(bay(random), {{1000, 0}}), 1, 0, 0.1, 2);
   }
 }
 
@@ -320,14 +334,42 @@ TEST_CASE("a triangle has one plateau, without an end; points without a triangle
     CHECK(plateaus_of(points).empty());
 }
 
-TEST_CASE("long ones come first, those with structure that become one piece before it") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const std::vector<Plateau> plateaus = plateaus_of(set.points);
-    const auto first_short = std::find_if(plateaus.begin(), plateaus.end(), [](auto& p) { return !p.is_long; });
-    CHECK(std::none_of(first_short, plateaus.end(),
-                       [](auto& p) { return p.is_long && p.kind == PlateauKind::structured; }));
+TEST_CASE("parts that become one piece come first, then that piece and what closes around it, then the rest") {
+  Random random(71);
+  std::vector<Points> sets;
+  for (const SmallSet& set : small_sets()) sets.push_back(set.points);
+  for (std::uint64_t seed = 0; seed < 30; ++seed) sets.push_back(uniform(10 + 4 * seed, seed));
+  sets.push_back(two_discs(random));
+  sets.push_back(closing_ring(random));
+  sets.push_back(both(bay(random), {{1000, 0}}));
+  sets.push_back(both(two_discs(random), {{1000, 0}}));
+  std::size_t above = 0, second_piece = 0, by_chance = 0, left_out = 0;
+  for (const Points& points : sets) {
+    const std::vector<Plateau> plateaus = plateaus_of(points);
+    double piece = infinity;
+    for (const Plateau& p : plateaus)
+      if (p.is_long && p.kind == PlateauKind::one_piece) piece = std::min(piece, p.from);
+    const std::size_t distinct = rbpa::rbpa(points, 1).distinct;
+    const auto place = [&](const Plateau& p) {
+      if (p.is_long && p.kind == PlateauKind::structured && p.from < piece) return 0;
+      if (p.is_long && (p.kind == PlateauKind::structured || p.from == piece)) return 1;
+      return p.is_long || 10 * p.step.covered >= 9 * distinct ? 2 : 3;
+    };
+    for (std::size_t i = 0; i + 1 < plateaus.size(); ++i) {
+      CHECK(place(plateaus[i]) <= place(plateaus[i + 1]));
+      if (place(plateaus[i]) == place(plateaus[i + 1])) CHECK(plateaus[i].ratio >= plateaus[i + 1].ratio);
+      above += place(plateaus[i]) == 1 && place(plateaus[i + 1]) == 1;
+      second_piece += place(plateaus[i]) == 1 && place(plateaus[i + 1]) == 2 && plateaus[i + 1].is_long &&
+                      plateaus[i + 1].ratio > plateaus[i].ratio;
+      by_chance += place(plateaus[i]) == 1 && plateaus[i + 1].from < plateaus[i].from;
+      left_out += place(plateaus[i]) == 2 && place(plateaus[i + 1]) == 3 && plateaus[i + 1].ratio > plateaus[i].ratio;
+    }
   }
+  // Each of the cases is there.
+  CHECK(above > 0);
+  CHECK(second_piece > 0);
+  CHECK(by_chance > 0);
+  CHECK(left_out > 0);
 }
 
 TEST_CASE("false from go_on cancels the search for plateaus in every phase") {
