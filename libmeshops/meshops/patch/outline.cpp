@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -46,7 +47,7 @@ class Surveyor {
     int found = -1;
     for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {
       seen_[static_cast<std::size_t>(out)] = true;
-      if (comes_first(out)) found = std::max(found, out);
+      found = std::max(found, comes_first(out) ? out : -1);  // without a branch: which comes first is a toss of a coin
       out = next_out(out);
       if (out == side) return found;
     }
@@ -58,7 +59,7 @@ class Surveyor {
   static_assert(sizeof(std::array<int, 3>) == 3 * sizeof(int));
   const int* across_;  // of each side
   int sides_;
-  std::vector<bool> seen_;  // of each side that does not lie at the rim
+  std::vector<std::uint8_t> seen_;  // of each side that does not lie at the rim
 };
 
 }  // namespace

@@ -37,7 +37,8 @@ class TileFront {
         circumradius_(own.circumradius),
         apexes_(tile, workspace.coordinates) {}
 
-  void run() {
+  /// False where it has given up.
+  bool run() {
     front_.begin(tile_.points.size());
     if (const std::size_t triangles = 2 * tile_.points.size() + 2; circumradius_.size() < triangles) {
       for (auto* sides : {&queue_, &wave_}) sides->resize(4 * triangles);
@@ -45,10 +46,11 @@ class TileFront {
     }
     for (std::size_t v = 0; v < tile_.points.size(); ++v) {
       if (!tile_.owned[v] || front_.is_touched(v)) continue;
-      if (has_given_up()) return;
       seed(static_cast<Index>(v));
       advance();
+      if (has_given_up()) return false;
     }
+    return true;
   }
 
  private:
@@ -155,8 +157,8 @@ class TileFront {
 
 }  // namespace
 
-void advance_on(const Tile& tile, TileWorkspace& workspace, PivotWorkspace& own) {
-  TileFront(tile, workspace, own).run();
+bool advance_on(const Tile& tile, TileWorkspace& workspace, PivotWorkspace& own) {
+  return TileFront(tile, workspace, own).run();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -194,8 +196,7 @@ bool is_along_curves(const Tile& tile) {
 
 bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
                     TilePatch& found) {
-  if (is_along_curves(tile)) return false;
-  HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace, own);
+  if (is_along_curves(tile) || !HWY_DYNAMIC_DISPATCH(advance_on)(tile, workspace, own)) return false;
   extract_patch(tile, workspace.coordinates, workspace.front, alpha, workspace.extraction, found);
   return true;
 }
