@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "meshops/front/boundary_curve.h"
-#include "meshops/topology/disjoint_sets.h"
 #include "rbpa/core/error.h"
 #include "rbpa/predicate/predicates.h"
+#include "rbpa/shape/components.h"
 #include "rbpa/shape/measure.h"
 #include "rbpa/shape/nesting.h"
 #include "rbpa/shape/split_curve.h"
@@ -56,12 +56,7 @@ class Order {
 /// The rings of each solid component.
 std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& complex, std::size_t points) {
   const Mesh& mesh = complex.mesh;
-  meshops::DisjointSets components(mesh.n_vertices());
-  for (const auto edge : mesh.edges()) {
-    const auto h = mesh.halfedge_handle(edge, 0);
-    components.unite(static_cast<std::uint32_t>(index(mesh.from_vertex_handle(h))),
-                     static_cast<std::uint32_t>(index(mesh.to_vertex_handle(h))));
-  }
+  meshops::DisjointSets components = components_of(mesh);
   std::vector<std::vector<Ring>> rings;
   std::vector<std::uint32_t> number(mesh.n_vertices(), 0);  // from 1, by the least vertex
   CurveSplitter splitter(points);
