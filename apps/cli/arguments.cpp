@@ -111,4 +111,12 @@ std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& pat
   return targets;
 }
 
+ShapeTarget parse_isolated(const std::string& path) {
+  const std::optional<ShapeFormat> format = shape_format(ending(path));
+  if (!format || *format == ShapeFormat::svg || *format == ShapeFormat::png)
+    throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
+                     std::string(isolated_formats));
+  return {path, *format};
+}
+
 }  // namespace rbpa::app

@@ -38,6 +38,9 @@ std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& pat
                                              const std::optional<std::string>& format,
                                              const std::vector<std::string>& reports, const std::string& points);
 
+/// A file for the points in no polygon, by its ending.
+ShapeTarget parse_isolated(const std::string& path);
+
 /// " -> a.off, standard output"; "" when there is none.
 template <typename Format>
 std::string list_of(const std::vector<TargetOf<Format>>& targets) {

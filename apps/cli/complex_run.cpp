@@ -31,6 +31,7 @@ ComplexRun begin_run(ComplexRequest request) {
   PointFile file = read(run.request.source, run.request.options.quiet);
   run.points = std::move(file.points);
   run.crs = std::move(file.crs);
+  run.degrees = file.degrees;
   run.stats.read_seconds = run.watch.lap();
   run.stats.alpha = choose_alpha(choice, run.points, run.request.options);
   if (choice.rule != AlphaRule::given) run.stats.choose_seconds = run.watch.lap();

@@ -48,6 +48,7 @@ struct ComplexRun {
   Stopwatch watch = {};
   std::vector<Point> points = {};
   std::optional<Crs> crs = std::nullopt;  ///< of the points, where it is known
+  bool degrees = false;                   ///< they are longitudes and latitudes
   double alpha = 0;                       ///< that was given, or that the points have chosen
   Stats stats = {};                       ///< what is known so far
 };

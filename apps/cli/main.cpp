@@ -205,6 +205,9 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   verb.add_option("--min-part-area", arguments.min_part_area, "Drop polygons of less area, after holes are filled")
       ->type_name("A")
       ->capture_default_str();
+  verb.add_option("--isolated", arguments.isolated,
+                  "File for the points in no polygon, by its ending: " + std::string(isolated_formats))
+      ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")
       ->type_name("PIXELS")
       ->capture_default_str();
@@ -213,7 +216,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       "Examples:\n"
       "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
-      "GeoJSON has a Feature for each polygon, with its area, perimeter and number of holes; WKT is one MULTIPOLYGON.\n"
+      "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
+      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"
       "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
       std::string(exit_codes));
 }

@@ -1,45 +1,92 @@
 #include "cli/shape_verb.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "cli/arguments.h"
 #include "cli/progress.h"
 #include "io/failure.h"
+#include "io/gis/geojson_crs.h"
+#include "io/gis/write_points.h"
+#include "io/gis/write_polygons.h"
 #include "io/interrupt.h"
 #include "io/message.h"
 #include "io/output_file.h"
-#include "io/write_polygons.h"
 #include "picture/png.h"
 #include "picture/svg.h"
+#include "rbpa/shape/coverage.h"
 #include "rbpa/shape/polygons.h"
 
 namespace rbpa::app {
 namespace {
 
-void write_targets(OutputSet& outputs, const std::vector<ShapeTarget>& targets, const ComplexRun& run,
-                   const std::vector<Polygon>& shape, const SolidAlphaComplex& complex) {
+/// What the command line asks for.
+struct Files {
+  std::vector<ShapeTarget> targets;
+  std::optional<ShapeTarget> isolated = std::nullopt;  ///< for the points in no polygon
+
+  /// Whether any of them says in which polygon points are.
+  bool have_points() const {
+    return isolated || std::any_of(targets.begin(), targets.end(), [](const ShapeTarget& target) {
+             return target.format == ShapeFormat::geojson || target.format == ShapeFormat::csv;
+           });
+  }
+};
+
+void write_shape(OutputFile& file, ShapeFormat format, const Shape& shape) {
+  switch (format) {
+    case ShapeFormat::geojson:
+      return write_geojson(file, shape);
+    case ShapeFormat::wkt:
+      return write_wkt(file, shape);
+    case ShapeFormat::csv:
+      return write_points_csv(file, shape);
+    case ShapeFormat::svg:
+    case ShapeFormat::png:
+      break;
+  }
+}
+
+void write_isolated(OutputFile& file, ShapeFormat format, const Shape& shape) {
+  if (format == ShapeFormat::geojson) return write_isolated_geojson(file, shape);
+  format == ShapeFormat::wkt ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
+}
+
+bool is_picture(ShapeFormat format) { return format == ShapeFormat::svg || format == ShapeFormat::png; }
+
+void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run, const Shape& shape,
+                   const SolidAlphaComplex& complex) {
   const ProgressLine line("rbpa", run.request.shows_writing, "writing");
   std::optional<Drawing> drawing;
-  for (const ShapeTarget& target : targets) {
+  for (const ShapeTarget& target : files.targets) {
     stop_if_interrupted();
     OutputFile& file = outputs.add(target.path);
-    switch (target.format) {
-      case ShapeFormat::geojson:
-        write_geojson(file, shape, run.points);
-        break;
-      case ShapeFormat::wkt:
-        write_wkt(file, shape, run.points);
-        break;
-      case ShapeFormat::svg:
-      case ShapeFormat::png:
-        if (!drawing) drawing = drawing_of(run.points, shape, complex.isolated);
-        const Scene scene = place(*drawing, run.request.width);
-        target.format == ShapeFormat::svg ? write_svg(file, scene) : write_png(file, scene);
-        break;
+    if (is_picture(target.format)) {
+      if (!drawing) drawing = drawing_of(run.points, shape.polygons, complex.isolated);
+      const Scene scene = place(*drawing, run.request.width);
+      target.format == ShapeFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+    } else {
+      write_shape(file, target.format, shape);
     }
     file.finish();
   }
+  if (!files.isolated) return;
+  OutputFile& file = outputs.add(files.isolated->path);
+  write_isolated(file, files.isolated->format, shape);
+  file.finish();
+}
+
+/// GeoJSON in metres looks like any other: said once, whatever else is not.
+void caution(const Files& files, const Shape& shape) {
+  std::vector<ShapeTarget> all = files.targets;
+  if (files.isolated) all.push_back(*files.isolated);
+  const auto first =
+      std::find_if(all.begin(), all.end(), [](const ShapeTarget& t) { return t.format == ShapeFormat::geojson; });
+  if (first == all.end()) return;
+  if (const std::optional<std::string> why = geojson_caution(shape))
+    say("rbpa", (first->path == "-" ? "standard output" : first->path) + ": " + *why);
 }
 
 std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFilter& filter, const RunOptions& run) {
@@ -47,10 +94,10 @@ std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFil
   return polygons(complex, filter);
 }
 
-std::string made(const std::vector<Polygon>& shape, const PolygonTotals& totals) {
+std::string made(const std::vector<Polygon>& polygons, const PolygonTotals& totals) {
   char area[32];
   std::snprintf(area, sizeof area, "%.6g", totals.area);
-  return counted(shape.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", area " + area;
+  return counted(polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", area " + area;
 }
 
 }  // namespace
@@ -59,33 +106,38 @@ void run_shape(const ShapeArguments& arguments) {
   ComplexRequest request = parse_request(arguments);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
-  const std::vector<ShapeTarget> targets =
-      parse_shape_targets(arguments.outputs, arguments.output_format, given({arguments.stats}), arguments.points);
+  Files files{.targets = parse_shape_targets(arguments.outputs, arguments.output_format,
+                                             given({arguments.stats, arguments.isolated}), arguments.points)};
+  if (arguments.isolated) files.isolated = parse_isolated(*arguments.isolated);
 
   ComplexRun run = begin_run(std::move(request));
   const SolidAlphaComplex complex = build(run.points, run.alpha, run.request.method, run.request.options).complex;
   stop_if_interrupted();
-  const std::vector<Polygon> shape = outlined(complex, filter, run.request.options);
-  const PolygonTotals totals = total(shape);
+  const std::vector<Polygon> polygons = outlined(complex, filter, run.request.options);
+  const PolygonTotals totals = total(polygons);
+  std::vector<std::optional<std::uint32_t>> polygon_of;
+  if (files.have_points()) polygon_of = polygon_of_points(complex, polygons, filter, run.points);
+  const Shape shape{run.points, polygons, polygon_of, run.crs, run.degrees};
   run.stats.build_seconds = run.watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, targets, run, shape, complex);
+  write_targets(outputs, files, run, shape, complex);
   run.stats.write_seconds = run.watch.lap();
   if (run.request.stats) {
     run.stats.distinct = complex.distinct;
     run.stats.isolated = complex.isolated.size();
     run.stats.counts = count(complex);
-    run.stats.polygons = shape.size();
+    run.stats.polygons = polygons.size();
     run.stats.of_polygons = totals;
   }
   end_run(run, outputs);
+  caution(files, shape);
 
-  if (shape.empty())
+  if (polygons.empty())
     say("rbpa",
         "the shape is empty: " + (complex.mesh.n_faces() == 0 ? why_empty(run, complex.distinct)
                                                               : "no part has an area >= " + arguments.min_part_area));
-  say_summary(run, complex.duplicates.size(), made(shape, totals), list_of(targets));
+  say_summary(run, complex.duplicates.size(), made(polygons, totals), list_of(files.targets));
 }
 
 }  // namespace rbpa::app

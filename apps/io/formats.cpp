@@ -65,17 +65,15 @@ std::optional<PolylineFormat> polyline_format(std::string_view name) {
 
 std::optional<OutputFormat> output_format(std::string_view name) {
   constexpr std::pair<std::string_view, OutputFormat> known[] = {
-      {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj},
-      {"npy", OutputFormat::npy}, {"svg", OutputFormat::svg}, {"png", OutputFormat::png}};
+      {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj}, {"npy", OutputFormat::npy},
+      {"vtu", OutputFormat::vtu}, {"svg", OutputFormat::svg}, {"png", OutputFormat::png}};
   return find(known, name);
 }
 
 std::optional<ShapeFormat> shape_format(std::string_view name) {
-  constexpr std::pair<std::string_view, ShapeFormat> known[] = {{"geojson", ShapeFormat::geojson},
-                                                                {"json", ShapeFormat::geojson},
-                                                                {"wkt", ShapeFormat::wkt},
-                                                                {"svg", ShapeFormat::svg},
-                                                                {"png", ShapeFormat::png}};
+  constexpr std::pair<std::string_view, ShapeFormat> known[] = {
+      {"geojson", ShapeFormat::geojson}, {"json", ShapeFormat::geojson}, {"wkt", ShapeFormat::wkt},
+      {"csv", ShapeFormat::csv},         {"svg", ShapeFormat::svg},      {"png", ShapeFormat::png}};
   return find(known, name);
 }
 

@@ -11,8 +11,8 @@ enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson }
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
-enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, svg, png };
-enum class ShapeFormat { geojson, wkt, svg, png };
+enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, vtu, svg, png };
+enum class ShapeFormat { geojson, wkt, csv, svg, png };
 enum class LevelFormat { csv, json };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
@@ -39,8 +39,9 @@ std::string_view input_ending(std::string_view path);
 constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, las, geojson, wkt, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
-constexpr std::string_view output_formats = "off, ply, obj, npy, svg, png";
-constexpr std::string_view full_output_formats = "obj, npy, svg, png";  // of the full complex
-constexpr std::string_view shape_formats = "geojson, json, wkt, svg, png";
+constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
+constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
+constexpr std::string_view shape_formats = "geojson, json, wkt, csv, svg, png";
+constexpr std::string_view isolated_formats = "geojson, json, wkt, csv";
 
 }  // namespace rbpa::app

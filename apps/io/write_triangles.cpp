@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "io/polygon_files.h"
+#include "io/write_vtu.h"
 
 namespace rbpa::app {
 namespace {
@@ -70,6 +71,8 @@ void write_triangles(OutputFile& file, OutputFormat format, const TriangleMesh& 
       return write_npy(file, mesh.edges.size(), ", 2", flat(mesh.edges));
     case OutputFormat::npy_points:
       return write_npy(file, mesh.points.size(), ",", mesh.points);
+    case OutputFormat::vtu:
+      return write_vtu(file, mesh);
     case OutputFormat::svg:
     case OutputFormat::png:
       break;

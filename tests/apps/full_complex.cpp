@@ -346,7 +346,7 @@ TEST_SUITE("full complex") {
     for (const std::string file : {"m.off", "m.ply"})
       refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.obj -o " + file,
               file +
-                  ": found --complex full, expected one of obj, npy, svg, png, which have a place for edges and "
+                  ": found --complex full, expected one of obj, npy, vtu, svg, png, which have a place for edges and "
                   "points in no triangle");
     refuses(folder, "mesh p.xy --alpha 1 --complex full -o - --output-format npy",
             "-o -: found --complex full, which makes three .npy files, expected the name of one");

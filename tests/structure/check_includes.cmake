@@ -44,8 +44,8 @@ set(arrows
   cli>io cli>picture cli>program cli>triangulation
   meshtopo>io meshtopo>program
   cli>io/points io/points>io io/points>io/table io/points>io/las io/points>io/gis io/points>rbpa/core
-  io/table>io io/table>io/gis io/las>io io/gis>io io/gis>rbpa/core
-  io>meshops/core io>meshops/topology io>rbpa/core io>rbpa/shape
+  io/table>io io/table>io/gis io/las>io io/gis>io io/gis>rbpa/core io/gis>rbpa/shape cli>io/gis
+  io>meshops/core io>meshops/topology io>rbpa/core
   picture>meshops/front picture>rbpa picture>rbpa/core picture>rbpa/filtration picture>rbpa/shape
   triangulation>rbpa triangulation>rbpa/shape
   program>meshops/topology program>rbpa/core

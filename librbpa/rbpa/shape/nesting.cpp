@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <set>
 
 #include "rbpa/predicate/predicates.h"
@@ -19,11 +21,14 @@ struct Edge {
   std::uint32_t polygon;
   std::uint32_t ring;  // 0 is the shell, k is hole k − 1
   bool opens_shell;    // it is the first edge of the shell: the lower of the two at the shell's first point
+  bool solid_above;    // the polygon is on that side
 };
 
 /// Lower first, of edges that some point between two events of the sweep sees both of. They meet in common ends at
-/// most, so that no orientation is zero.
+/// most, so that no orientation is zero. A point on no edge has its place among them.
 struct Below {
+  using is_transparent = void;
+  bool operator()(const Edge* edge, const Point& p) const { return orientation(edge->low, edge->high, p) > 0; }
   bool operator()(const Edge* a, const Edge* b) const {
     if (a == b) return false;
     if (a->low == b->low) return orientation(a->low, a->high, b->high) > 0;
@@ -38,7 +43,7 @@ std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Po
       for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const Point& a = points[ring.points[i]];
         const Point& b = points[ring.points[i + 1 == ring.points.size() ? 0 : i + 1]];
-        edges.push_back({std::min(a, b), std::max(a, b), p, number, number == 0 && i == 0});
+        edges.push_back({std::min(a, b), std::max(a, b), p, number, number == 0 && i == 0, a < b});
       }
     };
     add(polygons[p].shell, 0);
@@ -47,30 +52,60 @@ std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Po
   return edges;
 }
 
+/// A vertical line that moves to the right, and the edges that it crosses, from below.
+class Sweep {
+ public:
+  using Edges = std::set<const Edge*, Below>;
+
+  explicit Sweep(const std::vector<Edge>& edges) : first_(edges.data()), place_(edges.size()) {
+    for (const Edge& edge : edges) starts_.push_back(&edge);
+    ends_ = starts_;
+    std::sort(starts_.begin(), starts_.end(), [](const Edge* a, const Edge* b) { return a->low < b->low; });
+    std::sort(ends_.begin(), ends_.end(), [](const Edge* a, const Edge* b) { return a->high < b->high; });
+    start_ = starts_.begin();
+    end_ = ends_.begin();
+  }
+
+  /// Where the next edges begin; absent behind the last.
+  std::optional<Point> next_start() const {
+    if (start_ == starts_.end()) return std::nullopt;
+    return (*start_)->low;
+  }
+
+  /// Edges that end at `at` or before go, those that begin there come. Returns the latter.
+  std::span<const Edge* const> move_to_start(const Point& at) {
+    move_past_ends(at);
+    const auto first = start_;
+    for (; start_ != starts_.end() && (*start_)->low == at; ++start_)
+      place_[number(*start_)] = crossed_.insert(*start_).first;
+    return {first, start_};
+  }
+  void move_past_ends(const Point& at) {
+    for (; end_ != ends_.end() && (*end_)->high <= at; ++end_) crossed_.erase(place_[number(*end_)]);
+  }
+
+  const Edges& crossed() const { return crossed_; }
+  Edges::const_iterator place_of(const Edge* edge) const { return place_[number(edge)]; }
+
+ private:
+  std::size_t number(const Edge* edge) const { return static_cast<std::size_t>(edge - first_); }
+
+  const Edge* first_;
+  std::vector<const Edge*> starts_, ends_;
+  std::vector<const Edge*>::const_iterator start_, end_;  // the next ones
+  Edges crossed_;
+  std::vector<Edges::iterator> place_;
+};
+
 /// For each polygon the edge next below the first point of its shell.
 std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges) {
-  std::vector<const Edge*> starts, ends;
-  for (const Edge& edge : edges) starts.push_back(&edge);
-  ends = starts;
-  std::sort(starts.begin(), starts.end(), [](const Edge* a, const Edge* b) { return a->low < b->low; });
-  std::sort(ends.begin(), ends.end(), [](const Edge* a, const Edge* b) { return a->high < b->high; });
-
   std::vector<const Edge*> below(polygons, nullptr);
-  std::set<const Edge*, Below> crossed;
-  std::vector<std::set<const Edge*, Below>::iterator> position(edges.size());
-  const auto number = [&](const Edge* edge) { return static_cast<std::size_t>(edge - edges.data()); };
-  auto end = ends.begin();
-  for (auto start = starts.begin(); start != starts.end();) {
-    const Point at = (*start)->low;
-    for (; end != ends.end() && (*end)->high <= at; ++end) crossed.erase(position[number(*end)]);
-    const auto first = start;
-    for (; start != starts.end() && (*start)->low == at; ++start)
-      position[number(*start)] = crossed.insert(*start).first;
-    for (auto opening = first; opening != start; ++opening) {
-      const auto place = position[number(*opening)];
-      if ((*opening)->opens_shell && place != crossed.begin()) below[(*opening)->polygon] = *std::prev(place);
+  Sweep sweep(edges);
+  while (const std::optional<Point> at = sweep.next_start())
+    for (const Edge* opening : sweep.move_to_start(*at)) {
+      const auto place = sweep.place_of(opening);
+      if (opening->opens_shell && place != sweep.crossed().begin()) below[opening->polygon] = *std::prev(place);
     }
-  }
   return below;
 }
 
@@ -100,6 +135,29 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
     waiting.clear();
   }
   return inside;
+}
+
+std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,
+                                                          std::span<const Point> points,
+                                                          std::span<const std::uint32_t> queries) {
+  const std::vector<Edge> edges = edges_of(polygons, points);
+  std::vector<std::size_t> order(queries.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return points[queries[a]] < points[queries[b]]; });
+  std::vector<std::optional<std::uint32_t>> around(queries.size());
+  Sweep sweep(edges);
+  for (const std::size_t q : order) {
+    const Point& at = points[queries[q]];
+    for (auto start = sweep.next_start(); start && *start < at; start = sweep.next_start()) sweep.move_to_start(*start);
+    sweep.move_past_ends(at);
+    const auto above = sweep.crossed().lower_bound(at);
+    if (above == sweep.crossed().begin()) continue;
+    // Between it and the point there is no other edge.
+    const Edge* below = *std::prev(above);
+    if (below->solid_above) around[q] = below->polygon;
+  }
+  return around;
 }
 
 }  // namespace rbpa

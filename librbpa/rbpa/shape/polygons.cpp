@@ -6,10 +6,10 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/front/boundary_curve.h"
-#include "meshops/topology/disjoint_sets.h"
 #include "rbpa/core/error.h"
 #include "rbpa/predicate/predicates.h"
 #include "rbpa/shape/boundary_walk.h"
+#include "rbpa/shape/components.h"
 #include "rbpa/shape/measure.h"
 #include "rbpa/shape/nesting.h"
 #include "rbpa/shape/split_curve.h"
@@ -80,12 +80,7 @@ class RingsByComponent {
 
 std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& complex, std::size_t points) {
   const Mesh& mesh = complex.mesh;
-  meshops::DisjointSets components(mesh.n_vertices());
-  for (const auto edge : mesh.edges()) {
-    const auto h = mesh.halfedge_handle(edge, 0);
-    components.unite(static_cast<std::uint32_t>(index(mesh.from_vertex_handle(h))),
-                     static_cast<std::uint32_t>(index(mesh.to_vertex_handle(h))));
-  }
+  meshops::DisjointSets components = components_of(mesh);
   RingsByComponent rings(points, mesh.n_vertices());
   std::vector<std::uint32_t> curve;
   for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {

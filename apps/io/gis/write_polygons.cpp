@@ -1,8 +1,10 @@
-#include "io/write_polygons.h"
+#include "io/gis/write_polygons.h"
 
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+
+#include "io/gis/geojson_crs.h"
 
 namespace rbpa::app {
 namespace {
@@ -53,32 +55,39 @@ void write_json_number(OutputFile& file, double value) {
 
 }  // namespace
 
-void write_geojson(OutputFile& file, std::span<const Polygon> polygons, std::span<const Point> points) {
-  file.write("{\"type\":\"FeatureCollection\",\"features\":[");
+void write_geojson(OutputFile& file, const Shape& shape) {
+  const std::vector<std::size_t> points = points_in_polygons(shape);
+  file.write("{\"type\":\"FeatureCollection\"," + crs_member(shape.crs) + "\"features\":[");
   std::string_view before = "\n";
-  for (const Polygon& polygon : polygons) {
+  for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
+    const Polygon& polygon = shape.polygons[i];
     file.write(before);
     before = ",\n";
-    file.write("{\"type\":\"Feature\",\"properties\":{\"area\":");
+    file.write("{\"type\":\"Feature\",\"properties\":{\"number\":");
+    file.write_number(std::uint64_t{i + 1});
+    file.write(",\"area\":");
     write_json_number(file, polygon.area);
     file.write(",\"perimeter\":");
     write_json_number(file, polygon.perimeter);
     file.write(",\"holes\":");
     file.write_number(std::uint64_t{polygon.holes.size()});
+    file.write(",\"points\":");
+    file.write_number(std::uint64_t{points[i]});
     file.write("},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":");
-    write_rings(file, polygon, points, geojson);
+    write_rings(file, polygon, shape.points, geojson);
     file.write("}}");
   }
   file.write("\n]}\n");
 }
 
-void write_wkt(OutputFile& file, std::span<const Polygon> polygons, std::span<const Point> points) {
+void write_wkt(OutputFile& file, const Shape& shape) {
+  const std::span<const Polygon> polygons = shape.polygons;
   file.write(polygons.empty() ? "MULTIPOLYGON EMPTY" : "MULTIPOLYGON (");
   std::string_view before = "";
   for (const Polygon& polygon : polygons) {
     file.write(before);
     before = wkt.between;
-    write_rings(file, polygon, points, wkt);
+    write_rings(file, polygon, shape.points, wkt);
   }
   file.write(polygons.empty() ? "\n" : ")\n");
 }

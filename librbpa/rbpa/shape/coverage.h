@@ -1,0 +1,27 @@
+// What: which polygon each input point is in.
+// Law:  a function of the set of points, alpha and the filter: vertices of the solid by its components, and what lies in
+//       holes that were filled by a sweep, exactly decided.
+// Cost: linear in the complex; n log n in the boundary and the points outside the solid, where holes were filled.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/api.h"
+#include "rbpa/core/point.h"
+#include "rbpa/rbpa.h"
+#include "rbpa/shape/polygons.h"
+
+namespace rbpa {
+
+/// For each input point the index of the polygon that it is in, inside or on a ring; of several that touch each other in
+/// it the least. Absent: it is in none. Duplicates are where the point is that they repeat.
+/// Requires: `points` are those of the complex, and `polygons` what polygons(complex, filter) returns.
+RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
+                                                                     std::span<const Polygon> polygons,
+                                                                     const PolygonFilter& filter,
+                                                                     std::span<const Point> points);
+
+}  // namespace rbpa

@@ -1,0 +1,27 @@
+"""VTU against meshio: rbpa's .vtu holds the points and cells of its .npy files. usage: read_vtu.py RBPA"""
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    import meshio
+    import numpy
+except ImportError as missing:
+    print(f"SKIPPED: {missing}")
+    sys.exit(77)
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    points = numpy.random.default_rng(5).random((2000, 2))
+    numpy.save("p.npy", points)
+    for complex_kind in ("solid", "full"):
+        subprocess.run([sys.argv[1], "mesh", "p.npy", "--alpha", "0.01", "--complex", complex_kind, "-q",
+                        "-o", "m.vtu", "-o", "m.npy"], check=True)
+        mesh = meshio.read("m.vtu")
+        assert numpy.array_equal(mesh.points[:, :2], points) and not mesh.points[:, 2].any()
+        assert numpy.array_equal(mesh.cells_dict["triangle"], numpy.load("m.npy"))
+        if complex_kind == "full":
+            assert numpy.array_equal(mesh.cells_dict["line"], numpy.load("m.edges.npy"))
+            assert numpy.array_equal(mesh.cells_dict["vertex"][:, 0], numpy.load("m.points.npy"))
+print("meshio reads what was written")
