@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "meshops/core/contract.h"
+#include "meshops/topology/progress.h"
 #include "rbpa/core/error.h"
 
 namespace {
@@ -18,7 +19,14 @@ void bind_errors(py::module_& module) {
   };
   py::register_exception<rbpa::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
   py::register_exception<meshops::ContractViolation>(module, "ContractViolation", PyExc_ValueError);
-  py::register_exception<rbpa::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
+  static auto& cancelled = py::register_exception<rbpa::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
+  py::register_exception_translator([](std::exception_ptr error) {
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const meshops::Cancelled& of_mesh) {
+      cancelled(of_mesh.what());
+    }
+  });
   describe("InvalidInput", "The data or parameters given are not what the function takes; nothing was computed.");
   describe("ContractViolation", "A requirement of the function was not met; nothing was changed.");
   describe("Cancelled", "The progress callback asked to stop.");
@@ -34,4 +42,6 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_polygons(module);
   rbpa::python::bind_filtration(module);
   rbpa::python::bind_locator(module);
+  rbpa::python::bind_mesh(module);
+  rbpa::python::bind_soups(module);
 }

@@ -123,7 +123,7 @@ class Locator::Impl {
 
 Locator::Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options) {
   check(points, 1);
-  require_linked(delaunay, points.size());
+  require_linked(delaunay, points.size(), options.go_on);
   Threads threads = threads_for(points.size(), options.threads);
   impl_ = std::make_unique<const Impl>(points, delaunay, threads, asking(options.go_on));
 }

@@ -38,12 +38,14 @@ void find_triangles(const Sites& sites, double alpha, const std::function<bool(c
 }
 
 /// The sides at which nothing lies, by the triangles and their neighbours.
-std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of) {
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, const std::function<void()>& ask) {
   std::vector<std::array<std::uint32_t, 2>> boundary;
-  for (std::size_t t = 0; t < of.triangles.size(); ++t)
+  for (std::size_t t = 0; t < of.triangles.size(); ++t) {
+    if (t % (1u << 18) == 0 && ask) ask();
     for (std::size_t k = 0; k < 3; ++k)
       if (of.neighbors[t][k] == Triangulation::none)
         boundary.push_back({of.triangles[t][(k + 1) % 3], of.triangles[t][(k + 2) % 3]});
+  }
   std::sort(boundary.begin(), boundary.end());
   return boundary;
 }
@@ -78,8 +80,9 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   const bool are_on_a_line = are_collinear(points);
   const auto find = [&](auto& list) {
     if (!are_on_a_line) find_triangles(*sites, alpha, options.progress, threads, list);
+    const std::function<void()> ask = asking(options.progress, result.distinct, list.size());
     sites.reset();  // its memory is not needed where the list becomes the result
-    return list.sorted(threads);
+    return list.sorted(threads, ask);
   };
   if (options.neighbors || options.boundary) {
     LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
@@ -92,7 +95,8 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   }
   // Without a radius all points are in triangles, if there are any.
   if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
-  if (options.boundary) result.boundary = boundary_of(result);
+  const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
+  if (options.boundary) result.boundary = boundary_of(result, ask);
   if (!options.neighbors) result.neighbors = std::vector<Triple>();
   return result;
 }
@@ -113,7 +117,8 @@ Triangulation triangulate(std::span<const Point> points, double alpha, const Tri
   for (const std::uint32_t i : result.isolated) covered[i] = 0;
   for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
   result.points = others(covered, result.duplicates);
-  if (options.boundary) result.boundary = boundary_of(result);
+  if (options.boundary)
+    result.boundary = boundary_of(result, asking(options.progress, result.distinct, result.triangles.size()));
   if (!options.neighbors) result.neighbors = std::vector<Triple>();
   return result;
 }

@@ -1,5 +1,6 @@
 """What pages and help say in Python is what Python does."""
 
+import ast
 import doctest
 import pathlib
 import pydoc
@@ -8,6 +9,7 @@ import re
 import numpy as np
 import pytest
 import rbpa
+import rbpa.meshops
 
 ROOT = pathlib.Path(__file__).parents[2]
 PUBLIC = [name for name in rbpa.__all__ if not name.startswith("__")]
@@ -26,22 +28,24 @@ def test_lines_of_pages_run(page, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     names: dict = {}
     for block in found:
-        exec(compile(block, page, "exec"), names)
-        for line in block.splitlines():  # `expression  # value` and what follows is prose
-            said = re.fullmatch(r"([a-z][^#=]*?)\s+# -> (.*)", line)
-            if said:
-                assert repr(eval(said[1], names)) == said[2], line
+        for statement in ast.parse(block).body:
+            text = ast.unparse(statement)
+            said = block.splitlines()[statement.end_lineno - 1].partition("# -> ")[2]
+            if said:  # what the expression before it is
+                assert repr(eval(text, names)) == said, text
+            else:
+                exec(text, names)
 
 
 def test_examples_in_docstrings_are_right():
     count = 0
     finder = doctest.DocTestFinder(recurse=True)
     runner = doctest.DocTestRunner()
-    for thing in (rbpa, *(getattr(rbpa, name) for name in PUBLIC)):
+    for thing in (rbpa, rbpa.meshops, *(getattr(rbpa, name) for name in PUBLIC)):
         for test in finder.find(thing, globs={"rbpa": rbpa, "np": np}):
             count += len(test.examples)
             assert runner.run(test).failed == 0, test.name
-    assert count >= 8
+    assert count >= 16
 
 
 @pytest.mark.parametrize("name", PUBLIC)

@@ -3,6 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 import rbpa
+import rbpa.meshops
 
 points: npt.NDArray[np.float64] = np.zeros((5, 2))
 shape: rbpa.AlphaShape = rbpa.alpha_shape(points, alpha="auto", components=2, progress=lambda t, p: t < 10)
@@ -14,6 +15,15 @@ several: list[rbpa.Polygon] = shape.polygons[1:]
 text: str = shape.to_geojson() + shape.to_wkt()
 delaunay = rbpa.Delaunay([[0, 0], [1, 0], [0, 1]])
 begin, neighbors = delaunay.vertex_neighbor_vertices
+outline: rbpa.Polygons = rbpa.concave_hull(points, allow_holes=True)
+steps = rbpa.filtration(points)
+betti: tuple[int, int] = steps.betti(1.0)
+intervals: npt.NDArray[np.float64] = steps.persistence(1, complex="full")
+mesh = rbpa.meshops.Mesh([[0, 1, 2]])
+glued: str = mesh.glue(1, 3).what
+reason: str | None = mesh.flip_blocker(0, keep="manifold")
+genus: int | None = mesh.report().genus
+steps_of_repair: list[rbpa.meshops.RepairStep] = rbpa.meshops.repair(shape.simplices).steps
 hull: npt.NDArray[np.int32] = delaunay.convex_hull
 
 wrong_alpha = rbpa.alpha_shape(points, alpha=[1.0])  # type: ignore[arg-type]

@@ -128,6 +128,18 @@ TEST_CASE("bad input is refused before anything, and a run can be cancelled") {
   options.progress = [&](const rbpa::Progress&) { return ++asked < 3; };
   CHECK_THROWS_AS(rbpa::triangulate(uniform(30000, 3), infinity, options), rbpa::Cancelled);
   CHECK(asked == 3);
+  // Also when all triangles are there, and are brought into order.
+  std::size_t most = 0, since = 0;
+  options.neighbors = options.boundary = true;
+  options.progress = [&](const rbpa::Progress& now) {
+    since = now.triangles > most ? 0 : since + 1;
+    most = std::max(most, now.triangles);
+    return true;
+  };
+  CHECK(rbpa::triangulate(uniform(30000, 3), infinity, options).triangles.size() == most);
+  CHECK(since > 10);
+  options.progress = [&](const rbpa::Progress& now) { return now.triangles < most || since-- > 4; };
+  CHECK_THROWS_AS(rbpa::triangulate(uniform(30000, 3), infinity, options), rbpa::Cancelled);
 }
 
 namespace {

@@ -16,6 +16,7 @@ What there is:
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
     filtration(points)                   components, holes, area at every radius; persistence   -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
+    rbpa.meshops                         halfedge meshes that no operator can break, repair     (import rbpa.meshops)
 
 The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
 a radius, in the units of the coordinates: never its square (as in CGAL and PostGIS), never its inverse (as in the package

@@ -207,7 +207,8 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 }
 
 template <typename Item>
-std::vector<Triple> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank) {
+std::vector<Triple> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
+                                                 const std::function<void()>& ask) {
   const std::vector<std::vector<Run>> of_bucket = runs();
   std::vector<std::size_t> start = {0};
   for (const auto& bucket : of_bucket) {
@@ -230,6 +231,7 @@ std::vector<Triple> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t
       [&](std::size_t, Workspace& workspace) {
         const auto first = workspace.triples.begin();
         all.insert(all.end(), first, first + static_cast<std::ptrdiff_t>(workspace.count));
+        if (ask) ask();
       },
       [](std::size_t, Workspace&) {});
   return all;

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -67,8 +68,9 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// All triangles in order. With `rank`, tells of each number where it went. Nothing is added afterwards.
-  std::vector<Triple> sorted(Threads& threads, std::uint32_t* rank = nullptr);
+  /// All triangles in order. With `rank`, tells of each number where it went. Nothing is added afterwards. Calls `ask`, if
+  /// any, after each bucket, one call at a time; it may throw.
+  std::vector<Triple> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
   /// Frees the memory.
   void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 

@@ -1,6 +1,7 @@
 #include "rbpa/arrays/linked_triangles.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "meshops/core/large_pages.h"
 
@@ -62,22 +63,26 @@ void LinkedTriangles::fill(const Patch& patch, const Place& place) {
     }
 }
 
-LinkedTriangles::Sorted LinkedTriangles::sorted(Threads& threads) {
+LinkedTriangles::Sorted LinkedTriangles::sorted(Threads& threads, const std::function<void()>& ask) {
   constexpr std::size_t triangles_at_a_time = 1u << 16;
   seams_.end();
   Sorted result;
   meshops::FreshVector<std::uint32_t> rank(size_);
-  result.triangles = order_.sorted(threads, rank.data());
+  result.triangles = order_.sorted(threads, rank.data(), ask);
   order_.end();
   result.neighbors.reserve(size_);
   meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triple));
   result.neighbors.resize(size_);
+  std::mutex asked;
   for_each_part(threads, size_, triangles_at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = neighbors_[t][k];
         result.neighbors[rank[t]][k] = other == none ? none : rank[other];
       }
+    if (!ask) return;
+    const std::lock_guard lock(asked);
+    ask();
   });
   neighbors_ = meshops::FreshVector<Triple>();
   return result;

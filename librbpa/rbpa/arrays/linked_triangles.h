@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,8 +45,8 @@ class LinkedTriangles {
   struct Sorted {
     std::vector<Triple> triangles, neighbors;
   };
-  /// After all patches. Once.
-  Sorted sorted(Threads& threads);
+  /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
+  Sorted sorted(Threads& threads, const std::function<void()>& ask = {});
 
  private:
   /// An open side that waits for the one beyond: where it ends, and where to write what lies beyond.

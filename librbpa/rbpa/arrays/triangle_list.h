@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,10 @@ class TriangleList {
 
   /// How many were placed.
   std::size_t size() const { return size_; }
-  /// After all patches. Once.
-  std::vector<Triple> sorted(Threads& threads) { return order_.sorted(threads); }
+  /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
+  std::vector<Triple> sorted(Threads& threads, const std::function<void()>& ask = {}) {
+    return order_.sorted(threads, nullptr, ask);
+  }
 
  private:
   std::span<const std::uint32_t> names_;

@@ -14,11 +14,13 @@ struct Progress {
   std::size_t points;
 };
 
-/// For what comes before the first triangle: asks, and throws Cancelled; empty where `progress` is. Keeps a reference.
-inline std::function<void()> asking(const std::function<bool(const Progress&)>& progress, std::size_t points) {
+/// For what comes before the first triangle or after the last: asks, and throws Cancelled; empty where `progress` is. Keeps
+/// a reference.
+inline std::function<void()> asking(const std::function<bool(const Progress&)>& progress, std::size_t points,
+                                    std::size_t triangles = 0) {
   if (!progress) return {};
-  return [&progress, points] {
-    if (!progress({0, points})) throw Cancelled();
+  return [&progress, points, triangles] {
+    if (!progress({triangles, points})) throw Cancelled();
   };
 }
 

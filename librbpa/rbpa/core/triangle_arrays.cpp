@@ -4,6 +4,7 @@
 #include <string>
 
 #include "meshops/core/contract.h"
+#include "rbpa/core/error.h"
 
 namespace rbpa {
 namespace {
@@ -28,10 +29,11 @@ bool is_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t points
 
 }  // namespace
 
-void require_linked(const TriangleArrays& arrays, std::size_t points) {
+void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on) {
   meshops::require(arrays.triangles.size() == arrays.neighbors.size(),
                    "triangles and neighbors: expected as many of each");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
+    if (t % 65536 == 0 && go_on && !go_on()) throw Cancelled();
     if (!is_triangle(arrays.triangles[t], points))
       throw meshops::ContractViolation("triangle " + std::to_string(t) + ": expected three different points of the " +
                                        std::to_string(points) + " there are");

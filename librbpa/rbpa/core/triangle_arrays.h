@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "rbpa/core/api.h"
@@ -21,8 +22,9 @@ struct TriangleArrays {
 
 /// Requires: corners are three different numbers below `points`; neighbours are triangles and know each other by the side
 ///           that they share.
-/// Throws:   ContractViolation that names the first triangle of which that is not so.
+/// Throws:   ContractViolation that names the first triangle of which that is not so; Cancelled when `go_on`, which is called
+///           every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.
-RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points);
+RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

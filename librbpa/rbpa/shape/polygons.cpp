@@ -164,14 +164,27 @@ void check(const PolygonFilter& filter) {
 }
 
 std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std::span<const Point> points,
-                                 const PolygonFilter& filter) {
+                                 const PolygonFilter& filter, const std::function<bool()>& go_on = {}) {
+  std::size_t steps = 0;
+  const auto ask = [&] {
+    if (++steps % 16384 == 0 && go_on && !go_on()) throw Cancelled();
+  };
   const Order order(points);
   std::vector<Polygon> result;
-  for (std::vector<Ring>& rings : components) result.push_back(polygon_of(std::move(rings), order));
-  std::sort(result.begin(), result.end(), order);
+  for (std::vector<Ring>& rings : components) {
+    ask();
+    result.push_back(polygon_of(std::move(rings), order));
+  }
+  std::sort(result.begin(), result.end(), [&](const Polygon& a, const Polygon& b) {
+    ask();
+    return order(a, b);
+  });
 
   if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area);
-  for (Polygon& polygon : result) measure(polygon, points);
+  for (Polygon& polygon : result) {
+    ask();
+    measure(polygon, points);
+  }
   std::erase_if(result, [&](const Polygon& polygon) { return polygon.area < filter.min_part_area; });
   return result;
 }
@@ -187,8 +200,8 @@ std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFil
 std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex, const PolygonFilter& filter,
                               const std::function<bool()>& go_on) {
   check(filter);
-  require_linked(complex, points.size());
-  return polygons_of(rings_by_component(complex, points.size(), go_on), points, filter);
+  require_linked(complex, points.size(), go_on);
+  return polygons_of(rings_by_component(complex, points.size(), go_on), points, filter, go_on);
 }
 
 }  // namespace rbpa

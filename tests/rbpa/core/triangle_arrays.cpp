@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "meshops/core/contract.h"
+#include "rbpa/core/error.h"
 #include "rbpa/triangulate.h"
 #include "support/generate.h"
 
@@ -34,6 +35,7 @@ TEST_CASE("what triangulate() gives is linked, and no longer when any one number
         is_refused(bad);
       }
     }
+  CHECK_THROWS_AS(rbpa::require_linked(good, points.size(), [] { return false; }), rbpa::Cancelled);
   Triangulation shorter = good;
   shorter.neighbors.pop_back();
   is_refused(shorter);

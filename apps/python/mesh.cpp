@@ -1,0 +1,301 @@
+#include "python/mesh.h"
+
+#include <limits>
+
+#include "meshops/core/live.h"
+#include "meshops/core/validate.h"
+#include "meshops/front/boundary_curve.h"
+#include "meshops/handle/separate_fans.h"
+#include "meshops/topology/build_mesh.h"
+#include "meshops/topology/count.h"
+#include "meshops/topology/homology.h"
+#include "meshops/topology/report.h"
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/soup.h"
+#include "python/watched.h"
+
+namespace rbpa::python {
+namespace {
+
+using meshops::Edge;
+using meshops::Face;
+using meshops::Halfedge;
+using meshops::Vertex;
+
+template <typename Handle>
+std::vector<std::uint32_t> numbers(const std::vector<Handle>& handles) {
+  std::vector<std::uint32_t> all;
+  all.reserve(handles.size());
+  for (const Handle h : handles) all.push_back(static_cast<std::uint32_t>(h.idx()));
+  return all;
+}
+
+std::unique_ptr<Mesh> make_mesh(const Indices& corners, const Begins& begin, std::size_t points) {
+  auto mesh = std::make_unique<Mesh>();
+  const meshops::PolygonSoup soup = soup_of(corners, begin, points);
+  mesh->built_on = watched(soup.faces(), py::none(), [&](Watch& watch) {
+    return meshops::build_mesh(mesh->changed(), soup, watch.until_stopped());
+  });
+  return mesh;
+}
+
+/// The handle, if its element is there.
+template <typename Handle>
+Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) {
+  if (!meshops::is_live(mesh, handle))
+    throw meshops::ContractViolation("there is no " + std::string(kind) + ' ' + std::to_string(handle.idx()));
+  return handle;
+}
+
+template <typename Handle, typename ForEach>
+py::array live_handles(const Mesh& mesh, ForEach for_each) {
+  std::vector<Handle> all;
+  for_each(mesh.seen(), [&](Handle h) { all.push_back(h); });
+  return line<std::int32_t>(numbers(all));
+}
+
+void bind_elements(py::class_<Mesh>& mesh) {
+  const auto counted = [](auto for_each) {
+    return [for_each](const Mesh& m) {
+      std::size_t count = 0;
+      for_each(m.seen(), [&](auto) { ++count; });
+      return count;
+    };
+  };
+  const auto vertices = [](const auto& m, auto visit) { meshops::for_each_vertex(m, visit); };
+  const auto halfedges = [](const auto& m, auto visit) { meshops::for_each_halfedge(m, visit); };
+  const auto edges = [](const auto& m, auto visit) { meshops::for_each_edge(m, visit); };
+  const auto faces = [](const auto& m, auto visit) { meshops::for_each_face(m, visit); };
+  mesh.def_property_readonly("n_vertices", counted(vertices), "Vertices that are not deleted, isolated ones included.")
+      .def_property_readonly("n_edges", counted(edges), "Edges that are not deleted.")
+      .def_property_readonly("n_faces", counted(faces), "Faces that are not deleted.")
+      .def_property_readonly(
+          "vertex_bound", [](const Mesh& m) { return m.seen().n_vertices(); },
+          "Above all numbers of vertices, deleted ones included: as long are arrays by vertex.")
+      .def_property_readonly(
+          "edge_bound", [](const Mesh& m) { return m.seen().n_edges(); },
+          "Above all numbers of edges, deleted ones included: as long are arrays by edge.")
+      .def_property_readonly(
+          "face_bound", [](const Mesh& m) { return m.seen().n_faces(); },
+          "Above all numbers of faces, deleted ones included: as long are arrays by face.")
+      .def(
+          "vertices", [=](const Mesh& m) { return live_handles<Vertex>(m, vertices); },
+          "The vertices that are not deleted, ascending: an int32 array.")
+      .def(
+          "halfedges", [=](const Mesh& m) { return live_handles<Halfedge>(m, halfedges); },
+          "The halfedges that are not deleted, ascending: an int32 array. Those of edge e are 2 e and 2 e + 1.")
+      .def(
+          "edges", [=](const Mesh& m) { return live_handles<Edge>(m, edges); },
+          "The edges that are not deleted, ascending: an int32 array.")
+      .def(
+          "faces", [=](const Mesh& m) { return live_handles<Face>(m, faces); },
+          "The faces that are not deleted, ascending: an int32 array.");
+}
+
+void bind_navigation(py::class_<Mesh>& mesh) {
+  using py::arg;
+  const auto of = [&](const char* name, auto from, const char* what) {
+    mesh.def(
+        name, [from](const Mesh& m, Halfedge h) { return from(m.seen(), live(m.seen(), h, "halfedge")); },
+        arg("halfedge"), what);
+  };
+  of(
+      "from_vertex", [](const auto& m, Halfedge h) { return m.from_vertex_handle(h); }, "The vertex where it starts.");
+  of(
+      "to_vertex", [](const auto& m, Halfedge h) { return m.to_vertex_handle(h); }, "The vertex where it ends.");
+  of(
+      "next", [](const auto& m, Halfedge h) { return m.next_halfedge_handle(h); },
+      "The one after it around its face, or along the boundary.");
+  of(
+      "prev", [](const auto& m, Halfedge h) { return m.prev_halfedge_handle(h); },
+      "The one before it around its face, or along the boundary.");
+  of(
+      "opposite", [](const auto& m, Halfedge h) { return m.opposite_halfedge_handle(h); },
+      "The other one of its edge.");
+  of(
+      "edge", [](const auto& m, Halfedge h) { return m.edge_handle(h); }, "Its edge.");
+  of(
+      "face", [](const auto& m, Halfedge h) { return m.face_handle(h); },
+      "The face on its left, or None on the boundary.");
+  of(
+      "is_boundary", [](const auto& m, Halfedge h) { return m.is_boundary(h); }, "Whether it has no face on its left.");
+  mesh.def(
+          "halfedge_of_vertex",
+          [](const Mesh& m, Vertex v) { return m.seen().halfedge_handle(live(m.seen(), v, "vertex")); }, arg("vertex"),
+          "A halfedge that starts there, on the boundary if it can be; None where there is none.")
+      .def(
+          "halfedge_of_face", [](const Mesh& m, Face f) { return m.seen().halfedge_handle(live(m.seen(), f, "face")); },
+          arg("face"), "The first side of the face.")
+      .def(
+          "find_halfedge",
+          [](const Mesh& m, Vertex a, Vertex b) {
+            return Halfedge(m.seen().find_halfedge(live(m.seen(), a, "vertex"), live(m.seen(), b, "vertex")));
+          },
+          arg("start"), arg("end"), "A halfedge from one vertex to the other, or None.")
+      .def(
+          "polygons",
+          [](const Mesh& m) {
+            meshops::PolygonSoup soup = meshops::soup_of(m.seen());
+            std::vector<std::int64_t> begin(soup.begin.begin(), soup.begin.end());
+            return py::make_tuple(line<std::int32_t>(std::move(soup.corners)), line<std::int64_t>(std::move(begin)));
+          },
+          "(corners, begin): the corners of all faces that are not deleted, one face after the other, and where each "
+          "begins.")
+      .def(
+          "face_vertices",
+          [](const Mesh& m, Face f) {
+            std::vector<Vertex> corners;
+            const Halfedge first = m.seen().halfedge_handle(live(m.seen(), f, "face"));
+            Halfedge h = first;
+            do corners.push_back(m.seen().from_vertex_handle(h));
+            while ((h = m.seen().next_halfedge_handle(h)) != first);
+            return line<std::int32_t>(numbers(corners));
+          },
+          arg("face"), "The corners of the face from its first side on, as it runs: an int32 array.");
+}
+
+/// All that the links are made of.
+py::tuple state_of(const Mesh& mesh) {
+  const meshops::Connectivity& m = mesh.seen();
+  std::vector<std::array<std::int32_t, 2>> vertices, faces;
+  std::vector<std::array<std::int32_t, 5>> halfedges;
+  for (int v = 0; v < int(m.n_vertices()); ++v)
+    vertices.push_back({m.halfedge_handle(Vertex(v)).idx(), m.status(Vertex(v)).deleted() ? 1 : 0});
+  for (int h = 0; h < int(m.n_halfedges()); ++h)
+    halfedges.push_back({m.to_vertex_handle(Halfedge(h)).idx(), m.next_halfedge_handle(Halfedge(h)).idx(),
+                         m.prev_halfedge_handle(Halfedge(h)).idx(), m.face_handle(Halfedge(h)).idx(),
+                         m.status(m.edge_handle(Halfedge(h))).deleted() ? 1 : 0});
+  for (int f = 0; f < int(m.n_faces()); ++f)
+    faces.push_back({m.halfedge_handle(Face(f)).idx(), m.status(Face(f)).deleted() ? 1 : 0});
+  return py::make_tuple(rows<std::int32_t>(std::move(vertices)), rows<std::int32_t>(std::move(halfedges)),
+                        rows<std::int32_t>(std::move(faces)),
+                        line<std::int32_t>(std::vector<std::uint32_t>(mesh.built_on)));
+}
+
+std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges, const Indices& faces,
+                              const Indices& built_on) {
+  auto mesh = std::make_unique<Mesh>();
+  MeshKernel& m = mesh->kernel();
+  const auto v_at = vertices.unchecked<2>();
+  const auto h_at = halfedges.unchecked<2>();
+  const auto f_at = faces.unchecked<2>();
+  meshops::require(h_at.shape(0) % 2 == 0, "mesh: expected two halfedges an edge");
+  m.resize(static_cast<std::size_t>(v_at.shape(0)), static_cast<std::size_t>(h_at.shape(0) / 2),
+           static_cast<std::size_t>(f_at.shape(0)));
+  const auto in = [](int i, py::ssize_t count) {
+    meshops::require(-1 <= i && i < count, "mesh: a link leads nowhere");
+    return i;
+  };
+  for (int v = 0; v < v_at.shape(0); ++v) {
+    m.set_halfedge_handle(Vertex(v), Halfedge(in(v_at(v, 0), h_at.shape(0))));
+    m.status(Vertex(v)).set_deleted(v_at(v, 1) != 0);
+  }
+  for (int h = 0; h < h_at.shape(0); ++h) {
+    m.set_vertex_handle(Halfedge(h), Vertex(in(h_at(h, 0), v_at.shape(0))));
+    m.set_face_handle(Halfedge(h), Face(in(h_at(h, 3), f_at.shape(0))));
+    m.status(m.edge_handle(Halfedge(h))).set_deleted(h_at(h, 4) != 0);
+    m.status(Halfedge(h)).set_deleted(h_at(h, 4) != 0);
+    if (in(h_at(h, 1), h_at.shape(0)) >= 0) m.set_next_halfedge_handle(Halfedge(h), Halfedge(h_at(h, 1)));
+  }
+  // Afterwards, as to set what is next sets what is before that, also where a deleted halfedge still names a live one.
+  for (int h = 0; h < h_at.shape(0); ++h)
+    m.set_prev_halfedge_handle(Halfedge(h), Halfedge(in(h_at(h, 2), h_at.shape(0))));
+  for (int f = 0; f < f_at.shape(0); ++f) {
+    m.set_halfedge_handle(Face(f), Halfedge(in(f_at(f, 0), h_at.shape(0))));
+    m.status(Face(f)).set_deleted(f_at(f, 1) != 0);
+  }
+  const auto on = built_on.unchecked<1>();
+  for (py::ssize_t i = 0; i < on.shape(0); ++i) mesh->built_on.push_back(static_cast<std::uint32_t>(on(i)));
+  for (const meshops::Defect& defect : meshops::validate(m))
+    if (defect.kind != meshops::DefectKind::vertex_has_several_fans)
+      throw meshops::ContractViolation("mesh: " + describe(defect));
+  return mesh;
+}
+
+py::tuple homology(Mesh& mesh, const std::optional<Doubles>& lengths) {
+  std::vector<double> given;
+  if (lengths) given.assign(lengths->data(), lengths->data() + lengths->size());
+  const Mesh::Look look(mesh);
+  const meshops::Homology found = watched(mesh.seen().n_faces(), py::none(), [&](Watch& watch) {
+    return lengths ? meshops::homology(mesh.seen(), given, watch.until_stopped())
+                   : meshops::homology(mesh.seen(), watch.until_stopped());
+  });
+  py::list loops;
+  for (const meshops::Loop& loop : found.generators) loops.append(line<std::int32_t>(numbers(loop)));
+  return py::make_tuple(loops, line<std::int32_t>(numbers(found.cut_graph)));
+}
+
+void bind_topology(py::class_<Mesh>& mesh) {
+  using py::arg;
+  mesh.def(
+          "boundary_curves",
+          [](const Mesh& m) {
+            py::list curves;
+            for (const meshops::BoundaryCurve& curve : meshops::boundary_curves(m.seen()))
+              curves.append(line<std::int32_t>(numbers(std::vector<Halfedge>(curve.begin(), curve.end()))));
+            return curves;
+          },
+          "The boundary curves: an int32 array of halfedges each, with the mesh on their right.")
+      .def(
+          "validate",
+          [](const Mesh& m) {
+            std::vector<std::string> said;
+            for (const meshops::Defect& defect : meshops::validate(m.seen())) said.push_back(describe(defect));
+            return said;
+          },
+          "Every way in which the mesh is not an oriented 2-manifold with boundary, in words; [] as long as only "
+          "operators\n"
+          "have changed it.")
+      .def(
+          "report",
+          [](Mesh& m, const std::optional<std::vector<std::uint32_t>>& point_of_vertex) {
+            if (point_of_vertex) return meshops::report(m.seen(), *point_of_vertex);
+            return meshops::report(m.seen());
+          },
+          arg("point_of_vertex") = py::none(),
+          "A Report. `point_of_vertex` tells which vertices stand on one point, as those of a pinch do.")
+      .def("homology", &homology, arg("lengths") = py::none(),
+           "(generators, cut_graph): loops of halfedges that generate the first homology, a list of int32 arrays, and "
+           "the\n"
+           "edges along which the mesh is cut into discs. With `lengths`, edge_bound numbers, they are short by these.")
+      .def(
+          "separate_fans", [](Mesh& m) { return line<std::int32_t>(numbers(meshops::separate_fans(m.changed()))); },
+          "Gives each fan at a vertex a vertex of its own. Returns of each new vertex the one that it is a copy of.")
+      .def(
+          "compact",
+          [](Mesh& m) {
+            m.changed();
+            m.kernel().garbage_collection();
+            m.built_on.clear();
+          },
+          "Takes deleted elements out. All handles and effects from before are void.")
+      .def_property_readonly(
+          "point_of_vertex", [](const Mesh& m) { return line<std::int32_t>(std::vector<std::uint32_t>(m.built_on)); },
+          "Of each vertex that the mesh was built with, the point of the faces given: where faces met in a point only, "
+          "each\n"
+          "fan has a vertex of its own.")
+      .def("__repr__", [](const Mesh& m) {
+        const meshops::TopologyCounts n = meshops::count_topology(m.seen());
+        return "<rbpa.meshops.Mesh: " + std::to_string(n.vertices) + " vertices, " + std::to_string(n.edges) +
+               " edges, " + std::to_string(n.faces) + " faces>";
+      });
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& module) {
+  using py::arg;
+  py::class_<Mesh> mesh(module, "Mesh");
+  mesh.def(py::init(&make_mesh), arg("corners"), arg("begin"), arg("points"));
+  bind_elements(mesh);
+  bind_navigation(mesh);
+  bind_topology(mesh);
+  bind_mesh_operators(module, mesh);
+  mesh.def(py::pickle(&state_of, [](const py::tuple& state) {
+    return mesh_of(state[0].cast<Indices>(), state[1].cast<Indices>(), state[2].cast<Indices>(),
+                   state[3].cast<Indices>());
+  }));
+}
+
+}  // namespace rbpa::python

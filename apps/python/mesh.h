@@ -1,0 +1,86 @@
+// What: a halfedge mesh for Python. A handle is an int there, and one that names nothing is None.
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
+#include "meshops/topology/polygon_soup.h"
+
+namespace rbpa::python {
+
+/// Connectivity that can mark elements of every kind as deleted. No coordinates.
+struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
+  MeshKernel() {
+    request_vertex_status();
+    request_halfedge_status();
+    request_edge_status();
+    request_face_status();
+  }
+};
+
+class Mesh {
+ public:
+  const meshops::Connectivity& seen() const { return kernel_; }
+  /// For what changes it. Throws ContractViolation while another thread of Python looks at it.
+  meshops::Connectivity& changed() {
+    meshops::require(looking_ == 0, "mesh: it cannot be changed while another thread works on it");
+    return kernel_;
+  }
+  MeshKernel& kernel() { return kernel_; }
+
+  /// While it lives, Python's lock may be let go.
+  class Look {
+   public:
+    explicit Look(Mesh& mesh) : mesh_(mesh) { ++mesh_.looking_; }
+    ~Look() { --mesh_.looking_; }
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
+
+   private:
+    Mesh& mesh_;
+  };
+
+  std::vector<std::uint32_t> built_on;  ///< of each vertex that it was built with, the point of the faces given
+
+ private:
+  MeshKernel kernel_;
+  int looking_ = 0;
+};
+
+void bind_mesh_operators(pybind11::module_& module, pybind11::class_<Mesh>& mesh);
+
+}  // namespace rbpa::python
+
+namespace pybind11::detail {
+
+template <typename Handle>
+struct mesh_handle_caster {
+  PYBIND11_TYPE_CASTER(Handle, const_name("int"));
+
+  bool load(handle source, bool convert) {
+    make_caster<int> number;
+    if (!number.load(source, convert)) return false;
+    value = Handle(cast_op<int>(number));
+    return true;
+  }
+  static handle cast(const Handle& source, return_value_policy, handle) {
+    if (!source.is_valid()) return none().release();
+    return int_(source.idx()).release();
+  }
+};
+template <>
+struct type_caster<OpenMesh::VertexHandle> : mesh_handle_caster<OpenMesh::VertexHandle> {};
+template <>
+struct type_caster<OpenMesh::HalfedgeHandle> : mesh_handle_caster<OpenMesh::HalfedgeHandle> {};
+template <>
+struct type_caster<OpenMesh::EdgeHandle> : mesh_handle_caster<OpenMesh::EdgeHandle> {};
+template <>
+struct type_caster<OpenMesh::FaceHandle> : mesh_handle_caster<OpenMesh::FaceHandle> {};
+
+}  // namespace pybind11::detail

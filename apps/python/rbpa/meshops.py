@@ -1,0 +1,134 @@
+"""Halfedge meshes that no operator can break: libmeshops.
+
+    >>> import numpy as np, rbpa.meshops
+    >>> mesh = rbpa.meshops.Mesh([[0, 1, 2], [1, 3, 2]])
+    >>> effect = mesh.flip(mesh.edge(mesh.find_halfedge(1, 2)))
+    >>> mesh.triangles().tolist(), effect.delta.edges
+    ([[0, 1, 3], [2, 0, 3]], 0)
+    >>> mesh.undo(effect)
+    >>> mesh.report().betti                      # components, loops, cavities
+    (1, 0, 0)
+
+A `Mesh` is an oriented 2-manifold with boundary, at every step. It knows no coordinates: keep them in arrays of your own,
+by vertex. Vertices, halfedges, edges and faces are numbers; a number stays what it is until `compact`, also when what it
+names is deleted. Halfedges 2 e and 2 e + 1 are those of edge e.
+
+Operators return what they did: its `delta`, the new elements, what takes it back. Each has a blocker that says why it would
+refuse, or None; the operator itself raises `rbpa.ContractViolation` (a ValueError) then, with the mesh as it was.
+
+Faces of any kind, not only of manifolds: `find_defects` says what is wrong with them, `repair` makes a manifold of them,
+`report` counts their topology.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
+from rbpa._input import Indices, Integers, as_count
+
+__all__ = ["ComponentReport", "Defect", "Delta", "Mesh", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
+
+Faces = Union[npt.NDArray[Any], Iterable[Sequence[int]]]
+
+
+class Mesh(_core.Mesh):
+    """An oriented 2-manifold with boundary, of triangles or polygons.
+
+    Parameters
+    ----------
+    faces : int array of shape (m, k), or a sequence of cycles of any lengths
+        The corners of each face as it runs, as numbers of points. What meets in a point only gets a vertex for each fan:
+        `point_of_vertex` says on which point a vertex stands.
+    points : int, optional
+        How many points there are; by default one more than the largest corner.
+
+    Raises
+    ------
+    ContractViolation
+        The faces are no oriented manifold: says where, and why. See `find_defects` and `repair`.
+    """
+
+    def __init__(self, faces: Faces = (), points: Optional[int] = None) -> None:
+        super().__init__(*_soup(faces, points))
+
+    def triangles(self) -> Indices:
+        """The corners of every face that is not deleted, ascending: an int32 array of shape (n_faces, 3).
+
+        Raises InvalidInput when one is not a triangle; see `polygons`.
+        """
+        corners, begin = self.polygons()
+        if (np.diff(begin) != 3).any():
+            raise InvalidInput(f"face {self.faces()[np.diff(begin) != 3][0]} is not a triangle; polygons() has them all")
+        return corners.reshape(-1, 3)
+
+
+class Repair(NamedTuple):
+    """What `repair` made."""
+
+    faces: Any
+    """The faces that are left or were cut apart, in the form that was given."""
+    stands_on: Indices
+    """Of each point, the given one that has its place: new points follow those that were given."""
+    face_was: Integers
+    """Of each face, its number among those given."""
+    steps: list[RepairStep]
+    """What was done: each with a `kind`, `points` and `faces`, and in words."""
+
+
+def repair(faces: Faces, points: Optional[int] = None) -> Repair:
+    """Makes an oriented manifold of any faces, and says what that took. Faces without a defect stay as they are.
+
+    Parameters are those of `Mesh`, which takes the result: ``Mesh(r.faces, len(r.stands_on))``.
+    """
+    corners, begin, stands_on, face_was, steps = _core.repair(*_soup(faces, points))
+    cycles: Any = _cycles(corners, begin, isinstance(faces, np.ndarray))
+    return Repair(cycles, stands_on, face_was, steps)
+
+
+def find_defects(faces: Faces, points: Optional[int] = None) -> list[Defect]:
+    """Everything that keeps faces from being an oriented 2-manifold with boundary; parameters are those of `Mesh`.
+
+    Each `Defect` has a `kind` ('non-manifold edge', 'pinch', ...), its `points` and `faces`, and says itself in words.
+    """
+    return _core.find_defects(*_soup(faces, points))
+
+
+def report(faces: Faces, points: Optional[int] = None) -> Report:
+    """The topology of any faces, in total and per component; parameters are those of `Mesh`."""
+    return _core.report(*_soup(faces, points))
+
+
+def _soup(faces: Faces, points: Optional[int]) -> tuple[Indices, Integers, int]:
+    """All corners in one array, where each face begins, and the number of points."""
+    if isinstance(faces, np.ndarray):
+        if faces.ndim != 2 and faces.size:
+            raise InvalidInput(f"faces: found an array of shape {faces.shape}, expected (m, k)")
+        count, length = faces.shape if faces.ndim == 2 else (0, 0)
+        begin = np.arange(count + 1, dtype=np.int64) * length
+        corners = faces.reshape(-1)
+    else:
+        cycles = [np.asarray(cycle) for cycle in faces]
+        if any(cycle.ndim != 1 for cycle in cycles):
+            raise InvalidInput("faces: expected cycles of corners, each a sequence of whole numbers")
+        begin = np.cumsum([0, *(len(cycle) for cycle in cycles)], dtype=np.int64)
+        corners = np.concatenate([cycle for cycle in cycles if len(cycle)]) if begin[-1] else np.empty(0, np.int32)
+    if corners.size and corners.dtype.kind not in "iu":
+        raise InvalidInput(f"faces: found corners of {corners.dtype}, expected whole numbers")
+    if corners.size and (corners.min() < 0 or corners.max() >= 2**30):
+        worst = corners.min() if corners.min() < 0 else corners.max()
+        raise InvalidInput(f"faces: found the corner {worst}, expected numbers of points, from 0 and below 2**30")
+    least = int(corners.max()) + 1 if corners.size else 0
+    return np.ascontiguousarray(corners, np.int32), begin, least if points is None else as_count(points, "points", 0)
+
+
+def _cycles(corners: Indices, begin: Integers, as_array: bool) -> Any:
+    lengths = np.diff(begin)
+    if as_array and (len(lengths) == 0 or (lengths == lengths[0]).all()):
+        return corners.reshape(len(lengths), lengths[0] if len(lengths) else 3)
+    return [corners[a:b] for a, b in zip(begin[:-1], begin[1:])]

@@ -1,0 +1,50 @@
+// What: the C++ side of bench_python.py: triangulate() with neighbours and boundary on a file of native float64 pairs, once
+//       for each line that comes in on standard input, and the seconds of it on standard output.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "rbpa/triangulate.h"
+
+namespace {
+
+std::vector<rbpa::Point> read_points(const std::string& path) {
+  std::vector<rbpa::Point> points(std::filesystem::file_size(path) / sizeof(rbpa::Point));
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(points.data()), static_cast<std::streamsize>(points.size() * sizeof(rbpa::Point)));
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  return points;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: bench_arrays POINTS ALPHA THREADS < a line for each run\n");
+    return 2;
+  }
+  try {
+    const std::vector<rbpa::Point> points = read_points(argv[1]);
+    const double alpha = std::atof(argv[2]);
+    const auto threads = static_cast<unsigned>(std::atoi(argv[3]));
+    for (std::string line; std::getline(std::cin, line);) {
+      const auto start = std::chrono::steady_clock::now();
+      const rbpa::Triangulation made =
+          rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true, .threads = threads});
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+      std::printf("%.9f %zu\n", passed.count(), made.triangles.size());
+      std::fflush(stdout);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_arrays: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,144 @@
+"""The Python package against the C++ call, against SciPy and a filter in NumPy, and against GEOS' concave hull.
+
+usage: PYTHONPATH=build/release/python python3 tests/bench/bench_python.py [--points N] [--runs R] [--plot FILE.png] [--markdown]
+
+Contestants take turns, so that what disturbs the machine disturbs all; the median of the runs counts.
+"""
+
+from __future__ import annotations
+
+import argparse
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from typing import Callable
+
+import numpy as np
+import rbpa
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "python"))
+
+
+class Program:
+    """The C++ call, in a process of its own that waits for its turn."""
+
+    def __init__(self, points: np.ndarray, alpha: float, threads: int, folder: str) -> None:
+        file = pathlib.Path(folder, "points")
+        points.tofile(file)
+        program = pathlib.Path(rbpa.__file__).parents[2] / "bin" / "bench_arrays"
+        self.process = subprocess.Popen(
+            [program, file, repr(alpha), str(threads)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
+
+    def __call__(self) -> tuple[float, int]:
+        assert self.process.stdin and self.process.stdout
+        self.process.stdin.write("\n")
+        self.process.stdin.flush()
+        seconds, triangles = self.process.stdout.readline().split()
+        return float(seconds), int(triangles)
+
+
+def timed(call: Callable[[], int]) -> Callable[[], tuple[float, int]]:
+    def run() -> tuple[float, int]:
+        start = time.perf_counter()
+        triangles = call()
+        return time.perf_counter() - start, triangles
+
+    return run
+
+
+def scipy_filtered(points: np.ndarray, alpha: float) -> int:
+    """What people write: circumradii by Heron's formula, and a mask."""
+    from scipy.spatial import Delaunay
+
+    simplices = Delaunay(points).simplices
+    a, b, c = points[simplices[:, 0]], points[simplices[:, 1]], points[simplices[:, 2]]
+    ab, bc, ca = (np.sqrt(((p - q) ** 2).sum(axis=1)) for p, q in ((a, b), (b, c), (c, a)))
+    s = (ab + bc + ca) / 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        radius = ab * bc * ca / (4 * np.sqrt(np.maximum(s * (s - ab) * (s - bc) * (s - ca), 0)))
+    return len(simplices[radius <= alpha])
+
+
+def main() -> None:
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("--points", type=int, default=1_000_000)
+    arguments.add_argument("--runs", type=int, default=5)
+    arguments.add_argument("--threads", type=int, default=0, help="of rbpa; 0: all processors")
+    arguments.add_argument("--plot")
+    arguments.add_argument("--markdown", action="store_true")
+    given = arguments.parse_args()
+    points = np.random.default_rng(1).random((given.points, 2))
+    alpha = 1.2 / given.points**0.5
+    threads = given.threads or None
+
+    from geos import Hulls
+
+    geos = Hulls(points)
+
+    def geos_hull() -> int:
+        geos.destroy(geos.hull(0.02, True))
+        return 0
+
+    with tempfile.TemporaryDirectory() as folder:
+        contestants: dict[str, Callable[[], tuple[float, int]]] = {
+            "C++ triangulate()": Program(points, alpha, given.threads, folder),
+            "rbpa.alpha_shape": timed(lambda: len(rbpa.alpha_shape(points, alpha, threads=threads).simplices)),
+            "rbpa.concave_hull": timed(lambda: 0 * len(rbpa.concave_hull(points, alpha, allow_holes=True, threads=threads))),
+            "SciPy Delaunay, NumPy filter": timed(lambda: scipy_filtered(points, alpha)),
+            "GEOS concave hull": timed(geos_hull),
+        }
+        seconds: dict[str, list[float]] = {name: [] for name in contestants}
+        triangles = {}
+        for round_number in range(given.runs + 1):
+            for name, run in contestants.items():
+                if len(seconds[name]) > 1 and sum(seconds[name]) > 60:
+                    continue  # it was slow enough
+                passed, triangles[name] = run()
+                if round_number:  # the first warms up
+                    seconds[name].append(passed)
+                print(f"{name:30} {passed:8.3f} s", file=sys.stderr)
+    found = {n for n in triangles.values() if n}
+    assert len(found) == 1, f"the contestants found {triangles} triangles"
+    median = {name: statistics.median(times) for name, times in seconds.items()}
+    rows = [
+        ("C++ triangulate()", "C++ triangulate()"),
+        ("rbpa.alpha_shape", "C++ triangulate()"),
+        ("SciPy Delaunay, NumPy filter", "rbpa.alpha_shape"),
+        ("rbpa.concave_hull", "rbpa.concave_hull"),
+        ("GEOS concave hull", "rbpa.concave_hull"),
+    ]
+    if given.markdown:
+        print("| | seconds, median | least | times as long as |\n|---|---|---|---|")
+    for name, other in rows:
+        ratio = "" if name == other else f"{median[name] / median[other]:.2f} × {other}"
+        if given.markdown:
+            print(f"| {name} | {median[name]:.3f} | {min(seconds[name]):.3f} | {ratio} |")
+        else:
+            print(f"{name:30} {median[name]:8.3f} s, least {min(seconds[name]):8.3f} s  {ratio}")
+    if given.plot:
+        draw(median, given.plot)
+
+
+def draw(median: dict[str, float], file: str) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(7, 2.2), layout="constrained")
+    names = list(median)[::-1]
+    bars = axes.barh(names, [median[n] for n in names], color=["#9ecae1" if n[0] in "rC" else "#cccccc" for n in names])
+    axes.bar_label(bars, [f" {median[n]:.3g} s" for n in names])
+    axes.set(xscale="log", xlabel="seconds")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.margins(x=0.15)
+    figure.savefig(file, dpi=120)
+
+
+if __name__ == "__main__":
+    main()
