@@ -91,7 +91,10 @@ std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span
   const Corners corners(delaunay, points);
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<Wide> areas(delaunay.mesh.n_faces());
-  for (std::uint32_t f = 0; f < areas.size(); ++f) areas[f] = area(corners.of_face(f));
+  for (std::uint32_t f = 0; f < areas.size(); ++f) {
+    pulse.beat();
+    areas[f] = area(corners.of_face(f));
+  }
   const std::vector<std::uint32_t> order = in_order(filtration, areas, pulse);
   const std::vector<FaceCell> cells = face_cells(delaunay.mesh, order);
   std::vector<std::uint32_t> step_of(order.size());
