@@ -79,30 +79,26 @@ void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   RadiusArguments& radius = arguments.radius;
-  CLI::Option* alpha = verb.add_option("--alpha", radius.alpha,
-                                       "Largest circumradius: a radius in units of the points, or inf; plateau is one "
-                                       "around which the shape hardly changes, "
-                                       "plateau:K the K-th best of those; min is the least that covers every point, "
-                                       "auto the least that does so in at most K "
-                                       "solid components (rbpa alpha shows them all)")
-                           ->type_name("R|plateau|auto|min|inf");
-  CLI::Option* squared = verb.add_option("--alpha-squared", radius.squared,
-                                         "In place of --alpha: the square of the radius, as CGAL has it")
-                             ->type_name("A")
-                             ->excludes(alpha);
+  verb.add_option(
+          "--alpha", radius.alpha,
+          "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
+          "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
+          "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
+      ->type_name("R|plateau|auto|min|inf");
+  verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
+      ->type_name("A");
   verb.add_option("--alpha-inverse", radius.inverse,
                   "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
-      ->type_name("A")
-      ->excludes(alpha)
-      ->excludes(squared);
+      ->type_name("A");
   verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
       ->type_name("K");
   add_cover_option(verb, radius.cover);
   verb.callback([&radius] {
-    if (radius.alpha || radius.squared || radius.inverse) return;
-    throw CLI::RequiredError(
-        "found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them",
-        CLI::ExitCodes::RequiredError);
+    const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
+    const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
+    if (given == 0)
+      refuse("found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
+    if (given > 1) refuse("found several of --alpha, --alpha-squared and --alpha-inverse, expected one");
   });
 }
 
@@ -214,7 +210,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
-      "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
       "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
       "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"
