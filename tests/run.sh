@@ -8,6 +8,7 @@ packages=(g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-de
           nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
           clang-tidy-14)
 [ "$preset" = clang ] && packages+=(clang-14)
+[ "$preset" = nightly ] && packages+=(nodejs chromium)
 bash tests/install_packages.sh "${packages[@]}"
 build() {
   cmake --preset "$1"

@@ -40,9 +40,10 @@ set(arrows
 
   # Programs: folders of ours first, then what each uses of the libraries.
   picture>io picture>triangulation triangulation>io program>io
-  cli>io cli>picture cli>program cli>triangulation
+  cli>io cli>picture cli>program cli>report cli>triangulation
   meshtopo>io meshtopo>program
   io>meshops/core io>meshops/topology io>rbpa/core io>rbpa/shape
+  report>io report>rbpa/filtration
   picture>meshops/front picture>rbpa picture>rbpa/core picture>rbpa/filtration picture>rbpa/shape
   triangulation>rbpa
   program>meshops/topology program>rbpa/core
