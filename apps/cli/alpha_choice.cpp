@@ -1,5 +1,6 @@
 #include "cli/alpha_choice.h"
 
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -10,20 +11,61 @@
 #include "io/number.h"
 #include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
+#include "rbpa/filtration/plateaus.h"
 
 namespace rbpa::app {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double parse_radius(const std::string& text) {
+/// A number that is not negative, or infinity; nothing where the text is no such number.
+std::optional<double> parse_size(const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
-  const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
-  if (infinite) return infinity;
-  if (number.fault != NumberFault::none || !(number.value > 0))
-    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius (a number > 0, or inf), auto or min");
+  if (number.fault == NumberFault::not_finite && number.value > 0) return infinity;
+  if (number.fault != NumberFault::none || !(number.value >= 0)) return std::nullopt;
   return number.value;
 }
+
+constexpr std::string_view alphas = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
+
+double parse_radius(const std::string& text) {
+  const std::optional<double> radius = parse_size(text);
+  if (!radius || *radius == 0)
+    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected " + std::string(alphas));
+  return *radius;
+}
+
+/// The root of a squared radius, rounded to the nearest double.
+double parse_squared(const std::string& text) {
+  const std::optional<double> squared = parse_size(text);
+  if (!squared || *squared == 0)
+    throw WrongUsage("--alpha-squared: found " + in_quotes(text) + ", expected the square of a radius, > 0, or inf");
+  return std::sqrt(*squared);
+}
+
+/// One over the radius; 0 is that of infinity.
+double parse_inverse(const std::string& text) {
+  const std::optional<double> inverse = parse_size(text);
+  if (!inverse || *inverse == infinity)
+    throw WrongUsage("--alpha-inverse: found " + in_quotes(text) + ", expected one over a radius, >= 0");
+  return 1 / *inverse;
+}
+
+AlphaChoice parse_choice(const RadiusArguments& arguments) {
+  if (arguments.squared)
+    return {.radius = parse_squared(*arguments.squared), .converted = " of --alpha-squared " + *arguments.squared};
+  if (arguments.inverse)
+    return {.radius = parse_inverse(*arguments.inverse), .converted = " of --alpha-inverse " + *arguments.inverse};
+  if (*arguments.alpha == "auto") return {.rule = AlphaRule::automatic};
+  if (*arguments.alpha == "min") return {.rule = AlphaRule::least};
+  if (*arguments.alpha == "plateau") return {.rule = AlphaRule::plateau};
+  if (constexpr std::string_view ranked = "plateau:"; arguments.alpha->starts_with(ranked))
+    return {.rule = AlphaRule::plateau,
+            .rank = parse_whole("--alpha plateau", arguments.alpha->substr(ranked.size()), {.least = 1})};
+  return {.radius = parse_radius(*arguments.alpha)};
+}
+
+std::string text_of(double value) { return std::string(std::string_view(ShortestText(value))); }
 
 }  // namespace
 
@@ -31,26 +73,37 @@ std::size_t parse_components(const std::string& components) {
   return parse_whole("--components", components, {.least = 1});
 }
 
-AlphaChoice parse_alpha(const std::string& text, const std::optional<std::string>& components) {
-  AlphaChoice choice;
-  if (text == "auto")
-    choice.rule = AlphaRule::automatic;
-  else if (text == "min")
-    choice.rule = AlphaRule::least;
-  else
-    choice.radius = parse_radius(text);
-  if (components && choice.rule != AlphaRule::automatic)
-    throw WrongUsage("--components: found --alpha " + text + ", expected --alpha auto, which is what it is about");
-  if (components) choice.most_components = parse_components(*components);
+double parse_cover(const std::string& cover) {
+  const std::optional<double> share = parse_size(cover);
+  if (!share || *share == 0 || *share > 1)
+    throw WrongUsage("--cover: found " + in_quotes(cover) + ", expected a share of the points, > 0 and <= 1");
+  return *share;
+}
+
+AlphaChoice parse_alpha(const RadiusArguments& arguments) {
+  AlphaChoice choice = parse_choice(arguments);
+  const auto found = [&] {
+    if (arguments.squared) return "--alpha-squared " + *arguments.squared;
+    if (arguments.inverse) return "--alpha-inverse " + *arguments.inverse;
+    return "--alpha " + *arguments.alpha;
+  };
+  if (arguments.components && choice.rule != AlphaRule::automatic)
+    throw WrongUsage("--components: found " + found() + ", expected --alpha auto, which is what it is about");
+  if (arguments.cover && choice.rule != AlphaRule::automatic && choice.rule != AlphaRule::least)
+    throw WrongUsage("--cover: found " + found() + ", expected --alpha auto or min, which are what it is about");
+  if (arguments.components) choice.most_components = parse_components(*arguments.components);
+  if (arguments.cover) choice.cover = parse_cover(*arguments.cover);
   return choice;
 }
 
-const char* name_of(AlphaRule rule) {
-  switch (rule) {
+std::string name_of(const AlphaChoice& choice) {
+  switch (choice.rule) {
     case AlphaRule::automatic:
       return "auto";
     case AlphaRule::least:
       return "min";
+    case AlphaRule::plateau:
+      return choice.rank == 1 ? "plateau" : "plateau:" + std::to_string(choice.rank);
     case AlphaRule::given:
       break;
   }
@@ -62,13 +115,24 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   const SolidAlphaComplex delaunay = build(points, infinity, run);
   const ProgressLine line("rbpa", !run.quiet, "choosing alpha");
   const Filtration all = filtration(delaunay, points, until_interrupted());
-  return choice.rule == AlphaRule::least ? smallest_covering(all) : smallest_covering(all, choice.most_components);
+  if (choice.rule == AlphaRule::plateau) {
+    const std::vector<Plateau> found = plateaus(delaunay, points, all, until_interrupted());
+    if (found.empty()) return std::nullopt;
+    if (choice.rank <= found.size()) return found[choice.rank - 1].alpha;
+    throw WrongUsage("--alpha " + name_of(choice) + ": found " + counted(found.size(), "plateau") +
+                     ", expected a rank that there is (rbpa alpha POINTS shows them)");
+  }
+  Covering covering{.share = choice.cover};
+  if (choice.rule == AlphaRule::automatic) covering.max_components = choice.most_components;
+  return smallest_covering(delaunay, all, covering, until_interrupted());
 }
 
 std::string said(const AlphaChoice& choice, std::optional<double> alpha) {
-  if (choice.rule == AlphaRule::given) return "";
-  const std::string before = std::string(", alpha ") + name_of(choice.rule) + " = ";
-  return before + (alpha ? std::string(std::string_view(ShortestText(*alpha))) : "none");
+  if (choice.rule == AlphaRule::given)
+    return choice.converted.empty() ? "" : ", alpha " + text_of(choice.radius) + choice.converted;
+  std::string text = ", alpha " + name_of(choice) + " = " + (alpha ? text_of(*alpha) : "none");
+  if (choice.cover < 1) text += " with --cover " + text_of(choice.cover);
+  return text;
 }
 
 }  // namespace rbpa::app

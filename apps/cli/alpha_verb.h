@@ -17,6 +17,7 @@ struct AlphaArguments {
   std::optional<std::string> stats;
   std::optional<std::string> picture;  ///< an .svg to write
   std::string components = "1";        ///< at most, at `auto`
+  std::optional<std::string> cover;    ///< share of the points, at `auto` and `min`
   bool json = false;
   bool csv = false;
   bool persistence = false;

@@ -1,6 +1,7 @@
 #include "cli/complex_run.h"
 
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "cli/arguments.h"
@@ -8,6 +9,7 @@
 #include "cli/progress.h"
 #include "io/failure.h"
 #include "io/message.h"
+#include "io/number.h"
 #include "rbpa/collinear.h"
 
 namespace rbpa::app {
@@ -15,8 +17,7 @@ namespace rbpa::app {
 ComplexRequest parse_request(const ComplexArguments& arguments) {
   const RunOptions options = parse_run(arguments.run);
   return {.source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels),
-          .alpha = parse_alpha(arguments.alpha, arguments.components),
-          .alpha_text = arguments.alpha,
+          .alpha = parse_alpha(arguments.radius),
           .method = parse_method(arguments.method),
           .options = options,
           .width = parse_width(arguments.width),
@@ -38,7 +39,7 @@ ComplexRun begin_run(ComplexRequest request) {
 
 void end_run(ComplexRun& run, OutputSet& outputs) {
   if (run.request.stats) {
-    run.stats.alpha_rule = name_of(run.request.alpha.rule);
+    run.stats.alpha_rule = name_of(run.request.alpha);
     run.stats.points = run.points.size();
     run.stats.threads = threads_used(run.points.size(), run.request.options.threads);
     run.stats.method = run.request.method.name();
@@ -52,7 +53,7 @@ void end_run(ComplexRun& run, OutputSet& outputs) {
 std::string why_empty(const ComplexRun& run, std::size_t distinct) {
   if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
   if (are_collinear(run.points)) return "all points are collinear";
-  return "no triangle has circumradius <= " + run.request.alpha_text;
+  return "no triangle has circumradius <= " + std::string(std::string_view(ShortestText(run.alpha)));
 }
 
 void say_summary(const ComplexRun& run, std::size_t duplicates, const std::string& made, const std::string& targets) {

@@ -23,8 +23,7 @@ struct ComplexArguments {
   std::optional<std::string> format;
   std::optional<std::string> columns;
   PixelArguments pixels;
-  std::string alpha;
-  std::optional<std::string> components;  ///< at most, at `auto`; 1 if absent
+  RadiusArguments radius;
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;
@@ -37,7 +36,6 @@ struct ComplexArguments {
 struct ComplexRequest {
   PointSource source;
   AlphaChoice alpha;
-  std::string alpha_text;  ///< as the user wrote it
   Method method;
   RunOptions options;
   int width;                         ///< of pictures

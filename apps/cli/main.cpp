@@ -55,16 +55,38 @@ void add_method_options(CLI::App& verb, MethodArguments& arguments) {
       ->type_name("K");
 }
 
+void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
+  verb.add_option(
+          "--cover", cover,
+          "Share of the points that min and auto are to cover, such as 0.99, so that outliers decide nothing; auto "
+          "then leaves out small components as well; 1 by default")
+      ->type_name("SHARE");
+}
+
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("--alpha", arguments.alpha,
-                  "Largest circumradius: a radius in units of the points, or inf; min is the least that covers every "
-                  "point, auto the least that does so in at most K solid components (see rbpa alpha)")
-      ->type_name("R|auto|inf|min")
-      ->required();
-  verb.add_option("--components", arguments.components,
-                  "How many solid components `auto` may have at most; 1 by default")
+  RadiusArguments& radius = arguments.radius;
+  verb.add_option(
+          "--alpha", radius.alpha,
+          "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
+          "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
+          "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
+      ->type_name("R|plateau|auto|min|inf");
+  verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
+      ->type_name("A");
+  verb.add_option("--alpha-inverse", radius.inverse,
+                  "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
+      ->type_name("A");
+  verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
       ->type_name("K");
+  add_cover_option(verb, radius.cover);
+  verb.callback([&radius] {
+    const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
+    const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
+    if (given == 0)
+      refuse("found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
+    if (given > 1) refuse("found several of --alpha, --alpha-squared and --alpha-inverse, expected one");
+  });
 }
 
 template <typename Arguments>
@@ -130,6 +152,7 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
       ->type_name("K")
       ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
   CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
   add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
       ->excludes(json);
@@ -143,8 +166,9 @@ void add_alpha(CLI::App& app, AlphaArguments& arguments) {
   add_run_options(verb, arguments.run, "No progress");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
-      "are "
-      "at most K solid components. Solid components hang together through edges, components through points.\n\n"
+      "are at most K solid components. A plateau is a range of alpha over which parts and holes hardly change; the "
+      "best is "
+      "recommended. Parts are solid components: they hang together through edges, components through points.\n\n"
       "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
       "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n\n" +
       std::string(exit_codes));
@@ -170,7 +194,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
-      "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
       "GeoJSON has a Feature for each polygon, with its area, perimeter and number of holes; WKT is one MULTIPOLYGON.\n"
       "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
@@ -205,11 +230,16 @@ void add_report(CLI::App& app, ReportArguments& arguments) {
       std::string(exit_codes));
 }
 
+/// "rbpa mesh", or "rbpa" where no verb was given.
+std::string asked_for(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? program : program + (" " + verbs.front()->get_name());
+}
+
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
-  const auto verbs = app.get_subcommands();  // those given
-  if (verbs.empty()) return found + "mesh, alpha, shape, info or report (see rbpa --help)";
-  const std::string verb = "rbpa " + verbs.front()->get_name();
+  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape, info or report (see rbpa --help)";
+  const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
 }
@@ -244,7 +274,7 @@ int main(int argc, char** argv) {
     // What is missing may be there under a wrong name.
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
-    return report(program, std::string(e.what()) + " (see rbpa --help)", wrong_usage);
+    return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
   }
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });

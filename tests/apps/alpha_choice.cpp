@@ -186,8 +186,9 @@ TEST_SUITE("alpha choice") {
       }
     };
     for (const std::string word : {"Auto", "automatic", "max", "-1", "0", "nan", "1e", "-inf"})
-      refuses(word, "--alpha: found '" + word + "', expected a radius (a number > 0, or inf), auto or min");
-    refuses("''", "--alpha: found '', expected a radius (a number > 0, or inf), auto or min");
+      refuses(word, "--alpha: found '" + word +
+                        "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
+    refuses("''", "--alpha: found '', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
     for (const std::string alpha : {"0.5", "inf", "min"})
       refuses(alpha + " --components 2",
               "--components: found --alpha " + alpha + ", expected --alpha auto, which is what it is about");

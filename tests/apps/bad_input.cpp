@@ -151,8 +151,9 @@ TEST_SUITE("wrong usage") {
     const Folder folder;
     folder.file("p.xy", corner);
     for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})
-      refuses(folder, "mesh p.xy -o m.off --alpha=" + alpha, 2,
-              "--alpha: found '" + alpha + "', expected a radius (a number > 0, or inf), auto or min");
+      refuses(
+          folder, "mesh p.xy -o m.off --alpha=" + alpha, 2,
+          "--alpha: found '" + alpha + "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
   }
 
   TEST_CASE("no alpha, no verb, an unknown option") {

@@ -1,4 +1,4 @@
-// What README.md shows under a command is what the command prints.
+// What README.md and docs/which_alpha.md show under a command is what the command prints.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -17,20 +17,25 @@ struct Shown {
   std::string output;
 };
 
-/// The commands of the blocks ```console, which begin with "$ "; lines with "# " and empty ones between them are not output.
+/// The commands of the blocks ```console, which begin with "$ "; lines with "# " and empty ones before them are not output.
 std::vector<Shown> commands_in(const std::string& page) {
   std::vector<Shown> commands;
   std::istringstream lines(page);
   bool inside = false;
+  std::string empty;  // lines that belong to the output if more of it follows
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("```")) inside = line == "```console";
-    if (!inside || line.starts_with("```") || line.starts_with("# ") || line.empty()) continue;
-    if (line.starts_with("$ ")) {
+    if (!inside || line.starts_with("```") || line.starts_with("# ") || line.starts_with("$ ")) empty.clear();
+    if (!inside || line.starts_with("```") || line.starts_with("# ")) continue;
+    if (line.empty()) {
+      empty += "\n";
+    } else if (line.starts_with("$ ")) {
       const std::size_t blank = line.find(' ', 2);
       commands.push_back({line.substr(2, blank - 2), line.substr(blank + 1), ""});
     } else {
       REQUIRE(!commands.empty());
-      commands.back().output += line + "\n";
+      commands.back().output += empty + line + "\n";
+      empty.clear();
     }
   }
   return commands;
@@ -43,8 +48,12 @@ TEST_SUITE("readme") {
     const Folder folder;
     std::filesystem::create_directory(folder.path("tests"));
     std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
-    const std::vector<Shown> commands = commands_in(read_file(RBPA_README));
-    CHECK(commands.size() >= 8);
+    const std::vector<Shown> of_readme = commands_in(read_file(RBPA_README));
+    const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
+    std::vector<Shown> commands = commands_in(read_file((root / "docs/which_alpha.md").string()));
+    CHECK(of_readme.size() >= 8);
+    CHECK(commands.size() == 2);
+    commands.insert(commands.end(), of_readme.begin(), of_readme.end());
     for (const Shown& command : commands) {
       CAPTURE(command.arguments);
       const Outcome outcome =

@@ -186,7 +186,7 @@ TEST_SUITE("shape") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "shape p.xy --alpha 0 -o s.wkt",
-            "--alpha: found '0', expected a radius (a number > 0, or inf), auto or min");
+            "--alpha: found '0', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
     refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-hole-area=-1",
             "--min-hole-area: found '-1', expected an area: a number >= 0, or inf");
     refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-part-area nan",

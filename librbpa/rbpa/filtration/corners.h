@@ -1,7 +1,9 @@
 // What: where the vertices of a complex stand, in the coordinates the user gave.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -39,5 +41,15 @@ class Corners {
   const SolidAlphaComplex& complex_;
   std::span<const Point> points_;
 };
+
+/// Of corners in any order, always rounded alike; long double, as it is a product of two coordinates.
+inline long double area(std::array<Point, 3> corners) {
+  std::sort(corners.begin(), corners.end());
+  const auto& [a, b, c] = corners;
+  using Wide = long double;
+  const Wide cross =
+      (Wide(b.x) - Wide(a.x)) * (Wide(c.y) - Wide(a.y)) - (Wide(b.y) - Wide(a.y)) * (Wide(c.x) - Wide(a.x));
+  return std::abs(cross) / 2;
+}
 
 }  // namespace rbpa

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "rbpa/filtration/corners.h"
@@ -24,16 +23,6 @@ struct Entry {
     return a.face < b.face;
   }
 };
-
-/// Of corners in any order, always rounded alike.
-double area(std::array<Point, 3> corners) {
-  std::sort(corners.begin(), corners.end());
-  const auto& [a, b, c] = corners;
-  using Wide = long double;
-  const Wide cross =
-      (Wide(b.x) - Wide(a.x)) * (Wide(c.y) - Wide(a.y)) - (Wide(b.y) - Wide(a.y)) * (Wide(c.x) - Wide(a.x));
-  return static_cast<double>(std::abs(cross) / 2);
-}
 
 FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double area) {
   return {.alpha = alpha,
@@ -60,7 +49,7 @@ Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> 
     pulse.beat();
     const std::array<Point, 3> triangle = corners.of_face(f);
     result.triangle_alpha[f] = least_alpha(triangle[0], triangle[1], triangle[2]);
-    entries[f] = {result.triangle_alpha[f], area(triangle), f};
+    entries[f] = {result.triangle_alpha[f], static_cast<double>(area(triangle)), f};
   }
   std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
     pulse.beat();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "meshops/core/connectivity.h"
-
 namespace rbpa {
 namespace {
 
@@ -23,37 +21,24 @@ std::vector<std::uint32_t> first_vertices(const std::vector<std::uint32_t>& inpu
 }  // namespace
 
 Growth::Growth(const SolidAlphaComplex& complex)
-    : cells_(complex.mesh.n_faces()),
+    : cells_(face_cells(complex.mesh)),
       first_on_point_(first_vertices(complex.input_index)),
-      gaps_(complex.mesh.n_vertices()),
+      gaps_(gaps_of(cells_, complex.mesh.n_vertices())),
       solids_(complex.mesh.n_faces()),
       pieces_(complex.mesh.n_vertices()),
       in_(complex.mesh.n_faces()),
       on_(complex.mesh.n_vertices()),
-      point_on_(complex.mesh.n_vertices()) {
-  const Mesh& mesh = complex.mesh;
-  for (std::size_t f = 0; f < cells_.size(); ++f) {
-    auto h = mesh.halfedge_handle(meshops::Face(static_cast<int>(f)));
-    for (unsigned side = 0; side < 3; ++side) {
-      const auto beyond = mesh.face_handle(mesh.opposite_halfedge_handle(h));
-      const auto corner = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
-      cells_[f].corners[side] = corner;
-      cells_[f].neighbours[side] = beyond.is_valid() ? static_cast<std::uint32_t>(beyond.idx()) : Cell::none;
-      gaps_[corner] += beyond.is_valid() ? 1u : 2u;
-      h = mesh.next_halfedge_handle(h);
-    }
-  }
-}
+      point_on_(complex.mesh.n_vertices()) {}
 
 void Growth::add(std::uint32_t face) {
-  const Cell& cell = cells_[face];
+  const FaceCell& cell = cells_[face];
   in_[face] = true;
   ++now_.triangles;
   ++now_.solid_components;
   std::array<bool, 3> glued;
   for (unsigned side = 0; side < 3; ++side) {
     const std::uint32_t neighbour = cell.neighbours[side];
-    glued[side] = neighbour != Cell::none && in_[neighbour];
+    glued[side] = neighbour != FaceCell::none && in_[neighbour];
     if (glued[side])
       now_.solid_components -= solids_.join(face, neighbour);
     else

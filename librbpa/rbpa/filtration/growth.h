@@ -5,11 +5,11 @@
 // Source: Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995); docs/filtration.md.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "rbpa/filtration/disjoint_sets.h"
+#include "rbpa/filtration/face_cells.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
 
@@ -25,16 +25,9 @@ class Growth {
   ComplexCounts counts() const;
 
  private:
-  /// A face without the detour over its halfedges: faces come in any order, so each is a cache miss.
-  struct Cell {
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-    std::array<std::uint32_t, 3> corners;     ///< vertices
-    std::array<std::uint32_t, 3> neighbours;  ///< faces, or none; beyond the side that ends at the corner
-  };
-
   void cover(std::uint32_t vertex);
 
-  std::vector<Cell> cells_;
+  std::vector<FaceCell> cells_;
   std::vector<std::uint32_t> first_on_point_;  // of a vertex, the first vertex on the same point
   std::vector<std::uint32_t> gaps_;            // of a vertex, its faces that are missing, and one for the boundary
   DisjointSets solids_;                        // of faces

@@ -1,0 +1,253 @@
+#include "cli/alpha_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string_view>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/number.h"
+
+namespace rbpa::app {
+namespace {
+
+/// A loop over many lines that notices Ctrl-C.
+template <typename Lines, typename Write>
+void for_each_line(const Lines& lines, const Write& write) {
+  std::size_t count = 0;
+  for (const auto& line : lines) {
+    if (++count % 65536 == 0) stop_if_interrupted();
+    write(line);
+  }
+}
+
+void write_count(OutputFile& out, std::size_t count) { out.write_number(static_cast<std::uint64_t>(count)); }
+
+void write_value(OutputFile& out, double value) {
+  if (std::isinf(value))
+    out.write("\"inf\"");
+  else
+    out.write_number(value);
+}
+
+void write_value(OutputFile& out, const std::optional<double>& value) {
+  if (value)
+    write_value(out, *value);
+  else
+    out.write("null");
+}
+
+/// What comes behind the alpha.
+void write_counts(OutputFile& out, const FiltrationStep& step) {
+  const auto item = [&](std::string_view name, std::size_t count) {
+    out.write(", \"");
+    out.write(name);
+    out.write("\": ");
+    write_count(out, count);
+  };
+  item("triangles", step.triangles);
+  item("solid_components", step.solid_components);
+  item("components", step.components);
+  item("holes", step.holes);
+  item("covered", step.covered);
+  out.write(", \"area\": ");
+  write_value(out, step.area);
+}
+
+void write_line(OutputFile& out, const FiltrationStep& step) {
+  out.write("{\"alpha\": ");
+  write_value(out, step.alpha);
+  write_counts(out, step);
+  out.write("}");
+}
+
+void write_line(OutputFile& out, const PersistencePair& pair) {
+  out.write("{\"dimension\": ");
+  write_count(out, static_cast<std::size_t>(pair.dimension));
+  out.write(", \"birth\": ");
+  write_value(out, pair.birth);
+  out.write(", \"death\": ");
+  write_value(out, pair.death);
+  out.write("}");
+}
+
+void write_line(OutputFile& out, const Plateau& plateau) {
+  out.write("{\"alpha\": ");
+  write_value(out, plateau.alpha);
+  out.write(", \"from\": ");
+  write_value(out, plateau.from);
+  out.write(", \"to\": ");
+  write_value(out, plateau.to);
+  out.write(", \"ratio\": ");
+  write_value(out, plateau.ratio);
+  out.write(plateau.kind == PlateauKind::structured ? ", \"kind\": \"structured\"" : ", \"kind\": \"one piece\"");
+  out.write(plateau.is_long ? ", \"long\": true" : ", \"long\": false");
+  out.write(", \"effective_parts\": ");
+  write_value(out, plateau.effective_parts);
+  out.write(", \"hole_share\": ");
+  write_value(out, plateau.hole_share);
+  write_counts(out, plateau.step);
+  out.write("}");
+}
+
+template <typename Lines>
+void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
+  out.write(",\n  \"");
+  out.write(name);
+  out.write("\": [");
+  const char* before = "\n    ";
+  for_each_line(lines, [&](const auto& line) {
+    out.write(before);
+    write_line(out, line);
+    before = ",\n    ";
+  });
+  out.write(lines.empty() ? "]" : "\n  ]");
+}
+
+std::string text_of(const std::optional<double>& value) {
+  return value ? std::string(std::string_view(ShortestText(*value))) : "none";
+}
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// A share in percent, rounded down: a hundred are all.
+std::string percent(std::size_t count, std::size_t all) {
+  const double tenths = std::floor(1000 * static_cast<double>(count) / static_cast<double>(all));
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", tenths / 10);
+  return text;
+}
+
+/// A line of the table of choices, and what others call the choice.
+std::string row(const std::string& choice, const std::string& alpha, const std::string& from, const std::string& to,
+                const std::string& parts, const std::string& holes, const std::string& covered, const std::string& area,
+                const std::string& others = "") {
+  char text[160];
+  std::snprintf(text, sizeof text, "%-10s %9s %9s %9s %7s %6s %8s %10s", choice.c_str(), alpha.c_str(), from.c_str(),
+                to.c_str(), parts.c_str(), holes.c_str(), covered.c_str(), area.c_str());
+  return text + (others.empty() ? "" : "  " + others) + "\n";
+}
+
+std::string row(const std::string& choice, double alpha, const std::string& from, const std::string& to,
+                const FiltrationStep& step, std::size_t distinct, const std::string& others = "") {
+  return row(choice, rounded(alpha), from, to, std::to_string(step.solid_components), std::to_string(step.holes),
+             percent(step.covered, distinct), rounded(step.area), others);
+}
+
+/// The complex at one of its critical radii.
+const FiltrationStep& step_at(const Filtration& filtration, double alpha) {
+  return *std::find_if(filtration.steps.begin(), filtration.steps.end(),
+                       [&](const FiltrationStep& step) { return step.alpha == alpha; });
+}
+
+std::string table_of(const AlphaReport& report) {
+  const Filtration& all = report.filtration;
+  std::string text = row("choice", "alpha", "from", "to", "parts", "holes", "covered", "area");
+  for (std::size_t i = 0; i < report.plateaus.size(); ++i) {
+    const Plateau& plateau = report.plateaus[i];
+    text += row(i == 0 ? "plateau" : "plateau:" + std::to_string(i + 1), plateau.alpha, rounded(plateau.from),
+                plateau.to ? rounded(*plateau.to) : "inf", plateau.step, all.distinct);
+  }
+  const bool every = report.cover == 1;
+  if (report.least_covering)
+    text += row("min", *report.least_covering, "", "", step_at(all, *report.least_covering), all.distinct,
+                every ? "MATLAB 'all-points'" : "");
+  if (report.least_connected)
+    text += row("auto", *report.least_connected, "", "", step_at(all, *report.least_connected), all.distinct,
+                every && report.most_components == 1 ? "MATLAB 'one-region', CGAL find_optimal_alpha(1)" : "");
+  return text;
+}
+
+}  // namespace
+
+std::string why_recommended(const std::vector<Plateau>& plateaus) {
+  const Plateau& best = plateaus.front();
+  const std::string from = rounded(best.from), factor = "a factor of " + rounded(best.ratio);
+  const std::string up_to = best.to ? " up to " + rounded(*best.to) : " from there on";
+  if (!best.is_long)
+    return "no range stands out: the longest over which parts and holes hardly change is " + factor +
+           ", which chance may give so few points";
+  if (best.kind == PlateauKind::one_piece)
+    return "from " + from + " on one part holds nearly all points that are covered, and it hardly changes" + up_to +
+           ", " + factor;
+  return "from " + from + up_to + ", " + factor + ", " + counted(best.step.solid_components, "part") + " and " +
+         counted(best.step.holes, "hole") + " hardly change";
+}
+
+std::string for_people(const AlphaReport& report) {
+  const auto& steps = report.filtration.steps;
+  std::string text = "points    " + std::to_string(report.points) + ", " + std::to_string(report.filtration.distinct) +
+                     " of them distinct\n";
+  const std::string pieces = counted(report.most_components, "solid component");
+  const bool every = report.cover == 1;
+  text += "min       " + text_of(report.least_covering) + "  (least alpha that covers " +
+          (every ? "every point" : "a share of " + text_of(report.cover) + " of the points") + ")\n";
+  text += "auto      " + text_of(report.least_connected) +
+          (every ? "  (moreover in at most " + pieces : "  (moreover with at most " + pieces + ", without the others") +
+          ")\n";
+  text += "critical  " + std::to_string(steps.size()) + (steps.size() == 1 ? " radius" : " radii");
+  if (!steps.empty()) text += ", from " + text_of(steps.front().alpha) + " to " + text_of(steps.back().alpha);
+  text += "\n";
+  if (report.pairs) {
+    const auto holes = std::count_if(report.pairs->begin(), report.pairs->end(),
+                                     [](const PersistencePair& pair) { return pair.dimension == 1; });
+    const auto components = static_cast<std::ptrdiff_t>(report.pairs->size()) - holes;
+    text += "pairs     " + std::to_string(components) + " of components, " + std::to_string(holes) + " of holes\n";
+  }
+  if (report.plateaus.empty()) return text;
+  return text + "\n" + table_of(report) + "\nRecommended: --alpha plateau, which is " +
+         text_of(report.plateaus.front().alpha) + ":\n" + why_recommended(report.plateaus) + ".\n";
+}
+
+void write_json(OutputFile& out, const AlphaReport& report) {
+  out.write("{\n  \"auto\": ");
+  write_value(out, report.least_connected);
+  out.write(",\n  \"min\": ");
+  write_value(out, report.least_covering);
+  out.write(",\n  \"recommended\": ");
+  if (report.plateaus.empty()) {
+    out.write("null");
+  } else {
+    out.write("{\"choice\": \"plateau\", \"alpha\": ");
+    write_value(out, report.plateaus.front().alpha);
+    out.write(", \"why\": \"" + why_recommended(report.plateaus) + "\"}");
+  }
+  write_array(out, "plateaus", report.plateaus);
+  write_array(out, "critical", report.filtration.steps);
+  if (report.pairs) write_array(out, "pairs", *report.pairs);
+  out.write("\n}\n");
+}
+
+void write_csv(OutputFile& out, const AlphaReport& report) {
+  if (report.pairs) {
+    out.write("dimension,birth,death\n");
+    for_each_line(*report.pairs, [&](const PersistencePair& pair) {
+      write_count(out, static_cast<std::size_t>(pair.dimension));
+      out.write(",");
+      out.write_number(pair.birth);
+      out.write(",");
+      if (pair.death) out.write_number(*pair.death);
+      out.write("\n");
+    });
+    return;
+  }
+  out.write("alpha,triangles,solid_components,components,holes,covered,area\n");
+  for_each_line(report.filtration.steps, [&](const FiltrationStep& step) {
+    out.write_number(step.alpha);
+    for (const std::size_t count : {step.triangles, step.solid_components, step.components, step.holes, step.covered}) {
+      out.write(",");
+      write_count(out, count);
+    }
+    out.write(",");
+    out.write_number(step.area);
+    out.write("\n");
+  });
+}
+
+}  // namespace rbpa::app
