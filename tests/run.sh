@@ -9,7 +9,7 @@ packages=(g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-de
           clang-tidy-14 pybind11-dev python3-dev python3-numpy python3-pytest mypy python3-scipy python3-shapely
           python3-gudhi python3-matplotlib python3-meshio)
 [ "$preset" = clang ] && packages+=(clang-14)
-[ "$preset" = nightly ] && packages+=(python3-meshio python3-numpy)
+[ "$preset" = nightly ] && packages+=(nodejs chromium)
 bash tests/install_packages.sh "${packages[@]}"
 build() {
   cmake --preset "$1"
