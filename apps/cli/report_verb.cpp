@@ -51,13 +51,13 @@ Report examine(const std::vector<Point>& points, const std::string& path, std::s
 void run_report(const ReportArguments& arguments) {
   const std::size_t most_components = parse_components(arguments.components);
   const RunOptions run = parse_run(arguments.run);
-  const PointSource source = parse_source(arguments.points, arguments.format, arguments.columns, arguments.pixels);
+  const PointSource source = parse_source(arguments);
   check_output(arguments.output);
   std::vector<std::string> outputs{arguments.output};
   if (arguments.stats) outputs.push_back(*arguments.stats);
   require_different(outputs, arguments.points, "points");
   Stopwatch watch;
-  const std::vector<Point> points = read(source, run.quiet);
+  const std::vector<Point> points = read(source, run.quiet).points;
   Stats stats{.read_seconds = watch.lap()};
   const Report report = examine(points, arguments.points, most_components, run);
   stats.build_seconds = watch.lap();

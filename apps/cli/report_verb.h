@@ -4,16 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "cli/pixel_arguments.h"
+#include "cli/point_arguments.h"
 #include "cli/run_options.h"
 
 namespace rbpa::app {
 
-struct ReportArguments {
-  std::string points;
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  PixelArguments pixels;
+struct ReportArguments : PointArguments {
   std::optional<std::string> stats;
   std::string output;            ///< an .html to write, or "-"
   std::string components = "1";  ///< at most, at `auto`
