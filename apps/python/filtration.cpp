@@ -9,7 +9,9 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
+#include "rbpa/filtration/covering.h"
 #include "rbpa/filtration/persistence.h"
+#include "rbpa/filtration/plateaus.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::python {
@@ -21,13 +23,31 @@ SolidAlphaComplex delaunay_of(std::span<const Point> points, unsigned threads, W
   return rbpa::rbpa(points, infinity, {.threads = threads, .progress = watch.progress()});
 }
 
-/// The least alpha that covers all points, in at most so many solid components if that is asked for.
-std::optional<double> least_alpha(const Doubles& points, std::optional<std::size_t> components, unsigned threads,
-                                  const py::object& progress) {
+/// The least alpha that covers a share of the points, in at most so many solid components if that is asked for.
+std::optional<double> least_alpha(const Doubles& points, double share, std::optional<std::size_t> components,
+                                  unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   return watched(input.size(), progress, [&](Watch& watch) {
-    return smallest_covering(filtration(delaunay_of(input, threads, watch), input, watch.until_stopped()), components);
+    const SolidAlphaComplex delaunay = delaunay_of(input, threads, watch);
+    return smallest_covering(delaunay, filtration(delaunay, input, watch.until_stopped()),
+                             {.share = share, .max_components = components}, watch.until_stopped());
   });
+}
+
+/// Of each plateau what rbpa.Plateau is made of, the best first.
+py::list plateaus_of(const Doubles& points, unsigned threads, const py::object& progress) {
+  const auto input = points_of(points);
+  const std::vector<Plateau> found = watched(input.size(), progress, [&](Watch& watch) {
+    const SolidAlphaComplex delaunay = delaunay_of(input, threads, watch);
+    return plateaus(delaunay, input, filtration(delaunay, input, watch.until_stopped()), watch.until_stopped());
+  });
+  py::list list;
+  for (const Plateau& p : found)
+    list.append(py::make_tuple(p.from, p.to, p.alpha, p.ratio, p.step.triangles, p.step.solid_components,
+                               p.step.components, p.step.holes, p.step.covered, p.step.area, p.effective_parts,
+                               p.hole_share, p.kind == PlateauKind::structured ? "structured" : "one piece",
+                               p.is_long));
+  return list;
 }
 
 /// The steps column by column.
@@ -77,8 +97,9 @@ py::tuple persistence_intervals(const Doubles& points, bool full, unsigned threa
 
 void bind_filtration(py::module_& module) {
   using py::arg;
-  module.def("least_alpha", &least_alpha, arg("points").noconvert(), arg("components"), arg("threads"),
+  module.def("least_alpha", &least_alpha, arg("points").noconvert(), arg("share"), arg("components"), arg("threads"),
              arg("progress"));
+  module.def("plateaus", &plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("filtration", &filtration_steps, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("persistence", &persistence_intervals, arg("points").noconvert(), arg("full"), arg("threads"),
              arg("progress"));

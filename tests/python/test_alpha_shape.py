@@ -75,12 +75,42 @@ def test_auto_and_min_are_the_least_radii_that_do_it(name):
     assert least.alpha <= pieces.alpha <= auto.alpha and len(pieces.polygons) <= 3
 
 
+def test_a_share_of_the_points_is_what_is_covered():
+    rng = np.random.default_rng(4)
+    points = np.concatenate((ring(500), rng.random((5, 2)) * 50 + 20))
+    everything, most = rbpa.alpha_shape(points), rbpa.alpha_shape(points, cover=0.99)
+    assert most.alpha < 0.5 < 5 < everything.alpha and len(most.isolated) <= 5
+    for alpha in ("auto", "min"):
+        shape = rbpa.alpha_shape(points, alpha, cover=0.9)
+        below = rbpa.alpha_shape(points, np.nextafter(shape.alpha, 0))
+        assert 1 - len(shape.isolated) / len(points) >= 0.9
+        largest = max((len(np.unique(p.shell)) for p in below.polygons), default=0)
+        assert 1 - len(below.isolated) / len(points) < 0.9 or (alpha == "auto" and len(below.polygons) > 1 and largest)
+    f = rbpa.filtration(points)
+    assert f.smallest_covering(1, cover=0.99) == most.alpha
+    assert f.smallest_covering(cover=0.9) == rbpa.alpha_shape(points, "min", cover=0.9).alpha
+    assert len(rbpa.concave_hull(points, cover=0.99)) >= 1
+
+
+def test_plateaus_are_those_of_the_filtration():
+    points = np.concatenate((ring(500), ring(300, 3) + [8, 0]))
+    plateaus = rbpa.filtration(points).plateaus()
+    best = plateaus[0]
+    assert best.kind == "structured" and best.is_long and best.start <= best.alpha < best.end
+    shape = rbpa.alpha_shape(points, "plateau")
+    assert shape.alpha == best.alpha and len(shape.polygons) == best.solid_components
+    assert [len(p.holes) for p in shape.filtered(min_part_area=1, min_hole_area=1)] == [1, 1]
+    assert rbpa.alpha_shape(points, "plateau:2").alpha == plateaus[1].alpha
+    assert plateaus[-1].end is None or all(p.end for p in plateaus)
+    assert rbpa.alpha_shape(SETS["line"], "plateau").alpha is None and rbpa.filtration([]).plateaus() == []
+
+
 def test_the_command_line_gives_the_same_triangles(tmp_path, program):
     file = "mol_2xhe_xy.xy"
-    for alpha in ["1", "auto", "inf"]:
+    for alpha in ["1", "auto", "plateau", "inf"]:
         out = tmp_path / "triangles.npy"
         subprocess.run([program, "mesh", str(data.__globals__["DATA"] / file), "--alpha", alpha, "-o", out, "-q"], check=True)
-        of_python = rbpa.alpha_shape(data(file), alpha if alpha == "auto" else float(alpha))
+        of_python = rbpa.alpha_shape(data(file), alpha if alpha[0] in "ap" else float(alpha))
         assert np.array_equal(np.load(out), of_python.simplices)
 
 

@@ -6,7 +6,7 @@ import rbpa
 import rbpa.meshops
 
 points: npt.NDArray[np.float64] = np.zeros((5, 2))
-shape: rbpa.AlphaShape = rbpa.alpha_shape(points, alpha="auto", components=2, progress=lambda t, p: t < 10)
+shape: rbpa.AlphaShape = rbpa.alpha_shape(points, alpha="auto", cover=0.99, components=2, progress=lambda t, p: t < 10)
 simplices: npt.NDArray[np.int32] = shape.simplices
 alpha: float = shape.alpha or 0.0
 area: float = sum(p.area for p in shape.polygons)
@@ -17,6 +17,7 @@ delaunay = rbpa.Delaunay([[0, 0], [1, 0], [0, 1]])
 begin, neighbors = delaunay.vertex_neighbor_vertices
 outline: rbpa.Polygons = rbpa.concave_hull(points, allow_holes=True)
 steps = rbpa.filtration(points)
+best: float = steps.plateaus()[0].alpha
 betti: tuple[int, int] = steps.betti(1.0)
 intervals: npt.NDArray[np.float64] = steps.persistence(1, complex="full")
 mesh = rbpa.meshops.Mesh([[0, 1, 2]])

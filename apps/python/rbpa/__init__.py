@@ -14,7 +14,7 @@ What there is:
 
     alpha_shape(points, alpha="auto")    the solid alpha complex: triangles, outline, area      -> AlphaShape
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
-    filtration(points)                   components, holes, area at every radius; persistence   -> Filtration
+    filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
     rbpa.meshops                         halfedge meshes that no operator can break, repair     (import rbpa.meshops)
 
@@ -41,6 +41,7 @@ from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay
 from rbpa._filtration import Filtration, filtration
+from rbpa._plateau import Plateau
 from rbpa._polygons import Polygon, Polygons
 
 __all__ = [
@@ -50,6 +51,7 @@ __all__ = [
     "Delaunay",
     "Filtration",
     "InvalidInput",
+    "Plateau",
     "Polygon",
     "Polygons",
     "__version__",
@@ -59,5 +61,5 @@ __all__ = [
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
-for _public in (AlphaShape, Delaunay, Filtration, Polygon, Polygons, alpha_shape, concave_hull, filtration):
+for _public in (AlphaShape, Delaunay, Filtration, Plateau, Polygon, Polygons, alpha_shape, concave_hull, filtration):
     _public.__module__ = __name__

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from functools import cached_property
 from typing import Any, Optional
 
@@ -10,8 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
+from rbpa._core import InvalidInput
 from rbpa._input import Alpha, Floats, Indices, Progress, Unchanged
-from rbpa._input import as_count, as_points, as_radius, as_threads, freeze
+from rbpa._input import as_count, as_points, as_radius, as_share, as_threads, freeze
+from rbpa._plateau import Plateau
 from rbpa._polygons import Polygons
 
 
@@ -19,6 +22,7 @@ def alpha_shape(
     points: npt.ArrayLike,
     alpha: Alpha = "auto",
     *,
+    cover: float = 1.0,
     components: int = 1,
     threads: Optional[int] = None,
     progress: Progress = None,
@@ -30,10 +34,15 @@ def alpha_shape(
     points : array_like of shape (n, 2)
         Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
         is in use; anything else is converted.
-    alpha : float, "auto" or "min"
+    alpha : float, "auto", "min", "plateau" or "plateau:K"
         A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "min" is the least radius
         at which every point is in a triangle, "auto" the least at which moreover the triangles form at most `components`
-        pieces. Both are exact. One outlier decides them: look at what they chose (`AlphaShape.alpha`).
+        pieces. Both are exact, and one outlier decides them unless `cover` is less than 1. "plateau" is a radius around
+        which the shape hardly changes, the best of `Filtration.plateaus`, and "plateau:2" the second.
+        `AlphaShape.alpha` says what was chosen.
+    cover : float
+        For "auto" and "min": the share of the points that must be in triangles, for "auto" in those of the `components`
+        largest pieces. 0.99 leaves one of a hundred points out of account.
     components : int
         For "auto": at most so many pieces, connected through edges.
     threads : int, optional
@@ -55,7 +64,7 @@ def alpha_shape(
 
     Notes
     -----
-    Time is about linear: a million points take about two tenths of a second, "auto" and "min" five times as long.
+    Time is about linear: a million points take about two tenths of a second, rules that choose alpha five times as long.
 
     Examples
     --------
@@ -65,18 +74,30 @@ def alpha_shape(
     """
     array = as_points(points)
     workers = as_threads(threads)
-    radius = _choose(array, alpha, as_count(components, "components", 1), workers, progress)
+    share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
+    radius = _choose(array, alpha, share, pieces, workers, progress)
     # Where no radius covers the points they are on a line, and there is no triangle at any.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
     return AlphaShape(array, radius, made)
 
 
-def _choose(points: Floats, alpha: Alpha, components: int, threads: int, progress: Progress) -> Optional[float]:
+def _choose(
+    points: Floats, alpha: Alpha, cover: float, components: int, threads: int, progress: Progress
+) -> Optional[float]:
+    """The radius; None where no radius is what is asked for, as there is no triangle at any."""
     rule = alpha if isinstance(alpha, str) else None
     if components != 1 and rule != "auto":
-        raise _core.InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
+        raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
+    if cover != 1 and rule != "auto" and rule != "min":
+        raise InvalidInput(f"cover: found alpha={alpha!r}, expected alpha='auto' or 'min', which are what it is about")
     if rule == "auto" or rule == "min":
-        return _core.least_alpha(points, components if rule == "auto" else None, threads, progress)
+        return _core.least_alpha(points, cover, components if rule == "auto" else None, threads, progress)
+    if rule is not None and re.fullmatch("plateau(:[1-9][0-9]*)?", rule):
+        found = _core.plateaus(points, threads, progress)
+        rank = int(rule.partition(":")[2] or 1)
+        if found and rank > len(found):
+            raise InvalidInput(f"alpha: found {alpha!r}, expected a plateau that there is: there are {len(found)}")
+        return Plateau(*found[rank - 1]).alpha if found else None
     return as_radius(alpha)  # type: ignore[arg-type]  # which refuses other words
 
 

@@ -17,6 +17,7 @@ def concave_hull(
     alpha: Alpha = "auto",
     *,
     allow_holes: bool = False,
+    cover: float = 1.0,
     components: int = 1,
     threads: Optional[int] = None,
     progress: Progress = None,
@@ -25,7 +26,7 @@ def concave_hull(
 
     Parameters
     ----------
-    points, alpha, components, threads, progress
+    points, alpha, cover, components, threads, progress
         As for `alpha_shape`. By default alpha is the least radius at which one polygon holds every point; infinity gives
         the convex hull.
     allow_holes : bool
@@ -34,7 +35,7 @@ def concave_hull(
     Returns
     -------
     Polygons
-        One polygon where alpha is "auto", and none where points are on one line or fewer than three. Else as many as there
+        One polygon where alpha is "auto" and all is covered, and none where points are on one line or fewer than three. Else as many as there
         are pieces at that radius; points in none of them are outside.
 
     Raises
@@ -50,5 +51,5 @@ def concave_hull(
     >>> outline.area, outline.exterior[0]
     (14.0, array([0., 0.]))
     """
-    shape = alpha_shape(points, alpha, components=components, threads=threads, progress=progress)
+    shape = alpha_shape(points, alpha, cover=cover, components=components, threads=threads, progress=progress)
     return shape.filtered(min_hole_area=0.0 if allow_holes else math.inf)

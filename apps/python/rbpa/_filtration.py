@@ -8,7 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._input import Floats, Integers, Progress, Unchanged, as_count, as_points, as_threads, freeze
+from rbpa._input import Floats, Integers, Progress, Unchanged
+from rbpa._input import as_count, as_points, as_share, as_threads, freeze
+from rbpa._plateau import Plateau
 
 _COLUMNS = ("alpha", "triangles", "solid_components", "components", "holes", "covered", "area")
 
@@ -87,15 +89,30 @@ class Filtration:
         self.__dict__.update(steps)
         self._unchanged = Unchanged(points)
 
-    def smallest_covering(self, components: Optional[int] = None) -> Optional[float]:
-        """The least radius at which every point is in a triangle, and the pieces are at most `components`, if it is given.
+    def smallest_covering(self, components: Optional[int] = None, *, cover: float = 1.0) -> Optional[float]:
+        """The least radius at which a share `cover` of the points is in triangles.
 
-        None where there is no such radius, as the points are on one line or fewer than three.
+        With `components`: of those of so many pieces, the largest; the other points are left out of account. None where there is
+        no such radius, as the points are on one line or fewer than three.
         """
-        good = self.covered == self.distinct
-        if components is not None:
-            good &= self.solid_components <= as_count(components, "components", 1)
+        share = as_share(cover, "cover")
+        pieces = None if components is None else as_count(components, "components", 1)
+        if pieces is not None and share < 1:  # which pieces are large is not in the columns
+            self._unchanged.check(self.points)
+            return _core.least_alpha(self.points, share, pieces, as_threads(None), None)
+        good = self.covered / max(self.distinct, 1) >= share
+        if pieces is not None:
+            good &= self.solid_components <= pieces
         return float(self.alpha[good.argmax()]) if good.any() else None
+
+    def plateaus(self) -> list[Plateau]:
+        """Ranges of radii over which parts and holes of the shape hardly change, the best first, at most eight.
+
+        Long and structured ones come first; each has the radius to choose in it. Computed anew with each call; it takes about
+        twice the time of `filtration`.
+        """
+        self._unchanged.check(self.points)
+        return [Plateau(*found) for found in _core.plateaus(self.points, as_threads(None), None)]
 
     @property
     def auto(self) -> Optional[float]:

@@ -17,6 +17,7 @@ Integers = npt.NDArray[np.int64]
 Progress = Optional[Callable[[int, int], Optional[bool]]]
 Alpha = Union[float, str]
 
+RULES = "'auto', 'min', 'plateau' or 'plateau:K'"
 _EXACT = 2**53  # doubles have every integer up to it
 
 
@@ -49,7 +50,7 @@ def _hint(array: npt.NDArray[Any], name: str) -> str:
 def as_radius(alpha: float) -> float:
     """A number; whether it is a radius is for the library to say."""
     if isinstance(alpha, (bool, np.bool_)) or not isinstance(alpha, (numbers.Real, np.number)):
-        raise InvalidInput(f"alpha: found {alpha!r}, expected a radius (a number > 0, or inf), 'auto' or 'min'")
+        raise InvalidInput(f"alpha: found {alpha!r}, expected a radius (a number > 0, or inf), {RULES}")
     return float(alpha)
 
 
@@ -57,6 +58,12 @@ def as_count(value: int, name: str, least: int) -> int:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
         raise InvalidInput(f"{name}: found {value!r}, expected a whole number, {least} or more")
     return int(value)
+
+
+def as_share(value: float, name: str) -> float:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, np.number)) or not 0 < value <= 1:
+        raise InvalidInput(f"{name}: found {value!r}, expected a share of the points, > 0 and <= 1")
+    return float(value)
 
 
 def as_threads(threads: int | None) -> int:
