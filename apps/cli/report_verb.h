@@ -15,8 +15,9 @@ struct ReportArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::optional<std::string> stats;
-  std::string output;            ///< an .html to write, or "-"
-  std::string components = "1";  ///< at most, at `auto`
+  std::string output;                ///< an .html to write, or "-"
+  std::string components = "1";      ///< at most, at `auto`
+  std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
   RunArguments run;
 };
 
