@@ -240,10 +240,11 @@ void add_report(CLI::App& app, ReportArguments& arguments) {
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
       ->type_name("K")
       ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "One file with everything in it, for any browser, offline: a slider over alpha, counts, the persistence diagram, "
-      "and the shape as GeoJSON and SVG. About 90 bytes a point; smooth with some hundred thousand.\n\n"
+      "and the shape as GeoJSON and SVG. About 110 bytes a point; smooth with some hundred thousand.\n\n"
       "Example:\n  rbpa report points.xy -o report.html\n\n" +
       std::string(exit_codes));
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/alpha_choice.h"
+#include "cli/alpha_report.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
 #include "cli/progress.h"
@@ -15,6 +16,7 @@
 #include "io/message.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
+#include "rbpa/filtration/covering.h"
 #include "report/write_report.h"
 
 namespace rbpa::app {
@@ -28,38 +30,46 @@ void check_output(const std::string& output) {
     throw WrongUsage(output + ": found the ending " + in_quotes(found) + ", expected html");
 }
 
-Report examine(const std::vector<Point>& points, const std::string& path, std::size_t most_components,
-               const RunOptions& run) {
-  Report report{.source = path == "-" ? "standard input" : std::filesystem::path(path).filename().string(),
-                .points = points.size(),
-                .most_components = most_components};
+/// Fills in what follows from the points.
+void examine(Report& report, const std::vector<Point>& points, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
   {
     const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
     report.filtration = filtration(delaunay, points, until_interrupted());
   }
   stop_if_interrupted();
-  report.least_covering = smallest_covering(report.filtration);
-  report.least_connected = smallest_covering(report.filtration, most_components);
+  const auto least = [&](std::optional<std::size_t> most_components) {
+    return smallest_covering(delaunay, report.filtration, {report.cover, most_components}, until_interrupted());
+  };
+  report.least_covering = least(std::nullopt);
+  report.least_connected = least(report.most_components);
+  {
+    const ProgressLine line("rbpa", !run.quiet, "plateaus");
+    report.plateaus = plateaus(delaunay, points, report.filtration, until_interrupted());
+    if (!report.plateaus.empty()) report.why_recommended = why_recommended(report.plateaus);
+  }
   const ProgressLine line("rbpa", !run.quiet, "persistence");
   report.arrays = filtration_arrays(delaunay, points, report.filtration, until_interrupted());
-  return report;
 }
 
 }  // namespace
 
 void run_report(const ReportArguments& arguments) {
-  const std::size_t most_components = parse_components(arguments.components);
+  const std::string& path = arguments.points;
+  Report report{.source = path == "-" ? "standard input" : std::filesystem::path(path).filename().string(),
+                .most_components = parse_components(arguments.components),
+                .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
   const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   check_output(arguments.output);
   std::vector<std::string> outputs{arguments.output};
   if (arguments.stats) outputs.push_back(*arguments.stats);
-  require_different(outputs, arguments.points, "points");
+  require_different(outputs, path, "points");
   Stopwatch watch;
   const std::vector<Point> points = read(source, run.quiet).points;
   Stats stats{.read_seconds = watch.lap()};
-  const Report report = examine(points, arguments.points, most_components, run);
+  report.points = points.size();
+  examine(report, points, run);
   stats.build_seconds = watch.lap();
 
   OutputSet files;

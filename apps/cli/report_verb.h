@@ -11,8 +11,9 @@ namespace rbpa::app {
 
 struct ReportArguments : PointArguments {
   std::optional<std::string> stats;
-  std::string output;            ///< an .html to write, or "-"
-  std::string components = "1";  ///< at most, at `auto`
+  std::string output;                ///< an .html to write, or "-"
+  std::string components = "1";      ///< at most, at `auto`
+  std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
   RunArguments run;
 };
 

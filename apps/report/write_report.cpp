@@ -40,6 +40,16 @@ Json radius(const std::optional<double>& alpha) {
   return std::isinf(*alpha) ? Json("inf") : Json(*alpha);
 }
 
+Json as_json(const std::vector<Plateau>& plateaus) {
+  Json list = Json::array();
+  for (const Plateau& plateau : plateaus)
+    list.push_back({{"alpha", radius(plateau.alpha)},
+                    {"from", radius(plateau.from)},
+                    {"to", radius(plateau.to)},
+                    {"long", plateau.is_long}});
+  return list;
+}
+
 /// What is no array. No text in it can end its element.
 std::string facts(const Report& report) {
   const auto& pairs = report.arrays.pairs;
@@ -55,7 +65,10 @@ std::string facts(const Report& report) {
                       {"holePairs", static_cast<std::ptrdiff_t>(pairs.size()) - components},
                       {"mostComponents", report.most_components},
                       {"min", radius(report.least_covering)},
-                      {"auto", radius(report.least_connected)}};
+                      {"auto", radius(report.least_connected)},
+                      {"cover", report.cover},
+                      {"plateaus", as_json(report.plateaus)},
+                      {"why", report.why_recommended}};
   std::string text = facts.dump(2);
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
   return text;

@@ -6,19 +6,24 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/output_file.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/filtration_arrays.h"
+#include "rbpa/filtration/plateaus.h"
 
 namespace rbpa::app {
 
 struct Report {
   std::string source;                                    ///< where the points come from, as people call it
   std::size_t points = 0;                                ///< with repetitions
-  std::size_t most_components = 1;                       ///< at `auto`
+  std::size_t most_components = 1;                       ///< at "auto"
+  double cover = 1;                                      ///< share of the points, of the next two
   std::optional<double> least_covering = std::nullopt;   ///< "min"
   std::optional<double> least_connected = std::nullopt;  ///< "auto"
+  std::vector<Plateau> plateaus = {};                    ///< the best first
+  std::string why_recommended = {};                      ///< of the first of them
   Filtration filtration = {};
   FiltrationArrays arrays = {};
 };

@@ -103,6 +103,11 @@ void agrees(const std::string& page, const Json& report) {
   const Json facts = Json::parse(element(page, "facts"));
   CHECK(facts["auto"] == report["auto"]);
   CHECK(facts["min"] == report["min"]);
+  REQUIRE(facts["plateaus"].size() == report["plateaus"].size());
+  for (std::size_t i = 0; i < facts["plateaus"].size(); ++i)
+    for (const char* key : {"alpha", "from", "to", "long"})
+      CHECK(facts["plateaus"][i][key] == report["plateaus"][i][key]);
+  CHECK(facts["why"] == (report["recommended"].is_null() ? Json("") : report["recommended"]["why"]));
   const auto radii = doubles_of(bytes_of(page, "radii")), areas = doubles_of(bytes_of(page, "areas"));
   const auto counts = wholes_of(bytes_of(page, "counts"));
   const Json& critical = report["critical"];
@@ -155,8 +160,12 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("auto in at most K components is the one that is asked for") {
+  TEST_CASE("auto in at most K components, or of a share of the points, is the one that is asked for") {
     const Folder folder;
+    const Json covering = Json::parse(element(page_of(folder, points + "--cover 0.9 --components 3"), "facts"));
+    const Json report = Json::parse(folder.rbpa("alpha " + points + "--json -q --cover 0.9 --components 3").out);
+    for (const char* rule : {"auto", "min"}) CHECK(covering[rule] == report[rule]);
+    CHECK(covering["cover"] == 0.9);
     for (const std::string components : {"1", "3"}) {
       const Json facts = Json::parse(element(page_of(folder, points + "--components " + components), "facts"));
       CHECK(facts["auto"] ==
@@ -271,6 +280,7 @@ TEST_SUITE("report") {
           {"-o page", "page: found the ending '', expected html"},
           {"-o ''", "-o: found an empty name, expected a path or -"},
           {"-o p.html --components 0", "--components: found '0'"},
+          {"-o p.html --cover 2", "--cover: found '2'"},
           {"-o p.html --alpha 1", "found '--alpha', expected an option of rbpa report"},
           {"-o - --stats -", ""},
           {"", "--output is required"}}) {

@@ -106,6 +106,7 @@ function decode(text) {
     facts,
     min: radiusOf(facts.min),
     auto: radiusOf(facts.auto),
+    plateaus: facts.plateaus.map(({ alpha, from, to }) => ({ alpha: radiusOf(alpha), from: radiusOf(from), to: radiusOf(to) ?? Infinity })),
     points: doublesOf(bytesOf(text("points"))),
     triangles: trianglesOf(bytesOf(text("triangles")), facts.triangles),
     radii: doublesOf(bytesOf(text("radii"))),

@@ -12,6 +12,9 @@ function pixelOf(text) {
   return new Uint32Array(bytes.buffer)[0];
 }
 
+const mostPlateaus = 4; // to choose from
+const snapDistance = 8; // thousandths of the slider
+
 class Page {
   constructor() {
     this.complex = new Complex(decode((name) => element(`data-${name}`).textContent));
@@ -23,6 +26,7 @@ class Page {
     this.diagram = new PersistenceDiagram(element("diagram"));
     this.shown = { edges: true, isolated: true, freeEdges: false };
     this.step = -1;
+    this.alpha = 0;
     this.pair = -1;
     this.marked = new Uint8Array(this.complex.size);
     this.region = [];
@@ -35,8 +39,9 @@ class Page {
     this.listPairs("component-pairs", 0);
     this.listen();
     this.resize();
-    const { auto } = this.complex.data;
-    this.goTo(auto === null ? -1 : this.complex.stepAt(auto));
+    const { plateaus } = this.complex.data;
+    if (plateaus.length > 0) this.goToAlpha(plateaus[0].alpha);
+    else this.goTo(this.complex.steps - 1);
   }
 
   // What is fixed ------------------------------------------------------------------------------------------------------
@@ -61,12 +66,17 @@ class Page {
   }
 
   listChoices() {
-    const { min, auto, facts } = this.complex.data;
+    const { min, auto, plateaus, facts } = this.complex.data;
     const most = facts.mostComponents;
-    const choices = [
-      ["min", min, "the least alpha that covers every point"],
-      ["auto", auto, `the least alpha that covers every point in at most ${most} solid component${most === 1 ? "" : "s"}`],
-    ];
+    const share = facts.cover === 1 ? "every point" : `a share of ${facts.cover} of the points`;
+    const choices = plateaus.slice(0, mostPlateaus).map(({ alpha, from, to }, i) => [
+      i === 0 ? "plateau" : `plateau:${i + 1}`,
+      alpha,
+      `the shape hardly changes from ${short(from)} to ${short(to)}${i === 0 ? ", recommended" : ""}`,
+    ]);
+    choices.push(["min", min, `the least alpha that covers ${share}`]);
+    choices.push(["auto", auto, `the least alpha that covers ${share} in at most ${most} solid component${most === 1 ? "" : "s"}`]);
+    this.choiceButtons = [];
     for (const [name, alpha, meaning] of choices) {
       if (alpha === null) continue;
       const button = document.createElement("button");
@@ -74,9 +84,11 @@ class Page {
       button.textContent = `${name} ${short(alpha)}`;
       button.title = meaning;
       button.setAttribute("aria-label", `${name}: ${meaning}, ${short(alpha)}`);
-      button.addEventListener("click", () => this.goTo(this.complex.stepAt(alpha)));
+      button.addEventListener("click", () => this.goToAlpha(alpha));
       element("choices").append(button);
+      this.choiceButtons.push({ button, alpha });
     }
+    if (plateaus.length > 0) element("why").textContent = `Recommended: plateau, ${short(plateaus[0].alpha)}: ${facts.why}.`;
   }
 
   lifeOf(pair) {
@@ -106,7 +118,26 @@ class Page {
   // What is chosen -----------------------------------------------------------------------------------------------------
 
   goTo(step) {
-    this.step = Math.max(-1, Math.min(this.complex.steps - 1, step));
+    const last = this.complex.steps - 1;
+    this.show(Math.max(-1, Math.min(last, step)));
+  }
+
+  /** Of any alpha, the step that it is in. */
+  goToAlpha(alpha) {
+    this.show(this.complex.stepAt(alpha), alpha);
+  }
+
+  /** Of a position on the slider; near the alpha of a plateau it is that. */
+  goToPosition(position) {
+    const alphas = this.complex.data.plateaus.slice(0, mostPlateaus).map(({ alpha }) => alpha);
+    const near = alphas.find((alpha) => Math.abs(this.axis.at(alpha) - position) < snapDistance);
+    if (near !== undefined) this.goToAlpha(near);
+    else this.goTo(this.complex.stepAt(this.axis.radiusAt(position)));
+  }
+
+  show(step, alpha = step < 0 ? 0 : this.complex.data.radii[step]) {
+    this.step = step;
+    this.alpha = alpha;
     this.tellNumbers();
     this.ask("step");
   }
@@ -130,19 +161,20 @@ class Page {
 
   tellNumbers() {
     const numbers = this.complex.numbersAt(this.step);
-    const { data, pointCount } = this.complex;
+    const { pointCount } = this.complex;
     const share = pointCount === 0 ? 0 : (100 * numbers.covered) / pointCount;
     for (const name of ["triangles", "solidComponents", "components", "holes", "covered", "isolated"])
       element(name).textContent = numbers[name].toLocaleString("en");
     element("share").textContent = `${share.toFixed(share > 99 && share < 100 ? 2 : 1)} %`;
     element("area").textContent = String(numbers.area);
-    element("radius").value = this.step < 0 ? "0" : String(numbers.alpha);
+    element("radius").value = String(this.alpha);
+    for (const { button, alpha } of this.choiceButtons) button.setAttribute("aria-pressed", String(alpha === this.alpha));
     this.tellRadiusError("");
     const slider = element("slider");
-    const position = this.step < 0 ? 0 : this.axis.at(data.radii[this.step]);
-    if (this.complex.stepAt(this.axis.radiusAt(Number(slider.value))) !== this.step) slider.value = position;
+    if (this.complex.stepAt(this.axis.radiusAt(Number(slider.value))) !== this.step)
+      slider.value = this.step < 0 ? 0 : this.axis.at(this.alpha);
     slider.setAttribute("aria-valuetext", this.sentence(numbers));
-    element("counts-cursor").style.left = `${this.step < 0 ? plotMargin.left : this.countsPlot.axis?.at(numbers.alpha)}px`;
+    element("counts-cursor").style.left = `${this.step < 0 ? plotMargin.left : this.countsPlot.axis?.at(this.alpha)}px`;
     this.placeAlive();
     clearTimeout(this.speaking);
     this.speaking = setTimeout(() => (element("status").textContent = this.sentence(numbers)), 600);
@@ -151,7 +183,7 @@ class Page {
   sentence(numbers) {
     const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
     return (
-      `alpha ${short(numbers.alpha)}: ${counted(numbers.triangles, "triangle")}, ` +
+      `alpha ${short(this.alpha)}: ${counted(numbers.triangles, "triangle")}, ` +
       `${counted(numbers.solidComponents, "solid component")}, ${counted(numbers.holes, "hole")}, ` +
       `${counted(numbers.isolated, "isolated point")}`
     );
@@ -164,7 +196,7 @@ class Page {
 
   placeAlive() {
     if (!this.diagram.births) return;
-    const alpha = this.step < 0 ? 0 : this.complex.data.radii[this.step];
+    const { alpha } = this;
     const style = element("alive").style;
     style.width = `${this.step < 0 ? 0 : this.diagram.births.at(alpha) - plotMargin.left}px`;
     style.height = `${this.step < 0 ? 0 : this.diagram.deaths.at(alpha)}px`;
@@ -342,7 +374,7 @@ class Page {
 
   listenToRadius() {
     const slider = element("slider");
-    slider.addEventListener("input", () => this.goTo(this.complex.stepAt(this.axis.radiusAt(Number(slider.value)))));
+    slider.addEventListener("input", () => this.goToPosition(Number(slider.value)));
     const far = () => Math.max(1, Math.round(this.complex.steps / 50));
     const moves = {
       ArrowLeft: () => this.step - 1, ArrowDown: () => this.step - 1,
@@ -364,7 +396,7 @@ class Page {
         this.tellRadiusError("Expected a radius: a number > 0, or inf.");
         return;
       }
-      this.goTo(this.complex.stepAt(alpha));
+      this.goToAlpha(alpha);
     });
   }
 
@@ -484,7 +516,7 @@ class Page {
       lines: [...inner, ...free].map(ends),
       dots: shown.isolated ? isolatedInView(complex, view, count) : [],
       colours: this.colours,
-      title: `${complex.data.facts.source}, alpha ${complex.numbersAt(step).alpha}`,
+      title: `${complex.data.facts.source}, alpha ${this.alpha}`,
     });
   }
 
@@ -492,7 +524,7 @@ class Page {
     const link = document.createElement("a");
     const name = this.complex.data.facts.source.replace(/\.[^.]*$/, "") || "shape";
     link.href = URL.createObjectURL(new Blob([text], { type }));
-    link.download = `${name}.alpha-${short(this.complex.numbersAt(this.step).alpha)}.${ending}`;
+    link.download = `${name}.alpha-${short(this.alpha)}.${ending}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   }

@@ -55,6 +55,7 @@ class CountsPlot {
     const { left, right, top, bottom } = plotMargin;
     const { radii, counts } = complex.data;
     this.axis = LogAxis.of(radii, complex.reach(), left, width - right);
+    this.drawPlateaus(context, complex.data.plateaus.slice(0, mostPlateaus), top, height - bottom, colours);
     drawRadiusTicks(context, this.axis, top, height - bottom, colours);
     let most = 1;
     for (const [name] of plottedCounts) for (const count of counts[name]) most = Math.max(most, count);
@@ -67,6 +68,19 @@ class CountsPlot {
     }
     context.lineWidth = 1.5;
     for (const [name, colour] of plottedCounts) this.drawCurve(context, radii, counts[name], up, colours[colour]);
+  }
+
+  drawPlateaus(context, plateaus, top, bottom, colours) {
+    context.fillStyle = colours.fill;
+    for (const { from, to } of plateaus) {
+      const left = this.axis.at(from);
+      context.globalAlpha = 0.55;
+      context.fillRect(left, top, this.axis.at(to) - left - 1, bottom - top);
+    }
+    context.globalAlpha = 1;
+    context.textAlign = "center";
+    context.fillStyle = colours.text;
+    plateaus.forEach(({ alpha }, i) => context.fillText(`${i + 1}`, this.axis.at(alpha), top + 10));
   }
 
   /** Per column of pixels its least, greatest and last value. */

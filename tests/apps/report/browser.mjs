@@ -13,7 +13,7 @@ const run = (...options) => execFileSync(rbpa, options, { encoding: "utf8", maxB
 const points = join(repository, "tests/data/shape_hdbscan_clusterable.xy");
 const html = join(folder, "report.html");
 run("report", points, "-o", html, "-q");
-const { critical, auto, pairs } = JSON.parse(run("alpha", points, "--json", "--persistence", "-q"));
+const { critical, auto, pairs, plateaus, recommended } = JSON.parse(run("alpha", points, "--json", "--persistence", "-q"));
 
 const browser = new Chromium(program);
 let failed = 0;
@@ -39,11 +39,11 @@ const number = async (tab, id) => Number((await text(tab, id)).replaceAll(",", "
 const place = (tab, id) => tab.value(`(({ x, y, width, height }) => ({ x, y, width, height }))(document.getElementById("${id}").getBoundingClientRect())`);
 const focus = (tab, id) => tab.value(`document.getElementById("${id}").focus()`);
 
-async function assertNumbers(tab, step) {
+async function assertNumbers(tab, step, alpha = step?.alpha ?? 0) {
   const names = { triangles: "triangles", solidComponents: "solid_components", components: "components", holes: "holes", covered: "covered" };
   for (const [id, name] of Object.entries(names)) assert.equal(await number(tab, id), step?.[name] ?? 0, id);
   assert.equal(await number(tab, "isolated"), critical.at(-1).covered - (step?.covered ?? 0));
-  assert.equal(await tab.value(`document.getElementById("radius").value`), String(step?.alpha ?? 0));
+  assert.equal(await tab.value(`document.getElementById("radius").value`), String(alpha));
   assert.equal(await text(tab, "area"), String(step?.area ?? 0));
 }
 
@@ -57,7 +57,30 @@ await test("the page loads without a word, and asks for nothing but itself", asy
   assert.deepEqual(complaints, []);
 });
 
-await test("it begins at auto", () => assertNumbers(wide, critical.find((step) => step.alpha === auto)));
+const stepAt = (alpha) => critical.findLast((step) => step.alpha <= alpha);
+
+await test("it begins at the alpha that is recommended, and says why; the others are a click away", async () => {
+  await assertNumbers(wide, stepAt(recommended.alpha), recommended.alpha);
+  assert((await text(wide, "why")).includes(recommended.why));
+  const buttons = await wide.value(`[...document.querySelectorAll("#choices button")].map((b) => b.textContent.split(" ")[0])`);
+  assert.deepEqual(buttons, ["plateau", "plateau:2", "plateau:3", "plateau:4"].slice(0, plateaus.length).concat("min", "auto"));
+  for (const [i, alpha] of [[0, plateaus[0].alpha], [buttons.length - 1, auto]]) {
+    await wide.value(`document.querySelectorAll("#choices button")[${i}].click()`);
+    await assertNumbers(wide, stepAt(alpha), alpha);
+    assert.equal(await wide.value(`document.querySelectorAll("#choices button")[${i}].getAttribute("aria-pressed")`), "true");
+  }
+});
+
+await test("the slider snaps to a plateau", async () => {
+  const set = (by) => wide.value(`(() => {
+    const slider = document.getElementById("slider");
+    slider.value = page.axis.at(${plateaus.at(-1).alpha}) + ${by};
+    slider.dispatchEvent(new Event("input"));
+    return document.getElementById("radius").value;
+  })()`);
+  for (const by of [-5, 0, 5]) assert.equal(await set(by), String(plateaus.at(-1).alpha));
+  for (const by of [-12, 12]) assert.notEqual(await set(by), String(plateaus.at(-1).alpha));
+});
 
 await test("the keys of the slider go from one critical radius to the next, and the numbers are those of rbpa alpha", async () => {
   await focus(wide, "slider");
@@ -90,7 +113,7 @@ await test("a radius that is typed is the step at or below it, and what is no ra
   for (const value of ["0.005", "0.02", String(critical[100].alpha), "1e9", "inf"]) {
     await type(value);
     const alpha = value === "inf" ? Infinity : Number(value);
-    await assertNumbers(wide, critical.findLast((step) => step.alpha <= alpha));
+    await assertNumbers(wide, stepAt(alpha), alpha);
     assert.equal(await text(wide, "radius-error"), "");
   }
   const before = await number(wide, "triangles");
