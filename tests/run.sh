@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, nightly
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, nightly
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
@@ -9,6 +9,7 @@ packages=(g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-de
           clang-tidy-14)
 [ "$preset" = clang ] && packages+=(clang-14)
 [ "$preset" = nightly ] && packages+=(python3-meshio python3-numpy)
+[ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
 build() {
   cmake --preset "$1"
@@ -19,6 +20,11 @@ if [ "$preset" = nightly ]; then
   ctest --preset nightly
   build sanitize --target test_meshops
   ctest --preset nightly-sanitize  # the long random walks
+  build gdal --target test_ogr
+  ctest --preset gdal
+elif [ "$preset" = gdal ]; then
+  build gdal --target test_ogr
+  ctest --preset gdal
 else
   build "$preset"
   ctest --preset "$preset"
