@@ -16,6 +16,7 @@
 #include "io/descriptor.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/ogr/ogr.h"
 #include "program/exit_code.h"
 #include "program/manual.h"
 #include "program/narrow_help.h"
@@ -34,7 +35,8 @@ template <typename Arguments>
 void add_point_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
   verb.add_option("--format", arguments.format,
-                  "Format of POINTS, where its ending does not say: " + std::string(point_formats))
+                  "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
+                      (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
       ->type_name("NAME");
   verb.add_option(
           "--columns", arguments.columns,
@@ -48,6 +50,9 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
   verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
       ->type_name("CRS");
+  if (has_gdal())
+    verb.add_option("--layer", arguments.layer, "Layer of a file that GDAL reads, where there are several")
+        ->type_name("NAME");
   add_switch(verb, "--shift-longitude", arguments.shift_longitude,
              "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
   verb.add_option("--foreground", arguments.pixels.foreground,
@@ -193,7 +198,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, shape_formats);
+  add_output_options(verb, arguments, std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""));
   add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less, and what lies in them; inf fills all")
@@ -203,7 +208,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       ->type_name("A")
       ->capture_default_str();
   verb.add_option("--isolated", arguments.isolated,
-                  "File for the points in no polygon, by its ending: " + std::string(isolated_formats))
+                  "File for the points in no polygon, by its ending: " + std::string(isolated_formats) +
+                      (has_gdal() ? ", gpkg, fgb" : ""))
       ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")
       ->type_name("PIXELS")
@@ -213,7 +219,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       "Examples:\n"
       "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
       "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
-      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
+      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
+      "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n\n"
       "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
       "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"
       "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
