@@ -43,8 +43,9 @@ struct Plateau {
 /// How far above the beginning of a plateau an alpha is chosen at most.
 inline constexpr double plateau_settles = 2;
 
-/// The best first, at most eight. Structured and long ones come first, the longest of them first; then the least that is
-/// in one piece and long; then all others, by ratio. Each begins where at least half of the points are covered.
+/// The best first, at most eight: long ones that are structured, below the first long one in one piece; then that one, and
+/// long structured ones above it; then all others. Within each group by (ratio − 1) · share of points covered, descending.
+/// Each begins where at least half of the points are covered.
 /// Within a plateau the *change* of the shape grows by at most a tenth; every range that is not longer than 1.25 times its
 /// beginning is left out, but for the last. The change at alpha is the product P · H · ⁸√E of
 ///   P  Σ nᵢ², the greatest so far: how probable it is that two points are in one part;
