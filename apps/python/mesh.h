@@ -27,9 +27,9 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
 class Mesh {
  public:
   const meshops::Connectivity& seen() const { return kernel_; }
-  /// For what changes it. Throws ContractViolation while another thread of Python looks at it.
+  /// For what changes it. Throws ContractViolation while another thread of Python, or what called this one, works on it.
   meshops::Connectivity& changed() {
-    meshops::require(looking_ == 0, "mesh: it cannot be changed while another thread works on it");
+    meshops::require(looking_ == 0, "mesh: it cannot be changed while something else works on it");
     return kernel_;
   }
   MeshKernel& kernel() { return kernel_; }

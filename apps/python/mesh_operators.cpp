@@ -67,6 +67,10 @@ py::class_<Effect, Base...> bind_effect(py::module_& module, const char* name, c
   effect.attr("__module__") = "rbpa.meshops";
   effect.def_property_readonly(
       "delta", [](const Effect& e) { return e.delta(); }, "By how much the counts changed.");
+  effect.def("__repr__", [name](const Effect& e) {
+    return "<rbpa.meshops." + std::string(name) + ": " + py::repr(py::cast(e.delta())).template cast<std::string>() +
+           ">";
+  });
   return effect;
 }
 
@@ -278,7 +282,7 @@ void bind_diagonals(py::class_<Mesh>& mesh) {
   mesh.def(
       "triangulate_face",
       [](Mesh& m, Face face, const py::function& weight, const std::string& keep) {
-        const auto of = [&](Vertex a, Vertex b, Vertex c) { return weight(a, b, c).cast<double>(); };
+        const auto of = [&](Vertex a, Vertex b, Vertex c) { return double(py::float_(weight(a, b, c))); };
         meshops::Connectivity& mesh_to_change = m.changed();
         const Mesh::Look look(m);  // so that weight() cannot change it
         return meshops::triangulate_face(mesh_to_change, face, of, keep_of(keep));

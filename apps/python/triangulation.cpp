@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "meshops/core/contract.h"
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
@@ -35,7 +36,10 @@ py::tuple vertex_neighbors(const Indices& simplices, std::size_t points) {
     const py::gil_scoped_release unlocked;
     std::vector<std::size_t> next(points + 1);
     for (const Triple& t : triangles)
-      for (const std::uint32_t corner : t) next.at(corner + std::size_t{1}) += 2;
+      for (const std::uint32_t corner : t) {
+        meshops::require(corner < points, "simplices: found the number of a point that is not there");
+        next[corner + std::size_t{1}] += 2;
+      }
     for (std::size_t i = 0; i < points; ++i) next[i + 1] += next[i];
     std::vector<std::int32_t> twice(next[points]);  // an inner edge is a side of two triangles
     const std::vector<std::size_t> first = next;

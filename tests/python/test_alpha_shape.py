@@ -169,6 +169,20 @@ def test_a_pickle_is_the_same_shape():
     assert not again.simplices.flags.writeable
 
 
+@pytest.mark.parametrize("count", range(297, 305))
+def test_any_bit_that_is_changed_is_noticed(count):
+    points = ring(count)
+    shape = rbpa.alpha_shape(points, 0.4)
+    for i in (0, 1, count // 2, count - 2, count - 1):
+        for k in (0, 1):
+            before = points[i, k]
+            points[i, k] = np.nextafter(before, 9)
+            with pytest.raises(rbpa.InvalidInput, match="changed after"):
+                shape.filtered()
+            points[i, k] = before
+    assert len(shape.filtered())
+
+
 def test_points_that_are_changed_afterwards_are_noticed():
     points = ring(300)
     shape = rbpa.alpha_shape(points, 0.4)

@@ -41,7 +41,12 @@ def test_other_numbers_are_converted_exactly():
     [
         (uniform(4).repeat(2, axis=1)[:, :3], r"shape \(4, 3\), expected \(n, 2\): this is the plane; points\[:, :2\]"),
         (uniform(4).repeat(2, axis=1)[:, :3].T, r"shape \(3, 4\), expected \(n, 2\)"),
-        (uniform(5).T, r"shape \(2, 5\), expected \(n, 2\): .*|.*points.T"),
+        (uniform(5).T, r"shape \(2, 5\), expected \(n, 2\): np.transpose\(points\), if a row is a coordinate"),
+        (tuple(uniform(5).T), r"np.transpose\(points\), if a row is a coordinate"),
+        ([[1, 2], [3]], "points: NumPy makes no array of it: .*inhomogeneous"),
+        (np.ma.masked_array(uniform(3), [[0, 0], [0, 1], [0, 0]]), "points: found masked values"),
+        (None, "expected numbers"),
+        ("points.csv", "expected numbers"),
         ([1.0, 2.0], r"shape \(2,\), expected \(n, 2\): \[points\], if it is one point"),
         (3.0, r"shape \(\), expected"),
         (np.zeros((2, 2, 2)), r"shape \(2, 2, 2\)"),
@@ -70,6 +75,7 @@ def test_what_is_no_points_is_refused(given, sentence):
         ({"alpha": "least"}, "alpha: found 'least', expected a radius .*'auto', 'min', 'plateau' or 'plateau:K'"),
         ({"alpha": None}, "alpha: found None"),
         ({"alpha": True}, "alpha: found True"),
+        ({"alpha": 10**400}, "alpha: found a number beyond float64, expected a radius; math.inf is one"),
         ({"alpha": [1]}, r"alpha: found \[1\]"),
         ({"components": 0}, "components: found 0, expected a whole number, 1 or more"),
         ({"components": 1.5}, "components: found 1.5"),
@@ -97,6 +103,11 @@ def test_errors_are_those_that_python_programs_catch():
 def test_radii_of_every_kind_of_number():
     for alpha in (1, 1.0, np.float32(1), np.int64(1), np.array(1.0)[()]):
         assert rbpa.alpha_shape(POINTS, alpha).alpha == 1.0
+
+
+def test_numbers_that_are_large_enough_are_all_alike():
+    most = rbpa.alpha_shape(POINTS, components=2**70, threads=2**40)
+    assert most.alpha == rbpa.alpha_shape(POINTS, "min").alpha
 
 
 def test_points_are_not_written():

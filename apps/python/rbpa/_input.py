@@ -23,7 +23,12 @@ _EXACT = 2**53  # doubles have every integer up to it
 
 def as_points(points: npt.ArrayLike, name: str = "points") -> Floats:
     """An array of shape (n, 2), float64, in C order: the same object where it is one already."""
-    array = np.asarray(points)
+    if isinstance(points, np.ma.MaskedArray) and points.mask.any():
+        raise InvalidInput(f"{name}: found masked values, expected points without; leave their rows out")
+    try:
+        array = np.asarray(points)
+    except ValueError as error:
+        raise InvalidInput(f"{name}: NumPy makes no array of it: {error}") from None
     if array.ndim == 1 and array.size == 0:
         return np.empty((0, 2))
     if array.dtype.kind not in "iuf":
@@ -38,10 +43,10 @@ def as_points(points: npt.ArrayLike, name: str = "points") -> Floats:
 
 
 def _hint(array: npt.NDArray[Any], name: str) -> str:
+    if array.ndim == 2 and array.shape[0] == 2 and array.shape[1] != 3:
+        return f": np.transpose({name}), if a row is a coordinate"
     if array.ndim == 2 and array.shape[1] > 2:
         return f": this is the plane; {name}[:, :2] leaves the other columns out"
-    if array.ndim == 2 and array.shape[0] == 2:
-        return f": {name}.T, if a row is a coordinate"
     if array.ndim == 1 and array.shape == (2,):
         return f": [{name}], if it is one point"
     return ""
@@ -51,13 +56,16 @@ def as_radius(alpha: float) -> float:
     """A number; whether it is a radius is for the library to say."""
     if isinstance(alpha, (bool, np.bool_)) or not isinstance(alpha, (numbers.Real, np.number)):
         raise InvalidInput(f"alpha: found {alpha!r}, expected a radius (a number > 0, or inf), {RULES}")
-    return float(alpha)
+    try:
+        return float(alpha)
+    except OverflowError:
+        raise InvalidInput("alpha: found a number beyond float64, expected a radius; math.inf is one") from None
 
 
 def as_count(value: int, name: str, least: int) -> int:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
         raise InvalidInput(f"{name}: found {value!r}, expected a whole number, {least} or more")
-    return int(value)
+    return min(int(value), 2**31 - 1)  # as good as any larger number
 
 
 def as_share(value: float, name: str) -> float:
