@@ -1,14 +1,17 @@
 // LAS against the bytes of its specification: every version, every point format, every field; and what is no LAS.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "io/failure.h"
 #include "io/points/read_points.h"
+#include "support/data_folder.h"
 #include "support/las_file.h"
 #include "support/program.h"
 
@@ -203,8 +206,16 @@ TEST_SUITE("las") {
         "PROJCRS[\"WGS 84 / UTM zone 31N\",BASEGEOGCRS[\"WGS 84\",ID[\"EPSG\",4326]],ID[\"EPSG\",32631]]"};
     const auto crs = [](LasFile file) {
       file.points = {{}};
-      const auto found = read(bytes_of(file)).crs;
-      return found ? found->text() + (found->degrees ? " in degrees" : "") : "none";
+      const PointFile found = read(bytes_of(file));
+      const bool said = std::any_of(found.remarks.begin(), found.remarks.end(), [](const std::string& remark) {
+        return remark == "the system of coordinates has no EPSG code and is not carried over (--crs says one)" ||
+               remark ==
+                   "the system of coordinates is EPSG:26995 in the unit 9003 of EPSG, which may not be its own, and is "
+                   "not "
+                   "carried over (--crs says which it is)";
+      });
+      CHECK(said == (!found.crs && !file.records.empty() && file.records.front().user == "LASF_Projection"));
+      return found.crs ? found.crs->text() + (found.crs->degrees ? " in degrees" : "") : "none";
     };
     CHECK(crs({}) == "none");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26915}})}}) == "EPSG:26915");
@@ -212,6 +223,8 @@ TEST_SUITE("las") {
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {2048, 0, 1, 4269}, {3072, 0, 1, 32767}})}}) == "none");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {2048, 0, 1, 4269}})}}) == "none");
     CHECK(crs({.records = {keys({{3072, 34737, 1, 26915}})}}) == "none");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26915}, {3076, 0, 1, 9001}})}}) == "EPSG:26915");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26995}, {3076, 0, 1, 9003}})}}) == "none");  // feet
     CHECK(crs({.records = {{"other", 34735, keys({{3072, 0, 1, 26915}}).data}}}) == "none");
     CHECK(crs({.records = {keys({{3072, 0, 1, 26915}}), text}}) == "EPSG:28992");
     CHECK(crs({.minor = 4, .format = 6, .extended = {newer}}) == "EPSG:32631");
@@ -309,6 +322,35 @@ TEST_SUITE("las") {
     CHECK(read(bytes_of(file)).remarks ==
           std::vector<std::string>{"2 points are marked as withheld (--where \"not withheld\" leaves them out)"});
     CHECK(read(bytes_of(file), "not withheld").points == std::vector<Point>{{0.01, 0}});
+  }
+
+  TEST_CASE("real files of others, which need not be there") {
+    const std::string folder = rbpa_test::further_data().string() + "/";
+    if (!std::filesystem::exists(folder + "las_autzen_thin.las")) {
+      MESSAGE("skipped: no las_autzen_thin.las in RBPA_DATA_DIR");
+      return;
+    }
+    const auto file = [&](const std::string& name) {
+      return read_points({.path = folder + name, .format = PointFormat::las});
+    };
+    struct Real {
+      std::string name;
+      std::size_t points;
+      std::string crs;
+    };
+    for (const Real& real : {Real{"las_autzen_thin.las", 10653, ""}, Real{"las_mvk_thin.las", 6280, ""},
+                             Real{"las_certainty3d.las", 10126, "EPSG:2229"}, Real{"las_extrabytes.las", 1065, ""},
+                             Real{"las_v10_pf0.las", 1, "EPSG:26915"}, Real{"las_v12_pf2.las", 1, "EPSG:26915"},
+                             Real{"las_v14_pf6.las", 1000, "EPSG:2903"}}) {
+      CAPTURE(real.name);
+      const PointFile found = file(real.name);
+      CHECK(found.points.size() == real.points);
+      CHECK((found.crs ? found.crs->text() : "") == real.crs);
+    }
+    // The same points as text, made by others.
+    CHECK(file("las_certainty3d.las").points ==
+          read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = PointFormat::text}).points);
+    CHECK_THROWS_AS(file("las_garbage_vlr_count.las"), BadInput);  // which lacks a part of its last point
   }
 
   TEST_CASE("on the command line: with its system, and compressed by gzip") {

@@ -161,6 +161,15 @@ TEST_SUITE("tables of people") {
     CHECK(read("x,y\n1,2\n", skipping).remarks.empty());
   }
 
+  TEST_CASE("what spreadsheets write before the table") {
+    CHECK(read("sep=;\nx;y\n1,5;2\n").points == std::vector<Point>{{1.5, 2}});
+    CHECK(read("\xEF\xBB\xBFsep=,\r\nlat,lon\r\n1,2\r\n").points == std::vector<Point>{{2, 1}});
+    CHECK(read("sep=,x\n1,2\n").points == std::vector<Point>{{1, 2}});  // a header
+    CHECK(refusal(std::string("\xFF\xFE"
+                              "1\0,\0",
+                              6)) == "t: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
+  }
+
   TEST_CASE("a column of geometries") {
     const std::vector<Point> points = {{1, 2}, {3, 4}, {5, 6}};
     CHECK(read("id,WKT\n7,POINT (1 2)\n8,\"MULTIPOINT (3 4, 5 6)\"\n").points == points);

@@ -28,7 +28,9 @@ void require_range(const LasHeader& header, const std::string& name) {
 PointFile read_las_points(std::string_view bytes, const std::string& name, const std::optional<Condition>& where) {
   const LasHeader header = read_las_header(bytes, name);
   require_range(header, name);
-  PointFile file{.crs = las_crs(bytes, header)};
+  const LasCrs system = las_crs(bytes, header);
+  PointFile file{.crs = system.crs};
+  if (!system.remark.empty()) file.remarks.push_back(system.remark);
   const ScaledInteger x(header.scale[0], header.offset[0]), y(header.scale[1], header.offset[1]),
       z(header.scale[2], header.offset[2]);
   std::optional<Selection> selects;

@@ -8,38 +8,49 @@ namespace {
 
 /// What the records say. Text is newer, and says more.
 struct Found {
-  std::optional<Crs> text = std::nullopt, keys = std::nullopt;
+  std::optional<LasCrs> text = std::nullopt, keys = std::nullopt;
 };
 
+LasCrs named(const std::optional<Crs>& crs) {
+  return {crs, crs ? "" : "the system of coordinates has no EPSG code and is not carried over (--crs says one)"};
+}
+
 /// GeoTIFF: four numbers, of which the last counts the keys; then four for each key.
-std::optional<Crs> crs_of_keys(std::string_view data) {
+LasCrs crs_of_keys(std::string_view data) {
   constexpr std::size_t entry = 8;
   const auto number = [&](std::size_t i, std::size_t k) {
     return las_value<std::uint16_t>(data.data() + i * entry + 2 * k);
   };
-  if (data.size() < entry) return std::nullopt;
+  if (data.size() < entry) return {};
   const std::size_t keys = std::min<std::size_t>(number(0, 3), data.size() / entry - 1);
-  unsigned model = 0, geographic = 0, projected = 0;
+  unsigned model = 0, geographic = 0, projected = 0, unit = 0;
   for (std::size_t i = 1; i <= keys; ++i) {
     if (number(i, 1) != 0) continue;  // its value is elsewhere: a text or doubles
     if (number(i, 0) == 1024) model = number(i, 3);
     if (number(i, 0) == 2048) geographic = number(i, 3);
     if (number(i, 0) == 3072) projected = number(i, 3);
+    if (number(i, 0) == 3076) unit = number(i, 3);
   }
-  constexpr unsigned of_the_user = 32767, model_projected = 1, model_geographic = 2;
+  constexpr unsigned of_the_user = 32767, model_projected = 1, model_geographic = 2, metre = 9001;
   const auto is_code = [](unsigned code) { return code > 0 && code < of_the_user; };
-  if (is_code(projected) && model != model_geographic) return crs_of_name("EPSG:" + std::to_string(projected));
-  if (!is_code(geographic) || model == model_projected || projected != 0) return std::nullopt;
+  if (is_code(projected) && model != model_geographic) {
+    const std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(projected));
+    if (unit == 0 || unit == metre) return named(crs);
+    // Some write the code of the system in metres beside a unit of their own, feet.
+    return {std::nullopt, "the system of coordinates is " + crs->text() + " in the unit " + std::to_string(unit) +
+                              " of EPSG, which may not be its own, and is not carried over (--crs says which it is)"};
+  }
+  if (!is_code(geographic) || model == model_projected || projected != 0) return named(std::nullopt);
   std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(geographic));
   crs->degrees = true;
-  return crs;
+  return named(crs);
 }
 
 std::string_view without_zeros(std::string_view text) { return text.substr(0, std::min(text.find('\0'), text.size())); }
 
 void take_note(Found& found, std::string_view user, unsigned number, std::string_view data) {
   if (without_zeros(user) != "LASF_Projection") return;
-  if (number == 2112) found.text = crs_of_wkt(without_zeros(data));
+  if (number == 2112) found.text = named(crs_of_wkt(without_zeros(data)));
   if (number == 34735) found.keys = crs_of_keys(data);
 }
 
@@ -58,13 +69,14 @@ void visit(Found& found, std::string_view bytes, std::size_t at, std::size_t end
 
 }  // namespace
 
-std::optional<Crs> las_crs(std::string_view bytes, const LasHeader& header) {
+LasCrs las_crs(std::string_view bytes, const LasHeader& header) {
   Found found;
   const auto points = static_cast<std::size_t>(header.points - bytes.data());
   visit(found, bytes, header.size, points, header.records, false);
   if (header.extended_records > 0 && header.extended_begin > points)
     visit(found, bytes, header.extended_begin, bytes.size(), header.extended_records, true);
-  return found.text ? found.text : found.keys;
+  if (found.text && (found.text->crs || !found.keys)) return *found.text;
+  return found.keys.value_or(LasCrs{});
 }
 
 }  // namespace rbpa::app

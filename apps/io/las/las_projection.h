@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "io/crs.h"
@@ -9,8 +10,13 @@
 
 namespace rbpa::app {
 
-/// That of well-known text, else of GeoTIFF keys; nothing where neither names one by its EPSG code. Records that claim
-/// more than there is end the search: they are about the points, and none of them.
-std::optional<Crs> las_crs(std::string_view bytes, const LasHeader& header);
+struct LasCrs {
+  std::optional<Crs> crs = std::nullopt;  ///< by its EPSG code
+  std::string remark = {};                ///< why there is none although the file has one
+};
+
+/// That of well-known text, else of GeoTIFF keys. Records that claim more than there is end the search: they are about
+/// the points, and none of them.
+LasCrs las_crs(std::string_view bytes, const LasHeader& header);
 
 }  // namespace rbpa::app

@@ -41,7 +41,7 @@ class TextReader {
       : text_(text), lines_(text), name_(name), rule_(rule) {}
 
   PointFile read() {
-    if (!lines_.next_with_content()) {
+    if (!next_after_separator_hint()) {
       if (rule_.columns && (rule_.columns->x.number == 0 || rule_.columns->y.number == 0))
         bad_input(name_, "no header line", "one with the column names");
       return {};
@@ -63,6 +63,13 @@ class TextReader {
   }
 
  private:
+  /// Excel may write "sep=;" before everything else; the lines show it as well.
+  bool next_after_separator_hint() {
+    if (!lines_.next_with_content()) return false;
+    const bool hint = lines_.line().size() == 5 && lines_.line().starts_with("sep=");
+    return !hint || lines_.next_with_content();
+  }
+
   std::string here() const { return at_line(name_, lines_.number()); }
 
   /// Finds the columns; whether the current line is the header.
@@ -316,6 +323,8 @@ class TextReader {
 
 PointFile read_text_points(std::string_view text, const std::string& name, const TableRule& rule) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    bad_input(name, "text in UTF-16", "UTF-8 (iconv -f UTF-16 -t UTF-8)");
   if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
   return TextReader(text, name, rule).read();
 }
