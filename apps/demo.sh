@@ -1,13 +1,27 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the programs in release mode and triangulates a bundled real point set.
-# Leaves a mesh and a picture in rbpa-demo/ and says so.
+# Leaves a mesh, a picture and a page to look at in rbpa-demo/ and says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+if [ $# -gt 0 ]; then
+  case $1 in
+    -h | --help)
+      echo "usage: apps/demo.sh"
+      echo "Installs what is missing (Debian's packages, as root or by sudo), builds the programs into build/release/bin, and"
+      echo "makes a mesh, a picture and a page to look at of a bundled set of points, in rbpa-demo/."
+      exit 0
+      ;;
+  esac
+  echo "demo.sh: found '$1', expected no arguments (see apps/demo.sh --help)" >&2
+  exit 2
+fi
 bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
   zlib1g-dev nlohmann-json3-dev
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)"
 mkdir -p rbpa-demo
 build/release/bin/rbpa mesh tests/data/mol_2xhe_xy.xy --alpha 1 -o rbpa-demo/molecule.ply -o rbpa-demo/molecule.png
+build/release/bin/rbpa report tests/data/mol_2xhe_xy.xy -o rbpa-demo/molecule.html
 echo "mesh:    $PWD/rbpa-demo/molecule.ply"
 echo "picture: $PWD/rbpa-demo/molecule.png"
+echo "page:    $PWD/rbpa-demo/molecule.html"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, nightly
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, nightly
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
@@ -9,7 +9,8 @@ packages=(g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-de
           clang-tidy-14 pybind11-dev python3-dev python3-numpy python3-pytest mypy python3-scipy python3-shapely
           python3-gudhi python3-matplotlib python3-meshio)
 [ "$preset" = clang ] && packages+=(clang-14)
-[ "$preset" = nightly ] && packages+=(python3-meshio python3-numpy)
+[ "$preset" = nightly ] && packages+=(nodejs chromium)
+[ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
 build() {
   cmake --preset "$1"
@@ -20,7 +21,12 @@ if [ "$preset" = nightly ]; then
   ctest --preset nightly
   build sanitize --target test_meshops
   ctest --preset nightly-sanitize  # the long random walks
+  build gdal --target test_ogr
+  ctest --preset gdal
+elif [ "$preset" = gdal ]; then
+  build gdal --target test_ogr
+  ctest --preset gdal
 else
   build "$preset"
-  ctest --preset "$preset"
+  ctest --preset "$preset" --parallel "$(nproc)"
 fi

@@ -1,10 +1,13 @@
 #include "cli/arguments.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/ogr/ogr.h"
 #include "io/same_file.h"
 #include "io/whole_number.h"
 #include "picture/scene.h"
@@ -13,7 +16,7 @@ namespace rbpa::app {
 namespace {
 
 template <typename Format>
-std::vector<TargetOf<Format>> targets_of(std::optional<Format> (&known_format)(std::string_view),
+std::vector<TargetOf<Format>> targets_of(std::optional<Format> (*known_format)(std::string_view),
                                          std::string_view known_formats, const std::vector<std::string>& paths,
                                          const std::optional<std::string>& format, bool any_report) {
   std::optional<Format> otherwise;
@@ -67,6 +70,13 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   return all;
 }
 
+std::optional<ShapeFormat> plain_shape_format(std::string_view name) {
+  const std::optional<ShapeFormat> format = shape_format(name);
+  return format && is_ogr(*format) ? std::nullopt : format;
+}
+
+std::string all_shape_formats() { return std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""); }
+
 }  // namespace
 
 double parse_area(const std::string& option, const std::string& text) {
@@ -106,16 +116,38 @@ std::vector<Target> parse_targets(const std::vector<std::string>& paths, const s
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
                                              const std::vector<std::string>& reports, const std::string& points) {
-  const std::vector<ShapeTarget> targets = targets_of(shape_format, shape_formats, paths, format, !reports.empty());
-  require_different_files(targets, reports, points);
+  // A format of GDAL is an unknown ending where there is no GDAL.
+  const std::vector<ShapeTarget> targets =
+      targets_of(has_gdal() ? shape_format : plain_shape_format, all_shape_formats(), paths, format, !reports.empty());
+  std::vector<std::string> others = reports;
+  for (const ShapeTarget& target : targets)
+    if (target.format == ShapeFormat::shp) {
+      if (target.path == "-") throw WrongUsage("-o -: found shp, which is several files, expected the name of one");
+      for (const std::string& path : ogr_paths(target)) others.push_back(path);
+      others.erase(std::find(others.begin() + static_cast<std::ptrdiff_t>(reports.size()), others.end(), target.path));
+    }
+  require_different_files(targets, others, points);
   return targets;
 }
 
+std::vector<std::string> ogr_paths(const ShapeTarget& target) {
+  const std::vector<std::string> endings = ogr_endings(target.format);
+  if (endings.size() == 1) return {target.path};
+  std::vector<std::string> paths;
+  // Beside s.shp; of a file with another ending, or none, behind it.
+  const bool is_own = shape_format(ending(target.path)) == target.format;
+  const std::string stem =
+      is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;
+  for (const std::string& part : endings) paths.push_back(part == endings.front() ? target.path : stem + "." + part);
+  return paths;
+}
+
 ShapeTarget parse_isolated(const std::string& path) {
-  const std::optional<ShapeFormat> format = shape_format(ending(path));
-  if (!format || *format == ShapeFormat::svg || *format == ShapeFormat::png)
+  const std::optional<ShapeFormat> format = (has_gdal() ? shape_format : plain_shape_format)(ending(path));
+  constexpr ShapeFormat others[] = {ShapeFormat::svg, ShapeFormat::png, ShapeFormat::shp};
+  if (!format || std::find(std::begin(others), std::end(others), *format) != std::end(others))
     throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     std::string(isolated_formats));
+                     std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""));
   return {path, *format};
 }
 

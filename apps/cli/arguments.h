@@ -38,6 +38,9 @@ std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& pat
                                              const std::optional<std::string>& format,
                                              const std::vector<std::string>& reports, const std::string& points);
 
+/// The files of a target of GDAL, in the order of their endings.
+std::vector<std::string> ogr_paths(const ShapeTarget& target);
+
 /// A file for the points in no polygon, by its ending.
 ShapeTarget parse_isolated(const std::string& path);
 

@@ -10,11 +10,13 @@
 #include "cli/alpha_verb.h"
 #include "cli/info_verb.h"
 #include "cli/mesh_verb.h"
+#include "cli/report_verb.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
 #include "io/descriptor.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/ogr/ogr.h"
 #include "program/exit_code.h"
 #include "program/manual.h"
 #include "program/narrow_help.h"
@@ -33,7 +35,8 @@ template <typename Arguments>
 void add_point_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
   verb.add_option("--format", arguments.format,
-                  "Format of POINTS, where its ending does not say: " + std::string(point_formats))
+                  "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
+                      (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
       ->type_name("NAME");
   verb.add_option(
           "--columns", arguments.columns,
@@ -47,6 +50,9 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
   verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
       ->type_name("CRS");
+  if (has_gdal())
+    verb.add_option("--layer", arguments.layer, "Layer of a file that GDAL reads, where there are several")
+        ->type_name("NAME");
   add_switch(verb, "--shift-longitude", arguments.shift_longitude,
              "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
   verb.add_option("--foreground", arguments.pixels.foreground,
@@ -79,30 +85,26 @@ void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   RadiusArguments& radius = arguments.radius;
-  CLI::Option* alpha = verb.add_option("--alpha", radius.alpha,
-                                       "Largest circumradius: a radius in units of the points, or inf; plateau is one "
-                                       "around which the shape hardly changes, "
-                                       "plateau:K the K-th best of those; min is the least that covers every point, "
-                                       "auto the least that does so in at most K "
-                                       "solid components (rbpa alpha shows them all)")
-                           ->type_name("R|plateau|auto|min|inf");
-  CLI::Option* squared = verb.add_option("--alpha-squared", radius.squared,
-                                         "In place of --alpha: the square of the radius, as CGAL has it")
-                             ->type_name("A")
-                             ->excludes(alpha);
+  verb.add_option(
+          "--alpha", radius.alpha,
+          "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
+          "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
+          "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
+      ->type_name("R|plateau|auto|min|inf");
+  verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
+      ->type_name("A");
   verb.add_option("--alpha-inverse", radius.inverse,
                   "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
-      ->type_name("A")
-      ->excludes(alpha)
-      ->excludes(squared);
+      ->type_name("A");
   verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
       ->type_name("K");
   add_cover_option(verb, radius.cover);
   verb.callback([&radius] {
-    if (radius.alpha || radius.squared || radius.inverse) return;
-    throw CLI::RequiredError(
-        "found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them",
-        CLI::ExitCodes::RequiredError);
+    const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
+    const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
+    if (given == 0)
+      refuse("found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
+    if (given > 1) refuse("found several of --alpha, --alpha-squared and --alpha-inverse, expected one");
   });
 }
 
@@ -196,7 +198,7 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, shape_formats);
+  add_output_options(verb, arguments, std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""));
   add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less, and what lies in them; inf fills all")
@@ -206,7 +208,8 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
       ->type_name("A")
       ->capture_default_str();
   verb.add_option("--isolated", arguments.isolated,
-                  "File for the points in no polygon, by its ending: " + std::string(isolated_formats))
+                  "File for the points in no polygon, by its ending: " + std::string(isolated_formats) +
+                      (has_gdal() ? ", gpkg, fgb" : ""))
       ->type_name("FILE");
   verb.add_option("--width", arguments.width, "Width of pictures in pixels")
       ->type_name("PIXELS")
@@ -214,8 +217,10 @@ void add_shape(CLI::App& app, ShapeArguments& arguments) {
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
-      "  rbpa shape points.xy --alpha auto -o shape.geojson -o picture.png\n"
-      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n\n"
+      "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
+      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
+      "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n\n"
       "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
       "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"
       "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
@@ -233,6 +238,24 @@ void add_info(CLI::App& app, InfoArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_report(CLI::App& app, ReportArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("report", "A page to look at: the complex at every radius, in a browser");
+  add_point_options(verb, arguments);
+  verb.add_option("-o,--output", arguments.output, "Page to write, .html; - is standard output")
+      ->type_name("OUT")
+      ->required();
+  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
+      ->type_name("K")
+      ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "One file with everything in it, for any browser, offline: a slider over alpha, counts, the persistence diagram, "
+      "and the shape as GeoJSON and SVG. About 110 bytes a point; smooth with some hundred thousand.\n\n"
+      "Example:\n  rbpa report points.xy -o report.html\n\n" +
+      std::string(exit_codes));
+}
+
 /// "rbpa mesh", or "rbpa" where no verb was given.
 std::string asked_for(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
@@ -241,7 +264,7 @@ std::string asked_for(const CLI::App& app) {
 
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
-  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape or info (see rbpa --help)";
+  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -273,10 +296,12 @@ int main(int argc, char** argv) {
   ShapeArguments shape;
   InfoArguments info;
   AlphaArguments alpha;
+  ReportArguments report_page;
   add_mesh(app, mesh);
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_info(app, info);
+  add_report(app, report_page);
   add_manual(app, std::string("rbpa ") + RBPA_VERSION);
   try {
     app.parse(words_of(app, argc, argv));
@@ -293,6 +318,7 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
   if (app.got_subcommand("shape")) return run(program, [&] { run_shape(shape); });
+  if (app.got_subcommand("report")) return run(program, [&] { run_report(report_page); });
   return run(program, [&] { run_info(info); });
 }
 

@@ -1,11 +1,12 @@
 #include "cli/point_arguments.h"
 
 #include "io/failure.h"
+#include "io/ogr/ogr.h"
 
 namespace rbpa::app {
 namespace {
 
-PointFormat parse_format(const std::string& path, const std::optional<std::string>& format) {
+PointFormat parse_format_of_any(const std::string& path, const std::optional<std::string>& format) {
   if (format) {
     const std::optional<PointFormat> known = point_format(*format);
     if (!known) refuse_name("--format", *format, point_formats);
@@ -15,6 +16,16 @@ PointFormat parse_format(const std::string& path, const std::optional<std::strin
   const std::optional<PointFormat> known = point_format(input_ending(path));
   if (!known) refuse_input(path, point_formats, "--format");
   return *known;
+}
+
+/// Without GDAL its formats are none.
+PointFormat parse_format(const std::string& path, const std::optional<std::string>& format) {
+  const PointFormat known = parse_format_of_any(path, format);
+  if (known != PointFormat::ogr) return known;
+  if (!has_gdal() && format) refuse_name("--format", *format, point_formats);
+  if (!has_gdal()) refuse_input(path, point_formats, "--format");
+  if (path == "-") throw WrongUsage("-: found standard input, expected the name of a file, which GDAL opens");
+  return known;
 }
 
 /// An option that was given is about another format.
@@ -34,16 +45,18 @@ PointSource parse_source(const PointArguments& arguments) {
   if (arguments.columns) source.columns = parse_columns(*arguments.columns);
   if (arguments.where) source.where = Condition(*arguments.where);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
+  source.layer = arguments.layer;
   source.format = parse_format(arguments.points, arguments.format);
 
   const PointFormat format = source.format;
-  const bool text = format == PointFormat::text;
+  const bool text = format == PointFormat::text, ogr = format == PointFormat::ogr;
   if (arguments.columns) require(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid) require(text, "--skip-invalid", "without lines of points", "text");
   if (arguments.where) require(format == PointFormat::las, "--where", "without such fields", "las");
   if (arguments.vertices)
-    require(text || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
+    require(text || ogr || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
             "without lines and polygons", "geojson, wkt, or text with a column of it");
+  if (arguments.layer) require(ogr, "--layer", "without layers", "one of GDAL");
   const bool image = format == PointFormat::png || format == PointFormat::pgm;
   if (arguments.pixels.foreground) require(image, "--foreground", "without pixels", "png or pgm");
   if (arguments.pixels.threshold) require(image, "--threshold", "without pixels", "png or pgm");

@@ -17,6 +17,7 @@ struct PointArguments {
   PixelArguments pixels;
   std::optional<std::string> where;
   std::optional<std::string> crs;
+  std::optional<std::string> layer;
   bool skip_invalid = false;
   bool vertices = false;
   bool shift_longitude = false;

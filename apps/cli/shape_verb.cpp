@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "io/gis/write_polygons.h"
 #include "io/interrupt.h"
 #include "io/message.h"
+#include "io/ogr/ogr.h"
 #include "io/output_file.h"
 #include "picture/png.h"
 #include "picture/svg.h"
@@ -22,6 +24,8 @@
 namespace rbpa::app {
 namespace {
 
+bool is_picture(ShapeFormat format) { return format == ShapeFormat::svg || format == ShapeFormat::png; }
+
 /// What the command line asks for.
 struct Files {
   std::vector<ShapeTarget> targets;
@@ -30,7 +34,7 @@ struct Files {
   /// Whether any of them says in which polygon points are.
   bool have_points() const {
     return isolated || std::any_of(targets.begin(), targets.end(), [](const ShapeTarget& target) {
-             return target.format == ShapeFormat::geojson || target.format == ShapeFormat::csv;
+             return target.format != ShapeFormat::wkt && !is_picture(target.format);
            });
   }
 };
@@ -43,9 +47,25 @@ void write_shape(OutputFile& file, ShapeFormat format, const Shape& shape) {
       return write_wkt(file, shape);
     case ShapeFormat::csv:
       return write_points_csv(file, shape);
-    case ShapeFormat::svg:
-    case ShapeFormat::png:
+    default:
       break;
+  }
+}
+
+/// All of GDAL's files of a target, those that GDAL has made.
+void write_ogr(OutputSet& outputs, const ShapeTarget& target, const std::vector<OgrFile>& files) {
+  const std::vector<std::string> endings = ogr_endings(target.format), paths = ogr_paths(target);
+  for (std::size_t i = 0; i < endings.size(); ++i) {
+    const auto made =
+        std::find_if(files.begin(), files.end(), [&](const OgrFile& file) { return file.ending == endings[i]; });
+    if (made != files.end()) {
+      OutputFile& file = outputs.add(paths[i]);
+      file.write(made->bytes);
+      file.finish();
+    } else if (std::filesystem::exists(paths[i])) {
+      // A .prj of other coordinates would speak for these.
+      throw Failure(paths[i] + ": found a file that was there before, expected none beside " + target.path);
+    }
   }
 }
 
@@ -54,14 +74,16 @@ void write_isolated(OutputFile& file, ShapeFormat format, const Shape& shape) {
   format == ShapeFormat::wkt ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
 }
 
-bool is_picture(ShapeFormat format) { return format == ShapeFormat::svg || format == ShapeFormat::png; }
-
 void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run, const Shape& shape,
                    const SolidAlphaComplex& complex) {
   const ProgressLine line("rbpa", run.request.shows_writing, "writing");
   std::optional<Drawing> drawing;
   for (const ShapeTarget& target : files.targets) {
     stop_if_interrupted();
+    if (is_ogr(target.format)) {
+      write_ogr(outputs, target, ogr_polygons(target.format, shape));
+      continue;
+    }
     OutputFile& file = outputs.add(target.path);
     if (is_picture(target.format)) {
       if (!drawing) drawing = drawing_of(run.points, shape.polygons, complex.isolated);
@@ -73,6 +95,8 @@ void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run
     file.finish();
   }
   if (!files.isolated) return;
+  if (is_ogr(files.isolated->format))
+    return write_ogr(outputs, *files.isolated, ogr_isolated(files.isolated->format, shape));
   OutputFile& file = outputs.add(files.isolated->path);
   write_isolated(file, files.isolated->format, shape);
   file.finish();

@@ -33,7 +33,7 @@ std::string conversion(std::string_view ending, const std::string& path) {
     return std::any_of(std::begin(known), std::end(known), [&](std::string_view text) { return same(ending, text); });
   };
   if (is_one_of(clouds)) return "pdal translate " + path + " points.las";
-  if (is_one_of(layers)) return "ogr2ogr -f CSV -lco GEOMETRY=AS_WKT points.csv " + path;
+  if (is_one_of(layers)) return "ogr2ogr -f GeoJSON points.geojson " + path;
   return "";
 }
 
@@ -41,13 +41,15 @@ std::string conversion(std::string_view ending, const std::string& path) {
 
 std::optional<PointFormat> point_format(std::string_view name) {
   constexpr std::pair<std::string_view, PointFormat> known[] = {
-      {"xy", PointFormat::text},       {"txt", PointFormat::text},         {"csv", PointFormat::text},
-      {"tsv", PointFormat::text},      {"xyz", PointFormat::text},         {"text", PointFormat::text},
-      {"npy", PointFormat::npy},       {"off", PointFormat::off},          {"ply", PointFormat::ply},
-      {"f64xy", PointFormat::raw},     {"png", PointFormat::png},          {"pgm", PointFormat::pgm},
-      {"las", PointFormat::las},       {"wkt", PointFormat::wkt},          {"geojson", PointFormat::geojson},
-      {"json", PointFormat::geojson},  {"geojsonl", PointFormat::geojson}, {"geojsons", PointFormat::geojson},
-      {"ndjson", PointFormat::geojson}};
+      {"xy", PointFormat::text},        {"txt", PointFormat::text},         {"csv", PointFormat::text},
+      {"tsv", PointFormat::text},       {"xyz", PointFormat::text},         {"text", PointFormat::text},
+      {"npy", PointFormat::npy},        {"off", PointFormat::off},          {"ply", PointFormat::ply},
+      {"f64xy", PointFormat::raw},      {"png", PointFormat::png},          {"pgm", PointFormat::pgm},
+      {"las", PointFormat::las},        {"wkt", PointFormat::wkt},          {"geojson", PointFormat::geojson},
+      {"json", PointFormat::geojson},   {"geojsonl", PointFormat::geojson}, {"geojsons", PointFormat::geojson},
+      {"ndjson", PointFormat::geojson}, {"ogr", PointFormat::ogr},          {"gpkg", PointFormat::ogr},
+      {"fgb", PointFormat::ogr},        {"shp", PointFormat::ogr},          {"kml", PointFormat::ogr},
+      {"gpx", PointFormat::ogr},        {"gml", PointFormat::ogr}};
   return find(known, name);
 }
 
@@ -73,7 +75,8 @@ std::optional<OutputFormat> output_format(std::string_view name) {
 std::optional<ShapeFormat> shape_format(std::string_view name) {
   constexpr std::pair<std::string_view, ShapeFormat> known[] = {
       {"geojson", ShapeFormat::geojson}, {"json", ShapeFormat::geojson}, {"wkt", ShapeFormat::wkt},
-      {"csv", ShapeFormat::csv},         {"svg", ShapeFormat::svg},      {"png", ShapeFormat::png}};
+      {"csv", ShapeFormat::csv},         {"gpkg", ShapeFormat::gpkg},    {"fgb", ShapeFormat::fgb},
+      {"shp", ShapeFormat::shp},         {"svg", ShapeFormat::svg},      {"png", ShapeFormat::png}};
   return find(known, name);
 }
 

@@ -7,12 +7,12 @@
 
 namespace rbpa::app {
 
-enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson };
+enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson, ogr };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
 enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, vtu, svg, png };
-enum class ShapeFormat { geojson, wkt, csv, svg, png };
+enum class ShapeFormat { geojson, wkt, csv, gpkg, fgb, shp, svg, png };
 enum class LevelFormat { csv, json };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
@@ -35,7 +35,7 @@ std::string_view input_ending(std::string_view path);
 /// The same of a file that is read: where a program is known that makes something of it that we read, it is named.
 [[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
 
-/// What there is, for messages and help.
+/// What there is, for messages and help; what GDAL adds is beside it.
 constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, las, geojson, wkt, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";

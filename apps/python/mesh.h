@@ -60,7 +60,7 @@ void bind_mesh_operators(pybind11::module_& module, pybind11::class_<Mesh>& mesh
 namespace pybind11::detail {
 
 template <typename Handle>
-struct mesh_handle_caster {
+struct MeshHandleCaster {
   PYBIND11_TYPE_CASTER(Handle, const_name("int"));
 
   bool load(handle source, bool convert) {
@@ -75,12 +75,12 @@ struct mesh_handle_caster {
   }
 };
 template <>
-struct type_caster<OpenMesh::VertexHandle> : mesh_handle_caster<OpenMesh::VertexHandle> {};
+struct type_caster<OpenMesh::VertexHandle> : MeshHandleCaster<OpenMesh::VertexHandle> {};
 template <>
-struct type_caster<OpenMesh::HalfedgeHandle> : mesh_handle_caster<OpenMesh::HalfedgeHandle> {};
+struct type_caster<OpenMesh::HalfedgeHandle> : MeshHandleCaster<OpenMesh::HalfedgeHandle> {};
 template <>
-struct type_caster<OpenMesh::EdgeHandle> : mesh_handle_caster<OpenMesh::EdgeHandle> {};
+struct type_caster<OpenMesh::EdgeHandle> : MeshHandleCaster<OpenMesh::EdgeHandle> {};
 template <>
-struct type_caster<OpenMesh::FaceHandle> : mesh_handle_caster<OpenMesh::FaceHandle> {};
+struct type_caster<OpenMesh::FaceHandle> : MeshHandleCaster<OpenMesh::FaceHandle> {};
 
 }  // namespace pybind11::detail

@@ -1,7 +1,9 @@
 #include "rbpa/rbpa.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "rbpa/arrays/canonical_order.h"
 #include "rbpa/paper/rbpa.h"
 #include "rbpa/parallel/threads.h"
 #include "rbpa/patches/for_each_patch.h"
@@ -28,6 +30,18 @@ meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, mes
   return assembled;
 }
 
+/// The corners of a face as input indices, the smallest first.
+Triple corners_of(const SolidAlphaComplex& complex, Mesh::FaceHandle face) {
+  Triple corners;
+  auto h = complex.mesh.halfedge_handle(face);
+  for (std::uint32_t& corner : corners) {
+    corner = complex.input_index[static_cast<std::size_t>(complex.mesh.to_vertex_handle(h).idx())];
+    h = complex.mesh.next_halfedge_handle(h);
+  }
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
 }  // namespace
 
 SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options) {
@@ -46,6 +60,17 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   if (!assembly.are_collinear()) paper::rbpa(sites.points(), radius, front, monitor);
   assembly.finish(front);
   return complex;
+}
+
+std::vector<Triple> triangles(const SolidAlphaComplex& complex) {
+  std::size_t bound = 0;
+  for (const std::uint32_t i : complex.input_index) bound = std::max(bound, i + std::size_t{1});
+  Threads one;
+  CanonicalOrder<Triple> order(bound, complex.mesh.n_faces(), 1);
+  order.with_writer([&](CanonicalOrder<Triple>::Writer& writer) {
+    for (const Mesh::FaceHandle face : complex.mesh.faces()) writer.add(corners_of(complex, face));
+  });
+  return order.sorted(one);
 }
 
 unsigned threads_used(std::size_t points, unsigned wanted) {

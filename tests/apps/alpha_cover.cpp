@@ -130,7 +130,9 @@ TEST_SUITE("alpha cover") {
       refuses("--alpha-inverse " + wrong, "--alpha-inverse: found '" + wrong + "', expected one over a radius, >= 0");
     for (const std::string two :
          {"--alpha 1 --alpha-squared 1", "--alpha 1 --alpha-inverse 1", "--alpha-squared 1 --alpha-inverse 1"})
-      CHECK(folder.rbpa("mesh no_such_file.xy -o s.svg " + two).code == 2);
+      CHECK(
+          folder.rbpa("mesh no_such_file.xy -o s.svg " + two).err ==
+          "rbpa: found several of --alpha, --alpha-squared and --alpha-inverse, expected one (see rbpa mesh --help)\n");
   }
 
   TEST_CASE("a verb without what it needs points to its own help") {

@@ -273,8 +273,7 @@ TEST_SUITE("tables of people") {
   TEST_CASE("what is not read names what converts it") {
     const Folder folder;
     CHECK(folder.rbpa("info p.laz").err.find("(pdal translate p.laz points.las)") != std::string::npos);
-    CHECK(folder.rbpa("info p.gpx").err.find("(ogr2ogr -f CSV -lco GEOMETRY=AS_WKT points.csv p.gpx)") !=
-          std::string::npos);
+    CHECK(folder.rbpa("info p.gpx").err.find("(ogr2ogr -f GeoJSON points.geojson p.gpx)") != std::string::npos);
     CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
   }
 }

@@ -37,7 +37,7 @@ foreach(file ${files})
 
   # Debug information and sanitizers name sources, and that is what they are for.
   set(is_text FALSE)
-  if(file MATCHES "\\.(cmake|pc|h)$|LICENSE$")
+  if(file MATCHES "\\.(cmake|pc|h|1)$|LICENSE$|/share/")
     set(is_text TRUE)
   endif()
   if(is_text OR CONFIG STREQUAL Release)

@@ -41,11 +41,13 @@ set(arrows
 
   # Programs: folders of ours first, then what each uses of the libraries.
   picture>io picture>triangulation triangulation>io program>io
-  cli>io cli>picture cli>program cli>triangulation
+  cli>io cli>picture cli>program cli>report cli>triangulation
   meshtopo>io meshtopo>program
   cli>io/points io/points>io io/points>io/table io/points>io/las io/points>io/gis io/points>rbpa/core
   io/table>io io/table>io/gis io/las>io io/gis>io io/gis>rbpa/core io/gis>rbpa/shape cli>io/gis
+  io/ogr>io io/ogr>io/gis io/points>io/ogr cli>io/ogr
   io>meshops/core io>meshops/topology io>rbpa/core
+  report>io report>rbpa/filtration
   picture>meshops/front picture>rbpa picture>rbpa/core picture>rbpa/filtration picture>rbpa/shape
   triangulation>rbpa triangulation>rbpa/shape
   program>meshops/topology program>rbpa/core

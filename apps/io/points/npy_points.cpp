@@ -22,13 +22,13 @@ NpyHeader find_header(std::string_view bytes, const std::string& name) {
   const std::size_t version = bytes.size() > magic.size() ? static_cast<unsigned char>(bytes[magic.size()]) : 0;
   const std::size_t length_bytes = version == 1 ? 2 : 4;
   const std::size_t start = magic.size() + 2 + length_bytes;
-  if (bytes.size() < start) bad_input(name, std::to_string(bytes.size()) + " bytes", "a whole .npy header");
+  if (bytes.size() < start) bad_input(name, counted(bytes.size(), "byte"), "a whole .npy header");
   if (version < 1 || version > 3) bad_input(name, ".npy version " + std::to_string(version), "version 1, 2 or 3");
   const char* at = bytes.data() + magic.size() + 2;
   const std::size_t length =
       version == 1 ? load<std::uint16_t>(at, std::endian::little) : load<std::uint32_t>(at, std::endian::little);
   if (bytes.size() - start < length)
-    bad_input(name, std::to_string(bytes.size()) + " bytes", "an .npy header of " + std::to_string(length) + " bytes");
+    bad_input(name, counted(bytes.size(), "byte"), "an .npy header of " + std::to_string(length) + " bytes");
   return {bytes.substr(start, length), start + length};
 }
 

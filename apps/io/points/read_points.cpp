@@ -8,6 +8,7 @@
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
 #include "io/las/las_points.h"
+#include "io/ogr/ogr.h"
 #include "io/points/binary_points.h"
 #include "io/points/longitude.h"
 #include "io/points/npy_points.h"
@@ -40,6 +41,7 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
       return read_geojson_points(bytes, name, source.vertices);
     case PointFormat::wkt:
       return read_wkt_points(bytes, name, source.vertices);
+    case PointFormat::ogr:  // which is no bytes
     case PointFormat::text:
       break;
   }
@@ -55,9 +57,18 @@ void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (file.crs && file.crs->degrees) file.degrees = true;
 }
 
+PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
+  settle_crs(file, source.crs);
+  if (source.shift_longitude) shift_longitude(file, name);
+  if (file.degrees) remark_on_degrees(file);
+  return file;
+}
+
 }  // namespace
 
 PointFile read_points(const PointSource& source) {
+  if (source.format == PointFormat::ogr)
+    return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
   InputBytes input(source.path, "a file of points");
   // Numbers may begin like a gzip file.
   if (is_gzip(input.bytes()) && (source.format != PointFormat::raw || is_gzip_name(source.path))) input.gunzip();
@@ -67,11 +78,7 @@ PointFile read_points(const PointSource& source) {
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source) {
   // No points may be meant; no bytes at all come from a command that failed before.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
-  PointFile file = parse(bytes, name, source);
-  settle_crs(file, source.crs);
-  if (source.shift_longitude) shift_longitude(file, name);
-  if (file.degrees) remark_on_degrees(file);
-  return file;
+  return settled(parse(bytes, name, source), name, source);
 }
 
 }  // namespace rbpa::app

@@ -16,13 +16,14 @@ namespace rbpa::app {
 struct PointSource {
   std::string path;  ///< "-" is standard input
   PointFormat format = PointFormat::text;
-  std::optional<Columns> columns = std::nullopt;  ///< of text; absent: as its header says, else the first two
-  PixelRule pixels = {};                          ///< of images
-  bool skip_invalid = false;                      ///< leave out lines of text that are no point
-  bool vertices = false;                          ///< take those of lines and polygons as points
-  std::optional<Condition> where = std::nullopt;  ///< of LAS: which points count
-  std::optional<Crs> crs = std::nullopt;          ///< of the points, whatever the file says
-  bool shift_longitude = false;                   ///< add 360 to longitudes below 0
+  std::optional<Columns> columns = std::nullopt;    ///< of text; absent: as its header says, else the first two
+  PixelRule pixels = {};                            ///< of images
+  bool skip_invalid = false;                        ///< leave out lines of text that are no point
+  bool vertices = false;                            ///< take those of lines and polygons as points
+  std::optional<Condition> where = std::nullopt;    ///< of LAS: which points count
+  std::optional<Crs> crs = std::nullopt;            ///< of the points, whatever the file says
+  std::optional<std::string> layer = std::nullopt;  ///< of a source of OGR that has several
+  bool shift_longitude = false;                     ///< add 360 to longitudes below 0
 };
 
 /// The points in the order of the file, all finite. A gzip file is read as what was compressed. Throws BadInput naming

@@ -1,10 +1,9 @@
 #include "rbpa/filtration/persistence.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
-#include "rbpa/filtration/disjoint_sets.h"
+#include "rbpa/filtration/elder_rule.h"
 #include "rbpa/filtration/filtered_cells.h"
 #include "rbpa/filtration/pulse.h"
 
@@ -16,38 +15,6 @@ bool before(const PersistencePair& a, const PersistencePair& b) {
     return std::tuple(p.dimension, p.birth, !p.death, p.death.value_or(0.0));
   };
   return key(a) < key(b);
-}
-
-/// Edges ascending: an edge between two components ends the younger.
-void pair_components(const FilteredCells& cells, std::vector<PersistencePair>& pairs, Pulse& pulse) {
-  DisjointSets components(cells.vertices.size());
-  std::vector<double> birth = cells.vertices;  // of the component, at the vertex that stands for it
-  for (const FilteredCells::Edge& edge : cells.edges) {
-    pulse.beat();
-    const std::uint32_t a = components.find(edge.ends[0]), b = components.find(edge.ends[1]);
-    if (a == b) continue;
-    const auto [elder, younger] = std::minmax({birth[a], birth[b]});
-    if (younger < edge.alpha) pairs.push_back({0, younger, edge.alpha});
-    birth[components.link(a, b)] = elder;
-  }
-  for (std::uint32_t v = 0; v < birth.size(); ++v)
-    if (components.find(v) == v) pairs.push_back({0, birth[v], std::nullopt});
-}
-
-/// Edges descending: taking an edge away joins the gaps on its sides. A gap fills up with the last of its triangles;
-/// of two that are separate above this alpha the one that fills up first is a hole from here to there.
-void pair_holes(const FilteredCells& cells, std::vector<PersistencePair>& pairs, Pulse& pulse) {
-  DisjointSets gaps(cells.faces.size() + 1);
-  std::vector<double> filled = cells.faces;
-  filled.push_back(std::numeric_limits<double>::infinity());  // the outside
-  for (auto edge = cells.edges.rbegin(); edge != cells.edges.rend(); ++edge) {
-    pulse.beat();
-    const std::uint32_t a = gaps.find(edge->sides[0]), b = gaps.find(edge->sides[1]);
-    if (a == b) continue;
-    const auto [first, last] = std::minmax({filled[a], filled[b]});
-    if (edge->alpha < first) pairs.push_back({1, edge->alpha, first});
-    filled[gaps.link(a, b)] = last;
-  }
 }
 
 }  // namespace
@@ -63,8 +30,10 @@ std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std:
     return a.alpha < b.alpha;
   });
   std::vector<PersistencePair> pairs;
-  pair_components(cells, pairs, pulse);
-  pair_holes(cells, pairs, pulse);
+  pair_components(cells, pulse, [&](const Arrival& birth, const std::optional<double>& death) {
+    pairs.push_back({0, birth.alpha, death});
+  });
+  pair_holes(cells, pulse, [&](double birth, const Arrival& death) { pairs.push_back({1, birth, death.alpha}); });
   std::sort(pairs.begin(), pairs.end(), [&](const PersistencePair& a, const PersistencePair& b) {
     pulse.beat();
     return before(a, b);

@@ -91,7 +91,10 @@ std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span
   const Corners corners(delaunay, points);
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<Wide> areas(delaunay.mesh.n_faces());
-  for (std::uint32_t f = 0; f < areas.size(); ++f) areas[f] = area(corners.of_face(f));
+  for (std::uint32_t f = 0; f < areas.size(); ++f) {
+    pulse.beat();
+    areas[f] = area(corners.of_face(f));
+  }
   const std::vector<std::uint32_t> order = in_order(filtration, areas, pulse);
   const std::vector<FaceCell> cells = face_cells(delaunay.mesh, order);
   std::vector<std::uint32_t> step_of(order.size());
@@ -100,6 +103,7 @@ std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span
     ordered_areas[i] = areas[order[i]];
     if (i > 0) step_of[i] = step_of[i - 1] + (alpha[order[i]] != alpha[order[i - 1]]);
   }
+  areas = std::vector<Wide>();
   const std::vector<Wide> enclosed = enclosed_areas(cells, step_of, ordered_areas, pulse);
 
   // Flat triangles may have no area that can be told.

@@ -1,7 +1,6 @@
 #include "rbpa/search/point_grid.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "rbpa/parallel/threads.h"
 #include "rbpa/search/box.h"
@@ -99,32 +98,15 @@ void PointGrid::index_children(Level& level) {
   }
 }
 
-/// Finds every point of [first, last) that equals one before it. The range is in input order.
+/// Finds every point of a cell that equals one before it. The cell is in input order, and all one point where it has more
+/// than are worth a grid.
 void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const {
-  const auto note = [&](std::uint32_t repetition, std::uint32_t original) {
-    found.sites.push_back(repetition);
-    found.duplicates.push_back({index_[repetition], index_[original]});
-  };
-  if (last - first <= 8) {
-    for (std::uint32_t i = first + 1; i < last; ++i)
-      for (std::uint32_t j = first; j < i; ++j)
-        if (points_[i] == points_[j]) {
-          note(i, j);  // j is the first of its equals, as the search goes upward
-          break;
-        }
-    return;
-  }
-  std::vector<std::uint32_t> order(last - first);
-  std::iota(order.begin(), order.end(), first);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return points_[i] == points_[j] ? i < j : points_[i] < points_[j];
-  });
-  std::uint32_t original = order[0];
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    if (points_[order[k]] == points_[original])
-      note(order[k], original);
-    else
-      original = order[k];
+  for (std::uint32_t i = first + 1; i < last; ++i) {
+    const std::uint32_t end = last - first > max_in_cell ? first + 1 : i;
+    const auto original = std::find(points_.begin() + first, points_.begin() + end, points_[i]) - points_.begin();
+    if (original == end) continue;
+    found.sites.push_back(i);
+    found.duplicates.push_back({index_[i], index_[static_cast<std::size_t>(original)]});
   }
 }
 

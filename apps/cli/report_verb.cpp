@@ -1,0 +1,103 @@
+#include "cli/report_verb.h"
+
+#include <filesystem>
+#include <limits>
+#include <vector>
+
+#include "cli/alpha_choice.h"
+#include "cli/alpha_report.h"
+#include "cli/arguments.h"
+#include "cli/build.h"
+#include "cli/progress.h"
+#include "cli/stats.h"
+#include "io/failure.h"
+#include "io/formats.h"
+#include "io/interrupt.h"
+#include "io/message.h"
+#include "io/output_file.h"
+#include "io/same_file.h"
+#include "rbpa/filtration/covering.h"
+#include "report/write_report.h"
+
+namespace rbpa::app {
+namespace {
+
+void check_output(const std::string& output) {
+  if (output.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
+  if (output == "-") return;
+  const std::string_view found = ending(output);
+  if (found != "html" && found != "htm")
+    throw WrongUsage(output + ": found the ending " + in_quotes(found) + ", expected html");
+}
+
+/// Fills in what follows from the points.
+void examine(Report& report, const std::vector<Point>& points, const RunOptions& run) {
+  const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
+  {
+    const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
+    report.filtration = filtration(delaunay, points, until_interrupted());
+  }
+  stop_if_interrupted();
+  const auto least = [&](std::optional<std::size_t> most_components) {
+    return smallest_covering(delaunay, report.filtration, {report.cover, most_components}, until_interrupted());
+  };
+  report.least_covering = least(std::nullopt);
+  report.least_connected = least(report.most_components);
+  {
+    const ProgressLine line("rbpa", !run.quiet, "plateaus");
+    report.plateaus = plateaus(delaunay, points, report.filtration, until_interrupted());
+    if (!report.plateaus.empty()) report.why_recommended = why_recommended(report.plateaus);
+  }
+  const ProgressLine line("rbpa", !run.quiet, "persistence");
+  report.arrays = filtration_arrays(delaunay, points, report.filtration, until_interrupted());
+}
+
+}  // namespace
+
+void run_report(const ReportArguments& arguments) {
+  const std::string& path = arguments.points;
+  Report report{.source = path == "-" ? "standard input" : std::filesystem::path(path).filename().string(),
+                .most_components = parse_components(arguments.components),
+                .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
+  const RunOptions run = parse_run(arguments.run);
+  const PointSource source = parse_source(arguments);
+  check_output(arguments.output);
+  std::vector<std::string> outputs{arguments.output};
+  if (arguments.stats) outputs.push_back(*arguments.stats);
+  require_different(outputs, path, "points");
+  Stopwatch watch;
+  const std::vector<Point> points = read(source, run.quiet).points;
+  Stats stats{.read_seconds = watch.lap()};
+  report.points = points.size();
+  examine(report, points, run);
+  stats.build_seconds = watch.lap();
+
+  OutputSet files;
+  {
+    const ProgressLine line("rbpa", !run.quiet && !written_to_terminal(outputs), "writing");
+    OutputFile& page = files.add(arguments.output);
+    write_report(page, report);
+    page.finish();
+  }
+  stats.write_seconds = watch.lap();
+  if (arguments.stats) {
+    stats.points = points.size();
+    stats.threads = threads_used(points.size(), run.threads);
+    stats.distinct = report.filtration.distinct;
+    OutputFile& file = files.add(*arguments.stats);
+    write_stats(file, stats);
+    file.finish();
+  }
+  files.publish();
+  const std::size_t radii = report.filtration.steps.size();
+  if (radii == 0) {
+    const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
+    say("rbpa", std::string("the complex is empty at every alpha: ") + why);
+  }
+  if (!run.quiet)
+    say("rbpa", counted(points.size(), "point") + ", " + std::to_string(radii) +
+                    (radii == 1 ? " critical radius" : " critical radii") + " -> " +
+                    (arguments.output == "-" ? "standard output" : arguments.output));
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,42 @@
+// What: an array of numbers as an element of a page: bytes in base64, of little-endian doubles or of whole numbers, seven
+//       bits a byte, the lowest first, with 128 added to each byte but the last.
+// Law:  the bytes depend on the numbers alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/output_file.h"
+
+namespace rbpa::app {
+
+class Blob {
+ public:
+  /// Begins <script type="application/base64" id="data-NAME">.
+  Blob(OutputFile& file, std::string_view name);
+  Blob(const Blob&) = delete;
+  Blob& operator=(const Blob&) = delete;
+
+  void put(double value);
+  void put_whole(std::uint64_t value);
+  /// A difference: 0, −1, 1, −2, … are 0, 1, 2, 3, …
+  void put_signed(std::int64_t value) {
+    put_whole(static_cast<std::uint64_t>(value) << 1U ^ static_cast<std::uint64_t>(value >> 63U));
+  }
+  /// Ends the element.
+  void end();
+
+ private:
+  void put_byte(std::uint8_t byte);
+  void flush();
+
+  OutputFile& file_;
+  std::string bytes_;
+};
+
+/// Base64 of RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+}  // namespace rbpa::app

@@ -1,0 +1,55 @@
+// What: a logarithmic axis for radii, and its ticks.
+"use strict";
+
+class LogAxis {
+  /** From `low` to `high`, both logarithms to the base of ten, on `from` to `to`. */
+  constructor(low, high, from, to) {
+    Object.assign(this, { low, high, from, to });
+  }
+
+  /** For sorted radii, with room at both ends. Those above `reach` lie at the end: there flat triangles of the convex hull
+   *  come, whose radii may be anything. */
+  static of(radii, reach, from, to) {
+    const last = radii.length === 0 ? 1 : Math.min(reach, radii[radii.length - 1], Number.MAX_VALUE);
+    const low = radii.length === 0 ? 0 : Math.log10(radii[0]);
+    const high = Math.max(low, Math.log10(last));
+    const margin = high > low ? (high - low) / 40 : 0.5;
+    return new LogAxis(low - margin, high + margin, from, to);
+  }
+
+  at(radius) {
+    const share = (Math.log10(radius) - this.low) / (this.high - this.low);
+    return this.from + Math.min(1, Math.max(0, share)) * (this.to - this.from);
+  }
+
+  /** The radius that lies at `position`. */
+  radiusAt(position) {
+    const share = (position - this.from) / (this.to - this.from);
+    if (share >= 1) return Infinity;
+    return 10 ** (this.low + Math.max(0, share) * (this.high - this.low));
+  }
+
+  /** Powers of ten, at most `most`; where fewer than two are inside, the ends. */
+  ticks(most) {
+    const stride = Math.max(1, Math.ceil((this.high - this.low) / most));
+    const powers = [];
+    for (let power = stride * Math.ceil(this.low / stride); power <= this.high; power += stride) powers.push(power);
+    return powers.length >= 2 ? powers : [this.low, this.high];
+  }
+}
+
+/** Four digits. */
+function short(number) {
+  if (!Number.isFinite(number)) return "∞";
+  if (number === 0) return "0";
+  const size = Math.abs(number);
+  return size >= 1e6 || size < 1e-4 ? number.toExponential(3) : String(Number(number.toPrecision(4)));
+}
+
+/** 10 to a power, which may lie beyond the range of double. */
+function powerOfTenText(power) {
+  if (power === Math.round(power) && power >= -3 && power <= 5) return short(10 ** power);
+  const whole = Math.floor(power);
+  const digits = Number((10 ** (power - whole)).toPrecision(3));
+  return whole >= -3 && whole <= 5 ? short(Number((digits * 10 ** whole).toPrecision(3))) : `${digits}e${whole}`;
+}

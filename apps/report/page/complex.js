@@ -1,0 +1,197 @@
+// What: the complex at every step: the triangles below a number. Who lies beside whom, and what hangs together.
+// Law:  triangles are in the order in which they come, so that `count` of them, from the first, are a step's.
+"use strict";
+
+/** The triangle of a side, and the side behind it. */
+const triangleOf = (side) => (side / 3) | 0;
+const nextSide = (side) => (side % 3 === 2 ? side - 2 : side + 1);
+
+class Complex {
+  constructor(data) {
+    this.data = data;
+    this.triangles = data.triangles;
+    this.size = data.triangles.length / 3;
+    this.steps = data.radii.length;
+    this.pointCount = data.points.length / 2;
+    this.listSidesAtPoints();
+    this.findTwins();
+    this.findFirstTriangles();
+  }
+
+  /** sides[begin[p] … begin[p + 1]) begin at point p. */
+  listSidesAtPoints() {
+    const { triangles, pointCount } = this;
+    const begin = new Uint32Array(pointCount + 1);
+    for (const p of triangles) ++begin[p + 1];
+    for (let p = 0; p < pointCount; ++p) begin[p + 1] += begin[p];
+    const sides = new Uint32Array(triangles.length);
+    const next = begin.slice();
+    for (let side = 0; side < triangles.length; ++side) sides[next[triangles[side]]++] = side;
+    this.begin = begin;
+    this.sides = sides;
+  }
+
+  /** twin[side]: the same side of the triangle beyond it, or −1. */
+  findTwins() {
+    const { triangles, begin, sides } = this;
+    const twin = new Int32Array(triangles.length).fill(-1);
+    for (let side = 0; side < triangles.length; ++side) {
+      if (twin[side] >= 0) continue;
+      const from = triangles[side], to = triangles[nextSide(side)];
+      for (let i = begin[to]; i < begin[to + 1]; ++i) {
+        if (triangles[nextSide(sides[i])] !== from) continue;
+        twin[side] = sides[i];
+        twin[sides[i]] = side;
+        break;
+      }
+    }
+    this.twin = twin;
+  }
+
+  /** firstAt[p]: the first triangle at point p; where there is none, `size`. */
+  findFirstTriangles() {
+    this.firstAt = new Uint32Array(this.pointCount).fill(this.size);
+    for (let side = this.triangles.length - 1; side >= 0; --side) this.firstAt[this.triangles[side]] = triangleOf(side);
+  }
+
+  /** The diagonal of the points' box: on balls of this radius no part of the set looks curved. */
+  reach() {
+    const { points } = this.data;
+    let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
+    for (let i = 0; i < points.length; i += 2) {
+      left = Math.min(left, points[i]);
+      right = Math.max(right, points[i]);
+      bottom = Math.min(bottom, points[i + 1]);
+      top = Math.max(top, points[i + 1]);
+    }
+    return Math.hypot(right - left, top - bottom);
+  }
+
+  /** The last step whose radius is at most alpha; −1 where nothing is there yet. */
+  stepAt(alpha) {
+    const { radii } = this.data;
+    let low = 0, high = radii.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (radii[middle] <= alpha) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  /** How many triangles are there at a step. */
+  countAt(step) {
+    return step < 0 ? 0 : this.data.counts.triangles[step];
+  }
+
+  /** What a step has, by the names of `rbpa alpha --json`. */
+  numbersAt(step) {
+    const { counts, areas, radii } = this.data;
+    const isolated = this.pointCount - (step < 0 ? 0 : counts.covered[step]);
+    const at = (count) => (step < 0 ? 0 : count[step]);
+    return {
+      alpha: step < 0 ? 0 : radii[step],
+      triangles: at(counts.triangles),
+      solidComponents: at(counts.solidComponents),
+      components: at(counts.components),
+      holes: at(counts.holes),
+      covered: at(counts.covered),
+      isolated,
+      area: at(areas),
+    };
+  }
+
+  /** The side is there and what is beyond it is not. */
+  isBoundary(side, count) {
+    const twin = this.twin[side];
+    return side < 3 * count && (twin < 0 || twin >= 3 * count);
+  }
+
+  isAlive(pair, step) {
+    const { birth, death } = this.data.pairs;
+    return birth[pair] <= step && step < death[pair];
+  }
+
+  /** The triangles of the component, connected through points, or of the hole, that a pair is at a step; null when it is
+   *  not alive there, or has more triangles than `limit`. */
+  regionOf(pair, step, limit = Infinity) {
+    if (!this.isAlive(pair, step)) return null;
+    const { dimension, triangle } = this.data.pairs;
+    return dimension[pair] === 0
+      ? this.componentAt(triangle[pair], this.countAt(step), limit)
+      : this.gapAt(triangle[pair], this.countAt(step), limit);
+  }
+
+  /** The pair whose component or hole has this triangle at a step; −1 in the outside. */
+  pairAt(triangle, step) {
+    const { pairs } = this.data;
+    const inside = triangle < this.countAt(step);
+    const count = this.countAt(step);
+    const region = new Set(inside ? this.componentAt(triangle, count) : this.gapAt(triangle, count));
+    for (let p = 0; p < pairs.count; ++p)
+      if (pairs.dimension[p] === (inside ? 0 : 1) && this.isAlive(p, step) && region.has(pairs.triangle[p])) return p;
+    return -1;
+  }
+
+  componentAt(triangle, count, limit = Infinity) {
+    const { triangles, begin, sides } = this;
+    const seenTriangle = new Uint8Array(count), seenPoint = new Uint8Array(this.pointCount);
+    const region = [triangle];
+    seenTriangle[triangle] = 1;
+    for (let i = 0; i < region.length; ++i) {
+      if (region.length > limit) return null;
+      for (let corner = 3 * region[i]; corner < 3 * region[i] + 3; ++corner) {
+        const p = triangles[corner];
+        if (seenPoint[p]) continue;
+        seenPoint[p] = 1;
+        for (let j = begin[p]; j < begin[p + 1]; ++j) {
+          const t = triangleOf(sides[j]);
+          if (t >= count || seenTriangle[t]) continue;
+          seenTriangle[t] = 1;
+          region.push(t);
+        }
+      }
+    }
+    return region;
+  }
+
+  /** Missing triangles that hang together through their sides. */
+  gapAt(triangle, count, limit = Infinity) {
+    const seen = new Uint8Array(this.size - count);
+    const region = [triangle];
+    seen[triangle - count] = 1;
+    for (let i = 0; i < region.length; ++i) {
+      if (region.length > limit) return null;
+      for (let side = 3 * region[i]; side < 3 * region[i] + 3; ++side) {
+        const t = this.twin[side] < 0 ? -1 : triangleOf(this.twin[side]);
+        if (t < count || seen[t - count]) continue;
+        seen[t - count] = 1;
+        region.push(t);
+      }
+    }
+    return region;
+  }
+
+  /** Numbers from 0 for the solid components of the first `count` triangles. */
+  solidComponents(count) {
+    const label = new Int32Array(count).fill(-1);
+    const stack = [];
+    let components = 0;
+    for (let first = 0; first < count; ++first) {
+      if (label[first] >= 0) continue;
+      label[first] = components;
+      stack.push(first);
+      while (stack.length > 0) {
+        const t = stack.pop();
+        for (let side = 3 * t; side < 3 * t + 3; ++side) {
+          const twin = this.twin[side];
+          if (twin < 0 || twin >= 3 * count || label[triangleOf(twin)] >= 0) continue;
+          label[triangleOf(twin)] = components;
+          stack.push(triangleOf(twin));
+        }
+      }
+      ++components;
+    }
+    return { label, components };
+  }
+}

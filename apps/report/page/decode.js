@@ -1,0 +1,118 @@
+// What: the data of the page, from base64 to typed arrays. docs/report.md says how they lie there.
+"use strict";
+
+function bytesOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
+/** Little-endian doubles. */
+function doublesOf(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  return Float64Array.from({ length: bytes.byteLength / 8 }, (_, i) => view.getFloat64(8 * i, true));
+}
+
+/** Whole numbers, seven bits a byte, the lowest first. */
+class WholeNumbers {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.at = 0;
+  }
+
+  next() {
+    let value = 0;
+    for (let weight = 1; ; weight *= 128) {
+      if (this.at === this.bytes.length) throw new RangeError("the data of this page are cut off");
+      const byte = this.bytes[this.at++];
+      value += (byte & 127) * weight;
+      if (byte < 128) return value;
+    }
+  }
+
+  /** A difference: 0, 1, 2, 3, … are 0, −1, 1, −2, … */
+  nextSigned() {
+    const value = this.next();
+    return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
+  }
+}
+
+function trianglesOf(bytes, count) {
+  const numbers = new WholeNumbers(bytes);
+  const triangles = new Uint32Array(3 * count);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const first = numbers.next();
+    triangles[t] = first;
+    triangles[t + 1] = first + numbers.next();
+    triangles[t + 2] = first + numbers.next();
+  }
+  return triangles;
+}
+
+function countsOf(bytes, steps) {
+  const numbers = new WholeNumbers(bytes);
+  const names = ["triangles", "solidComponents", "components", "holes", "covered"];
+  const counts = {};
+  for (const name of names) counts[name] = new Uint32Array(steps);
+  for (let step = 0; step < steps; ++step)
+    for (const name of names) counts[name][step] = (step > 0 ? counts[name][step - 1] : 0) + numbers.nextSigned();
+  return counts;
+}
+
+/** By the step at which each is first to be seen; a side is 3 · triangle + corner, from that corner to the next. */
+function freeEdgesOf(bytes, count) {
+  const numbers = new WholeNumbers(bytes);
+  const edges = { step: new Uint32Array(count), side: new Uint32Array(count) };
+  let step = 0;
+  for (let e = 0; e < count; ++e) {
+    step += numbers.next();
+    edges.step[e] = step;
+    edges.side[e] = numbers.next();
+  }
+  return edges;
+}
+
+/** Alive at steps from birth to before death; the number of steps is the death of what never dies. */
+function pairsOf(bytes, facts) {
+  const numbers = new WholeNumbers(bytes);
+  const count = facts.componentPairs + facts.holePairs;
+  const pairs = {
+    count,
+    dimension: new Uint8Array(count),
+    birth: new Uint32Array(count),
+    death: new Uint32Array(count),
+    triangle: new Uint32Array(count),
+  };
+  for (let p = 0; p < count; ++p) {
+    pairs.dimension[p] = p < facts.componentPairs ? 0 : 1;
+    pairs.birth[p] = numbers.next();
+    const life = numbers.next();
+    pairs.death[p] = life === 0 ? facts.steps : pairs.birth[p] + life;
+    pairs.triangle[p] = numbers.next();
+  }
+  return pairs;
+}
+
+/** A radius as JSON has it: "inf" is above all doubles, null is none. */
+function radiusOf(value) {
+  return value === "inf" ? Infinity : value;
+}
+
+/** `text(name)` is what the element of that name has. */
+function decode(text) {
+  const facts = JSON.parse(text("facts"));
+  return {
+    facts,
+    min: radiusOf(facts.min),
+    auto: radiusOf(facts.auto),
+    plateaus: facts.plateaus.map(({ alpha, from, to }) => ({ alpha: radiusOf(alpha), from: radiusOf(from), to: radiusOf(to) ?? Infinity })),
+    points: doublesOf(bytesOf(text("points"))),
+    triangles: trianglesOf(bytesOf(text("triangles")), facts.triangles),
+    radii: doublesOf(bytesOf(text("radii"))),
+    areas: doublesOf(bytesOf(text("areas"))),
+    counts: countsOf(bytesOf(text("counts")), facts.steps),
+    freeEdges: freeEdgesOf(bytesOf(text("free-edges")), facts.freeEdges),
+    pairs: pairsOf(bytesOf(text("pairs")), facts),
+  };
+}

@@ -1,0 +1,58 @@
+// What: what is seen, as text: the shape as GeoJSON, the view as SVG.
+// Law:  GeoJSON has the coordinates of the input, to the last bit.
+"use strict";
+
+/** The shortest text that reads back to it, with the sign of zero. */
+function textOf(number) {
+  if (!Number.isFinite(number)) return "null";
+  return Object.is(number, -0) ? "-0" : String(number);
+}
+
+/** A FeatureCollection with a Feature for each polygon, as `rbpa shape` writes it. */
+function geojsonOf(polygons, points) {
+  const at = (p) => `[${textOf(points[2 * p])},${textOf(points[2 * p + 1])}]`;
+  const ringText = (ring) => `[${[...ring, ring[0]].map(at).join(",")}]`;
+  const features = polygons.map(
+    ({ shell, holes, area, perimeter }) =>
+      `{"type":"Feature","properties":{"area":${textOf(area)},"perimeter":${textOf(perimeter)},"holes":${holes.length}},` +
+      `"geometry":{"type":"Polygon","coordinates":[${[shell, ...holes].map(ringText).join(",")}]}}`,
+  );
+  return `{"type":"FeatureCollection","features":[${features.map((text) => "\n" + text).join(",")}\n]}\n`;
+}
+
+/** To a hundredth of a pixel. */
+const pixelText = (value) => String(Math.round(100 * value) / 100);
+
+function pathOf(points, x, y) {
+  return points.map((p, i) => `${i === 0 ? "M" : "L"}${pixelText(x[p])} ${pixelText(y[p])}`).join("");
+}
+
+/** `view`: width, height, and of each point x and y in pixels; `regions`: triangles to light up, with their colour;
+ *  `lines`: pairs of points to join, `dots`: points. Rings wholly outside the view are left out. */
+function svgOf({ width, height, x, y, polygons, regions, lines, dots, colours, title }) {
+  const touches = (points) =>
+    points.some((p) => x[p] >= 0) && points.some((p) => x[p] <= width) &&
+    points.some((p) => y[p] >= 0) && points.some((p) => y[p] <= height);
+  const parts = [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">`,
+    `<title>${title.replace(/&/g, "&amp;").replace(/</g, "&lt;")}</title>`,
+    `<rect width="${width}" height="${height}" fill="${colours.paper}"/>`,
+  ];
+  const shape = polygons
+    .filter(({ shell }) => touches(shell))
+    .map(({ shell, holes }) => [shell, ...holes.filter(touches)].map((ring) => pathOf(ring, x, y) + "Z").join(""));
+  const attributes = `fill-rule="evenodd" stroke-linejoin="round"`;
+  for (const path of shape) parts.push(`<path d="${path}" fill="${colours.fill}" ${attributes}/>`);
+  for (const { triangles, colour } of regions)
+    parts.push(`<path d="${triangles.filter(touches).map((t) => pathOf(t, x, y) + "Z").join("")}" fill="${colour}"/>`);
+  if (lines.length > 0)
+    parts.push(
+      `<path d="${lines.filter(touches).map((ends) => pathOf(ends, x, y)).join("")}" fill="none" ` +
+        `stroke="${colours.edge}" stroke-width="0.5"/>`,
+    );
+  for (const path of shape) parts.push(`<path d="${path}" fill="none" stroke="${colours.line}" stroke-width="1.5"/>`);
+  for (const p of dots.filter((p) => touches([p])))
+    parts.push(`<circle cx="${pixelText(x[p])}" cy="${pixelText(y[p])}" r="2" fill="${colours.isolated}"/>`);
+  parts.push("</svg>");
+  return parts.join("\n") + "\n";
+}

@@ -1,0 +1,533 @@
+// What: the page: what is chosen, what is drawn for it, and what people do to it.
+"use strict";
+
+const element = (id) => document.getElementById(id);
+
+/** A colour of the style sheet, as text. */
+const colourText = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+
+/** "#rrggbb" as an opaque pixel. */
+function pixelOf(text) {
+  const bytes = new Uint8Array([1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16)).concat(255));
+  return new Uint32Array(bytes.buffer)[0];
+}
+
+const mostPlateaus = 4; // to choose from
+const snapDistance = 8; // thousandths of the slider
+
+class Page {
+  constructor() {
+    this.complex = new Complex(decode((name) => element(`data-${name}`).textContent));
+    this.view = new View(this.complex.data.points);
+    this.canvas = element("shape");
+    this.context = this.canvas.getContext("2d", { alpha: false });
+    this.snapshot = document.createElement("canvas");
+    this.countsPlot = new CountsPlot(element("counts-plot"));
+    this.diagram = new PersistenceDiagram(element("diagram"));
+    this.shown = { edges: true, isolated: true, freeEdges: false };
+    this.step = -1;
+    this.alpha = 0;
+    this.pair = -1;
+    this.marked = new Uint8Array(this.complex.size);
+    this.region = [];
+    this.pending = { view: false, step: false };
+    this.axis = LogAxis.of(this.complex.data.radii, this.complex.reach(), 0, 1000);
+    this.takeColours();
+    this.describe();
+    this.listChoices();
+    this.listPairs("hole-pairs", 1);
+    this.listPairs("component-pairs", 0);
+    this.listen();
+    this.resize();
+    const { plateaus } = this.complex.data;
+    if (plateaus.length > 0) this.goToAlpha(plateaus[0].alpha);
+    else this.goTo(this.complex.steps - 1);
+  }
+
+  // What is fixed ------------------------------------------------------------------------------------------------------
+
+  takeColours() {
+    const names = ["paper", "panel", "text", "faint", "grid", "fill", "edge", "line", "isolated", "holes", "free", "lit"];
+    this.colours = Object.fromEntries(names.map((name) => [name, colourText(name)]));
+    this.colours.litGap = colourText("lit-gap");
+    this.pixelColours = Object.fromEntries(
+      ["paper", "fill", "line", "isolated", "lit", "litGap"].map((name) => [name, pixelOf(this.colours[name])]),
+    );
+  }
+
+  describe() {
+    const { facts, radii } = this.complex.data;
+    const repeated = facts.points - facts.distinct;
+    element("source").textContent = facts.source;
+    const radiiText = radii.length === 0 ? "no triangle at any radius" : `${radii.length.toLocaleString("en")} critical radii, from ${short(radii[0])} to ${short(radii[radii.length - 1])}`;
+    element("size").textContent =
+      `${facts.points.toLocaleString("en")} points${repeated > 0 ? ` (${repeated.toLocaleString("en")} repeated)` : ""}, ${radiiText}`;
+    for (const id of ["slider", "radius", "previous", "next"]) element(id).disabled = radii.length === 0;
+  }
+
+  listChoices() {
+    const { min, auto, plateaus, facts } = this.complex.data;
+    const most = facts.mostComponents;
+    const share = facts.cover === 1 ? "every point" : `a share of ${facts.cover} of the points`;
+    const choices = plateaus.slice(0, mostPlateaus).map(({ alpha, from, to }, i) => [
+      i === 0 ? "plateau" : `plateau:${i + 1}`,
+      alpha,
+      `the shape hardly changes from ${short(from)} to ${short(to)}${i === 0 ? ", recommended" : ""}`,
+    ]);
+    choices.push(["min", min, `the least alpha that covers ${share}`]);
+    choices.push(["auto", auto, `the least alpha that covers ${share} in at most ${most} solid component${most === 1 ? "" : "s"}`]);
+    this.choiceButtons = [];
+    for (const [name, alpha, meaning] of choices) {
+      if (alpha === null) continue;
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = `${name} ${short(alpha)}`;
+      button.title = meaning;
+      button.setAttribute("aria-label", `${name}: ${meaning}, ${short(alpha)}`);
+      button.addEventListener("click", () => this.goToAlpha(alpha));
+      element("choices").append(button);
+      this.choiceButtons.push({ button, alpha });
+    }
+    if (plateaus.length > 0) element("why").textContent = `Recommended: plateau, ${short(plateaus[0].alpha)}: ${facts.why}.`;
+  }
+
+  lifeOf(pair) {
+    const { radii, pairs } = this.complex.data;
+    const birth = radii[pairs.birth[pair]];
+    if (pairs.death[pair] === radii.length) return `from ${short(birth)}, never ends`;
+    const death = radii[pairs.death[pair]];
+    return `${short(birth)} – ${short(death)} (× ${short(death / birth)})`;
+  }
+
+  listPairs(id, dimension) {
+    this.pairButtons = this.pairButtons ?? new Map();
+    for (const pair of longestPairs(this.complex, dimension, 8)) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = this.lifeOf(pair);
+      button.setAttribute("aria-pressed", "false");
+      button.addEventListener("click", () => this.choosePair(this.pair === pair ? -1 : pair, true));
+      const item = document.createElement("li");
+      item.append(button);
+      element(id).append(item);
+      this.pairButtons.set(pair, button);
+    }
+    if (element(id).childElementCount === 0) element(id).textContent = "none";
+  }
+
+  // What is chosen -----------------------------------------------------------------------------------------------------
+
+  goTo(step) {
+    const last = this.complex.steps - 1;
+    this.show(Math.max(-1, Math.min(last, step)));
+  }
+
+  /** Of any alpha, the step that it is in. */
+  goToAlpha(alpha) {
+    this.show(this.complex.stepAt(alpha), alpha);
+  }
+
+  /** Of a position on the slider; near the alpha of a plateau it is that. */
+  goToPosition(position) {
+    const alphas = this.complex.data.plateaus.slice(0, mostPlateaus).map(({ alpha }) => alpha);
+    const near = alphas.find((alpha) => Math.abs(this.axis.at(alpha) - position) < snapDistance);
+    if (near !== undefined) this.goToAlpha(near);
+    else this.goTo(this.complex.stepAt(this.axis.radiusAt(position)));
+  }
+
+  show(step, alpha = step < 0 ? 0 : this.complex.data.radii[step]) {
+    this.step = step;
+    this.alpha = alpha;
+    this.tellNumbers();
+    this.ask("step");
+  }
+
+  /** -1: none. `bring`: shows it, at a radius at which it is there. */
+  choosePair(pair, bring) {
+    this.pair = pair;
+    for (const [other, button] of this.pairButtons) button.setAttribute("aria-pressed", String(other === pair));
+    if (pair >= 0 && bring) {
+      const { pairs } = this.complex.data;
+      // A component is largest just before its death, a hole at its birth.
+      const best = pairs.dimension[pair] === 0 ? pairs.death[pair] - 1 : pairs.birth[pair];
+      if (!this.complex.isAlive(pair, this.step)) this.goTo(best);
+      const region = this.complex.regionOf(pair, this.step);
+      const corners = region.flatMap((t) => [...this.complex.triangles.subarray(3 * t, 3 * t + 3)]);
+      if (this.view.bringToView(corners)) this.ask("view");
+    }
+    this.tellPair();
+    this.ask("step");
+  }
+
+  tellNumbers() {
+    const numbers = this.complex.numbersAt(this.step);
+    const { pointCount } = this.complex;
+    const share = pointCount === 0 ? 0 : (100 * numbers.covered) / pointCount;
+    for (const name of ["triangles", "solidComponents", "components", "holes", "covered", "isolated"])
+      element(name).textContent = numbers[name].toLocaleString("en");
+    element("share").textContent = `${share.toFixed(share > 99 && share < 100 ? 2 : 1)} %`;
+    element("area").textContent = String(numbers.area);
+    element("radius").value = String(this.alpha);
+    for (const { button, alpha } of this.choiceButtons) button.setAttribute("aria-pressed", String(alpha === this.alpha));
+    this.tellRadiusError("");
+    const slider = element("slider");
+    if (this.complex.stepAt(this.axis.radiusAt(Number(slider.value))) !== this.step)
+      slider.value = this.step < 0 ? 0 : this.axis.at(this.alpha);
+    slider.setAttribute("aria-valuetext", this.sentence(numbers));
+    element("counts-cursor").style.left = `${this.step < 0 ? plotMargin.left : this.countsPlot.axis?.at(this.alpha)}px`;
+    this.placeAlive();
+    clearTimeout(this.speaking);
+    this.speaking = setTimeout(() => (element("status").textContent = this.sentence(numbers)), 600);
+  }
+
+  sentence(numbers) {
+    const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
+    return (
+      `alpha ${short(this.alpha)}: ${counted(numbers.triangles, "triangle")}, ` +
+      `${counted(numbers.solidComponents, "solid component")}, ${counted(numbers.holes, "hole")}, ` +
+      `${counted(numbers.isolated, "isolated point")}`
+    );
+  }
+
+  tellRadiusError(text) {
+    element("radius-error").textContent = text;
+    element("radius").setAttribute("aria-invalid", String(text !== ""));
+  }
+
+  placeAlive() {
+    if (!this.diagram.births) return;
+    const { alpha } = this;
+    const style = element("alive").style;
+    style.width = `${this.step < 0 ? 0 : this.diagram.births.at(alpha) - plotMargin.left}px`;
+    style.height = `${this.step < 0 ? 0 : this.diagram.deaths.at(alpha)}px`;
+    const chosen = element("chosen");
+    chosen.hidden = this.pair < 0;
+    if (this.pair < 0) return;
+    const { x, y } = this.diagram.placeOf(this.complex, this.pair);
+    chosen.style.left = `${x}px`;
+    chosen.style.top = `${y}px`;
+  }
+
+  tellPair() {
+    this.placeAlive();
+    if (this.pair < 0) {
+      element("selection").textContent = "";
+      return;
+    }
+    const kind = this.complex.data.pairs.dimension[this.pair] === 0 ? "Component" : "Hole";
+    const here = this.complex.isAlive(this.pair, this.step) ? "lit in the picture" : "not there at this radius";
+    element("selection").textContent = `${kind}, ${this.lifeOf(this.pair)}: ${here}.`;
+  }
+
+  // What is drawn ------------------------------------------------------------------------------------------------------
+
+  /** Draws before the next frame; "view": what lies under the pixels has changed as well. */
+  ask(what) {
+    this.fine = null;
+    this.canvas.dataset.state = "drawing";
+    clearTimeout(this.finely);
+    this.pending[what] = true;
+    this.frame ??= requestAnimationFrame(() => {
+      this.frame = null;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (this.pending.view) {
+      // On large sets a view takes longer than a frame: until it stands still, the last picture moves instead.
+      if (this.held && this.layTime > 30) {
+        this.moveSnapshot();
+        clearTimeout(this.settling);
+        this.settling = setTimeout(() => {
+          this.held = false;
+          this.ask("view");
+        }, 120);
+        return;
+      }
+      this.lay();
+      this.held = false;
+    }
+    this.pending = { view: false, step: false };
+    this.light(20000);
+    this.paint(true, this.shown.isolated);
+    this.finely = setTimeout(() => this.beginFine(), 150);
+  }
+
+  lay() {
+    const begin = performance.now();
+    const { view } = this;
+    view.project();
+    this.raster.lay(this.complex, view.x, view.y, view.spacing() > 8 ? 1 : 0);
+    this.layTime = performance.now() - begin;
+    this.laid = { scale: view.scale, left: view.left, top: view.top };
+  }
+
+  /** Marks the region of the chosen pair; of one larger than `limit` only when there is time. */
+  light(limit) {
+    for (const t of this.region) this.marked[t] = 0;
+    this.region = (this.pair >= 0 && this.complex.regionOf(this.pair, this.step, limit)) || [];
+    for (const t of this.region) this.marked[t] = 1;
+  }
+
+  paint(outline, dots) {
+    const marked = this.region.length > 0 ? this.marked : null;
+    this.raster.paint(this.pixels, this.complex.countAt(this.step), marked, this.pixelColours, { outline, dots });
+    this.context.putImageData(this.image, 0, 0);
+  }
+
+  /** Lines are drawn beside, and shown when they are all there. */
+  beginFine() {
+    this.light(Infinity);
+    this.tellPair();
+    const canvas = this.snapshot;
+    canvas.width = this.canvas.width;
+    canvas.height = this.canvas.height;
+    const context = canvas.getContext("2d", { alpha: false });
+    const fill = (outline, dots) => {
+      const marked = this.region.length > 0 ? this.marked : null;
+      this.raster.paint(this.pixels, this.complex.countAt(this.step), marked, this.pixelColours, { outline, dots });
+      context.putImageData(this.image, 0, 0);
+    };
+    const drawing = fineDrawing(context, this.complex, this.view, this.step, this.shown, this.colours, this.ratio, fill);
+    this.fine = drawing;
+    const go = () => {
+      if (this.fine !== drawing) return;
+      const end = performance.now() + 12;
+      while (performance.now() < end) {
+        if (!drawing.next().done) continue;
+        this.context.drawImage(canvas, 0, 0);
+        this.fine = null;
+        this.canvas.dataset.state = "drawn";
+        return;
+      }
+      setTimeout(go, 0);
+    };
+    go();
+  }
+
+  moveSnapshot() {
+    if (!this.moving) {
+      this.moving = document.createElement("canvas");
+      this.moving.width = this.canvas.width;
+      this.moving.height = this.canvas.height;
+      this.moving.getContext("2d").drawImage(this.canvas, 0, 0);
+      this.movingFrom = this.laid;
+    }
+    const by = this.view.scale / this.movingFrom.scale;
+    this.context.fillStyle = this.colours.paper;
+    this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    this.context.drawImage(this.moving, this.view.left - this.movingFrom.left * by, this.view.top - this.movingFrom.top * by, this.canvas.width * by, this.canvas.height * by);
+  }
+
+  resize() {
+    const box = this.canvas.getBoundingClientRect();
+    this.ratio = Math.min(2, devicePixelRatio || 1);
+    const width = Math.max(1, Math.round(box.width * this.ratio)), height = Math.max(1, Math.round(box.height * this.ratio));
+    if (this.raster?.width !== width || this.raster.height !== height) {
+      const first = this.raster === undefined;
+      this.canvas.width = width;
+      this.canvas.height = height;
+      this.raster = new Raster(width, height);
+      this.image = this.context.createImageData(width, height);
+      this.pixels = new Uint32Array(this.image.data.buffer);
+      this.view.resize(width, height);
+      if (first) this.view.fit();
+      this.ask("view");
+    }
+    this.drawPlots();
+  }
+
+  drawPlots() {
+    this.countsPlot.draw(this.complex, this.colours);
+    this.diagram.draw(this.complex, this.colours);
+    this.tellNumbers();
+  }
+
+  // What people do -----------------------------------------------------------------------------------------------------
+
+  move(change) {
+    if (!this.held) this.moving = null;
+    this.held = true;
+    change(this.view);
+    this.ask("view");
+  }
+
+  listen() {
+    addEventListener("resize", () => this.resize());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.takeColours();
+      this.drawPlots();
+      this.ask("step");
+    });
+    this.listenToRadius();
+    this.listenToPlots();
+    this.listenToPicture();
+    for (const [id, name] of [["show-edges", "edges"], ["show-isolated", "isolated"], ["show-free-edges", "freeEdges"]])
+      element(id).addEventListener("change", (event) => {
+        this.shown[name] = event.target.checked;
+        this.ask("step");
+      });
+    element("save-geojson").addEventListener("click", () => this.save("geojson", "application/geo+json", this.geojson()));
+    element("save-svg").addEventListener("click", () => this.save("svg", "image/svg+xml", this.svg()));
+  }
+
+  listenToRadius() {
+    const slider = element("slider");
+    slider.addEventListener("input", () => this.goToPosition(Number(slider.value)));
+    const far = () => Math.max(1, Math.round(this.complex.steps / 50));
+    const moves = {
+      ArrowLeft: () => this.step - 1, ArrowDown: () => this.step - 1,
+      ArrowRight: () => this.step + 1, ArrowUp: () => this.step + 1,
+      PageDown: () => this.step - far(), PageUp: () => this.step + far(),
+      Home: () => 0, End: () => this.complex.steps - 1,
+    };
+    slider.addEventListener("keydown", (event) => {
+      if (!(event.key in moves) || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      this.goTo(moves[event.key]());
+    });
+    element("previous").addEventListener("click", () => this.goTo(this.step - 1));
+    element("next").addEventListener("click", () => this.goTo(this.step + 1));
+    element("radius").addEventListener("change", (event) => {
+      const text = event.target.value.trim();
+      const alpha = /^inf(inity)?$/i.test(text) ? Infinity : Number(text);
+      if (text === "" || !(alpha > 0)) {
+        this.tellRadiusError("Expected a radius: a number > 0, or inf.");
+        return;
+      }
+      this.goToAlpha(alpha);
+    });
+  }
+
+  listenToPlots() {
+    const canvas = element("counts-plot");
+    const follow = (event) => {
+      const x = event.clientX - canvas.getBoundingClientRect().left;
+      this.goTo(this.complex.stepAt(this.countsPlot.axis.radiusAt(x)));
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      follow(event);
+    });
+    canvas.addEventListener("pointermove", (event) => event.buttons > 0 && follow(event));
+    element("diagram").addEventListener("click", (event) => {
+      const box = event.target.getBoundingClientRect();
+      this.choosePair(this.diagram.pairNear(event.clientX - box.left, event.clientY - box.top), true);
+    });
+  }
+
+  listenToPicture() {
+    const { canvas } = this;
+    const fingers = new Map();
+    const place = (event) => {
+      const box = canvas.getBoundingClientRect();
+      return { x: (event.clientX - box.left) * this.ratio, y: (event.clientY - box.top) * this.ratio };
+    };
+    let moved = 0;
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      canvas.classList.add("held");
+      if (fingers.size === 0) moved = 0;
+      fingers.set(event.pointerId, place(event));
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const before = fingers.get(event.pointerId);
+      if (!before) return;
+      const now = place(event);
+      const others = [...fingers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
+      fingers.set(event.pointerId, now);
+      moved += Math.hypot(now.x - before.x, now.y - before.y);
+      if (moved < 4 * this.ratio) return;
+      this.move((view) => {
+        if (others.length === 0) return view.pan(now.x - before.x, now.y - before.y);
+        const [other] = others;
+        const apart = (at) => Math.max(1, Math.hypot(at.x - other.x, at.y - other.y));
+        view.pan((now.x - before.x) / 2, (now.y - before.y) / 2);
+        view.zoom(apart(now) / apart(before), (now.x + other.x) / 2, (now.y + other.y) / 2);
+      });
+    });
+    const end = (event) => {
+      if (!fingers.delete(event.pointerId)) return;
+      if (fingers.size === 0) canvas.classList.remove("held");
+      if (event.type === "pointerup" && moved < 4 * this.ratio) this.chooseAt(place(event));
+    };
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        const { x, y } = place(event);
+        const pixels = event.deltaMode === 1 ? 30 * event.deltaY : event.deltaY;
+        this.move((view) => view.zoom(Math.exp(-0.002 * Math.max(-300, Math.min(300, pixels))), x, y));
+      },
+      { passive: false },
+    );
+    const middle = (factor) => this.move((view) => view.zoom(factor, view.width / 2, view.height / 2));
+    const step = () => 60 * this.ratio;
+    const keys = {
+      "+": () => middle(1.5), "=": () => middle(1.5), "-": () => middle(1 / 1.5),
+      0: () => this.move((view) => view.fit()),
+      ArrowLeft: () => this.move((view) => view.pan(step(), 0)),
+      ArrowRight: () => this.move((view) => view.pan(-step(), 0)),
+      ArrowUp: () => this.move((view) => view.pan(0, step())),
+      ArrowDown: () => this.move((view) => view.pan(0, -step())),
+      Escape: () => this.choosePair(-1, false),
+    };
+    canvas.addEventListener("keydown", (event) => {
+      if (!(event.key in keys) || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      keys[event.key]();
+    });
+    element("zoom-in").addEventListener("click", keys["+"]);
+    element("zoom-out").addEventListener("click", keys["-"]);
+    element("fit").addEventListener("click", keys[0]);
+  }
+
+  chooseAt({ x, y }) {
+    const triangle = this.raster.at(Math.floor(x), Math.floor(y));
+    this.choosePair(triangle < 0 ? -1 : this.complex.pairAt(triangle, this.step), false);
+  }
+
+  // What is saved ------------------------------------------------------------------------------------------------------
+
+  geojson() {
+    return geojsonOf(polygonsAt(this.complex, this.complex.countAt(this.step)), this.complex.data.points);
+  }
+
+  svg() {
+    const { complex, view, step, shown } = this;
+    const count = complex.countAt(step);
+    view.project();
+    this.light(Infinity);
+    const corners = (t) => [...complex.triangles.subarray(3 * t, 3 * t + 3)];
+    const ends = (side) => [complex.triangles[side], complex.triangles[nextSide(side)]];
+    const inner = shown.edges ? (sidesInView(complex, view, count).inner ?? []) : [];
+    const free = shown.freeEdges ? freeEdgesInView(complex, view, step) : [];
+    const isHole = this.pair >= 0 && complex.data.pairs.dimension[this.pair] === 1;
+    return svgOf({
+      width: view.width,
+      height: view.height,
+      x: view.x,
+      y: view.y,
+      polygons: polygonsAt(complex, count),
+      regions: this.region.length === 0 ? [] : [{ triangles: this.region.map(corners), colour: isHole ? this.colours.litGap : this.colours.lit }],
+      lines: [...inner, ...free].map(ends),
+      dots: shown.isolated ? isolatedInView(complex, view, count) : [],
+      colours: this.colours,
+      title: `${complex.data.facts.source}, alpha ${this.alpha}`,
+    });
+  }
+
+  save(ending, type, text) {
+    const link = document.createElement("a");
+    const name = this.complex.data.facts.source.replace(/\.[^.]*$/, "") || "shape";
+    link.href = URL.createObjectURL(new Blob([text], { type }));
+    link.download = `${name}.alpha-${short(this.alpha)}.${ending}`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  }
+}
+
+const page = new Page();

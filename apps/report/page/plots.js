@@ -1,0 +1,174 @@
+// What: the counts against alpha, and births against deaths, as pictures that are drawn once; where alpha is now is laid
+//       over them.
+"use strict";
+
+const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };
+
+/** Fits a canvas to its place. Returns its context in CSS pixels, and their number. */
+function prepared(canvas, background) {
+  const ratio = Math.min(2, devicePixelRatio || 1);
+  const width = canvas.clientWidth, height = canvas.clientHeight;
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(height * ratio);
+  const context = canvas.getContext("2d");
+  context.scale(ratio, ratio);
+  context.fillStyle = background;
+  context.fillRect(0, 0, width, height);
+  context.font = "11px system-ui, sans-serif";
+  return { context, width, height };
+}
+
+function drawLine(context, colour, x1, y1, x2, y2) {
+  context.strokeStyle = colour;
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
+}
+
+function drawRadiusTicks(context, axis, top, bottom, colours) {
+  context.lineWidth = 1;
+  context.textAlign = "center";
+  for (const power of axis.ticks(6)) {
+    const x = axis.at(10 ** power);
+    drawLine(context, colours.grid, x, top, x, bottom);
+    context.fillStyle = colours.text;
+    context.fillText(powerOfTenText(power), x, bottom + 16);
+  }
+}
+
+/** The counts that are drawn, with the colour of each. */
+const plottedCounts = [
+  ["covered", "faint"],
+  ["solidComponents", "edge"],
+  ["components", "line"],
+  ["holes", "holes"],
+];
+
+class CountsPlot {
+  constructor(canvas) {
+    this.canvas = canvas;
+  }
+
+  draw(complex, colours) {
+    const { context, width, height } = prepared(this.canvas, colours.panel);
+    const { left, right, top, bottom } = plotMargin;
+    const { radii, counts } = complex.data;
+    this.axis = LogAxis.of(radii, complex.reach(), left, width - right);
+    this.drawPlateaus(context, complex.data.plateaus.slice(0, mostPlateaus), top, height - bottom, colours);
+    drawRadiusTicks(context, this.axis, top, height - bottom, colours);
+    let most = 1;
+    for (const [name] of plottedCounts) for (const count of counts[name]) most = Math.max(most, count);
+    const up = (count) => height - bottom - (Math.log10(1 + count) / Math.log10(1 + most)) * (height - bottom - top);
+    context.textAlign = "right";
+    for (const count of [0, ...Array.from({ length: Math.floor(Math.log10(most)) + 1 }, (_, i) => 10 ** i)]) {
+      drawLine(context, colours.grid, left, up(count), width - right, up(count));
+      context.fillStyle = colours.text;
+      context.fillText(count >= 10000 ? count.toExponential(0).replace("+", "") : String(count), left - 4, up(count) + 4);
+    }
+    context.lineWidth = 1.5;
+    for (const [name, colour] of plottedCounts) this.drawCurve(context, radii, counts[name], up, colours[colour]);
+  }
+
+  drawPlateaus(context, plateaus, top, bottom, colours) {
+    context.fillStyle = colours.fill;
+    for (const { from, to } of plateaus) {
+      const left = this.axis.at(from);
+      context.globalAlpha = 0.55;
+      context.fillRect(left, top, this.axis.at(to) - left - 1, bottom - top);
+    }
+    context.globalAlpha = 1;
+    context.textAlign = "center";
+    context.fillStyle = colours.text;
+    plateaus.forEach(({ alpha }, i) => context.fillText(`${i + 1}`, this.axis.at(alpha), top + 10));
+  }
+
+  /** Per column of pixels its least, greatest and last value. */
+  drawCurve(context, radii, counts, up, colour) {
+    context.strokeStyle = colour;
+    context.beginPath();
+    context.moveTo(this.axis.from, up(0));
+    let last = up(0);
+    for (let step = 0; step < radii.length; ) {
+      const column = Math.round(this.axis.at(radii[step]));
+      let least = Infinity, greatest = -Infinity;
+      context.lineTo(column, last);
+      for (; step < radii.length && Math.round(this.axis.at(radii[step])) === column; ++step) {
+        last = up(counts[step]);
+        least = Math.min(least, last);
+        greatest = Math.max(greatest, last);
+      }
+      context.lineTo(column, greatest);
+      context.lineTo(column, least);
+      context.lineTo(column, last);
+    }
+    context.lineTo(this.axis.to, last);
+    context.stroke();
+  }
+}
+
+class PersistenceDiagram {
+  constructor(canvas) {
+    this.canvas = canvas;
+  }
+
+  draw(complex, colours) {
+    const { context, width, height } = prepared(this.canvas, colours.panel);
+    const { left, right, top, bottom } = plotMargin;
+    const { radii, pairs } = complex.data;
+    const never = top + 4; // deaths of what never dies
+    this.births = LogAxis.of(radii, complex.reach(), left, width - right);
+    this.deaths = LogAxis.of(radii, complex.reach(), height - bottom, top + 18);
+    drawRadiusTicks(context, this.births, top, height - bottom, colours);
+    context.textAlign = "right";
+    for (const power of this.deaths.ticks(5)) {
+      const y = this.deaths.at(10 ** power);
+      drawLine(context, colours.grid, left, y, width - right, y);
+      context.fillStyle = colours.text;
+      context.fillText(powerOfTenText(power), left - 4, y + 4);
+    }
+    context.fillText("never", left - 4, never + 4);
+    drawLine(context, colours.grid, left, never, width - right, never);
+    drawLine(context, colours.text, left, this.deaths.at(this.births.radiusAt(left)), width - right, top + 18);
+    // Pairs whose dots would cover each other are one dot, the longest: the first found there when the longest come first.
+    this.dots = new Map();
+    for (let p = 0; p < pairs.count; ++p) {
+      const x = Math.round(this.births.at(radii[pairs.birth[p]]));
+      const y = pairs.death[p] < radii.length ? Math.round(this.deaths.at(radii[pairs.death[p]])) : never;
+      const key = (pairs.dimension[p] * 4096 + y) * 8192 + x;
+      if (!this.dots.has(key)) this.dots.set(key, { x, y, pair: p });
+    }
+    for (const { x, y, pair } of this.dots.values()) {
+      context.fillStyle = pairs.dimension[pair] === 0 ? colours.line : colours.holes;
+      context.fillRect(x - 2, y - 2, 4, 4);
+    }
+  }
+
+  /** The pair whose dot is nearest, within twelve pixels; −1 where there is none. */
+  pairNear(x, y) {
+    let best = { distance: 12, pair: -1 };
+    for (const dot of this.dots.values()) {
+      const distance = Math.hypot(dot.x - x, dot.y - y);
+      if (distance < best.distance) best = { distance, pair: dot.pair };
+    }
+    return best.pair;
+  }
+
+  placeOf(complex, pair) {
+    const { radii, pairs } = complex.data;
+    const death = pairs.death[pair];
+    return {
+      x: this.births.at(radii[pairs.birth[pair]]),
+      y: death < radii.length ? this.deaths.at(radii[death]) : plotMargin.top + 4,
+    };
+  }
+}
+
+/** The `most` pairs of a dimension that live longest, by the ratio of death and birth. */
+function longestPairs(complex, dimension, most) {
+  const { radii, pairs } = complex.data;
+  const length = (p) => (pairs.death[p] < radii.length ? Math.log(radii[pairs.death[p]]) - Math.log(radii[pairs.birth[p]]) : Infinity);
+  const all = [];
+  for (let p = 0; p < pairs.count; ++p) if (pairs.dimension[p] === dimension) all.push(p);
+  return all.sort((p, q) => (length(p) === length(q) ? p - q : length(q) - length(p))).slice(0, most);
+}

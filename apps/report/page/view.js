@@ -1,0 +1,104 @@
+// What: from coordinates to pixels and back: what part of the plane is seen, and how large.
+// Why:  coordinates may be anything from 10⁻³²⁴ to 10³⁰⁸; they are moved and scaled to a square of −1 … 1 first.
+"use strict";
+
+class View {
+  constructor(points) {
+    this.count = points.length / 2;
+    this.u = new Float64Array(this.count);
+    this.v = new Float64Array(this.count);
+    this.x = new Float64Array(this.count);
+    this.y = new Float64Array(this.count);
+    this.normalise(points);
+    this.resize(1, 1);
+    this.fit();
+  }
+
+  normalise(points) {
+    let size = 0;
+    for (const value of points) size = Math.max(size, Math.abs(value));
+    const power = size > 2 ** 500 ? 2 ** -600 : size < 2 ** -500 ? 2 ** 600 : 1;
+    let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
+    for (let p = 0; p < this.count; ++p) {
+      const x = (this.u[p] = points[2 * p] * power), y = (this.v[p] = points[2 * p + 1] * power);
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      bottom = Math.min(bottom, y);
+      top = Math.max(top, y);
+    }
+    const middleX = (left + right) / 2, middleY = (bottom + top) / 2;
+    const half = Math.max(right - left, top - bottom) / 2 || 1;
+    for (let p = 0; p < this.count; ++p) {
+      this.u[p] = (this.u[p] - middleX) / half;
+      this.v[p] = (this.v[p] - middleY) / half;
+    }
+    this.halfWidth = (right - left) / 2 / half;
+    this.halfHeight = (top - bottom) / 2 / half;
+  }
+
+  /** Keeps what is in the middle, and its size. */
+  resize(width, height) {
+    const dx = (width - (this.width ?? width)) / 2, dy = (height - (this.height ?? height)) / 2;
+    Object.assign(this, { width, height });
+    this.left += dx;
+    this.top += dy;
+  }
+
+  /** All points, with a margin. */
+  fit() {
+    this.show(-this.halfWidth, this.halfWidth, -this.halfHeight, this.halfHeight, 0.94);
+  }
+
+  /** A box of the normalised plane, as a share of the picture. */
+  show(left, right, bottom, top, share) {
+    const width = Math.max(right - left, 1e-14), height = Math.max(top - bottom, 1e-14);
+    this.scale = share * Math.min(this.width / width, this.height / height);
+    this.left = this.width / 2 - (this.scale * (left + right)) / 2;
+    this.top = this.height / 2 + (this.scale * (bottom + top)) / 2;
+  }
+
+  pan(dx, dy) {
+    this.left += dx;
+    this.top += dy;
+  }
+
+  /** What lies at (x, y) stays there. */
+  zoom(factor, x, y) {
+    const limit = 1e14;
+    const by = Math.min(limit, Math.max(0.05 * Math.min(this.width, this.height), this.scale * factor)) / this.scale;
+    this.scale *= by;
+    this.left = x + (this.left - x) * by;
+    this.top = y + (this.top - y) * by;
+  }
+
+  /** x and y of every point, in pixels. */
+  project() {
+    const { u, v, x, y, scale, left, top } = this;
+    for (let p = 0; p < this.count; ++p) {
+      x[p] = left + scale * u[p];
+      y[p] = top - scale * v[p];
+    }
+  }
+
+  /** Pixels between points that lie alike everywhere. */
+  spacing() {
+    return this.scale * Math.sqrt((4 * (this.halfWidth || 1e-3) * (this.halfHeight || 1e-3)) / Math.max(1, this.count));
+  }
+
+  /** Shows the points when they are out of sight, or too small to see. */
+  bringToView(points) {
+    let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
+    for (const p of points) {
+      left = Math.min(left, this.u[p]);
+      right = Math.max(right, this.u[p]);
+      bottom = Math.min(bottom, this.v[p]);
+      top = Math.max(top, this.v[p]);
+    }
+    const at = (u) => this.left + this.scale * u, down = (v) => this.top - this.scale * v;
+    const seen = at(left) >= 0 && at(right) <= this.width && down(top) >= 0 && down(bottom) <= this.height;
+    const large = Math.max(right - left, top - bottom) * this.scale >= 24;
+    if (seen && large) return false;
+    this.show(left, right, bottom, top, large ? 0.8 : 0.3);
+    return true;
+  }
+}

@@ -1,0 +1,260 @@
+// Files of GDAL: what GDAL writes is read, and what is written GDAL reads, to the last bit and with its system.
+#include <doctest/doctest.h>
+#include <ogrsf_frmts.h>
+
+#include <bit>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "io/number.h"
+#include "io/ogr/ogr.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+/// A format, and how exact GDAL is with it.
+struct Format {
+  std::string driver, ending;
+};
+const Format formats[] = {{"GPKG", "gpkg"}, {"FlatGeobuf", "fgb"}, {"ESRI Shapefile", "shp"}};
+
+/// Writes a layer of the geometries, as well-known text, by GDAL itself.
+void write_layer(GDALDataset& file, const std::string& name, OGRwkbGeometryType type,
+                 const std::vector<std::string>& wkt, int epsg) {
+  OGRSpatialReference system;
+  if (epsg > 0) REQUIRE(system.importFromEPSG(epsg) == OGRERR_NONE);
+  system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRLayer* layer = file.CreateLayer(name.c_str(), epsg > 0 ? &system : nullptr, type, nullptr);
+  REQUIRE(layer != nullptr);
+  for (const std::string& text : wkt) {
+    OGRFeature feature(layer->GetLayerDefn());
+    OGRGeometry* geometry = nullptr;
+    if (!text.empty()) REQUIRE(OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &geometry) == OGRERR_NONE);
+    feature.SetGeometryDirectly(geometry);
+    REQUIRE(layer->CreateFeature(&feature) == OGRERR_NONE);
+  }
+}
+
+GDALDatasetUniquePtr create(const Format& format, const std::string& path) {
+  GDALAllRegister();
+  GDALDatasetUniquePtr file(GetGDALDriverManager()
+                                ->GetDriverByName(format.driver.c_str())
+                                ->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  REQUIRE(file);
+  return file;
+}
+
+GDALDatasetUniquePtr open(const std::string& path) {
+  GDALAllRegister();
+  GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
+  REQUIRE(file);
+  return file;
+}
+
+constexpr const char* squares = "0.1 0\n1 0\n1 1\n0 1\n3 3\n10 0\n11 0\n11 1\n10 1\n11 1\n90 90\n";
+
+std::vector<Point> ring_of(const OGRLinearRing& ring) {
+  std::vector<Point> points;
+  for (int i = 0; i + 1 < ring.getNumPoints(); ++i) points.push_back({ring.getX(i), ring.getY(i)});
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace
+
+TEST_SUITE("ogr") {
+  TEST_CASE("points of every format, every double to the last bit, with their system") {
+    std::mt19937_64 random(3);
+    std::vector<Point> points;
+    while (points.size() < 500) {
+      // GDAL keeps boxes: exponents beyond those of a float are another story.
+      const double x = (static_cast<double>(random() >> 11U) * 0x1p-53 - 0.5) * 1e6,
+                   y = static_cast<double>(random()) / 7;
+      points.push_back({x, y});
+    }
+    for (const Format& format : formats) {
+      CAPTURE(format.driver);
+      const Folder folder;
+      const std::string path = folder.path("p." + format.ending);
+      {
+        const GDALDatasetUniquePtr file = create(format, path);
+        OGRSpatialReference system;
+        REQUIRE(system.importFromEPSG(28992) == OGRERR_NONE);
+        OGRLayer* layer = file->CreateLayer("p", &system, wkbPoint, nullptr);
+        for (const Point& p : points) {
+          OGRFeature feature(layer->GetLayerDefn());
+          const OGRPoint geometry(p.x, p.y);
+          feature.SetGeometry(&geometry);
+          REQUIRE(layer->CreateFeature(&feature) == OGRERR_NONE);
+        }
+      }
+      PointFile read = read_ogr_points(path, std::nullopt, false);
+      CHECK(read.crs->text() == "EPSG:28992");
+      CHECK_FALSE(read.degrees);
+      std::vector<Point> expected = points;
+      std::sort(expected.begin(), expected.end());  // a FlatGeobuf is sorted for its index
+      std::sort(read.points.begin(), read.points.end());
+      CHECK(read.points == expected);
+    }
+  }
+
+  TEST_CASE("every geometry, degrees, layers, and features without one") {
+    const Folder folder;
+    const std::string path = folder.path("p.gpkg");
+    {
+      const GDALDatasetUniquePtr file = create(formats[0], path);
+      write_layer(*file, "points", wkbUnknown, {"POINT (5 52)", "", "MULTIPOINT (6 53, 7 54)", "POINT EMPTY"}, 4326);
+      write_layer(
+          *file, "shapes", wkbUnknown,
+          {"LINESTRING (0 0, 1 0)", "POLYGON ((0 0, 1 0, 1 1, 0 0), (2 2, 3 2, 2 2))",
+           "MULTIPOLYGON (((4 4, 5 4, 5 5, 4 4)))", "GEOMETRYCOLLECTION (POINT (9 9), LINESTRING (8 8, 7 7, 8 8))"},
+          0);
+      write_layer(*file, "curves", wkbUnknown, {"CIRCULARSTRING (0 0, 1 1, 2 0)"}, 0);
+    }
+    const PointFile points = read_ogr_points(path, "points", false);
+    CHECK(points.points == std::vector<Point>{{5, 52}, {6, 53}, {7, 54}});  // x is the longitude, whatever EPSG says
+    CHECK(points.degrees);
+    CHECK(points.crs->is_wgs84());
+    CHECK(points.remarks == std::vector<std::string>{"1 feature without a geometry"});
+    const PointFile shapes = read_ogr_points(path, "shapes", true);
+    CHECK(shapes.points == std::vector<Point>{{0, 0},
+                                              {1, 0},
+                                              {0, 0},
+                                              {1, 0},
+                                              {1, 1},
+                                              {2, 2},
+                                              {3, 2},
+                                              {4, 4},
+                                              {5, 4},
+                                              {5, 5},
+                                              {9, 9},
+                                              {8, 8},
+                                              {7, 7},
+                                              {8, 8}});
+    const auto refusal = [&](const std::string& arguments) {
+      const Outcome outcome = folder.rbpa("info p.gpkg " + arguments);
+      CHECK(outcome.code == 3);
+      return outcome.err;
+    };
+    CHECK(refusal("") ==
+          "rbpa: p.gpkg: found the layers points, shapes, curves, expected --layer with the name of one\n");
+    CHECK(refusal("--layer x") == "rbpa: p.gpkg: found the layers points, shapes, curves, expected one called 'x'\n");
+    CHECK(refusal("--layer shapes") ==
+          "rbpa: p.gpkg: feature 1: found LINESTRING, expected POINT or MULTIPOINT (--vertices takes the vertices of "
+          "lines "
+          "and polygons)\n");
+    CHECK(refusal("--layer curves --vertices").find("(ogr2ogr -nlt CONVERT_TO_LINEAR makes them)") !=
+          std::string::npos);
+    CHECK(folder.rbpa("info p.gpkg --layer points").out.starts_with("points      3\n"));
+    CHECK(folder.rbpa("info - --format ogr < p.gpkg").code == 2);
+    folder.file("p.xy", corner);
+    CHECK(folder.rbpa("info p.xy --layer a").err ==
+          "rbpa: --layer: found a format without layers, expected one of GDAL\n");
+  }
+
+  TEST_CASE("what is written GDAL reads: geometries to the last bit, numbers, the system") {
+    const Folder folder;
+    folder.file("p.xy", squares);
+    REQUIRE(
+        folder
+            .rbpa("shape p.xy --alpha 1 --crs EPSG:28992 -o s.gpkg -o s.fgb -o s.shp -o s.geojson --isolated i.fgb -q")
+            .code == 0);
+    const json features = json::parse(folder.content("s.geojson"))["features"];
+    for (const Format& format : formats) {
+      CAPTURE(format.driver);
+      const GDALDatasetUniquePtr file = open(folder.path("s." + format.ending));
+      OGRLayer* layer = file->GetLayer(0);
+      CHECK(std::string(layer->GetSpatialRef()->GetAuthorityCode(nullptr)) == "28992");
+      std::map<int, bool> found;
+      while (const OGRFeatureUniquePtr feature{layer->GetNextFeature()}) {
+        const int number = feature->GetFieldAsInteger("number");
+        const json& expected = features[static_cast<std::size_t>(number - 1)];
+        for (const char* name : {"holes", "points"})
+          CHECK(feature->GetFieldAsInteger(name) == expected["properties"][name].get<int>());
+        for (const char* name : {"area", "perimeter"})
+          CHECK(feature->GetFieldAsDouble(name) ==
+                doctest::Approx(expected["properties"][name].get<double>()).epsilon(1e-14));
+        std::vector<Point> ring;
+        for (const json& p : expected["geometry"]["coordinates"][0]) ring.push_back({p[0], p[1]});
+        ring.pop_back();
+        std::sort(ring.begin(), ring.end());
+        CHECK(ring_of(*feature->GetGeometryRef()->toPolygon()->getExteriorRing()) == ring);
+        found[number] = true;
+      }
+      CHECK(found.size() == 2);
+    }
+    CHECK(open(folder.path("s.gpkg"))->GetLayerByName("isolated")->GetFeatureCount() == 2);
+    for (const std::string run : {"s.gpkg --layer isolated", "i.fgb"}) {
+      const Outcome isolated = folder.rbpa("info " + run);
+      CHECK(isolated.out.starts_with(
+          "points      2\ndistinct    2\nduplicates  0\ncrs         EPSG:28992\nbox         x 3 .. 90\n"));
+    }
+    CHECK(folder.rbpa("shape p.xy --alpha 1 --crs EPSG:28992 -o - --output-format fgb -q").out.starts_with("fgb\x03"));
+  }
+
+  TEST_CASE("files appear together or not at all, and nothing is left in their place") {
+    const Folder folder;
+    folder.file("p.xy", squares);
+    REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.shp -q").code == 0);
+    CHECK(folder.names() == std::vector<std::string>{"p.xy", "s.dbf", "s.shp", "s.shx"});
+    CHECK(folder.rbpa("shape p.xy --alpha 1 --crs EPSG:28992 -o t.shp -o /dev/full --output-format wkt -q").code == 1);
+    CHECK_FALSE(folder.has("t.shp"));
+    CHECK_FALSE(folder.has("t.prj"));
+    folder.file("s.prj", "of other coordinates");
+    CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.shp -q").err ==
+          "rbpa: s.prj: found a file that was there before, expected none beside s.shp\n");
+    CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.shp --stats s.dbf").code == 2);
+    CHECK(folder.rbpa("shape p.xy --alpha 1 -o - --output-format shp").code == 2);
+    CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.shp").code == 2);
+    const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 --crs EPSG:1 -o u.gpkg -q");
+    CHECK(unknown.code == 1);
+    CHECK(unknown.err.starts_with("rbpa: cannot write GPKG: --crs EPSG:1: "));
+    CHECK_FALSE(folder.has("u.gpkg"));
+  }
+
+  TEST_CASE("an empty shape is a valid file") {
+    const Folder folder;
+    folder.file("p.xy", "0 0\n1 1\n2 2\n");
+    for (const Format& format : formats) {
+      CAPTURE(format.driver);
+      REQUIRE(folder.rbpa("shape p.xy --alpha 1 -q -o s." + format.ending).code == 0);
+      CHECK(open(folder.path("s." + format.ending))
+                ->GetLayerByName(format.ending == "shp" ? "s" : "polygons")
+                ->GetFeatureCount() == 0);
+    }
+  }
+
+  TEST_CASE("broken files are refused in a line") {
+    const Folder folder;
+    folder.file("p.xy", squares);
+    REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.gpkg -o s.fgb -o s.shp -q").code == 0);
+    for (const std::string name : {"s.gpkg", "s.fgb", "s.shp"}) {
+      const std::string good = folder.content(name);
+      for (const std::size_t size :
+           {std::size_t{0}, std::size_t{3}, std::size_t{50}, good.size() / 2, good.size() - 20}) {
+        CAPTURE(name);
+        CAPTURE(size);
+        folder.file(name, good.substr(0, size));
+        const Outcome outcome =
+            folder.rbpa("info " + name + " --vertices" + (name == "s.gpkg" ? " --layer polygons" : ""));
+        if (outcome.code == 0) {  // a database may have all it needs before its end
+          CHECK(name == "s.gpkg");
+          CHECK(outcome.out.starts_with("points      8\n"));
+          continue;
+        }
+        CHECK(outcome.code == 3);
+        CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+        CHECK(outcome.err.find(": found ") != std::string::npos);
+      }
+    }
+    CHECK(folder.rbpa("info none.gpkg").code == 3);
+  }
+}

@@ -1,0 +1,251 @@
+// What the functions of the page compute, against what `rbpa` says of the same points. Without a browser.
+// usage: node functions.mjs RBPA REPOSITORY
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import vm from "node:vm";
+
+const [rbpa, repository] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), "rbpa-report-"));
+process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
+
+const run = (...options) => execFileSync(rbpa, options, { encoding: "utf8", maxBuffer: 1 << 28 });
+
+/** The scripts as they stand in the page, all but the last, which is the page itself. */
+const page = (() => {
+  const file = join(folder, "p.xy");
+  writeFileSync(file, "0 0\n1 0\n0 1\n");
+  const html = run("report", file, "-o", "-", "-q");
+  const script = html.slice(html.lastIndexOf("<script>") + 8, html.lastIndexOf("</script>"));
+  const begin = script.indexOf("// What: the page: what is chosen");
+  assert(begin > 0);
+  const names = ["decode", "Complex", "Raster", "View", "LogAxis", "polygonsAt", "geojsonOf", "svgOf", "orientation",
+    "longestPairs", "powerOfTenText", "short", "textOf", "freeEdgesInView", "isolatedInView", "noTriangle", "triangleOf",
+    "nextSide"];
+  return vm.runInThisContext(`(() => { ${script.slice(0, begin)}\nreturn { ${names.join(", ")} }; })()`);
+})();
+
+function complexOf(file) {
+  const html = run("report", file, "-o", "-", "-q");
+  return new page.Complex(page.decode((name) => html.match(new RegExp(`id="data-${name}">([^<]*)</script>`))[1]));
+}
+
+let cases = 0;
+function test(name, body) {
+  try {
+    body();
+    ++cases;
+  } catch (error) {
+    console.error(`FAILED: ${name}\n`, error);
+    process.exitCode = 1;
+  }
+}
+
+/** A generator of numbers that is the same everywhere. */
+function random(seed) {
+  let state = seed;
+  return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+}
+
+function file(name, points) {
+  const path = join(folder, name);
+  writeFileSync(path, points.map(([x, y]) => `${x} ${y}`).join("\n") + "\n");
+  return path;
+}
+
+const next = random(3);
+const dataOf = (name) => join(repository, "tests/data", name);
+const sets = {
+  scattered: file("scattered.xy", Array.from({ length: 400 }, () => [next(), next()])),
+  "a grid with gaps": file("grid.xy", Array.from({ length: 300 }, () => [Math.floor(20 * next()), Math.floor(20 * next())])),
+  "far from zero": file("far.xy", Array.from({ length: 200 }, () => [6e5 + 0.01 * Math.floor(900 * next()), 5e6 + 0.01 * Math.floor(900 * next())])),
+  enormous: file("enormous.xy", Array.from({ length: 60 }, () => [(2 * next() - 1) * 1.7e308, (2 * next() - 1) * 1.7e308])),
+  minute: file("minute.xy", Array.from({ length: 60 }, () => [(next() - 0.5) * 3e-322, (next() - 0.5) * 3e-322])),
+  clusters: dataOf("shape_hdbscan_clusterable.xy"),
+  quakes: dataOf("geo_usgs_quakes_week.xy"),
+};
+const complexes = Object.fromEntries(Object.entries(sets).map(([name, path]) => [name, complexOf(path)]));
+
+/** Some steps, the first and the last among them. */
+function stepsOf(complex, most) {
+  const stride = Math.max(1, Math.floor(complex.steps / most));
+  const steps = [];
+  for (let step = 0; step < complex.steps; step += stride) steps.push(step);
+  return [...steps, complex.steps - 1];
+}
+
+for (const [name, complex] of Object.entries(complexes)) {
+  test(`${name}: polygons are those of rbpa shape, and numbers those of rbpa alpha`, () => {
+    const { critical } = JSON.parse(run("alpha", sets[name], "--json", "-q"));
+    assert.equal(complex.steps, critical.length);
+    for (const step of stepsOf(complex, 6)) {
+      const alpha = critical[step].alpha;
+      const numbers = complex.numbersAt(complex.stepAt(alpha === "inf" ? Infinity : alpha));
+      assert.equal(numbers.alpha, alpha === "inf" ? Infinity : alpha);
+      assert.equal(numbers.area, critical[step].area === "inf" ? Infinity : critical[step].area);
+      for (const [ours, theirs] of [["triangles", "triangles"], ["solidComponents", "solid_components"],
+        ["components", "components"], ["holes", "holes"], ["covered", "covered"]])
+        assert.equal(numbers[ours], critical[step][theirs]);
+      const shape = JSON.parse(run("shape", sets[name], "--alpha", String(alpha), "-o", "-", "--output-format", "geojson", "-q"));
+      const mine = JSON.parse(page.geojsonOf(page.polygonsAt(complex, complex.countAt(step)), complex.data.points));
+      assert.equal(mine.features.length, numbers.solidComponents);
+      assert.equal(mine.features.length, shape.features.length);
+      shape.features.forEach((feature, i) => {
+        assert.deepEqual(mine.features[i].geometry, feature.geometry);
+        assert.equal(mine.features[i].properties.holes, feature.properties.holes);
+        for (const measure of ["area", "perimeter"]) {
+          const expected = feature.properties[measure], found = mine.features[i].properties[measure];
+          // What is subnormal has fewer digits.
+          if (expected > 1e-290) assert(Math.abs(found - expected) <= 1e-9 * expected, `${measure} ${found}, ${expected}`);
+        }
+      });
+    }
+  });
+
+  test(`${name}: each living pair lights up a region of its own, and together they are all`, () => {
+    const { pairs } = complex.data;
+    for (const step of stepsOf(complex, 4)) {
+      const seen = new Set();
+      const living = [0, 0];
+      for (let p = 0; p < pairs.count; ++p) {
+        const region = complex.regionOf(p, step);
+        assert.equal(region !== null, complex.isAlive(p, step));
+        if (region === null) continue;
+        ++living[pairs.dimension[p]];
+        for (const t of region) {
+          assert.equal(t < complex.countAt(step), pairs.dimension[p] === 0);
+          assert(!seen.has(t));
+          seen.add(t);
+        }
+        const one = region[region.length >> 1];
+        if (p % 17 === 0) assert.equal(complex.pairAt(one, step), p);
+        if (region.length > 1) assert.equal(complex.regionOf(p, step, region.length - 1), null);
+      }
+      const numbers = complex.numbersAt(step);
+      assert.deepEqual(living, [numbers.components, numbers.holes]);
+      for (let t = 0; t < complex.countAt(step); ++t) assert(seen.has(t));
+      // What is in no region hangs together with the outside.
+      for (let t = complex.countAt(step); t < complex.size; t += 31) if (!seen.has(t)) assert.equal(complex.pairAt(t, step), -1);
+    }
+  });
+
+  if (complex.size < 1500) test(`${name}: a pixel has the triangle that its centre is in`, () => {
+    const view = new page.View(complex.data.points);
+    view.resize(61, 47);
+    view.fit();
+    for (const zoom of [1, 1.7, 9]) {
+      view.zoom(zoom, 13, 29);
+      view.project();
+      const raster = new page.Raster(61, 47);
+      raster.lay(complex, view.x, view.y, 1);
+      const side = (a, b, x, y) => (view.x[b] - view.x[a]) * (y - view.y[a]) - (view.y[b] - view.y[a]) * (x - view.x[a]);
+      for (let row = 0; row < 47; ++row)
+        for (let column = 0; column < 61; ++column) {
+          const [x, y] = [column + 0.5, row + 0.5];
+          let strictly = -1;
+          const near = new Set([-1]);
+          for (let t = 0; t < complex.size; ++t) {
+            const [a, b, c] = complex.triangles.subarray(3 * t, 3 * t + 3);
+            const signs = [side(a, b, x, y), side(b, c, x, y), side(c, a, x, y)];
+            const size = 1e-9 * (1 + Math.max(...signs.map(Math.abs)));
+            if (signs.every((s) => s < -size)) strictly = t;
+            if (signs.every((s) => s < size)) near.add(t);
+          }
+          const found = raster.at(column, row);
+          if (strictly >= 0) assert.equal(found, strictly);
+          else assert(near.has(found));
+        }
+      const pixels = new Uint32Array(61 * 47);
+      const colours = { paper: 1, fill: 2, line: 3, isolated: 4, lit: 5, litGap: 6 };
+      const count = complex.countAt(complex.steps >> 1);
+      const marked = new Uint8Array(complex.size);
+      marked[raster.at(30, 23)] = 1;
+      raster.paint(pixels, count, marked, colours, { outline: false, dots: false });
+      pixels.forEach((colour, i) => {
+        const t = raster.triangle[i];
+        if (t === page.noTriangle) assert.equal(colour, 1);
+        else if (marked[t] === 1) assert.equal(colour, t < count ? 5 : 6);
+        else assert.equal(colour, t < count ? 2 : 1);
+      });
+    }
+  });
+
+  test(`${name}: sides, points and edges are what the full complex has`, () => {
+    for (let side = 0; side < complex.twin.length; ++side) {
+      const twin = complex.twin[side];
+      if (twin < 0) continue;
+      assert.equal(complex.twin[twin], side);
+      assert.equal(complex.triangles[twin], complex.triangles[page.nextSide(side)]);
+      assert.equal(complex.triangles[page.nextSide(twin)], complex.triangles[side]);
+    }
+    const view = new page.View(complex.data.points);
+    view.resize(100, 100);
+    view.fit();
+    view.project();
+    for (const step of stepsOf(complex, 4)) {
+      const numbers = complex.numbersAt(step);
+      assert.equal(page.isolatedInView(complex, view, numbers.triangles).length, numbers.isolated);
+      const alpha = numbers.alpha === Infinity ? "inf" : String(numbers.alpha);
+      const stats = join(folder, "stats.json");
+      run("mesh", sets[name], "--alpha", alpha, "--complex", "full", "--stats", stats, "-q");
+      assert.equal(page.freeEdgesInView(complex, view, step).length, JSON.parse(readFileSync(stats)).dangling_edges);
+    }
+  });
+}
+
+test("orientation is exact", () => {
+  const points = Float64Array.from([0, 0, 12, 12, 24, 24, 0.5, 0.5 + 2 ** -53, 0.5, 0.5, 1e308, 1e308, -1e308, 1e308, 5e-324, 0, 0, 5e-324]);
+  assert.equal(page.orientation(points, 0, 1, 2), 0);
+  assert(page.orientation(points, 0, 1, 3) > 0);
+  assert(page.orientation(points, 3, 1, 2) > 0);
+  assert.equal(page.orientation(points, 4, 1, 2), 0);
+  assert(page.orientation(points, 0, 5, 6) > 0);
+  assert(page.orientation(points, 0, 6, 5) < 0);
+  assert(page.orientation(points, 0, 7, 8) > 0);
+  assert(page.orientation(points, 0, 8, 7) < 0);
+});
+
+test("text of numbers reads back, zero with its sign; what is no number is null", () => {
+  for (const value of [0, -0, 0.1, 1e21, 5e-324, -1.7976931348623157e308])
+    assert(Object.is(JSON.parse(page.textOf(value)), value));
+  assert.equal(page.textOf(Infinity), "null");
+  assert.equal(page.textOf(NaN), "null");
+});
+
+test("an axis and its ticks agree, up to the ends of the range of double", () => {
+  for (const radii of [[0.05, 3, 200], [5e-324, 1e308], [2], [], [1e-300, Infinity], [1e300, 1e301]]) {
+    const axis = page.LogAxis.of(Float64Array.from(radii), Infinity, 40, 400);
+    for (const radius of radii.filter(Number.isFinite)) {
+      assert(axis.at(radius) >= 40 && axis.at(radius) <= 400);
+      const back = axis.radiusAt(axis.at(radius));
+      if (radius > 1e-307) assert(Math.abs(back / radius - 1) < 1e-9);
+    }
+    const ticks = axis.ticks(6);
+    assert(ticks.length >= 2 && ticks.length <= 8);
+    for (const power of ticks) assert(!/NaN|undefined/.test(page.powerOfTenText(power)));
+  }
+  assert.deepEqual([-1, 0, 1, 3, 5, 7, -5].map(page.powerOfTenText), ["0.1", "1", "10", "1000", "100000", "1e7", "1e-5"]);
+});
+
+test("the longest pairs come first", () => {
+  const complex = complexes.clusters;
+  for (const dimension of [0, 1]) {
+    const { radii, pairs } = complex.data;
+    const ratio = (p) => (pairs.death[p] === radii.length ? Infinity : radii[pairs.death[p]] / radii[pairs.birth[p]]);
+    const longest = page.longestPairs(complex, dimension, 8);
+    assert.equal(longest.length, 8);
+    const rest = [...pairs.dimension.keys()].filter((p) => pairs.dimension[p] === dimension && !longest.includes(p));
+    for (const p of longest) for (const q of rest) assert(ratio(p) >= ratio(q) * (1 - 1e-12));
+  }
+});
+
+test("data that are cut off are refused", () => {
+  const html = run("report", sets.scattered, "-o", "-", "-q");
+  const text = (name) => html.match(new RegExp(`id="data-${name}">([^<]*)</script>`))[1].replace(/\s/g, "");
+  for (const broken of ["triangles", "counts", "free-edges", "pairs"])
+    assert.throws(() => page.decode((name) => (name === broken ? text(name).slice(0, 400) : text(name))), RangeError);
+});
+
+console.log(`${cases} tests passed`);
