@@ -105,6 +105,8 @@ def test_a_pickle_finds_the_same():
     queries = uniform(100, 3)
     found = of.find_simplex(queries)
     again = pickle.loads(pickle.dumps(of))
+    for name in ("simplices", "neighbors", "convex_hull", "duplicates"):
+        assert not getattr(again, name).flags.writeable
     assert np.array_equal(again.simplices, of.simplices) and np.array_equal(again.find_simplex(queries), found)
 
 

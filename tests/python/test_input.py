@@ -26,7 +26,9 @@ QUARTERS = np.round(POINTS * 4096) / 4096  # float32 has these
     ids=["list", "fortran", "strided rows", "strided columns", "negative strides", "big endian", "unaligned"],
 )
 def test_the_same_points_in_another_form_are_the_same(given):
-    assert np.array_equal(rbpa.alpha_shape(given, 0.1).simplices, EXPECTED)
+    shape = rbpa.alpha_shape(given, 0.1)
+    assert np.array_equal(shape.simplices, EXPECTED)
+    assert shape.points.flags.aligned and shape.points.flags.c_contiguous and shape.points.dtype == np.dtype("=f8")
 
 
 def test_other_numbers_are_converted_exactly():

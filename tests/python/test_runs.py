@@ -110,11 +110,17 @@ def _count(points: np.ndarray) -> int:
     return rbpa.Delaunay(points).nsimplex
 
 
+def _default_threads(_: int) -> int:
+    return rbpa._input.as_threads(None)
+
+
 def test_a_forked_child_computes_too():
     points = MANY[:100_000]
     expected = _count(points)
     with multiprocessing.get_context("fork").Pool(2) as pool:
         assert pool.map_async(_count, [points] * 3).get(timeout=60) == [expected] * 3
+        assert pool.map_async(_default_threads, [0]).get(timeout=60) == [1]  # 0, for all, in its parent
+    assert _default_threads(0) == 0
 
 
 def test_the_end_of_python_does_not_wait_for_anything():
