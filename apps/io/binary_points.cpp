@@ -55,8 +55,7 @@ std::vector<Point> load_points(const PointArray& array, const std::string& name)
 }
 
 std::vector<Point> read_raw_points(std::string_view bytes, const std::string& name) {
-  if (bytes.size() % 16 != 0)
-    bad_input(name, counted(bytes.size(), "byte"), "a multiple of 16 (pairs of float64)");
+  if (bytes.size() % 16 != 0) bad_input(name, counted(bytes.size(), "byte"), "a multiple of 16 (pairs of float64)");
   return load_points(
       {bytes.size() / 16, bytes.data(), bytes.data() + 8, 16, Scalar::float64, Scalar::float64, std::endian::little},
       name);
