@@ -96,7 +96,7 @@ class Page {
     const birth = radii[pairs.birth[pair]];
     if (pairs.death[pair] === radii.length) return `from ${short(birth)}, never ends`;
     const death = radii[pairs.death[pair]];
-    return `${short(birth)} – ${short(death)} (× ${short(death / birth)})`;
+    return `${short(birth)} – ${short(death)} (×\u00a0${short(death / birth)})`;
   }
 
   listPairs(id, dimension) {

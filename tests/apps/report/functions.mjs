@@ -169,6 +169,17 @@ for (const [name, complex] of Object.entries(complexes)) {
         else if (marked[t] === 1) assert.equal(colour, t < count ? 5 : 6);
         else assert.equal(colour, t < count ? 2 : 1);
       });
+      // Just before and just after the first triangle at a point has come.
+      const p = complex.firstAt.findIndex((first, p) => first > 0 && view.x[p] > 2 && view.x[p] < 59 && view.y[p] > 2 && view.y[p] < 45);
+      if (p < 0) continue;
+      const at = Math.floor(view.y[p]) * 61 + Math.floor(view.x[p]);
+      const alone = new page.Raster(61, 47);
+      alone.layDot(complex.firstAt[p] + 1, view.x[p], view.y[p], 1);
+      for (const [then, colour] of [[complex.firstAt[p], 4], [complex.firstAt[p] + 1, 1]]) {
+        alone.triangle.fill(page.noTriangle);
+        alone.paint(pixels, then, null, colours, { outline: false, dots: true });
+        assert.deepEqual([pixels[at], pixels[at + 1], pixels[at - 61], pixels[at + 2]], [colour, colour, colour, 1]);
+      }
     }
   });
 
