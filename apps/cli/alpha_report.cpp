@@ -166,18 +166,22 @@ std::string table_of(const AlphaReport& report) {
 
 }  // namespace
 
-std::string why_recommended(const std::vector<Plateau>& plateaus) {
-  const Plateau& best = plateaus.front();
+std::optional<Recommendation> recommended(const AlphaReport& report) {
+  if (report.plateaus.empty()) return std::nullopt;
+  const Plateau& best = report.plateaus.front();
   const std::string from = rounded(best.from), factor = "a factor of " + rounded(best.ratio);
   const std::string up_to = best.to ? " up to " + rounded(*best.to) : " from there on";
-  if (!best.is_long)
-    return "no range stands out: the longest over which parts and holes hardly change is " + factor +
-           ", which chance may give so few points";
+  if (!best.is_long && report.least_connected)
+    return Recommendation{"auto", *report.least_connected,
+                          "no range of alpha stands out: the longest over which parts and holes hardly change is " +
+                              factor + ", which chance may give so few points"};
   if (best.kind == PlateauKind::one_piece)
-    return "from " + from + " on one part holds nearly all points that are covered, and it hardly changes" + up_to +
-           ", " + factor;
-  return "from " + from + up_to + ", " + factor + ", " + counted(best.step.solid_components, "part") + " and " +
-         counted(best.step.holes, "hole") + " hardly change";
+    return Recommendation{"plateau", best.alpha,
+                          "from " + from + " on one part holds nearly all points that are covered, and it hardly " +
+                              "changes" + up_to + ", " + factor};
+  return Recommendation{"plateau", best.alpha,
+                        "from " + from + up_to + ", " + factor + ", " + counted(best.step.solid_components, "part") +
+                            " and " + counted(best.step.holes, "hole") + " hardly change"};
 }
 
 std::string for_people(const AlphaReport& report) {
@@ -200,9 +204,10 @@ std::string for_people(const AlphaReport& report) {
     const auto components = static_cast<std::ptrdiff_t>(report.pairs->size()) - holes;
     text += "pairs     " + std::to_string(components) + " of components, " + std::to_string(holes) + " of holes\n";
   }
-  if (report.plateaus.empty()) return text;
-  return text + "\n" + table_of(report) + "\nRecommended: --alpha plateau, which is " +
-         text_of(report.plateaus.front().alpha) + ":\n" + why_recommended(report.plateaus) + ".\n";
+  const std::optional<Recommendation> best = recommended(report);
+  if (!best) return text;
+  return text + "\n" + table_of(report) + "\nRecommended: --alpha " + best->choice + ", which is " +
+         text_of(best->alpha) + ":\n" + best->why + ".\n";
 }
 
 void write_json(OutputFile& out, const AlphaReport& report) {
@@ -211,12 +216,12 @@ void write_json(OutputFile& out, const AlphaReport& report) {
   out.write(",\n  \"min\": ");
   write_value(out, report.least_covering);
   out.write(",\n  \"recommended\": ");
-  if (report.plateaus.empty()) {
-    out.write("null");
+  if (const std::optional<Recommendation> best = recommended(report)) {
+    out.write("{\"choice\": \"" + best->choice + "\", \"alpha\": ");
+    write_value(out, best->alpha);
+    out.write(", \"why\": \"" + best->why + "\"}");
   } else {
-    out.write("{\"choice\": \"plateau\", \"alpha\": ");
-    write_value(out, report.plateaus.front().alpha);
-    out.write(", \"why\": \"" + why_recommended(report.plateaus) + "\"}");
+    out.write("null");
   }
   write_array(out, "plateaus", report.plateaus);
   write_array(out, "critical", report.filtration.steps);

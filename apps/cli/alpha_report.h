@@ -24,8 +24,15 @@ struct AlphaReport {
   std::optional<std::vector<PersistencePair>> pairs = std::nullopt;
 };
 
-/// Why the first of the plateaus is recommended: a sentence. Requires: there is one.
-std::string why_recommended(const std::vector<Plateau>& plateaus);
+/// A choice that --alpha takes, its radius, and why: the best plateau, or "auto" where none is long.
+struct Recommendation {
+  std::string choice;
+  double alpha;
+  std::string why;
+};
+
+/// Nothing where the points have no triangle, or plateaus were not asked for.
+std::optional<Recommendation> recommended(const AlphaReport& report);
 
 /// For people: the radii by name, and a table of the choices there are.
 std::string for_people(const AlphaReport& report);

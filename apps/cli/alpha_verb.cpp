@@ -63,6 +63,12 @@ AlphaReport examine(const std::vector<Point>& points, const Request& request, co
   return report;
 }
 
+FiltrationPlot plot_of(const AlphaReport& report) {
+  FiltrationPlot plot{report.filtration.steps, *report.pairs, report.least_covering, report.least_connected};
+  if (!report.plateaus.empty()) plot.plateau = report.plateaus.front();
+  return plot;
+}
+
 void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arguments) {
   if (arguments.json)
     write_json(out, report);
@@ -78,7 +84,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 void run_alpha(const AlphaArguments& arguments) {
   const Request request{.most_components = parse_components(arguments.components),
                         .cover = arguments.cover ? parse_cover(*arguments.cover) : 1,
-                        .with_plateaus = !arguments.csv,
+                        .with_plateaus = !arguments.csv || arguments.picture,
                         .with_pairs = arguments.persistence || arguments.picture,
                         .kind = parse_complex(arguments)};
   const RunOptions run = parse_run(arguments.run);
@@ -102,7 +108,7 @@ void run_alpha(const AlphaArguments& arguments) {
   OutputFile* stats_file = arguments.stats ? &files.add(*arguments.stats) : nullptr;
   std::optional<ProgressLine> line(std::in_place, "rbpa", !run.quiet && !written_to_terminal(outputs), "writing");
   if (picture) {
-    picture->write(svg_of({report.filtration.steps, *report.pairs, report.least_covering, report.least_connected}));
+    picture->write(svg_of(plot_of(report)));
     picture->finish();
     if (!arguments.persistence) report.pairs.reset();
   }

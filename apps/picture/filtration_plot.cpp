@@ -98,9 +98,16 @@ void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, con
 void draw_mark(std::string& svg, const Axis& x, const std::optional<double>& alpha, const std::string& name, int y) {
   if (!alpha) return;
   const int at = x.at(std::log10(*alpha));
-  // Below the labels of both marks.
+  // Below the labels of all marks.
   line(svg, at, curves_top - 10, at, curves_bottom, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
   text(svg, at, y, name + " = " + number(*alpha), at < 200 ? "start" : at > 700 ? "end" : "middle");
+}
+
+void draw_band(std::string& svg, const Axis& x, const Plateau& plateau) {
+  const int from = x.at(std::log10(plateau.from)), to = plateau.to ? x.at(std::log10(*plateau.to)) : right;
+  svg += "<rect x=\"" + std::to_string(from) + "\" y=\"" + std::to_string(curves_top) + "\" width=\"" +
+         std::to_string(to - from) + "\" height=\"" + std::to_string(curves_bottom - curves_top) +
+         "\" fill=\"#e6f0f9\"/>\n";
 }
 
 void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
@@ -117,6 +124,7 @@ void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   for (const FiltrationStep& step : plot.steps)
     for (const Series& series : all) most = std::max(most, step.*series.count);
   const Axis y{0, std::log10(1 + static_cast<double>(most)), curves_bottom, curves_top};
+  if (plot.plateau) draw_band(svg, x, *plot.plateau);
   draw_frame(svg, x, curves_top, curves_bottom, "alpha");
   text(svg, left - 8, curves_bottom + 5, "0", "end");
   for (double t = 1; t <= static_cast<double>(most); t *= 10) {
@@ -132,6 +140,7 @@ void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
     text(svg, right + 42, row, series.name, "start");
     row += 24;
   }
+  if (plot.plateau) draw_mark(svg, x, plot.plateau->alpha, "plateau", 18);
   draw_mark(svg, x, plot.least_covering, "min", 40);
   draw_mark(svg, x, plot.least_connected, "auto", 62);
 }

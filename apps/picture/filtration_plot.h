@@ -8,14 +8,16 @@
 
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
+#include "rbpa/filtration/plateaus.h"
 
 namespace rbpa::app {
 
 struct FiltrationPlot {
   std::span<const FiltrationStep> steps;
   std::span<const PersistencePair> pairs;
-  std::optional<double> least_covering;   ///< marked "min"
-  std::optional<double> least_connected;  ///< marked "auto"
+  std::optional<double> least_covering;           ///< marked "min"
+  std::optional<double> least_connected;          ///< marked "auto"
+  std::optional<Plateau> plateau = std::nullopt;  ///< a band, and its alpha marked "plateau"
 };
 
 /// A whole SVG file.

@@ -8,6 +8,7 @@
 #include "picture/filtration_plot.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
+#include "rbpa/filtration/plateaus.h"
 
 namespace figures {
 namespace {
@@ -43,8 +44,9 @@ std::string filtration_plot() {
   const rbpa::SolidAlphaComplex delaunay = rbpa::rbpa(points, std::numeric_limits<double>::infinity());
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
   const auto pairs = rbpa::persistence(delaunay, points, filtration);
-  return rbpa::app::svg_of(
-      {filtration.steps, pairs, rbpa::smallest_covering(filtration), rbpa::smallest_covering(filtration, 1)});
+  return rbpa::app::svg_of({filtration.steps, pairs, rbpa::smallest_covering(filtration),
+                            rbpa::smallest_covering(filtration, 1),
+                            rbpa::plateaus(delaunay, points, filtration).front()});
 }
 
 }  // namespace

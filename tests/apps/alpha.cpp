@@ -141,6 +141,9 @@ TEST_SUITE("alpha") {
     CHECK(picture == folder.content("q.svg"));
     CHECK(picture.find(">min = 10<") != std::string::npos);
     CHECK(picture.find(">auto = ") != std::string::npos);
+    CHECK(picture.find(">plateau = ") != std::string::npos);
+    REQUIRE(folder.rbpa("alpha p.xy -q --csv -o csv.svg").code == 0);
+    CHECK(picture == folder.content("csv.svg"));
     CHECK(picture.ends_with("</svg>\n"));
   }
 

@@ -122,7 +122,8 @@ TEST_SUITE("alpha plateau") {
     CHECK(folder.rbpa("alpha ring.xy -q").out.ends_with(", 1 part and 1 hole hardly change.\n"));
   }
 
-  TEST_CASE("where nothing stands out that is said, and points without a triangle have no plateau") {
+  TEST_CASE(
+      "where nothing stands out that is said and auto recommended, and points without a triangle have no plateau") {
     const Folder folder;
     folder.file("p.xy", "0 0\n6 0\n0 8\n");
     const Json one = report_of(folder, "p.xy");
@@ -130,7 +131,15 @@ TEST_SUITE("alpha plateau") {
     CHECK(one["plateaus"][0]["alpha"] == 5.0);
     CHECK(one["plateaus"][0]["to"].is_null());
     CHECK(one["plateaus"][0]["long"] == false);
-    CHECK(one["recommended"]["why"].get<std::string>().starts_with("no range stands out: "));
+    CHECK(one["recommended"]["why"].get<std::string>().starts_with("no range of alpha stands out: "));
+    CHECK(one["recommended"]["choice"] == "auto");
+    CHECK(one["recommended"]["alpha"] == 5.0);
+    folder.file("few.xy", "0 0\n1 0\n0 1\n3 0\n3 2\n");
+    const Json few = report_of(folder, "few.xy");
+    CHECK(few["recommended"]["choice"] == "auto");
+    CHECK(few["recommended"]["alpha"] == few["auto"]);
+    CHECK(few["plateaus"][0]["alpha"] < few["auto"]);
+    CHECK(folder.rbpa("alpha few.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
     for (const char* none : {"# none\n", "1 1\n1 1\n1 1\n", "0 0\n1 1\n3 3\n"}) {
       folder.file("none.xy", none);
       const Json report = report_of(folder, "none.xy");

@@ -132,7 +132,8 @@ void rank(std::vector<Plateau>& plateaus, std::size_t distinct) {
   };
   const auto key = [&](const Plateau& p) {
     const bool leaves_out = !p.is_long && !is_share(p.step.covered, distinct, most);
-    return std::tuple(tier(p), leaves_out, -p.ratio, p.from);
+    const double covered = static_cast<double>(p.step.covered) / static_cast<double>(distinct);
+    return std::tuple(tier(p), leaves_out, -(p.ratio - 1) * covered, p.from);
   };
   std::sort(plateaus.begin(), plateaus.end(), [&](const Plateau& a, const Plateau& b) { return key(a) < key(b); });
 }

@@ -2,7 +2,7 @@
 //         complex hardly change; and in each an alpha to choose.
 // Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
 //         change it by as much as their share of the points.
-// Cost:   two sorts of the triangles; the rest is near-linear. About as long as the filtration.
+// Cost:   a sort of the triangles; the rest is near-linear. About as long as the filtration.
 // Source: docs/which_alpha.md. Longest is most persistent: Edelsbrunner, Letscher, Zomorodian (2002); Betti curves that
 //         stand still mark the scale of a sample: Robins, Meiss, Bradley (1998).
 #pragma once
@@ -31,10 +31,9 @@ struct Plateau {
   std::optional<double> to = std::nullopt;  ///< absent: it is the last, and has no end
   double ratio = 1;  ///< to / from, its persistence; of the last, to half the diagonal of the points' box, at least 1
   double alpha = 0;  ///< in it, the one to choose: √(from · to), but at most plateau_settles · from
-  FiltrationStep step = {};  ///< the complex at `alpha`
-  double effective_parts =
-      1;  ///< there, Hill's number of order 2: (Σ nᵢ)² / Σ nᵢ², nᵢ vertices in each solid component
-  double hole_share = 0;                      ///< there, area of holes / area of complex and holes
+  FiltrationStep step = {};    ///< the complex at `alpha`
+  double effective_parts = 1;  ///< there, (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component
+  double hole_share = 0;       ///< there, area of holes / area of complex and holes
   PlateauKind kind = PlateauKind::one_piece;  ///< there
   bool is_long = false;  ///< its ratio is more than that which points without any structure reach by chance
   friend bool operator==(const Plateau&, const Plateau&) = default;
@@ -43,12 +42,13 @@ struct Plateau {
 /// How far above the beginning of a plateau an alpha is chosen at most.
 inline constexpr double plateau_settles = 2;
 
-/// The best first, at most eight. Structured and long ones come first, the longest of them first; then the least that is
-/// in one piece and long; then all others, by ratio. Each begins where at least half of the points are covered.
-/// Within a plateau the *change* of the shape grows by at most a tenth; every range that is not longer than 1.25 times its
-/// beginning is left out, but for the last. The change at alpha is the product P · H · ⁸√E of
+/// The best first, at most eight: long ones that are structured, below the first long one in one piece; then that one, and
+/// long structured ones above it; then all others. Within each group by (ratio − 1) · share of points covered, descending.
+/// Each begins where at least half of the points are covered.
+/// Within a plateau the *change* of the shape grows by at most a tenth. Ranges with a ratio below 1.25 are left out, unless
+/// there is no other. The change at alpha is the product P · H · ⁸√E of
 ///   P  Σ nᵢ², the greatest so far: how probable it is that two points are in one part;
-///   H  the product of all steps of the share of holes, up or down, each as a factor ≥ 1 of 1 − hole_share;
+///   H  the product of all steps of 1 − hole_share so far, each, up or down, as a factor ≥ 1;
 ///   E  the area of complex and holes, whose root lets it double, nearly, within a plateau.
 /// Returns:  none when there is no triangle.
 /// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).

@@ -103,6 +103,7 @@ std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span
     ordered_areas[i] = areas[order[i]];
     if (i > 0) step_of[i] = step_of[i - 1] + (alpha[order[i]] != alpha[order[i - 1]]);
   }
+  areas = std::vector<Wide>();
   const std::vector<Wide> enclosed = enclosed_areas(cells, step_of, ordered_areas, pulse);
 
   // Flat triangles may have no area that can be told.

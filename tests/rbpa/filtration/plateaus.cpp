@@ -357,7 +357,10 @@ TEST_CASE("parts that become one piece come first, then that piece and what clos
     };
     for (std::size_t i = 0; i + 1 < plateaus.size(); ++i) {
       CHECK(place(plateaus[i]) <= place(plateaus[i + 1]));
-      if (place(plateaus[i]) == place(plateaus[i + 1])) CHECK(plateaus[i].ratio >= plateaus[i + 1].ratio);
+      const auto weight = [&](const Plateau& p) {
+        return (p.ratio - 1) * (static_cast<double>(p.step.covered) / static_cast<double>(distinct));
+      };
+      if (place(plateaus[i]) == place(plateaus[i + 1])) CHECK(weight(plateaus[i]) >= weight(plateaus[i + 1]));
       above += place(plateaus[i]) == 1 && place(plateaus[i + 1]) == 1;
       second_piece += place(plateaus[i]) == 1 && place(plateaus[i + 1]) == 2 && plateaus[i + 1].is_long &&
                       plateaus[i + 1].ratio > plateaus[i].ratio;
