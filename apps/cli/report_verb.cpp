@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "cli/alpha_choice.h"
@@ -30,35 +31,44 @@ void check_output(const std::string& output) {
     throw WrongUsage(output + ": found the ending " + in_quotes(found) + ", expected html");
 }
 
-/// Fills in what follows from the points.
-void examine(Report& report, const std::vector<Point>& points, const RunOptions& run) {
+/// What is to be said of the points, and what is to be drawn.
+Report examine(const std::string& source, const std::vector<Point>& points, AlphaReport radii, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
   {
     const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
-    report.filtration = filtration(delaunay, points, until_interrupted());
+    radii.filtration = filtration(delaunay, points, until_interrupted());
   }
   stop_if_interrupted();
   const auto least = [&](std::optional<std::size_t> most_components) {
-    return smallest_covering(delaunay, report.filtration, {report.cover, most_components}, until_interrupted());
+    return smallest_covering(delaunay, radii.filtration, {radii.cover, most_components}, until_interrupted());
   };
-  report.least_covering = least(std::nullopt);
-  report.least_connected = least(report.most_components);
+  radii.least_covering = least(std::nullopt);
+  radii.least_connected = least(radii.most_components);
   {
     const ProgressLine line("rbpa", !run.quiet, "plateaus");
-    report.plateaus = plateaus(delaunay, points, report.filtration, until_interrupted());
-    if (!report.plateaus.empty()) report.why_recommended = why_recommended(report.plateaus);
+    radii.plateaus = plateaus(delaunay, points, radii.filtration, until_interrupted());
   }
+  Report report{.source = source,
+                .points = points.size(),
+                .most_components = radii.most_components,
+                .cover = radii.cover,
+                .least_covering = radii.least_covering,
+                .least_connected = radii.least_connected,
+                .plateaus = radii.plateaus};
+  if (const std::optional<Recommendation> best = recommended(radii))
+    report.recommended = {best->choice, best->alpha, best->why};
+  report.filtration = std::move(radii.filtration);
   const ProgressLine line("rbpa", !run.quiet, "persistence");
   report.arrays = filtration_arrays(delaunay, points, report.filtration, until_interrupted());
+  return report;
 }
 
 }  // namespace
 
 void run_report(const ReportArguments& arguments) {
   const std::string& path = arguments.points;
-  Report report{.source = path == "-" ? "standard input" : std::filesystem::path(path).filename().string(),
-                .most_components = parse_components(arguments.components),
-                .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
+  const AlphaReport asked{.most_components = parse_components(arguments.components),
+                          .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
   const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   check_output(arguments.output);
@@ -68,8 +78,8 @@ void run_report(const ReportArguments& arguments) {
   Stopwatch watch;
   const std::vector<Point> points = read(source, run.quiet).points;
   Stats stats{.read_seconds = watch.lap()};
-  report.points = points.size();
-  examine(report, points, run);
+  const std::string source_name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+  const Report report = examine(source_name, points, asked, run);
   stats.build_seconds = watch.lap();
 
   OutputSet files;

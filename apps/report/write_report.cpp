@@ -50,6 +50,11 @@ Json as_json(const std::vector<Plateau>& plateaus) {
   return list;
 }
 
+Json as_json(const std::optional<Report::Recommended>& recommended) {
+  if (!recommended) return nullptr;
+  return {{"choice", recommended->choice}, {"alpha", radius(recommended->alpha)}, {"why", recommended->why}};
+}
+
 /// What is no array. No text in it can end its element.
 std::string facts(const Report& report) {
   const auto& pairs = report.arrays.pairs;
@@ -68,7 +73,7 @@ std::string facts(const Report& report) {
                       {"auto", radius(report.least_connected)},
                       {"cover", report.cover},
                       {"plateaus", as_json(report.plateaus)},
-                      {"why", report.why_recommended}};
+                      {"recommended", as_json(report.recommended)}};
   std::string text = facts.dump(2);
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
   return text;

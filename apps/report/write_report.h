@@ -16,14 +16,21 @@
 namespace rbpa::app {
 
 struct Report {
-  std::string source;                                    ///< where the points come from, as people call it
-  std::size_t points = 0;                                ///< with repetitions
-  std::size_t most_components = 1;                       ///< at "auto"
-  double cover = 1;                                      ///< share of the points, of the next two
-  std::optional<double> least_covering = std::nullopt;   ///< "min"
-  std::optional<double> least_connected = std::nullopt;  ///< "auto"
-  std::vector<Plateau> plateaus = {};                    ///< the best first
-  std::string why_recommended = {};                      ///< of the first of them
+  /// A choice that --alpha takes, its radius, and a sentence without its full stop.
+  struct Recommended {
+    std::string choice;
+    double alpha;
+    std::string why;
+  };
+
+  std::string source;                                     ///< where the points come from, as people call it
+  std::size_t points = 0;                                 ///< with repetitions
+  std::size_t most_components = 1;                        ///< at "auto"
+  double cover = 1;                                       ///< share of the points, of the next two
+  std::optional<double> least_covering = std::nullopt;    ///< "min"
+  std::optional<double> least_connected = std::nullopt;   ///< "auto"
+  std::vector<Plateau> plateaus = {};                     ///< the best first
+  std::optional<Recommended> recommended = std::nullopt;  ///< none where there is no triangle
   Filtration filtration = {};
   FiltrationArrays arrays = {};
 };

@@ -39,8 +39,8 @@ class Page {
     this.listPairs("component-pairs", 0);
     this.listen();
     this.resize();
-    const { plateaus } = this.complex.data;
-    if (plateaus.length > 0) this.goToAlpha(plateaus[0].alpha);
+    const { recommended } = this.complex.data.facts;
+    if (recommended !== null) this.goToAlpha(radiusOf(recommended.alpha));
     else this.goTo(this.complex.steps - 1);
   }
 
@@ -72,7 +72,7 @@ class Page {
     const choices = plateaus.slice(0, mostPlateaus).map(({ alpha, from, to }, i) => [
       i === 0 ? "plateau" : `plateau:${i + 1}`,
       alpha,
-      `the shape hardly changes from ${short(from)} to ${short(to)}${i === 0 ? ", recommended" : ""}`,
+      `the shape hardly changes from ${short(from)} to ${short(to)}`,
     ]);
     choices.push(["min", min, `the least alpha that covers ${share}`]);
     choices.push(["auto", auto, `the least alpha that covers ${share} in at most ${most} solid component${most === 1 ? "" : "s"}`]);
@@ -88,7 +88,9 @@ class Page {
       element("choices").append(button);
       this.choiceButtons.push({ button, alpha });
     }
-    if (plateaus.length > 0) element("why").textContent = `Recommended: plateau, ${short(plateaus[0].alpha)}: ${facts.why}.`;
+    const { recommended } = facts;
+    if (recommended !== null)
+      element("why").textContent = `Recommended: ${recommended.choice}, ${short(radiusOf(recommended.alpha))}: ${recommended.why}.`;
   }
 
   lifeOf(pair) {
