@@ -129,10 +129,10 @@ def main() -> None:
         else:
             print(f"{name:30} {median[name]:8.3f} s, least {min(seconds[name]):8.3f} s  {ratio}")
     if given.plot:
-        draw(median, given.plot)
+        draw(median, "seconds of the processor" if given.processor else "seconds", given.plot)
 
 
-def draw(median: dict[str, float], file: str) -> None:
+def draw(median: dict[str, float], unit: str, file: str) -> None:
     import matplotlib
 
     matplotlib.use("Agg")
@@ -142,7 +142,7 @@ def draw(median: dict[str, float], file: str) -> None:
     names = list(median)[::-1]
     bars = axes.barh(names, [median[n] for n in names], color=["#9ecae1" if n[0] in "rC" else "#cccccc" for n in names])
     axes.bar_label(bars, [f" {median[n]:.3g} s" for n in names])
-    axes.set(xscale="log", xlabel="seconds")
+    axes.set(xlabel=unit)
     axes.spines[["top", "right"]].set_visible(False)
     axes.margins(x=0.15)
     figure.savefig(file, dpi=120)
