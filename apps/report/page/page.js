@@ -37,7 +37,7 @@ class Page {
     this.listChoices();
     this.listPairs("hole-pairs", 1);
     this.listPairs("component-pairs", 0);
-    this.listen();
+    listen(this);
     this.resize();
     const { recommended } = this.complex.data.facts;
     if (recommended !== null) this.goToAlpha(radiusOf(recommended.alpha));
@@ -353,138 +353,6 @@ class Page {
     this.held = true;
     change(this.view);
     this.ask("view");
-  }
-
-  listen() {
-    addEventListener("resize", () => this.resize());
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-      this.takeColours();
-      this.drawPlots();
-      this.ask("step");
-    });
-    this.listenToRadius();
-    this.listenToPlots();
-    this.listenToPicture();
-    for (const [id, name] of [["show-edges", "edges"], ["show-isolated", "isolated"], ["show-free-edges", "freeEdges"]])
-      element(id).addEventListener("change", (event) => {
-        this.shown[name] = event.target.checked;
-        this.ask("step");
-      });
-    element("save-geojson").addEventListener("click", () => this.save("geojson", "application/geo+json", this.geojson()));
-    element("save-svg").addEventListener("click", () => this.save("svg", "image/svg+xml", this.svg()));
-  }
-
-  listenToRadius() {
-    const slider = element("slider");
-    slider.addEventListener("input", () => this.goToPosition(Number(slider.value)));
-    const far = () => Math.max(1, Math.round(this.complex.steps / 50));
-    const moves = {
-      ArrowLeft: () => this.step - 1, ArrowDown: () => this.step - 1,
-      ArrowRight: () => this.step + 1, ArrowUp: () => this.step + 1,
-      PageDown: () => this.step - far(), PageUp: () => this.step + far(),
-      Home: () => 0, End: () => this.complex.steps - 1,
-    };
-    slider.addEventListener("keydown", (event) => {
-      if (!(event.key in moves) || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      this.goTo(moves[event.key]());
-    });
-    element("previous").addEventListener("click", () => this.goTo(this.step - 1));
-    element("next").addEventListener("click", () => this.goTo(this.step + 1));
-    element("radius").addEventListener("change", (event) => {
-      const text = event.target.value.trim();
-      const alpha = /^inf(inity)?$/i.test(text) ? Infinity : Number(text);
-      if (text === "" || !(alpha > 0)) {
-        this.tellRadiusError("Expected a radius: a number > 0, or inf.");
-        return;
-      }
-      this.goToAlpha(alpha);
-    });
-  }
-
-  listenToPlots() {
-    const canvas = element("counts-plot");
-    const follow = (event) => {
-      const x = event.clientX - canvas.getBoundingClientRect().left;
-      this.goTo(this.complex.stepAt(this.countsPlot.axis.radiusAt(x)));
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      follow(event);
-    });
-    canvas.addEventListener("pointermove", (event) => event.buttons > 0 && follow(event));
-    element("diagram").addEventListener("click", (event) => {
-      const box = event.target.getBoundingClientRect();
-      this.choosePair(this.diagram.pairNear(event.clientX - box.left, event.clientY - box.top), true);
-    });
-  }
-
-  listenToPicture() {
-    const { canvas } = this;
-    const fingers = new Map();
-    const place = (event) => {
-      const box = canvas.getBoundingClientRect();
-      return { x: (event.clientX - box.left) * this.ratio, y: (event.clientY - box.top) * this.ratio };
-    };
-    let moved = 0;
-    canvas.addEventListener("pointerdown", (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      canvas.classList.add("held");
-      if (fingers.size === 0) moved = 0;
-      fingers.set(event.pointerId, place(event));
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      const before = fingers.get(event.pointerId);
-      if (!before) return;
-      const now = place(event);
-      const others = [...fingers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-      fingers.set(event.pointerId, now);
-      moved += Math.hypot(now.x - before.x, now.y - before.y);
-      if (moved < 4 * this.ratio) return;
-      this.move((view) => {
-        if (others.length === 0) return view.pan(now.x - before.x, now.y - before.y);
-        const [other] = others;
-        const apart = (at) => Math.max(1, Math.hypot(at.x - other.x, at.y - other.y));
-        view.pan((now.x - before.x) / 2, (now.y - before.y) / 2);
-        view.zoom(apart(now) / apart(before), (now.x + other.x) / 2, (now.y + other.y) / 2);
-      });
-    });
-    const end = (event) => {
-      if (!fingers.delete(event.pointerId)) return;
-      if (fingers.size === 0) canvas.classList.remove("held");
-      if (event.type === "pointerup" && moved < 4 * this.ratio) this.chooseAt(place(event));
-    };
-    canvas.addEventListener("pointerup", end);
-    canvas.addEventListener("pointercancel", end);
-    canvas.addEventListener(
-      "wheel",
-      (event) => {
-        event.preventDefault();
-        const { x, y } = place(event);
-        const pixels = event.deltaMode === 1 ? 30 * event.deltaY : event.deltaY;
-        this.move((view) => view.zoom(Math.exp(-0.002 * Math.max(-300, Math.min(300, pixels))), x, y));
-      },
-      { passive: false },
-    );
-    const middle = (factor) => this.move((view) => view.zoom(factor, view.width / 2, view.height / 2));
-    const step = () => 60 * this.ratio;
-    const keys = {
-      "+": () => middle(1.5), "=": () => middle(1.5), "-": () => middle(1 / 1.5),
-      0: () => this.move((view) => view.fit()),
-      ArrowLeft: () => this.move((view) => view.pan(step(), 0)),
-      ArrowRight: () => this.move((view) => view.pan(-step(), 0)),
-      ArrowUp: () => this.move((view) => view.pan(0, step())),
-      ArrowDown: () => this.move((view) => view.pan(0, -step())),
-      Escape: () => this.choosePair(-1, false),
-    };
-    canvas.addEventListener("keydown", (event) => {
-      if (!(event.key in keys) || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      keys[event.key]();
-    });
-    element("zoom-in").addEventListener("click", keys["+"]);
-    element("zoom-out").addEventListener("click", keys["-"]);
-    element("fit").addEventListener("click", keys[0]);
   }
 
   chooseAt({ x, y }) {

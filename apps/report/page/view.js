@@ -17,7 +17,7 @@ class View {
   normalise(points) {
     let size = 0;
     for (const value of points) size = Math.max(size, Math.abs(value));
-    const power = size > 2 ** 500 ? 2 ** -600 : size < 2 ** -500 ? 2 ** 600 : 1;
+    const power = size > 2 ** 500 ? 2 ** -600 : 1; // no difference overflows
     let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
     for (let p = 0; p < this.count; ++p) {
       const x = (this.u[p] = points[2 * p] * power), y = (this.v[p] = points[2 * p + 1] * power);
