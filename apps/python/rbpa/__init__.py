@@ -16,7 +16,7 @@ What there is:
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
-    rbpa.meshops                         halfedge meshes that no operator can break, repair     (import rbpa.meshops)
+    rbpa.meshops                         halfedge meshes that no operator can break, repair
 
 The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
 a radius, in the units of the coordinates: never its square (as in CGAL and PostGIS), never its inverse (as in the package
@@ -35,6 +35,7 @@ Errors: ``InvalidInput`` (a ValueError) says which value is not what was expecte
 ``progress`` returned False; ``ContractViolation`` (a ValueError) that arrays do not belong together.
 """
 
+from rbpa import meshops
 from rbpa._alpha_shape import AlphaShape, alpha_shape
 from rbpa._concave_hull import concave_hull
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
@@ -58,6 +59,7 @@ __all__ = [
     "alpha_shape",
     "concave_hull",
     "filtration",
+    "meshops",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
