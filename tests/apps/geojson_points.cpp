@@ -91,6 +91,7 @@ TEST_SUITE("GeoJSON in") {
             std::string::npos);
     }
     CHECK(read(geometry("LineString", "[[0,0],[1,0],[0,0]]"), true).points.size() == 3);
+    CHECK(read(geometry("Polygon", "[[[0,0],[0,0]],[[1,1]]]"), true).points == std::vector<Point>{{0, 0}, {1, 1}});
   }
 
   TEST_CASE("every double to the last bit") {

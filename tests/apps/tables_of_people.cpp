@@ -10,6 +10,7 @@
 
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/table/separator.h"
 #include "io/table/text_points.h"
 #include "support/program.h"
 
@@ -91,7 +92,7 @@ TEST_SUITE("tables of people") {
     CHECK_FALSE(transposed.degrees);
   }
 
-  TEST_CASE("of several pairs of names that of the first two columns, else the leftmost; of none the first columns") {
+  TEST_CASE("of several pairs of names the leftmost; of none the first columns") {
     CHECK(read("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
     CHECK(read("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});
@@ -114,6 +115,8 @@ TEST_SUITE("tables of people") {
     CHECK(read("1;2\n3;4\n1,5;2,5\n").points == std::vector<Point>{{1, 2}, {3, 4}, {1.5, 2.5}});
     CHECK(read("1,2\n3,4\n").points == std::vector<Point>{{1, 2}, {3, 4}});
     CHECK(read("1,2,a;b\n", {}).points == std::vector<Point>{{1, 2}});
+    for (const std::string line : {"a,5;2", ",5;2", "1,;2", "1,b;2", "1,2,3;4"}) CHECK(separator_of(line) == ',');
+    CHECK(separator_of("1,5;2") == ';');
     CHECK(refusal("1.5;2\n1,5;2\n") == "t:2: found '1,5', expected a number with a decimal point, as in lines before");
     CHECK(refusal("1,5;2\n1.5;2\n") == "t:2: found '1.5', expected a number with a decimal comma, as in line 1");
     CHECK(refusal("1;2\n1,234,567;2\n") == "t:2: found '1,234,567', expected a number");
@@ -250,7 +253,7 @@ TEST_SUITE("tables of people") {
     CHECK(near.out.find("box         x 178.25 .. 180.5\n") != std::string::npos);
     CHECK(folder.rbpa("info fiji.csv -q").err.empty());
     // Around the world, but not around the antimeridian.
-    folder.file("atlantic.csv", "lon,lat\n-100,0\n-80,0\n-40,0\n0,1\n50,0\n95,3\n");
+    folder.file("atlantic.csv", "lon,lat\n-170,0\n-60,0\n60,1\n170,3\n");
     CHECK(folder.rbpa("info atlantic.csv").err.find("antimeridian") == std::string::npos);
     folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
     CHECK(folder.rbpa("info exchanged.csv").err ==

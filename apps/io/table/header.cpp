@@ -4,7 +4,6 @@
 #include <cctype>
 #include <iterator>
 #include <string>
-#include <tuple>
 
 namespace rbpa::app {
 namespace {
@@ -59,14 +58,12 @@ bool is_one_of(const std::vector<std::string_view>& names, std::string_view name
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header) {
   const std::vector<std::string> names = all_folded(header);
   std::optional<NamedColumns> best;
-  const auto rank = [](const NamedColumns& found) {
-    return std::tuple(std::max(found.x, found.y) > 1, std::min(found.x, found.y));
-  };
+  const auto first_of = [](const NamedColumns& found) { return std::min(found.x, found.y); };
   for (const Names& known : known_names()) {
     const std::optional<std::size_t> x = find_first(names, known.x), y = find_first(names, known.y);
     if (!x || !y) continue;
     const NamedColumns found{*x, *y, known.degrees};
-    if (!best || rank(found) < rank(*best)) best = found;
+    if (!best || first_of(found) < first_of(*best)) best = found;
   }
   return best;
 }

@@ -14,7 +14,7 @@ struct NamedColumns {
 };
 
 /// The columns whose names are a pair such as lon and lat, x and y, easting and northing, in whatever order and with
-/// whatever beside them. Of several pairs the one in the first two columns, else the one farthest to the left.
+/// whatever beside them. Of several pairs the one that begins farthest to the left.
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
 
 /// Whether such a name is one of a longitude, a latitude.
