@@ -35,7 +35,7 @@ Errors: ``InvalidInput`` (a ValueError) says which value is not what was expecte
 ``progress`` returned False; ``ContractViolation`` (a ValueError) that arrays do not belong together.
 """
 
-from rbpa import meshops
+from rbpa import meshops as meshops
 from rbpa._alpha_shape import AlphaShape, alpha_shape
 from rbpa._concave_hull import concave_hull
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
@@ -59,7 +59,6 @@ __all__ = [
     "alpha_shape",
     "concave_hull",
     "filtration",
-    "meshops",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
