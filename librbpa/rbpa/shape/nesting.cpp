@@ -98,22 +98,26 @@ class Sweep {
 };
 
 /// For each polygon the edge next below the first point of its shell.
-std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges) {
+std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges,
+                                     const std::function<void()>& ask) {
   std::vector<const Edge*> below(polygons, nullptr);
   Sweep sweep(edges);
-  while (const std::optional<Point> at = sweep.next_start())
+  while (const std::optional<Point> at = sweep.next_start()) {
+    if (ask) ask();
     for (const Edge* opening : sweep.move_to_start(*at)) {
       const auto place = sweep.place_of(opening);
       if (opening->opens_shell && place != sweep.crossed().begin()) below[opening->polygon] = *std::prev(place);
     }
+  }
   return below;
 }
 
 }  // namespace
 
-std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points) {
+std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
+                                           const std::function<void()>& ask) {
   const std::vector<Edge> edges = edges_of(polygons, points);
-  const std::vector<const Edge*> below = edges_below(polygons.size(), edges);
+  const std::vector<const Edge*> below = edges_below(polygons.size(), edges, ask);
   std::vector<std::optional<HoleOf>> inside(polygons.size());
   std::vector<bool> known(polygons.size(), false);
   std::vector<std::size_t> waiting;

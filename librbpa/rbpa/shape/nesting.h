@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,8 +23,10 @@ struct HoleOf {
 };
 
 /// For each polygon the smallest hole that it lies in, if any.
-/// Requires: `polygons` are those of a solid alpha complex, `points` the input by index.
-std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points);
+/// Requires: `polygons` are those of a solid alpha complex, `points` the input by index. Calls `ask`, if any, at every point
+///           of the sweep; it may throw.
+std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
+                                           const std::function<void()>& ask = {});
 
 /// For each of `queries`, indices of points, the polygon that it lies in, if any.
 /// Requires: the same, and no query on a ring.

@@ -132,10 +132,12 @@ Polygon polygon_of(std::vector<Ring> rings, const Order& order) {
 }
 
 /// Takes holes that are too small out of their polygons, and the polygons in those holes.
-void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, double min_area) {
+void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, double min_area,
+                const std::function<void()>& ask) {
   std::vector<std::vector<bool>> filled;
   bool any = false;
   for (const Polygon& polygon : polygons) {
+    ask();
     std::vector<bool>& of_polygon = filled.emplace_back();
     for (const Ring& hole : polygon.holes) {
       of_polygon.push_back(enclosed_area(hole, points) < min_area);
@@ -144,7 +146,7 @@ void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, d
   }
   if (!any) return;
 
-  const std::vector<std::optional<HoleOf>> inside = nesting(polygons, points);
+  const std::vector<std::optional<HoleOf>> inside = nesting(polygons, points, ask);
   std::vector<Polygon> kept;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     bool covered = false;
@@ -180,7 +182,7 @@ std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std:
     return order(a, b);
   });
 
-  if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area);
+  if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area, ask);
   for (Polygon& polygon : result) {
     ask();
     measure(polygon, points);
