@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
     if (const auto number = rbpa_bench::behind(argv[1], "--one=");
         number && rbpa_bench::read_number(*number, contestant))
       return rbpa_bench::one(contestant, argv[2]);
-  const auto arguments = rbpa_bench::parse(argc, argv);
+  const auto arguments = rbpa_bench::parse(argc, argv, {}, {.runs = 15});
   if (!arguments) return 2;
   rbpa_bench::report("/proc/self/exe", *arguments);
 }
