@@ -8,6 +8,7 @@
 #include "cli/alpha_report.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/find_radii.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
@@ -17,7 +18,6 @@
 #include "io/output_file.h"
 #include "io/same_file.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/filtration/covering.h"
 #include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/persistence.h"
 #include "rbpa/filtration/plateaus.h"
@@ -41,21 +41,8 @@ struct Request {
 
 AlphaReport examine(const std::vector<Point>& points, const Request& request, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
-  AlphaReport report{.points = points.size(), .most_components = request.most_components, .cover = request.cover};
-  {
-    const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
-    report.filtration = filtration(delaunay, points, until_interrupted());
-  }
-  stop_if_interrupted();
-  const auto least = [&](std::optional<std::size_t> most_components) {
-    return smallest_covering(delaunay, report.filtration, {request.cover, most_components}, until_interrupted());
-  };
-  report.least_covering = least(std::nullopt);
-  report.least_connected = least(request.most_components);
-  if (request.with_plateaus) {
-    const ProgressLine line("rbpa", !run.quiet, "plateaus");
-    report.plateaus = plateaus(delaunay, points, report.filtration, until_interrupted());
-  }
+  AlphaReport report{.most_components = request.most_components, .cover = request.cover};
+  find_radii(report, delaunay, points, request.with_plateaus, run.quiet);
   if (request.with_pairs) {
     const ProgressLine line("rbpa", !run.quiet, "persistence");
     report.pairs = persistence(delaunay, points, report.filtration, request.kind, until_interrupted());

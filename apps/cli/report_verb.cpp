@@ -9,6 +9,7 @@
 #include "cli/alpha_report.h"
 #include "cli/arguments.h"
 #include "cli/build.h"
+#include "cli/find_radii.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
 #include "io/failure.h"
@@ -17,7 +18,6 @@
 #include "io/message.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
-#include "rbpa/filtration/covering.h"
 #include "report/write_report.h"
 
 namespace rbpa::app {
@@ -34,20 +34,7 @@ void check_output(const std::string& output) {
 /// What is to be said of the points, and what is to be drawn.
 Report examine(const std::string& source, const std::vector<Point>& points, AlphaReport radii, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
-  {
-    const ProgressLine line("rbpa", !run.quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
-    radii.filtration = filtration(delaunay, points, until_interrupted());
-  }
-  stop_if_interrupted();
-  const auto least = [&](std::optional<std::size_t> most_components) {
-    return smallest_covering(delaunay, radii.filtration, {radii.cover, most_components}, until_interrupted());
-  };
-  radii.least_covering = least(std::nullopt);
-  radii.least_connected = least(radii.most_components);
-  {
-    const ProgressLine line("rbpa", !run.quiet, "plateaus");
-    radii.plateaus = plateaus(delaunay, points, radii.filtration, until_interrupted());
-  }
+  find_radii(radii, delaunay, points, true, run.quiet);
   Report report{.source = source,
                 .points = points.size(),
                 .most_components = radii.most_components,

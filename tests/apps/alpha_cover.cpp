@@ -6,26 +6,14 @@
 #include <string>
 
 #include "support/program.h"
+#include "support/radii.h"
 
 using namespace apps_test;
 using Json = nlohmann::json;
 
 namespace {
 
-const std::string data = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
-
-/// Right triangles of circumradius 5 and 10 that share no point, and nothing near.
-const char* const two_triangles = "0 0\n6 0\n0 8\n100 0\n112 0\n100 16\n0 0\n";
-
-Json stats_of(const Folder& folder, const std::string& arguments) {
-  CAPTURE(arguments);
-  REQUIRE(folder.rbpa(arguments + " -q --stats s.json").code == 0);
-  return Json::parse(folder.content("s.json"));
-}
-
-Json radii_of(const Folder& folder, const std::string& arguments) {
-  return Json::parse(folder.rbpa("alpha " + arguments + " --json -q").out);
-}
+const std::string& data = clusterable;
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/program.h"
+#include "support/radii.h"
 
 using namespace apps_test;
 using Json = nlohmann::json;
@@ -26,16 +27,6 @@ std::string two_squares() {
   return points;
 }
 
-Json report_of(const Folder& folder, const std::string& arguments) {
-  return Json::parse(folder.rbpa("alpha " + arguments + " --json -q").out);
-}
-
-Json stats_of(const Folder& folder, const std::string& arguments) {
-  CAPTURE(arguments);
-  REQUIRE(folder.rbpa(arguments + " -q --stats s.json").code == 0);
-  return Json::parse(folder.content("s.json"));
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
@@ -49,7 +40,7 @@ TEST_SUITE("alpha plateau") {
   TEST_CASE("two squares are recommended as two, with an outlier that ruins min and auto") {
     const Folder folder;
     folder.file("p.xy", two_squares());
-    const Json report = report_of(folder, "p.xy");
+    const Json report = radii_of(folder, "p.xy");
     CHECK(report["auto"] > 1000.0);
     CHECK(report["min"] > 1000.0);
     const Json& best = report["plateaus"][0];
@@ -69,7 +60,7 @@ TEST_SUITE("alpha plateau") {
 
   TEST_CASE("--alpha plateau:K is the alpha of line K, and its complex has the counts that are said") {
     const Folder folder;
-    const Json plateaus = report_of(folder, quakes)["plateaus"];
+    const Json plateaus = radii_of(folder, quakes)["plateaus"];
     REQUIRE(plateaus.size() > 2);
     for (const std::size_t rank : {1u, 2u, 3u}) {
       const Json& plateau = plateaus[rank - 1];
@@ -90,7 +81,7 @@ TEST_SUITE("alpha plateau") {
   TEST_CASE("the table has a line for every plateau, then min and auto with the names that others give them") {
     const Folder folder;
     folder.file("p.xy", two_squares());
-    const std::size_t plateaus = report_of(folder, "p.xy")["plateaus"].size();
+    const std::size_t plateaus = radii_of(folder, "p.xy")["plateaus"].size();
     const std::vector<std::string> lines = lines_of(folder.rbpa("alpha p.xy -q").out);
     const auto head = std::find_if(lines.begin(), lines.end(), [](auto& line) { return line.starts_with("choice "); });
     REQUIRE(lines.end() - head == static_cast<std::ptrdiff_t>(plateaus) + 6);
@@ -126,7 +117,7 @@ TEST_SUITE("alpha plateau") {
       "where nothing stands out that is said and auto recommended, and points without a triangle have no plateau") {
     const Folder folder;
     folder.file("p.xy", "0 0\n6 0\n0 8\n");
-    const Json one = report_of(folder, "p.xy");
+    const Json one = radii_of(folder, "p.xy");
     REQUIRE(one["plateaus"].size() == 1);
     CHECK(one["plateaus"][0]["alpha"] == 5.0);
     CHECK(one["plateaus"][0]["to"].is_null());
@@ -135,14 +126,14 @@ TEST_SUITE("alpha plateau") {
     CHECK(one["recommended"]["choice"] == "auto");
     CHECK(one["recommended"]["alpha"] == 5.0);
     folder.file("few.xy", "0 0\n1 0\n0 1\n3 0\n3 2\n");
-    const Json few = report_of(folder, "few.xy");
+    const Json few = radii_of(folder, "few.xy");
     CHECK(few["recommended"]["choice"] == "auto");
     CHECK(few["recommended"]["alpha"] == few["auto"]);
     CHECK(few["plateaus"][0]["alpha"] < few["auto"]);
     CHECK(folder.rbpa("alpha few.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
     for (const char* none : {"# none\n", "1 1\n1 1\n1 1\n", "0 0\n1 1\n3 3\n"}) {
       folder.file("none.xy", none);
-      const Json report = report_of(folder, "none.xy");
+      const Json report = radii_of(folder, "none.xy");
       CHECK(report["plateaus"].empty());
       CHECK(report["recommended"].is_null());
       CHECK(folder.rbpa("alpha none.xy").out.find("choice") == std::string::npos);
@@ -173,7 +164,7 @@ TEST_SUITE("alpha plateau") {
     for (const std::string wrong : {"", "0", "-1", "two", "1.5"})
       CHECK(folder.rbpa("shape no_such_file.xy -o s.wkt --alpha plateau:" + wrong).err ==
             "rbpa: --alpha plateau: found '" + wrong + "', expected a whole number from 1\n");
-    const std::size_t count = report_of(folder, "p.xy")["plateaus"].size();
+    const std::size_t count = radii_of(folder, "p.xy")["plateaus"].size();
     const Outcome high = folder.rbpa("shape p.xy -o s.wkt --alpha plateau:99");
     CHECK(high.code == 2);
     CHECK(high.err == "rbpa: --alpha plateau:99: found " + std::to_string(count) +

@@ -1,0 +1,31 @@
+// What: points whose radii are known, and what the program says of radii.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/program.h"
+
+namespace apps_test {
+
+/// The clusters that the tests of --alpha run on, as an argument.
+inline const std::string clusterable = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
+
+/// Right triangles of circumradius 5 and 10 that share no point, and nothing near.
+inline constexpr const char* two_triangles = "0 0\n6 0\n0 8\n100 0\n112 0\n100 16\n0 0\n";
+
+/// What --stats of a run has.
+inline nlohmann::json stats_of(const Folder& folder, const std::string& arguments) {
+  CAPTURE(arguments);
+  REQUIRE(folder.rbpa(arguments + " -q --stats s.json").code == 0);
+  return nlohmann::json::parse(folder.content("s.json"));
+}
+
+/// What `rbpa alpha --json` says.
+inline nlohmann::json radii_of(const Folder& folder, const std::string& arguments) {
+  return nlohmann::json::parse(folder.rbpa("alpha " + arguments + " --json -q").out);
+}
+
+}  // namespace apps_test
