@@ -83,6 +83,7 @@ class PointGrid {
  private:
   static constexpr double points_per_cell = 2;
   static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more is a grid of its own
+  static constexpr std::uint32_t nearby = 3;        ///< so many points before one are compared with it in any case
 
   /// Duplicates found together: the sites to be left out, and what they are.
   struct Repeated {
@@ -97,6 +98,7 @@ class PointGrid {
   void remove_duplicates(Threads& threads);
   void find_duplicates(const Level& level, std::size_t first_cell, std::size_t last_cell, Repeated& found) const;
   void find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const;
+  bool repeats_nearby(std::uint32_t first, std::uint32_t last) const;
   void leave_out(std::vector<std::uint32_t> repeated);
 
   template <typename Visit>
