@@ -44,6 +44,10 @@ Radius Window::scaled(const Radius& alpha) const {
 
 Window window_of(std::span<const Point> points) {
   Window window;
+  if (const Magnitude bound = magnitude_bound(points); fits_double(bound)) {
+    window.bounds = radius_bounds(bound);
+    return window;
+  }
   const Magnitude all = magnitude(points);
   window.bounds = radius_bounds(all);
   if (fits_double(all)) return window;

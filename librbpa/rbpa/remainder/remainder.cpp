@@ -26,13 +26,15 @@ void Remainder::add(const TilePatch& tile) {
 }
 
 std::vector<std::uint32_t> Remainder::not_done() const {
-  std::vector<bool> done(sites_.size());
-  for (std::uint32_t s = 0; s < sites_.size(); ++s) done[s] = is_settled(s);
-  for (const auto& [site, neighbour] : unsettled_neighbors_)
-    if (!is_settled(neighbour)) done[site] = false;
-  std::vector<std::uint32_t> sites;
+  std::vector<std::uint32_t> unsettled, beside;
   for (std::uint32_t s = 0; s < sites_.size(); ++s)
-    if (!done[s]) sites.push_back(s);
+    if (!is_settled(s)) unsettled.push_back(s);
+  for (const auto& [site, neighbour] : unsettled_neighbors_)
+    if (is_settled(site) && !is_settled(neighbour)) beside.push_back(site);
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  std::vector<std::uint32_t> sites(unsettled.size() + beside.size());
+  std::merge(unsettled.begin(), unsettled.end(), beside.begin(), beside.end(), sites.begin());
   return sites;
 }
 

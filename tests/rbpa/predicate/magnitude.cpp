@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -47,6 +48,26 @@ TEST_CASE("magnitude() is the tightest pair of exponents") {
     CHECK((all_zero || one_not_coarser));
     CHECK((all_zero || one_not_smaller));
   }
+}
+
+TEST_CASE("magnitude_bound() is as if every coordinate had all its bits") {
+  Random random(3);
+  std::vector<Kind> kinds(kinds_that_fit_double.begin(), kinds_that_fit_double.end());
+  kinds.push_back(Kind::extreme);
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::array<Point, 3> points;
+    fill(points, kinds[random.below(kinds.size())], random);
+    if (trial % 4 == 0) points[random.below(3)] = {0, random.below(2) == 0 ? -0.0 : random.unit()};
+    int lowest = std::numeric_limits<int>::max();
+    for (const Point& p : points)
+      for (const double c : {p.x, p.y})
+        if (c != 0) lowest = std::min(lowest, std::max(std::ilogb(c) - 52, -1074));
+    const auto exact = rbpa::magnitude(points), bound = rbpa::magnitude_bound(points);
+    CHECK(bound.highest == exact.highest);
+    CHECK(bound.lowest == (lowest == std::numeric_limits<int>::max() ? exact.lowest : lowest));
+    CHECK(bound.lowest <= exact.lowest);
+  }
+  CHECK(rbpa::magnitude_bound({}).highest == rbpa::magnitude({}).highest);
 }
 
 TEST_CASE("zeros have no magnitude, and the limits of double are where fits_double() says") {
