@@ -110,23 +110,20 @@ Halfedge Front::edge_between(Site from, Site to) const {
   }
 }
 
-Halfedge Front::boundary_into(Site from, Site to) const {
-  Halfedge found;
-  for_each_fan(to, [&](Vertex v) {
-    const Halfedge out = mesh_.halfedge_handle(v);
-    if (!mesh_.is_boundary(out)) return;
-    if (const Halfedge in = mesh_.prev_halfedge_handle(out); from_site(in) == from) found = in;
-  });
-  return found;
-}
-
-Halfedge Front::boundary_out_of(Site from, Site to) const {
-  Halfedge found;
-  for_each_fan(from, [&](Vertex v) {
-    const Halfedge out = mesh_.halfedge_handle(v);
-    if (mesh_.is_boundary(out) && to_site(out) == to) found = out;
-  });
-  return found;
+Halfedge Front::boundary_between(Site from, Site to) const {
+  // As above. A fan that is open has one boundary halfedge that leaves its vertex, and one that leads there.
+  Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
+  while (leaving.is_valid()) {
+    const Halfedge out = mesh_.halfedge_handle(leaving);
+    if (mesh_.is_boundary(out) && to_site(out) == to) return out;
+    leaving = vertices_.next(leaving);
+    if (!leaving.is_valid() || !entering.is_valid()) break;
+    const Halfedge next = mesh_.halfedge_handle(entering);
+    if (mesh_.is_boundary(next))
+      if (const Halfedge in = mesh_.prev_halfedge_handle(next); from_site(in) == from) return in;
+    entering = vertices_.next(entering);
+  }
+  return Halfedge();
 }
 
 /// Whether the triangle has the side for itself, or finds it on the boundary.
@@ -134,7 +131,7 @@ bool Front::finds_side(Fit& fit, unsigned side) const {
   const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
   if (from >= sites() || to >= sites() || is_free(from) || is_free(to)) return true;
   Halfedge& h = fit.sides.side[side];
-  h = boundary_into(from, to);
+  h = boundary_between(from, to);
   if (h.is_valid() || !edge_between(from, to).is_valid()) return true;
   fit.refusal = Refusal{RefusalKind::side_taken, from, to};
   return false;

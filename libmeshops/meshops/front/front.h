@@ -102,9 +102,8 @@ class MESHOPS_API Front {
   /// Cost: the lesser of the numbers of edges at both sites.
   Halfedge edge_between(Site from, Site to) const;
   /// The boundary halfedge from a site to another; an invalid handle when there is none.
-  /// Cost: the number of fans at `to`; of the second, at `from`.
-  Halfedge boundary_into(Site from, Site to) const;
-  Halfedge boundary_out_of(Site from, Site to) const;
+  /// Cost: the lesser of the numbers of fans at both sites.
+  Halfedge boundary_between(Site from, Site to) const;
 
   /// Why create() and attach() would refuse; nothing when they would not. A triangle has three distinct sites, which
   /// exist or are the next new ones; on none of them do all faces close; and no face lies on its side of its edges yet.

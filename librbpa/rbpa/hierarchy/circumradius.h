@@ -14,7 +14,7 @@ Real circumradius(const Point& a, const Point& b, const Point& c) {
   using P = Predicates<Real>;
   const auto ab = P::from(a, b), bc = P::from(b, c), ca = P::from(c, a);
   const Real max_area = std::abs(P::cross(ab, ca)) + 8 * P::unit_roundoff * P::cross_magnitude(ab, ca);
-  return std::sqrt(P::dot(ab, ab)) * std::sqrt(P::dot(bc, bc)) * (std::sqrt(P::dot(ca, ca)) / (2 * max_area));
+  return std::sqrt(P::dot(ab, ab) * P::dot(bc, bc) * P::dot(ca, ca)) / (2 * max_area);
 }
 
 }  // namespace rbpa

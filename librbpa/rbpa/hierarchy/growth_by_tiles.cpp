@@ -25,7 +25,7 @@ meshops::Fit fit_of_complex(const meshops::Front& front, const std::array<meshop
   meshops::Fit fit(corners);
   for (std::size_t i = 0; i < 3; ++i)
     if (const meshops::Site from = corners[i], to = corners[(i + 1) % 3]; !front.is_free(from) && !front.is_free(to))
-      fit.sides.side[i] = front.boundary_into(from, to);
+      fit.sides.side[i] = front.boundary_between(from, to);
   return fit;
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -39,12 +41,18 @@ class Ladder {
     const Real ratio = radius / Real(least_) * deflated;
     if (!(ratio > 1)) return 0;
     if (!(ratio < std::numeric_limits<Real>::infinity())) return never;
-    int exponent;
-    std::frexp(ratio, &exponent);
+    const int exponent = exponent_of(ratio);
     return last_.is_infinite() ? std::min(exponent, end_) : exponent;
   }
 
  private:
+  /// As frexp() has it, or one more where rounding to double makes it so; by two instructions where that is a double.
+  static int exponent_of(Real ratio) {
+    int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(static_cast<double>(ratio)) >> 52) - 1022;
+    if (!(ratio < Real(0x1p1000))) std::frexp(ratio, &exponent);
+    return exponent;
+  }
+
   double least_;
   Radius last_;
   int end_ = 0;

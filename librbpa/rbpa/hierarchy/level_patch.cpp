@@ -1,6 +1,7 @@
 #include "rbpa/hierarchy/level_patch.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "rbpa/hierarchy/circumradius.h"
 
@@ -16,24 +17,11 @@ int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder
   return level;
 }
 
-int& across(meshops::Patch& patch, int side) {
-  return patch.across[static_cast<std::size_t>(side) / 3][static_cast<std::size_t>(side) % 3];
-}
-
-/// Takes a triangle out of a patch and puts the last one in its place. No other patch has a triangle where it was.
-void take_out(meshops::Patch& patch, std::size_t triangle) {
-  for (const int beyond : patch.across[triangle])
-    if (beyond >= 0) across(patch, beyond) = meshops::Patch::nothing;
-  patch.triangles[triangle] = patch.triangles.back();
-  patch.across[triangle] = patch.across.back();
-  patch.triangles.pop_back();
-  patch.across.pop_back();
-  if (triangle == patch.triangles.size()) return;
-  int side = 3 * static_cast<int>(triangle);
-  for (const int beyond : patch.across[triangle]) {
-    if (beyond >= 0) across(patch, beyond) = side;
-    ++side;
-  }
+/// What `across` says of a side whose triangle has a new number, three times that, or is gone.
+int renumbered(int beyond, const std::vector<int>& number) {
+  if (beyond < 0) return beyond;
+  const int of_triangle = number[static_cast<std::size_t>(beyond) / 3];
+  return of_triangle < 0 ? meshops::Patch::nothing : of_triangle + beyond % 3;
 }
 
 }  // namespace
@@ -41,17 +29,22 @@ void take_out(meshops::Patch& patch, std::size_t triangle) {
 template <typename LevelOf>
 void LevelPatch::part(const meshops::Patch& patch, LevelOf level_of) {
   later.clear();
-  waiting.clear();
+  number.resize(patch.triangles.size());
+  int sides = 0;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     const int level = level_of(patch.triangles[t]);
-    if (level == 0) continue;
-    later.push_back({patch.triangles[t], level});
-    waiting.push_back(t);
+    number[t] = level == 0 ? std::exchange(sides, sides + 3) : meshops::Patch::nothing;
+    if (level != 0) later.push_back({patch.triangles[t], level});
   }
-  if (waiting.empty()) return;
-  first = patch;
-  // From the last on, so that no triangle which waits is put in the place of another.
-  for (auto t = waiting.rbegin(); t != waiting.rend(); ++t) take_out(first, *t);
+  if (later.empty()) return;
+  first.triangles.clear();
+  first.across.clear();
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    if (number[t] < 0) continue;
+    const auto [a, b, c] = patch.across[t];
+    first.triangles.push_back(patch.triangles[t]);
+    first.across.push_back({renumbered(a, number), renumbered(b, number), renumbered(c, number)});
+  }
 }
 
 void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points, const ScaledLadder& ladder) {

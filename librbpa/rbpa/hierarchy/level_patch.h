@@ -1,6 +1,6 @@
 // What:   triangles parted by level: those of the first as a patch of their own, the others to wait for theirs.
 // Law:    each triangle is of the first level whose radius admits it.
-// Cost:   a comparison of the circumradius for each triangle; where some of the patch wait, a copy of it.
+// Cost:   a comparison of the circumradius for each triangle; where some of the patch wait, a copy of the others.
 #pragma once
 
 #include <array>
@@ -22,9 +22,9 @@ struct WaitingTriangle {
 };
 
 struct LevelPatch {
-  meshops::Patch first;                ///< in any order
-  std::vector<WaitingTriangle> later;  ///< in the order of the patch that was parted
-  std::vector<std::size_t> waiting;    ///< their numbers there
+  meshops::Patch first;  ///< both in the order of the patch that was parted
+  std::vector<WaitingTriangle> later;
+  std::vector<int> number;  ///< of its triangles, that of the first side in `first`; negative where they wait
 
   /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then. The corners are in the
   /// window, scaled as the ladder is.

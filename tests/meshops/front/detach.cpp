@@ -85,8 +85,8 @@ TEST_SUITE("front") {
     TestMesh mesh;
     Front front(mesh, 5);
     front.create(0, 1, 2);
-    const Face middle = front.attach(front.boundary_into(0, 2), 3).face;
-    front.attach(front.boundary_into(0, 3), 4);
+    const Face middle = front.attach(front.boundary_between(0, 2), 3).face;
+    front.attach(front.boundary_between(0, 3), 4);
     REQUIRE(fans_at(front, 0) == 1);
     const DetachedTriangle detached = front.detach(middle);
     CHECK(fans_at(front, 0) == 2);
@@ -142,9 +142,9 @@ TEST_SUITE("front") {
     TestMesh mesh;
     Front front(mesh, 6);
     const Face inner = front.create(0, 1, 2).face;
-    front.attach(front.boundary_into(1, 0), 3);
-    front.attach(front.boundary_into(2, 1), 4);
-    const Face last = front.attach(front.boundary_into(0, 2), 5).face;
+    front.attach(front.boundary_between(1, 0), 3);
+    front.attach(front.boundary_between(2, 1), 4);
+    const Face last = front.attach(front.boundary_between(0, 2), 5).face;
     const auto refused = [&](Face f, const Refusal& reason) {
       CHECK(front.detach_blocker(f) == reason);
       check_refused(mesh, describe(reason), [&] { front.detach(f); });

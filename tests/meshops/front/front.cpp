@@ -11,7 +11,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 namespace {
-Halfedge boundary(const Front& front, Site from, Site to) { return front.boundary_into(from, to); }
+Halfedge boundary(const Front& front, Site from, Site to) { return front.boundary_between(from, to); }
 }  // namespace
 
 TEST_SUITE("front") {
@@ -84,7 +84,7 @@ TEST_SUITE("front") {
     front.create(0, 3, 4);
     front.create(2, 5, 4);
     for (Site a = 0; a < 6; ++a)
-      for (Site b = 0; b < 6; ++b) CHECK(front.boundary_into(a, b) == front.boundary_out_of(a, b));
+      for (Site b = 0; b < 6; ++b) CHECK(front.boundary_between(a, b) == front.boundary_out_of(a, b));
     CHECK(boundary(front, 1, 0).is_valid());
     CHECK_FALSE(boundary(front, 0, 1).is_valid());
   }
@@ -137,7 +137,7 @@ TEST_SUITE("front") {
     CHECK(front.is_free(3));
     CHECK(mesh.n_vertices() == 4);
     CHECK(front.site(Vertex(3)) == 4);
-    CHECK(front.boundary_into(4, 0).is_valid());
+    CHECK(front.boundary_between(4, 0).is_valid());
     check_sound(mesh);
     CHECK(front.finish() == std::vector<Site>{0, 1, 2, 4});
   }

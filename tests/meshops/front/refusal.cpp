@@ -28,7 +28,7 @@ struct Closed {
     front.create(0, 2, 3);
     front.create(0, 3, 1);
   }
-  Halfedge at(Site from, Site to) const { return front.boundary_into(from, to); }
+  Halfedge at(Site from, Site to) const { return front.boundary_between(from, to); }
 };
 
 void check_attach(Closed& on, Halfedge h, Site apex, const Refusal& expected) {
@@ -121,8 +121,8 @@ TEST_SUITE("front") {
     TestMesh mesh;
     Front front(mesh, 5);
     front.create(0, 1, 2);
-    front.attach(front.boundary_into(1, 0), 3);
-    front.attach(front.boundary_into(0, 2), 3);
+    front.attach(front.boundary_between(1, 0), 3);
+    front.attach(front.boundary_between(0, 2), 3);
     CHECK(front.create_blocker(1, 0, 4)->kind == RefusalKind::side_taken);
     CHECK(front.create_blocker(0, 1, 2)->kind == RefusalKind::side_taken);
     CHECK_FALSE(front.create_blocker(2, 1, 4));

@@ -149,7 +149,7 @@ class FrontWalk {
       return Halfedge(static_cast<int>(below(choices_, static_cast<std::uint32_t>(mesh_->n_halfedges()) + 4)) - 2);
     const Arrow arrow = any_arrow();
     return arrow.first < front_->sites() && arrow.second < front_->sites()
-               ? front_->boundary_into(arrow.first, arrow.second)
+               ? front_->boundary_between(arrow.first, arrow.second)
                : Halfedge();
   }
   Face any_face() {
@@ -245,7 +245,8 @@ class FrontWalk {
       const Arrow side{detached.corners[i], detached.corners[(i + 1) % 3]};
       demand(detached.side[i].is_valid() == model_->boundary().contains(side), "a side that was glued is boundary now");
       if (detached.side[i].is_valid())
-        demand(front_->boundary_into(side.first, side.second) == detached.side[i], "it is the halfedge that is told");
+        demand(front_->boundary_between(side.first, side.second) == detached.side[i],
+               "it is the halfedge that is told");
     }
     check();
   }
@@ -286,7 +287,7 @@ class FrontWalk {
     // A halfedge that is neither active nor frozen belongs to who popped it: a transfer is asked for when there is none.
     for (const auto& [arrow, state] : std::map(model_->boundary()))
       if (state == State::popped) {
-        front_->freeze(front_->boundary_into(arrow.first, arrow.second));
+        front_->freeze(front_->boundary_between(arrow.first, arrow.second));
         model_->set(arrow, State::frozen);
       }
     const auto& boundary = model_->boundary();
@@ -400,9 +401,9 @@ class FrontWalk {
     const Halfedge h = front_->edge_between(s, t);
     demand(h.is_valid() == (model_->has_side({s, t}) || model_->has_side({t, s})), "edge_between() finds every edge");
     if (h.is_valid()) demand(front_->from_site(h) == s && front_->to_site(h) == t, "and in the right direction");
-    const Halfedge in = front_->boundary_into(s, t);
-    demand(in == front_->boundary_out_of(s, t), "both ways to look for a boundary halfedge find the same");
-    demand(in.is_valid() == model_->boundary().contains({s, t}), "and every one");
+    const Halfedge in = front_->boundary_between(s, t);
+    demand(in.is_valid() == model_->boundary().contains({s, t}), "boundary_between() finds every boundary halfedge");
+    if (in.is_valid()) demand(front_->from_site(in) == s && front_->to_site(in) == t, "and in the right direction");
   }
 
   Choices& choices_;
