@@ -115,7 +115,7 @@ void caution(const Files& files, const Shape& shape) {
 
 std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFilter& filter, const RunOptions& run) {
   const ProgressLine line("rbpa", !run.quiet, "polygons");
-  return polygons(complex, filter);
+  return polygons(complex, filter, until_interrupted());
 }
 
 std::string made(const std::vector<Polygon>& polygons, const PolygonTotals& totals) {
@@ -140,7 +140,8 @@ void run_shape(const ShapeArguments& arguments) {
   const std::vector<Polygon> polygons = outlined(complex, filter, run.request.options);
   const PolygonTotals totals = total(polygons);
   std::vector<std::optional<std::uint32_t>> polygon_of;
-  if (files.have_points()) polygon_of = polygon_of_points(complex, polygons, filter, run.points);
+  if (files.have_points())
+    polygon_of = polygon_of_points(complex, polygons, filter, run.points, until_interrupted());
   const Shape shape{run.points, polygons, polygon_of, run.crs, run.degrees};
   run.stats.build_seconds = run.watch.lap();
 
