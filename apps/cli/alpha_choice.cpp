@@ -6,6 +6,7 @@
 
 #include "cli/build.h"
 #include "cli/progress.h"
+#include "cli/text_of.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -65,8 +66,6 @@ AlphaChoice parse_choice(const RadiusArguments& arguments) {
   return {.radius = parse_radius(*arguments.alpha)};
 }
 
-std::string text_of(double value) { return std::string(std::string_view(ShortestText(value))); }
-
 }  // namespace
 
 std::size_t parse_components(const std::string& components) {
@@ -91,7 +90,7 @@ AlphaChoice parse_alpha(const RadiusArguments& arguments) {
     throw WrongUsage("--components: found " + found() + ", expected --alpha auto, which is what it is about");
   if (arguments.cover && choice.rule != AlphaRule::automatic && choice.rule != AlphaRule::least)
     throw WrongUsage("--cover: found " + found() + ", expected --alpha auto or min, which are what it is about");
-  if (arguments.components) choice.most_components = parse_components(*arguments.components);
+  if (arguments.components) choice.max_components = parse_components(*arguments.components);
   if (arguments.cover) choice.cover = parse_cover(*arguments.cover);
   return choice;
 }
@@ -123,14 +122,14 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
                      ", expected a rank that there is (rbpa alpha POINTS shows them)");
   }
   Covering covering{.share = choice.cover};
-  if (choice.rule == AlphaRule::automatic) covering.max_components = choice.most_components;
+  if (choice.rule == AlphaRule::automatic) covering.max_components = choice.max_components;
   return smallest_covering(delaunay, all, covering, until_interrupted());
 }
 
 std::string said(const AlphaChoice& choice, std::optional<double> alpha) {
   if (choice.rule == AlphaRule::given)
     return choice.converted.empty() ? "" : ", alpha " + text_of(choice.radius) + choice.converted;
-  std::string text = ", alpha " + name_of(choice) + " = " + (alpha ? text_of(*alpha) : "none");
+  std::string text = ", alpha " + name_of(choice) + " = " + text_of(alpha);
   if (choice.cover < 1) text += " with --cover " + text_of(choice.cover);
   return text;
 }

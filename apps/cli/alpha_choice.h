@@ -30,11 +30,11 @@ enum class AlphaRule {
 
 struct AlphaChoice {
   AlphaRule rule = AlphaRule::given;
-  double radius = 0;                ///< where it is given
-  std::size_t most_components = 1;  ///< where it is automatic
-  std::size_t rank = 1;             ///< of the plateau: the best is 1
-  double cover = 1;                 ///< share of the distinct points, where it is automatic or least
-  std::string converted = {};       ///< " of --alpha-squared 25", where the radius was given so
+  double radius = 0;               ///< where it is given
+  std::size_t max_components = 1;  ///< where it is automatic
+  std::size_t rank = 1;            ///< of the plateau: the best is 1
+  double cover = 1;                ///< share of the distinct points, where it is automatic or least
+  std::string converted = {};      ///< " of --alpha-squared 25", where the radius was given so
 };
 
 /// A number of solid components: at least 1. Throws WrongUsage.

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string_view>
 
+#include "cli/text_of.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/number.h"
 
 namespace rbpa::app {
 namespace {
@@ -106,10 +106,6 @@ void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
   out.write(lines.empty() ? "]" : "\n  ]");
 }
 
-std::string text_of(const std::optional<double>& value) {
-  return value ? std::string(std::string_view(ShortestText(*value))) : "none";
-}
-
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
@@ -146,33 +142,33 @@ const FiltrationStep& step_at(const Filtration& filtration, double alpha) {
                        [&](const FiltrationStep& step) { return step.alpha == alpha; });
 }
 
-std::string table_of(const AlphaReport& report) {
-  const Filtration& all = report.filtration;
+std::string table_of(const Radii& radii) {
+  const Filtration& all = radii.filtration;
   std::string text = row("choice", "alpha", "from", "to", "parts", "holes", "covered", "area");
-  for (std::size_t i = 0; i < report.plateaus.size(); ++i) {
-    const Plateau& plateau = report.plateaus[i];
+  for (std::size_t i = 0; i < radii.plateaus.size(); ++i) {
+    const Plateau& plateau = radii.plateaus[i];
     text += row(i == 0 ? "plateau" : "plateau:" + std::to_string(i + 1), plateau.alpha, rounded(plateau.from),
                 plateau.to ? rounded(*plateau.to) : "inf", plateau.step, all.distinct);
   }
-  const bool every = report.cover == 1;
-  if (report.least_covering)
-    text += row("min", *report.least_covering, "", "", step_at(all, *report.least_covering), all.distinct,
+  const bool every = radii.cover == 1;
+  if (radii.least_covering)
+    text += row("min", *radii.least_covering, "", "", step_at(all, *radii.least_covering), all.distinct,
                 every ? "MATLAB 'all-points'" : "");
-  if (report.least_connected)
-    text += row("auto", *report.least_connected, "", "", step_at(all, *report.least_connected), all.distinct,
-                every && report.most_components == 1 ? "MATLAB 'one-region', CGAL find_optimal_alpha(1)" : "");
+  if (radii.least_connected)
+    text += row("auto", *radii.least_connected, "", "", step_at(all, *radii.least_connected), all.distinct,
+                every && radii.max_components == 1 ? "MATLAB 'one-region', CGAL find_optimal_alpha(1)" : "");
   return text;
 }
 
 }  // namespace
 
-std::optional<Recommendation> recommended(const AlphaReport& report) {
-  if (report.plateaus.empty()) return std::nullopt;
-  const Plateau& best = report.plateaus.front();
+std::optional<Recommendation> recommended(const Radii& radii) {
+  if (radii.plateaus.empty()) return std::nullopt;
+  const Plateau& best = radii.plateaus.front();
   const std::string from = rounded(best.from), factor = "a factor of " + rounded(best.ratio);
   const std::string up_to = best.to ? " up to " + rounded(*best.to) : " from there on";
-  if (!best.is_long && report.least_connected)
-    return Recommendation{"auto", *report.least_connected,
+  if (!best.is_long && radii.least_connected)
+    return Recommendation{"auto", *radii.least_connected,
                           "no range of alpha stands out: the longest over which parts and holes hardly change is " +
                               factor + ", which chance may give so few points"};
   if (best.kind == PlateauKind::one_piece)
@@ -185,14 +181,15 @@ std::optional<Recommendation> recommended(const AlphaReport& report) {
 }
 
 std::string for_people(const AlphaReport& report) {
-  const auto& steps = report.filtration.steps;
-  std::string text = "points    " + std::to_string(report.points) + ", " + std::to_string(report.filtration.distinct) +
+  const Radii& radii = report.radii;
+  const auto& steps = radii.filtration.steps;
+  std::string text = "points    " + std::to_string(radii.points) + ", " + std::to_string(radii.filtration.distinct) +
                      " of them distinct\n";
-  const std::string pieces = counted(report.most_components, "solid component");
-  const bool every = report.cover == 1;
-  text += "min       " + text_of(report.least_covering) + "  (least alpha that covers " +
-          (every ? "every point" : "a share of " + text_of(report.cover) + " of the points") + ")\n";
-  text += "auto      " + text_of(report.least_connected) +
+  const std::string pieces = counted(radii.max_components, "solid component");
+  const bool every = radii.cover == 1;
+  text += "min       " + text_of(radii.least_covering) + "  (least alpha that covers " +
+          (every ? "every point" : "a share of " + text_of(radii.cover) + " of the points") + ")\n";
+  text += "auto      " + text_of(radii.least_connected) +
           (every ? "  (moreover in at most " + pieces : "  (moreover with at most " + pieces + ", without the others") +
           ")\n";
   text += "critical  " + std::to_string(steps.size()) + (steps.size() == 1 ? " radius" : " radii");
@@ -204,27 +201,27 @@ std::string for_people(const AlphaReport& report) {
     const auto components = static_cast<std::ptrdiff_t>(report.pairs->size()) - holes;
     text += "pairs     " + std::to_string(components) + " of components, " + std::to_string(holes) + " of holes\n";
   }
-  const std::optional<Recommendation> best = recommended(report);
+  const std::optional<Recommendation> best = recommended(radii);
   if (!best) return text;
-  return text + "\n" + table_of(report) + "\nRecommended: --alpha " + best->choice + ", which is " +
+  return text + "\n" + table_of(radii) + "\nRecommended: --alpha " + best->choice + ", which is " +
          text_of(best->alpha) + ":\n" + best->why + ".\n";
 }
 
 void write_json(OutputFile& out, const AlphaReport& report) {
   out.write("{\n  \"auto\": ");
-  write_value(out, report.least_connected);
+  write_value(out, report.radii.least_connected);
   out.write(",\n  \"min\": ");
-  write_value(out, report.least_covering);
+  write_value(out, report.radii.least_covering);
   out.write(",\n  \"recommended\": ");
-  if (const std::optional<Recommendation> best = recommended(report)) {
+  if (const std::optional<Recommendation> best = recommended(report.radii)) {
     out.write("{\"choice\": \"" + best->choice + "\", \"alpha\": ");
     write_value(out, best->alpha);
     out.write(", \"why\": \"" + best->why + "\"}");
   } else {
     out.write("null");
   }
-  write_array(out, "plateaus", report.plateaus);
-  write_array(out, "critical", report.filtration.steps);
+  write_array(out, "plateaus", report.radii.plateaus);
+  write_array(out, "critical", report.radii.filtration.steps);
   if (report.pairs) write_array(out, "pairs", *report.pairs);
   out.write("\n}\n");
 }
@@ -243,7 +240,7 @@ void write_csv(OutputFile& out, const AlphaReport& report) {
     return;
   }
   out.write("alpha,triangles,solid_components,components,holes,covered,area\n");
-  for_each_line(report.filtration.steps, [&](const FiltrationStep& step) {
+  for_each_line(report.radii.filtration.steps, [&](const FiltrationStep& step) {
     out.write_number(step.alpha);
     for (const std::size_t count : {step.triangles, step.solid_components, step.components, step.holes, step.covered}) {
       out.write(",");

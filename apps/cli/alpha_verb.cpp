@@ -33,7 +33,7 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
 
 /// What the report is to be about.
 struct Request {
-  std::size_t most_components;
+  std::size_t max_components;
   double cover;
   bool with_plateaus, with_pairs;
   ComplexKind kind;  ///< whose pairs
@@ -41,18 +41,19 @@ struct Request {
 
 AlphaReport examine(const std::vector<Point>& points, const Request& request, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
-  AlphaReport report{.most_components = request.most_components, .cover = request.cover};
-  find_radii(report, delaunay, points, request.with_plateaus, run.quiet);
+  AlphaReport report{.radii = {.max_components = request.max_components, .cover = request.cover}};
+  find_radii(report.radii, delaunay, points, request.with_plateaus, run.quiet);
   if (request.with_pairs) {
     const ProgressLine line("rbpa", !run.quiet, "persistence");
-    report.pairs = persistence(delaunay, points, report.filtration, request.kind, until_interrupted());
+    report.pairs = persistence(delaunay, points, report.radii.filtration, request.kind, until_interrupted());
   }
   return report;
 }
 
 FiltrationPlot plot_of(const AlphaReport& report) {
-  FiltrationPlot plot{report.filtration.steps, *report.pairs, report.least_covering, report.least_connected};
-  if (!report.plateaus.empty()) plot.plateau = report.plateaus.front();
+  FiltrationPlot plot{report.radii.filtration.steps, *report.pairs, report.radii.least_covering,
+                      report.radii.least_connected};
+  if (!report.radii.plateaus.empty()) plot.plateau = report.radii.plateaus.front();
   return plot;
 }
 
@@ -69,7 +70,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
-  const Request request{.most_components = parse_components(arguments.components),
+  const Request request{.max_components = parse_components(arguments.components),
                         .cover = arguments.cover ? parse_cover(*arguments.cover) : 1,
                         .with_plateaus = !arguments.csv || arguments.picture,
                         .with_pairs = arguments.persistence || arguments.picture,
@@ -104,14 +105,15 @@ void run_alpha(const AlphaArguments& arguments) {
   if (stats_file) {
     stats.points = points.size();
     stats.threads = threads_used(points.size(), run.threads);
-    stats.distinct = report.filtration.distinct;
+    stats.distinct = report.radii.filtration.distinct;
     write_stats(*stats_file, stats);
     stats_file->finish();
   }
   files.publish();
   line.reset();
-  if (report.filtration.steps.empty()) {
-    const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
+  if (report.radii.filtration.steps.empty()) {
+    const char* why =
+        report.radii.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
     say("rbpa", std::string("the complex is empty at every alpha: ") + why);
   }
 }

@@ -7,9 +7,9 @@
 #include "cli/arguments.h"
 #include "cli/build.h"
 #include "cli/progress.h"
+#include "cli/text_of.h"
 #include "io/failure.h"
 #include "io/message.h"
-#include "io/number.h"
 #include "rbpa/collinear.h"
 
 namespace rbpa::app {
@@ -56,7 +56,7 @@ void end_run(ComplexRun& run, OutputSet& outputs) {
 std::string why_empty(const ComplexRun& run, std::size_t distinct) {
   if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
   if (are_collinear(run.points)) return "all points are collinear";
-  return "no triangle has circumradius <= " + std::string(std::string_view(ShortestText(run.alpha)));
+  return "no triangle has circumradius <= " + text_of(run.alpha);
 }
 
 void say_summary(const ComplexRun& run, std::size_t duplicates, const std::string& made, const std::string& targets) {

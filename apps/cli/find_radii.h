@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "cli/alpha_report.h"
 #include "rbpa/rbpa.h"
+#include "report/radii.h"
 
 namespace rbpa::app {
 
-/// Fills in what follows from the points, for the report's share and number of components, with progress lines unless
+/// Fills in what follows from the points, for its share and number of components, with progress lines unless
 /// quiet. Throws Cancelled after a signal.
-void find_radii(AlphaReport& report, const SolidAlphaComplex& delaunay, const std::vector<Point>& points,
-                bool with_plateaus, bool quiet);
+void find_radii(Radii& radii, const SolidAlphaComplex& delaunay, const std::vector<Point>& points, bool with_plateaus,
+                bool quiet);
 
 }  // namespace rbpa::app

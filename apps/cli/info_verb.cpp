@@ -9,7 +9,7 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
-#include "io/number.h"
+#include "cli/text_of.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
 #include "io/sort.h"
@@ -49,8 +49,6 @@ Info examine(std::vector<Point> points, bool shown) {
   if (spacing > 0) info.spacing = spacing;
   return info;
 }
-
-std::string text_of(double value) { return std::string(std::string_view(ShortestText(value))); }
 
 std::string for_people(const Info& info) {
   std::string text = "points      " + std::to_string(info.points) + "\n";

@@ -45,7 +45,7 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
              "Leave out lines of text that are no point, and say how many");
   verb.add_option("--where", arguments.where,
-                  "Points of a LAS file that count: \"classification == 6 and return_number == 1\"")
+                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
       ->type_name("CONDITION");
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
   verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")

@@ -43,7 +43,6 @@ PointSource parse_source(const PointArguments& arguments) {
                      .vertices = arguments.vertices,
                      .shift_longitude = arguments.shift_longitude};
   if (arguments.columns) source.columns = parse_columns(*arguments.columns);
-  if (arguments.where) source.where = Condition(*arguments.where);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
   source.layer = arguments.layer;
   source.format = parse_format(arguments.points, arguments.format);
@@ -52,7 +51,11 @@ PointSource parse_source(const PointArguments& arguments) {
   const bool text = format == PointFormat::text, ogr = format == PointFormat::ogr;
   if (arguments.columns) require(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid) require(text, "--skip-invalid", "without lines of points", "text");
-  if (arguments.where) require(format == PointFormat::las, "--where", "without such fields", "las");
+  if (arguments.where) {
+    const std::optional<FieldNames> names = fields_of(format);
+    require(names.has_value(), "--where", "without fields beside the points", "las or text");
+    source.where = Condition(*arguments.where, *names);
+  }
   if (arguments.vertices)
     require(text || ogr || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
             "without lines and polygons", "geojson, wkt, or text with a column of it");

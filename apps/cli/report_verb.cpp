@@ -32,21 +32,13 @@ void check_output(const std::string& output) {
 }
 
 /// What is to be said of the points, and what is to be drawn.
-Report examine(const std::string& source, const std::vector<Point>& points, AlphaReport radii, const RunOptions& run) {
+Report examine(const std::string& source, const std::vector<Point>& points, const Radii& asked, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
-  find_radii(radii, delaunay, points, true, run.quiet);
-  Report report{.source = source,
-                .points = points.size(),
-                .most_components = radii.most_components,
-                .cover = radii.cover,
-                .least_covering = radii.least_covering,
-                .least_connected = radii.least_connected,
-                .plateaus = radii.plateaus};
-  if (const std::optional<Recommendation> best = recommended(radii))
-    report.recommended = {best->choice, best->alpha, best->why};
-  report.filtration = std::move(radii.filtration);
+  Report report{.source = source, .radii = asked};
+  find_radii(report.radii, delaunay, points, true, run.quiet);
+  report.recommended = recommended(report.radii);
   const ProgressLine line("rbpa", !run.quiet, "persistence");
-  report.arrays = filtration_arrays(delaunay, points, report.filtration, until_interrupted());
+  report.arrays = filtration_arrays(delaunay, points, report.radii.filtration, until_interrupted());
   return report;
 }
 
@@ -54,8 +46,8 @@ Report examine(const std::string& source, const std::vector<Point>& points, Alph
 
 void run_report(const ReportArguments& arguments) {
   const std::string& path = arguments.points;
-  const AlphaReport asked{.most_components = parse_components(arguments.components),
-                          .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
+  const Radii asked{.max_components = parse_components(arguments.components),
+                    .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
   const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   check_output(arguments.output);
@@ -80,15 +72,16 @@ void run_report(const ReportArguments& arguments) {
   if (arguments.stats) {
     stats.points = points.size();
     stats.threads = threads_used(points.size(), run.threads);
-    stats.distinct = report.filtration.distinct;
+    stats.distinct = report.radii.filtration.distinct;
     OutputFile& file = files.add(*arguments.stats);
     write_stats(file, stats);
     file.finish();
   }
   files.publish();
-  const std::size_t radii = report.filtration.steps.size();
+  const std::size_t radii = report.radii.filtration.steps.size();
   if (radii == 0) {
-    const char* why = report.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
+    const char* why =
+        report.radii.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
     say("rbpa", std::string("the complex is empty at every alpha: ") + why);
   }
   if (!run.quiet)

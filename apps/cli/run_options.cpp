@@ -8,7 +8,7 @@ RunOptions parse_run(const RunArguments& arguments) {
   RunOptions options{.quiet = arguments.quiet};
   if (arguments.threads)
     options.threads =
-        static_cast<unsigned>(parse_whole("--threads", *arguments.threads, {.least = 1, .greatest = most_threads}));
+        static_cast<unsigned>(parse_whole("--threads", *arguments.threads, {.least = 1, .greatest = max_threads}));
   return options;
 }
 

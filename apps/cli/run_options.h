@@ -18,9 +18,9 @@ struct RunOptions {
 };
 
 /// The most that --threads takes: more than processors, so that a command line may be the same on any machine.
-constexpr unsigned most_threads = 1024;
+constexpr unsigned max_threads = 1024;
 
-/// `threads`: a whole number from 1 to most_threads. Throws WrongUsage naming the value.
+/// `threads`: a whole number from 1 to max_threads. Throws WrongUsage naming the value.
 RunOptions parse_run(const RunArguments& arguments);
 
 }  // namespace rbpa::app

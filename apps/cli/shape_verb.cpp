@@ -26,6 +26,8 @@ namespace {
 
 bool is_picture(ShapeFormat format) { return format == ShapeFormat::svg || format == ShapeFormat::png; }
 
+bool is_text_geometry(ShapeFormat format) { return format == ShapeFormat::wkt || format == ShapeFormat::ewkt; }
+
 /// What the command line asks for.
 struct Files {
   std::vector<ShapeTarget> targets;
@@ -34,15 +36,33 @@ struct Files {
   /// Whether any of them says in which polygon points are.
   bool have_points() const {
     return isolated || std::any_of(targets.begin(), targets.end(), [](const ShapeTarget& target) {
-             return target.format != ShapeFormat::wkt && !is_picture(target.format);
+             return !is_text_geometry(target.format) && !is_picture(target.format);
            });
   }
 };
+
+/// What EWKT has before WKT. Requires: require_srid().
+std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
+
+/// EWKT names the system, which is known when the points are read.
+void require_srid(const Files& files, const std::optional<Crs>& crs) {
+  std::vector<ShapeTarget> all = files.targets;
+  if (files.isolated) all.push_back(*files.isolated);
+  const auto first =
+      std::find_if(all.begin(), all.end(), [](const ShapeTarget& t) { return t.format == ShapeFormat::ewkt; });
+  if (first == all.end() || (crs && crs->srid())) return;
+  throw WrongUsage((first->path == "-" ? "-o -" : first->path) + ": found points in " +
+                   (crs ? crs->text() : "a system that is not known") +
+                   ", expected one with a number of EPSG, which EWKT names (--crs EPSG:28992, or the ending wkt)");
+}
 
 void write_shape(OutputFile& file, ShapeFormat format, const Shape& shape) {
   switch (format) {
     case ShapeFormat::geojson:
       return write_geojson(file, shape);
+    case ShapeFormat::ewkt:
+      file.write(srid_of(shape));
+      [[fallthrough]];
     case ShapeFormat::wkt:
       return write_wkt(file, shape);
     case ShapeFormat::csv:
@@ -71,7 +91,8 @@ void write_ogr(OutputSet& outputs, const ShapeTarget& target, const std::vector<
 
 void write_isolated(OutputFile& file, ShapeFormat format, const Shape& shape) {
   if (format == ShapeFormat::geojson) return write_isolated_geojson(file, shape);
-  format == ShapeFormat::wkt ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
+  if (format == ShapeFormat::ewkt) file.write(srid_of(shape));
+  is_text_geometry(format) ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
 }
 
 void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run, const Shape& shape,
@@ -115,7 +136,7 @@ void caution(const Files& files, const Shape& shape) {
 
 std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFilter& filter, const RunOptions& run) {
   const ProgressLine line("rbpa", !run.quiet, "polygons");
-  return polygons(complex, filter);
+  return polygons(complex, filter, until_interrupted());
 }
 
 std::string made(const std::vector<Polygon>& polygons, const PolygonTotals& totals) {
@@ -135,12 +156,13 @@ void run_shape(const ShapeArguments& arguments) {
   if (arguments.isolated) files.isolated = parse_isolated(*arguments.isolated);
 
   ComplexRun run = begin_run(std::move(request));
+  require_srid(files, run.crs);
   const SolidAlphaComplex complex = build(run.points, run.alpha, run.request.method, run.request.options).complex;
   stop_if_interrupted();
   const std::vector<Polygon> polygons = outlined(complex, filter, run.request.options);
   const PolygonTotals totals = total(polygons);
   std::vector<std::optional<std::uint32_t>> polygon_of;
-  if (files.have_points()) polygon_of = polygon_of_points(complex, polygons, filter, run.points);
+  if (files.have_points()) polygon_of = polygon_of_points(complex, polygons, filter, run.points, until_interrupted());
   const Shape shape{run.points, polygons, polygon_of, run.crs, run.degrees};
   run.stats.build_seconds = run.watch.lap();
 

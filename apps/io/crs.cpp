@@ -45,6 +45,12 @@ std::optional<Crs> crs_of(std::string_view authority, std::string_view code) {
 
 std::string Crs::urn() const { return "urn:ogc:def:crs:" + authority + (authority == "OGC" ? ":1.3:" : "::") + code; }
 
+std::optional<std::string> Crs::srid() const {
+  if (is_wgs84()) return "4326";
+  if (authority == "EPSG") return code;
+  return std::nullopt;
+}
+
 bool Crs::is_wgs84() const {
   return (authority == "OGC" && code == "CRS84") || (authority == "EPSG" && code == "4326");
 }

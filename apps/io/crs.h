@@ -17,6 +17,8 @@ struct Crs {
   std::string text() const { return authority + ":" + code; }
   /// "urn:ogc:def:crs:EPSG::28992".
   std::string urn() const;
+  /// "28992", the number that PostGIS knows it by; nothing where it has none.
+  std::optional<std::string> srid() const;
   /// Longitude and latitude of WGS 84, which GeoJSON means by itself.
   bool is_wgs84() const;
 };

@@ -41,15 +41,15 @@ std::string conversion(std::string_view ending, const std::string& path) {
 
 std::optional<PointFormat> point_format(std::string_view name) {
   constexpr std::pair<std::string_view, PointFormat> known[] = {
-      {"xy", PointFormat::text},        {"txt", PointFormat::text},         {"csv", PointFormat::text},
-      {"tsv", PointFormat::text},       {"xyz", PointFormat::text},         {"text", PointFormat::text},
-      {"npy", PointFormat::npy},        {"off", PointFormat::off},          {"ply", PointFormat::ply},
-      {"f64xy", PointFormat::raw},      {"png", PointFormat::png},          {"pgm", PointFormat::pgm},
-      {"las", PointFormat::las},        {"wkt", PointFormat::wkt},          {"geojson", PointFormat::geojson},
-      {"json", PointFormat::geojson},   {"geojsonl", PointFormat::geojson}, {"geojsons", PointFormat::geojson},
-      {"ndjson", PointFormat::geojson}, {"ogr", PointFormat::ogr},          {"gpkg", PointFormat::ogr},
-      {"fgb", PointFormat::ogr},        {"shp", PointFormat::ogr},          {"kml", PointFormat::ogr},
-      {"gpx", PointFormat::ogr},        {"gml", PointFormat::ogr}};
+      {"xy", PointFormat::text},          {"txt", PointFormat::text},       {"csv", PointFormat::text},
+      {"tsv", PointFormat::text},         {"xyz", PointFormat::text},       {"text", PointFormat::text},
+      {"npy", PointFormat::npy},          {"off", PointFormat::off},        {"ply", PointFormat::ply},
+      {"f64xy", PointFormat::raw},        {"png", PointFormat::png},        {"pgm", PointFormat::pgm},
+      {"las", PointFormat::las},          {"wkt", PointFormat::wkt},        {"ewkt", PointFormat::wkt},
+      {"geojson", PointFormat::geojson},  {"json", PointFormat::geojson},   {"geojsonl", PointFormat::geojson},
+      {"geojsons", PointFormat::geojson}, {"ndjson", PointFormat::geojson}, {"ogr", PointFormat::ogr},
+      {"gpkg", PointFormat::ogr},         {"fgb", PointFormat::ogr},        {"shp", PointFormat::ogr},
+      {"kml", PointFormat::ogr},          {"gpx", PointFormat::ogr},        {"gml", PointFormat::ogr}};
   return find(known, name);
 }
 
@@ -75,8 +75,9 @@ std::optional<OutputFormat> output_format(std::string_view name) {
 std::optional<ShapeFormat> shape_format(std::string_view name) {
   constexpr std::pair<std::string_view, ShapeFormat> known[] = {
       {"geojson", ShapeFormat::geojson}, {"json", ShapeFormat::geojson}, {"wkt", ShapeFormat::wkt},
-      {"csv", ShapeFormat::csv},         {"gpkg", ShapeFormat::gpkg},    {"fgb", ShapeFormat::fgb},
-      {"shp", ShapeFormat::shp},         {"svg", ShapeFormat::svg},      {"png", ShapeFormat::png}};
+      {"ewkt", ShapeFormat::ewkt},       {"csv", ShapeFormat::csv},      {"gpkg", ShapeFormat::gpkg},
+      {"fgb", ShapeFormat::fgb},         {"shp", ShapeFormat::shp},      {"svg", ShapeFormat::svg},
+      {"png", ShapeFormat::png}};
   return find(known, name);
 }
 

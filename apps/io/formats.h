@@ -12,7 +12,7 @@ enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
 enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, vtu, svg, png };
-enum class ShapeFormat { geojson, wkt, csv, gpkg, fgb, shp, svg, png };
+enum class ShapeFormat { geojson, wkt, ewkt, csv, gpkg, fgb, shp, svg, png };
 enum class LevelFormat { csv, json };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
@@ -36,12 +36,13 @@ std::string_view input_ending(std::string_view path);
 [[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
 
 /// What there is, for messages and help; what GDAL adds is beside it.
-constexpr std::string_view point_formats = "xy, txt, csv, tsv, xyz, las, geojson, wkt, npy, off, ply, f64xy, png, pgm";
+constexpr std::string_view point_formats =
+    "xy, txt, csv, tsv, xyz, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
-constexpr std::string_view shape_formats = "geojson, json, wkt, csv, svg, png";
-constexpr std::string_view isolated_formats = "geojson, json, wkt, csv";
+constexpr std::string_view shape_formats = "geojson, json, wkt, ewkt, csv, svg, png";
+constexpr std::string_view isolated_formats = "geojson, json, wkt, ewkt, csv";
 
 }  // namespace rbpa::app

@@ -44,14 +44,14 @@ class OutputFile {
       for (std::size_t byte = sizeof(T); byte > 0; --byte) write({at + byte - 1, 1});
   }
 
-  /// Where the next bytes belong, with room for `size` of them, at most most_room; written() takes those before `end`.
+  /// Where the next bytes belong, with room for `size` of them, at most max_room; written() takes those before `end`.
   /// For what is put together from pieces so small that a call for each is most of the work.
   char* room(std::size_t size) {
     if (buffer_size - used_ < size) flush();
     return buffer_.get() + used_;
   }
   void written(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
-  static constexpr std::size_t most_room = 4096;
+  static constexpr std::size_t max_room = 4096;
 
   /// Everything written is on its way to the disk, and no error came up. Call once, before publish().
   void finish();

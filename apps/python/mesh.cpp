@@ -226,6 +226,13 @@ py::tuple homology(Mesh& mesh, const std::optional<Doubles>& lengths) {
   return py::make_tuple(loops, line<std::int32_t>(numbers(found.cut_graph)));
 }
 
+meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::uint32_t>>& point_of_vertex) {
+  const std::vector<std::uint32_t> own, &points = point_of_vertex ? *point_of_vertex : own;
+  const Mesh::Look look(mesh);
+  return watched(mesh.seen().n_faces(), py::none(),
+                 [&](Watch& watch) { return meshops::report(mesh.seen(), points, watch.until_stopped()); });
+}
+
 void bind_topology(py::class_<Mesh>& mesh) {
   using py::arg;
   mesh.def(
@@ -247,14 +254,8 @@ void bind_topology(py::class_<Mesh>& mesh) {
           "Every way in which the mesh is not an oriented 2-manifold with boundary, in words; [] as long as only "
           "operators\n"
           "have changed it.")
-      .def(
-          "report",
-          [](Mesh& m, const std::optional<std::vector<std::uint32_t>>& point_of_vertex) {
-            if (point_of_vertex) return meshops::report(m.seen(), *point_of_vertex);
-            return meshops::report(m.seen());
-          },
-          arg("point_of_vertex") = py::none(),
-          "A Report. `point_of_vertex` tells which vertices stand on one point, as those of a pinch do.")
+      .def("report", &report, arg("point_of_vertex") = py::none(),
+           "A Report. `point_of_vertex` tells which vertices stand on one point, as those of a pinch do.")
       .def("homology", &homology, arg("lengths") = py::none(),
            "(generators, cut_graph): loops of halfedges that generate the first homology, a list of int32 arrays, and "
            "the\n"

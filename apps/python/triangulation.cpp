@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
+#include <vector>
 
 #include "meshops/core/contract.h"
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
+#include "rbpa/core/error.h"
 
 namespace rbpa::python {
 namespace {
@@ -29,33 +32,48 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
 }
 
 /// Of each point its neighbours, ascending, one list after the other, and where each begins.
-py::tuple vertex_neighbors(const Indices& simplices, std::size_t points) {
-  const auto triangles = triples_of(simplices, "simplices");
-  std::vector<std::int32_t> begin(points + 1), neighbors;
-  {
-    const py::gil_scoped_release unlocked;
-    std::vector<std::size_t> next(points + 1);
-    for (const Triple& t : triangles)
-      for (const std::uint32_t corner : t) {
-        meshops::require(corner < points, "simplices: found the number of a point that is not there");
-        next[corner + std::size_t{1}] += 2;
-      }
-    for (std::size_t i = 0; i < points; ++i) next[i + 1] += next[i];
-    std::vector<std::int32_t> twice(next[points]);  // an inner edge is a side of two triangles
-    const std::vector<std::size_t> first = next;
-    for (const Triple& t : triangles)
-      for (std::size_t k = 0; k < 3; ++k)
-        for (const std::size_t other : {k + 1, k + 2}) twice[next[t[k]]++] = static_cast<std::int32_t>(t[other % 3]);
-    neighbors.reserve(twice.size() / 2 + points);
-    for (std::size_t i = 0; i < points; ++i) {
-      const auto from = twice.begin() + static_cast<std::ptrdiff_t>(first[i]),
-                 to = twice.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
-      std::sort(from, to);
-      neighbors.insert(neighbors.end(), from, std::unique(from, to));
-      begin[i + 1] = static_cast<std::int32_t>(neighbors.size());
+struct NeighborLists {
+  std::vector<std::int32_t> begin, neighbors;
+};
+
+NeighborLists neighbor_lists(std::span<const Triple> triangles, std::size_t points, const Watch& watch) {
+  auto ask = [&watch, steps = 0U]() mutable {
+    if (++steps % 16384 == 0 && !watch.go_on()) throw Cancelled();
+  };
+  NeighborLists lists{.begin = std::vector<std::int32_t>(points + 1), .neighbors = {}};
+  std::vector<std::size_t> next(points + 1);
+  for (const Triple& t : triangles) {
+    ask();
+    for (const std::uint32_t corner : t) {
+      meshops::require(corner < points, "simplices: found the number of a point that is not there");
+      next[corner + std::size_t{1}] += 2;
     }
   }
-  return py::make_tuple(line<std::int32_t>(std::move(begin)), line<std::int32_t>(std::move(neighbors)));
+  for (std::size_t i = 0; i < points; ++i) next[i + 1] += next[i];
+  std::vector<std::int32_t> twice(next[points]);  // an inner edge is a side of two triangles
+  const std::vector<std::size_t> first = next;
+  for (const Triple& t : triangles) {
+    ask();
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::size_t other : {k + 1, k + 2}) twice[next[t[k]]++] = static_cast<std::int32_t>(t[other % 3]);
+  }
+  lists.neighbors.reserve(twice.size() / 2 + points);
+  for (std::size_t i = 0; i < points; ++i) {
+    ask();
+    const auto from = twice.begin() + static_cast<std::ptrdiff_t>(first[i]),
+               to = twice.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
+    std::sort(from, to);
+    lists.neighbors.insert(lists.neighbors.end(), from, std::unique(from, to));
+    lists.begin[i + 1] = static_cast<std::int32_t>(lists.neighbors.size());
+  }
+  return lists;
+}
+
+py::tuple vertex_neighbors(const Indices& simplices, std::size_t points) {
+  const auto triangles = triples_of(simplices, "simplices");
+  NeighborLists lists =
+      watched(points, py::none(), [&](const Watch& watch) { return neighbor_lists(triangles, points, watch); });
+  return py::make_tuple(line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors)));
 }
 
 /// Of the coordinates' bits, by which an object notices that its points were changed behind its back.

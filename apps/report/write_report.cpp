@@ -50,7 +50,7 @@ Json as_json(const std::vector<Plateau>& plateaus) {
   return list;
 }
 
-Json as_json(const std::optional<Report::Recommended>& recommended) {
+Json as_json(const std::optional<Recommendation>& recommended) {
   if (!recommended) return nullptr;
   return {{"choice", recommended->choice}, {"alpha", radius(recommended->alpha)}, {"why", recommended->why}};
 }
@@ -61,18 +61,18 @@ std::string facts(const Report& report) {
   const auto components =
       std::count_if(pairs.begin(), pairs.end(), [](const PlacedPair& p) { return p.pair.dimension == 0; });
   const Json facts = {{"source", printable(report.source)},
-                      {"points", report.points},
+                      {"points", report.radii.points},
                       {"distinct", report.arrays.points.size()},
                       {"triangles", report.arrays.triangles.size()},
-                      {"steps", report.filtration.steps.size()},
+                      {"steps", report.radii.filtration.steps.size()},
                       {"freeEdges", report.arrays.free_edges.size()},
                       {"componentPairs", components},
                       {"holePairs", static_cast<std::ptrdiff_t>(pairs.size()) - components},
-                      {"mostComponents", report.most_components},
-                      {"min", radius(report.least_covering)},
-                      {"auto", radius(report.least_connected)},
-                      {"cover", report.cover},
-                      {"plateaus", as_json(report.plateaus)},
+                      {"mostComponents", report.radii.max_components},
+                      {"min", radius(report.radii.least_covering)},
+                      {"auto", radius(report.radii.least_connected)},
+                      {"cover", report.radii.cover},
+                      {"plateaus", as_json(report.radii.plateaus)},
                       {"recommended", as_json(report.recommended)}};
   std::string text = facts.dump(2);
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
@@ -134,7 +134,7 @@ void write_free_edges(OutputFile& file, const Report& report) {
   Blob blob(file, "free-edges");
   std::size_t before = 0;
   for (const FreeEdge& edge : report.arrays.free_edges) {
-    const std::size_t step = step_at(report.filtration.steps, edge.alpha);
+    const std::size_t step = step_at(report.radii.filtration.steps, edge.alpha);
     blob.put_whole(step - before);
     blob.put_whole(std::uint64_t{3} * edge.triangle + edge.side);
     before = step;
@@ -146,9 +146,9 @@ void write_free_edges(OutputFile& file, const Report& report) {
 void write_pairs(OutputFile& file, const Report& report) {
   Blob blob(file, "pairs");
   for (const auto& [pair, triangle] : report.arrays.pairs) {
-    const std::size_t birth = step_at(report.filtration.steps, pair.birth);
+    const std::size_t birth = step_at(report.radii.filtration.steps, pair.birth);
     blob.put_whole(birth);
-    blob.put_whole(pair.death ? step_at(report.filtration.steps, *pair.death) - birth : 0);
+    blob.put_whole(pair.death ? step_at(report.radii.filtration.steps, *pair.death) - birth : 0);
     blob.put_whole(triangle);
   }
   blob.end();
@@ -165,9 +165,9 @@ void write_report(OutputFile& file, const Report& report) {
   file.write("\n</script>\n");
   write_points(file, report.arrays.points);
   write_triangles(file, report.arrays);
-  write_radii(file, report.filtration.steps);
-  write_areas(file, report.filtration.steps);
-  write_counts(file, report.filtration.steps);
+  write_radii(file, report.radii.filtration.steps);
+  write_areas(file, report.radii.filtration.steps);
+  write_counts(file, report.radii.filtration.steps);
   write_free_edges(file, report);
   write_pairs(file, report);
   file.write(page_after_data);

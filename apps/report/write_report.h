@@ -3,35 +3,19 @@
 // Source: docs/report.md says how the data lie in the page.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "io/output_file.h"
-#include "rbpa/filtration/filtration.h"
 #include "rbpa/filtration/filtration_arrays.h"
-#include "rbpa/filtration/plateaus.h"
+#include "report/radii.h"
 
 namespace rbpa::app {
 
 struct Report {
-  /// A choice that --alpha takes, its radius, and a sentence without its full stop.
-  struct Recommended {
-    std::string choice;
-    double alpha;
-    std::string why;
-  };
-
-  std::string source;                                     ///< where the points come from, as people call it
-  std::size_t points = 0;                                 ///< with repetitions
-  std::size_t most_components = 1;                        ///< at "auto"
-  double cover = 1;                                       ///< share of the points, of the next two
-  std::optional<double> least_covering = std::nullopt;    ///< "min"
-  std::optional<double> least_connected = std::nullopt;   ///< "auto"
-  std::vector<Plateau> plateaus = {};                     ///< the best first
-  std::optional<Recommended> recommended = std::nullopt;  ///< none where there is no triangle
-  Filtration filtration = {};
+  std::string source;  ///< where the points come from, as people call it
+  Radii radii = {};
+  std::optional<Recommendation> recommended = std::nullopt;  ///< none where there is no triangle
   FiltrationArrays arrays = {};
 };
 

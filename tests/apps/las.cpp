@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/failure.h"
+#include "io/las/selection.h"
 #include "io/points/read_points.h"
 #include "support/data_folder.h"
 #include "support/las_file.h"
@@ -23,7 +24,7 @@ namespace {
 
 PointFile read(const std::string& bytes, const std::string& where = "") {
   PointSource source{.path = "p.las", .format = PointFormat::las};
-  if (!where.empty()) source.where = Condition(where);
+  if (!where.empty()) source.where = Condition(where, names_of_las_fields());
   return points_in(bytes, "p.las", source);
 }
 
@@ -38,7 +39,7 @@ std::string refusal(const std::string& bytes, const std::string& where = "") {
 
 std::string refused_condition(const std::string& text) {
   try {
-    const Condition condition(text);
+    const Condition condition(text, names_of_las_fields());
   } catch (const WrongUsage& error) {
     return error.what();
   }
@@ -373,8 +374,7 @@ TEST_SUITE("las") {
     CHECK(folder.rbpa("info p.las --crs EPSG:7415").out.find("crs         EPSG:7415\n") != std::string::npos);
     CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 2);
     CHECK(folder.rbpa("info p.las --where red==2").code == 3);
-    folder.file("p.xy", corner);
-    CHECK(folder.rbpa("info p.xy --where x==2").err ==
-          "rbpa: --where: found a format without such fields, expected las\n");
+    CHECK(folder.rbpa("info p.npy --where x==2").err ==
+          "rbpa: --where: found a format without fields beside the points, expected las or text\n");
   }
 }

@@ -25,7 +25,7 @@ TEST_SUITE("output file") {
       OutputFile file(folder.path("f"));
       for (unsigned i = 0; i < 3000; ++i) {
         const bool large = i % 500 == 499;  // than the buffer
-        const std::size_t size = large ? (1U << 20U) + random() % 3000000 : random() % OutputFile::most_room;
+        const std::size_t size = large ? (1U << 20U) + random() % 3000000 : random() % OutputFile::max_room;
         std::string piece(size, static_cast<char>('a' + i % 26));
         switch (large ? i / 500 % 2 : random() % 3) {
           case 0:

@@ -191,12 +191,13 @@ TEST_SUITE("shape") {
             "--min-hole-area: found '-1', expected an area: a number >= 0, or inf");
     refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-part-area nan",
             "--min-part-area: found 'nan', expected an area: a number >= 0, or inf");
-    refuses(folder, "shape p.xy --alpha 1 -o s.off",
-            "s.off: found the ending 'off', expected one of geojson, json, wkt, csv, svg, png, or --output-format");
+    refuses(
+        folder, "shape p.xy --alpha 1 -o s.off",
+        "s.off: found the ending 'off', expected one of geojson, json, wkt, ewkt, csv, svg, png, or --output-format");
     refuses(folder, "shape p.xy --alpha 1 -o s --output-format ply",
-            "--output-format: found 'ply', expected one of geojson, json, wkt, csv, svg, png");
+            "--output-format: found 'ply', expected one of geojson, json, wkt, ewkt, csv, svg, png");
     refuses(folder, "shape p.xy --alpha 1 -o -",
-            "-o -: found no --output-format, expected one of geojson, json, wkt, csv, svg, png");
+            "-o -: found no --output-format, expected one of geojson, json, wkt, ewkt, csv, svg, png");
     refuses(folder, "shape p.xy --alpha 1", "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1",
             "--width: found '1', expected a whole number of pixels from 64 to 8192");

@@ -130,6 +130,31 @@ TEST_SUITE("shape files") {
     CHECK(folder.content("a.geojson").find("crs") == std::string::npos);
   }
 
+  TEST_CASE("ewkt names the system, and must know it") {
+    const Folder folder;
+    folder.file("p.xy", "0 0\n1 0\n1 1\n0 1\n9 9\n");
+    REQUIRE(folder.rbpa("shape p.xy --crs EPSG:28992 --alpha 1 -o s.ewkt -o s.wkt --isolated i.ewkt -q").code == 0);
+    CHECK(folder.content("s.wkt").starts_with("MULTIPOLYGON (((0 0"));
+    CHECK(folder.content("s.ewkt") == "SRID=28992;" + folder.content("s.wkt"));
+    CHECK(folder.content("i.ewkt") == "SRID=28992;MULTIPOINT ((9 9))\n");
+    // It is read again, with its system, which is carried on.
+    CHECK(folder.rbpa("info s.ewkt --vertices").out.find("crs         EPSG:28992\n") != std::string::npos);
+    CHECK(folder.rbpa("shape s.ewkt --vertices --alpha 1 -o - --output-format ewkt -q").out ==
+          folder.content("s.ewkt"));
+    CHECK(
+        folder.rbpa("shape p.xy --crs OGC:CRS84 --alpha 9 -o - --output-format ewkt -q").out.starts_with("SRID=4326;"));
+    CHECK(folder.rbpa("shape p.xy --crs EPSG:4258 --alpha 0.1 -o - --output-format ewkt -q").out ==
+          "SRID=4258;MULTIPOLYGON EMPTY\n");
+    const std::string expected =
+        ", expected one with a number of EPSG, which EWKT names (--crs EPSG:28992, or the ending wkt)\n";
+    const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 -o n.ewkt -o n.wkt -q");
+    CHECK(unknown.code == 2);
+    CHECK(unknown.err == "rbpa: n.ewkt: found points in a system that is not known" + expected);
+    CHECK(!folder.has("n.wkt"));
+    CHECK(folder.rbpa("shape p.xy --crs ESRI:102100 --alpha 1 --isolated n.ewkt -o n.wkt -q").err ==
+          "rbpa: n.ewkt: found points in ESRI:102100" + expected);
+  }
+
   TEST_CASE("coordinates that are no degrees, of no known system") {
     const Folder folder;
     const std::string but = ", and GeoJSON means degrees of WGS 84 (--crs EPSG:... says what they are)\n";
@@ -156,7 +181,7 @@ TEST_SUITE("shape files") {
     const Folder folder;
     folder.file("p.xy", squares);
     CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.svg").err ==
-          "rbpa: --isolated: found the ending 'svg', expected one of geojson, json, wkt, csv\n");
+          "rbpa: --isolated: found the ending 'svg', expected one of geojson, json, wkt, ewkt, csv\n");
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated ./s.csv").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated p.xy").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated none/i.csv").code == 1);

@@ -32,7 +32,7 @@ std::string refusal(const std::string& text, const TableRule& rule = {}) {
 }
 
 const std::vector<Point> three = {{13.4, 52.5}, {7.1, 50.7}, {-3, 40}};
-constexpr TableRule skipping{.skip_invalid = true};
+const TableRule skipping{.skip_invalid = true};
 
 }  // namespace
 
@@ -287,5 +287,73 @@ TEST_SUITE("tables of people") {
     CHECK(folder.rbpa("info p.laz").err.find("(pdal translate p.laz points.las)") != std::string::npos);
     CHECK(folder.rbpa("info p.gpx").err.find("(ogr2ogr -f GeoJSON points.geojson p.gpx)") != std::string::npos);
     CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
+  }
+
+  TEST_CASE("--where: lines by columns that the header names") {
+    const auto where = [](const std::string& condition, bool skip = false) {
+      return TableRule{.skip_invalid = skip, .where = Condition(condition, names_of_columns())};
+    };
+    const std::string text =
+        "class;x;y;z;Point Class;\xC3\xA9tage\n"
+        "6;0;0;1;2;0\n2;1;0;2;2;1\n6;2;0;3,5;3;0\n6;3;0;4;3;1\n";
+    const auto xs = [&](const std::string& condition) {
+      std::vector<double> found;
+      for (const Point& p : read(text, where(condition)).points) found.push_back(p.x);
+      return found;
+    };
+    using Xs = std::vector<double>;
+    CHECK(xs("class==6 and z>3") == Xs{2, 3});
+    CHECK(xs("CLASS != 6") == Xs{1});
+    CHECK(xs("\"point class\" == 3 and not \xC3\xA9tage") == Xs{2});
+    CHECK(xs("class > 2 and Class < 7 and CLASS in (6)") == Xs{0, 2, 3});  // one column under three names
+    CHECK(xs("x < 1 or x > 2") == Xs{0, 3});
+    CHECK(xs("z == 3.5") == Xs{2});
+    CHECK(xs("1 == 1") == Xs{0, 1, 2, 3});
+    CHECK(xs("class == 7").empty());
+    CHECK(read(text, where("class==6 and z>3")).remarks.back() == "2 of 4 lines are as --where asks");
+    CHECK(read("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
+    CHECK(read("x,y,n\n", where("n > 1")).points.empty());
+
+    // Of a line that does not count its coordinates are not read; what the condition needs is.
+    const std::string holes = "x,y,n\n1,2,5\nNA,2,4\n3,4,NA\n5,6\n";
+    CHECK(read("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
+    CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
+    CHECK(refusal(holes, where("n == 5")) ==
+          "t:4: found 'NA', expected a number in a column that --where asks for (--skip-invalid leaves out lines "
+          "that are no point)");
+    const PointFile skipped = read(holes, where("n == 5", true));
+    CHECK(skipped.points == std::vector<Point>{{1, 2}});
+    CHECK(skipped.remarks.size() == 2);
+    CHECK(skipped.remarks[0] == "1 of 2 lines are as --where asks");
+    CHECK(skipped.remarks[1].starts_with("2 lines are left out: the first is t:4: found 'NA'"));
+    CHECK(read(holes, where("n == 7", true)).points.empty());
+    CHECK(refusal("x,y\n1,2\n", where("z > 3")) == "t:1: found 'x,y', expected a header with a column 'z'");
+    CHECK(refusal("1,2\n", where("z > 3")) ==
+          "t: found no header line, expected one with the names that --where asks for");
+
+    const auto refused = [](const std::string& condition) -> std::string {
+      try {
+        const Condition parsed(condition, names_of_columns());
+      } catch (const WrongUsage& error) {
+        return error.what();
+      }
+      return "none";
+    };
+    const std::string name = ", expected a number or the name of a column (in double quotes where it is no word)";
+    CHECK(refused("class == ") == "--where: found the end" + name);
+    CHECK(refused("class == and") == "--where: found 'and'" + name);
+    CHECK(refused("\"point class == 3") == "--where: found '\"point class == 3'" + name);
+    CHECK(refused("\"\" == 3") == "--where: found '\"\"'" + name);
+    CHECK(refused("\"") == "--where: found '\"'" + name);
+    CHECK(refused("== 3") == "--where: found '=='" + name);
+    CHECK(refused("point class") == "--where: found 'class', expected and, or, or the end");
+
+    const Folder folder;
+    folder.file("p.csv", "x,y,class\n0,0,6\n1,0,6\n0,1,6\n9,9,2\n");
+    const Outcome outcome = folder.rbpa("mesh p.csv --where 'class==6' --alpha inf -o m.off");
+    CHECK(outcome.err ==
+          "rbpa: p.csv: 3 of 4 lines are as --where asks\nrbpa: 3 points, 1 triangle, 0 isolated -> m.off\n");
+    CHECK(folder.rbpa("info p.csv --where 'class=='").code == 2);
+    CHECK(folder.rbpa("info p.csv --where 'z>3'").code == 3);
   }
 }

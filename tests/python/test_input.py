@@ -1,6 +1,7 @@
 """What users give: every form of points that says what it means is taken, every other is refused with a sentence."""
 
 import math
+import types
 
 import numpy as np
 import pytest
@@ -31,6 +32,35 @@ def test_the_same_points_in_another_form_are_the_same(given):
     assert shape.points.flags.aligned and shape.points.flags.c_contiguous and shape.points.dtype == np.dtype("=f8")
 
 
+def test_tables_of_pandas():
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame({"name": "p", "x": POINTS[:, 0], "y": POINTS[:, 1]}, index=range(7, 7 + len(POINTS)))
+    assert np.array_equal(rbpa.alpha_shape(table[["x", "y"]], 0.1).simplices, EXPECTED)
+    with pytest.raises(rbpa.InvalidInput, match=r"points: found an array of object.*points\[\[X, Y\]\]"):
+        rbpa.alpha_shape(table)
+    with pytest.raises(rbpa.InvalidInput, match=r"shape \(300, 3\), expected \(n, 2\): points\[\[X, Y\]\] takes"):
+        rbpa.Delaunay(table.assign(name=1.0))
+    with pytest.raises(rbpa.InvalidInput, match=r"points: found an array of object.*astype\(float\)"):
+        rbpa.filtration(table[["x", "y"]].astype("Float64"))
+    assert len(rbpa.alpha_shape(table[["x", "y"]].astype("Float64").astype(float), 0.1).simplices) == len(EXPECTED)
+
+
+def test_points_of_geopandas():
+    geopandas = pytest.importorskip("geopandas")
+    series = geopandas.GeoSeries(geopandas.points_from_xy(*POINTS.T), crs=28992, index=range(7, 7 + len(POINTS)))
+    frame = geopandas.GeoDataFrame({"x": 0, "place": series}).set_geometry("place")
+    for given in (series, frame):
+        shape = rbpa.alpha_shape(given, 0.1)
+        assert np.array_equal(shape.simplices, EXPECTED) and np.array_equal(shape.points, POINTS)
+    triangulation = rbpa.Delaunay(frame)
+    assert np.array_equal(triangulation.find_simplex(series), triangulation.find_simplex(POINTS))
+    with pytest.raises(rbpa.InvalidInput, match="points: found geometries of type Point, Polygon, expected Point; explode"):
+        rbpa.concave_hull(geopandas.GeoSeries([series.iloc[0], series.iloc[1].buffer(1)]))
+    with pytest.raises(rbpa.InvalidInput, match="finite"):
+        rbpa.alpha_shape(geopandas.GeoSeries([series.iloc[0], None]))
+    geopandas.GeoSeries([rbpa.alpha_shape(frame).to_shapely()], crs=frame.crs)
+
+
 def test_other_numbers_are_converted_exactly():
     expected = rbpa.alpha_shape(QUARTERS, 0.1).simplices
     assert np.array_equal(rbpa.alpha_shape(QUARTERS.astype(np.float32), 0.1).simplices, expected)
@@ -55,6 +85,7 @@ def test_other_numbers_are_converted_exactly():
         ([["a", "b"]], r"expected numbers"),
         (np.array([1 + 2j]), r"complex128, expected numbers.*z.real, z.imag"),
         (np.array([[object(), 1]]), r"expected numbers"),
+        ([types.SimpleNamespace(x=1, y=2)] * 3, r"array of object, .*\(p.x, p.y\) for p in points"),
         ([[True, False]], r"bool, expected numbers"),
         ([[0, 2**60 + 1], [1, 1]], r"beyond 2\*\*53"),
         ([[0, -(2**60) - 1], [1, 1]], r"beyond 2\*\*53"),

@@ -1,5 +1,6 @@
 """Long runs: Ctrl-C, progress, other threads, children."""
 
+import math
 import multiprocessing
 import os
 import signal
@@ -40,6 +41,51 @@ def test_control_c_ends_a_run(after):
     delay = interrupted_after(after, lambda: [rbpa.alpha_shape(MANY) for _ in range(9)])
     assert delay < 3  # it is some 0.1 s on a machine that has nothing else to do; this one may have a lot
     assert len(rbpa.alpha_shape(MANY[:1000], 0.1).simplices)
+
+
+DUST = rbpa.alpha_shape(MANY, 0.4 / math.sqrt(len(MANY)))
+TRIANGULATION = rbpa.Delaunay(MANY)
+MESH = rbpa.meshops.Mesh(TRIANGULATION.simplices)
+LONG_RUNS = {
+    "concave_hull": lambda: rbpa.concave_hull(MANY, 0.4 / math.sqrt(len(MANY))),
+    "filtered": lambda: DUST.filtered(min_hole_area=math.inf),
+    "find_simplex": lambda: TRIANGULATION.find_simplex(np.concatenate([MANY] * 20)),
+    "report": MESH.report,
+    "vertex_neighbor_vertices": lambda: rbpa._core.vertex_neighbors(TRIANGULATION.simplices, len(MANY)),
+}
+
+
+@pytest.mark.parametrize("name", LONG_RUNS)
+def test_control_c_ends_every_long_run(name):
+    run = LONG_RUNS[name]
+
+    def forever() -> None:
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            run()
+
+    assert interrupted_after(0.15, forever) < 3
+
+
+@pytest.mark.parametrize("name", LONG_RUNS)
+def test_other_threads_run_on_during_every_long_run(name):
+    counted = [0]
+    done = threading.Event()
+
+    def count() -> None:
+        while not done.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    LONG_RUNS[name]()  # what is made once is there
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted[0]
+    LONG_RUNS[name]()
+    after = counted[0]
+    done.set()
+    thread.join()
+    assert after - before > 5  # with the lock kept it would be one or none
 
 
 def test_progress_is_told_in_the_calling_thread():

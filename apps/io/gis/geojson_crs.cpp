@@ -22,8 +22,8 @@ std::optional<std::string> geojson_caution(const Shape& shape) {
     x = std::max(x, std::abs(p.x));
     y = std::max(y, std::abs(p.y));
   }
-  const double most_x = shape.degrees || shape.crs ? 360 : 180;  // longitudes may be shifted
-  if (x <= most_x && y <= 90) return std::nullopt;
+  const double max_x = shape.degrees || shape.crs ? 360 : 180;  // longitudes may be shifted
+  if (x <= max_x && y <= 90) return std::nullopt;
   char size[64];
   std::snprintf(size, sizeof size, "%.6g and %.6g", x, y);
   return "coordinates go up to " + std::string(size) +

@@ -6,6 +6,7 @@
 #include "io/interrupt.h"
 #include "io/las/las_header.h"
 #include "io/las/las_projection.h"
+#include "io/las/selection.h"
 #include "io/number.h"
 
 namespace rbpa::app {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/las/condition.h"
+#include "io/condition.h"
 #include "io/point_file.h"
 
 namespace rbpa::app {

@@ -13,7 +13,7 @@ namespace rbpa::app {
 namespace {
 
 constexpr std::int64_t greatest = std::int64_t{1} << 53;  // up to it every integer is a double
-constexpr int most_places = 15;                           // ten to that is exact, and below 2^53
+constexpr int max_places = 15;                            // ten to that is exact, and below 2^53
 
 /// digits · 10^-places.
 struct Decimal {
@@ -49,7 +49,7 @@ std::optional<Decimal> decimal_of(double value) {
     if (std::abs(decimal.digits) > greatest / 10) return std::nullopt;
     decimal.digits *= 10;
   }
-  if (decimal.places > most_places) return std::nullopt;
+  if (decimal.places > max_places) return std::nullopt;
   return decimal;
 }
 

@@ -132,13 +132,13 @@ bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
 /// Throws BadInput when rows are too long to be held in memory in every form they pass through, or the file is too small.
 /// Its rows are compressed, at best 1032 to 1, from at least a bit a pixel.
 void require_room(std::size_t file_size, const PngDecoder& decoder, const std::string& name) {
-  constexpr std::size_t widest = 1000000, most_pixels_per_byte = std::size_t{8} * 1032;
+  constexpr std::size_t widest = 1000000, max_pixels_per_byte = std::size_t{8} * 1032;
   const std::size_t width = decoder.width(), height = decoder.height();
   if (width > widest)
     bad_input(name, "rows of " + std::to_string(width) + " pixels", "at most " + std::to_string(widest));
-  if (width * height / most_pixels_per_byte > file_size)
+  if (width * height / max_pixels_per_byte > file_size)
     bad_input(name, counted(file_size, "byte"),
-              "at least " + std::to_string(width * height / most_pixels_per_byte) + " for " + std::to_string(width) +
+              "at least " + std::to_string(width * height / max_pixels_per_byte) + " for " + std::to_string(width) +
                   " x " + std::to_string(height) + " pixels as the header says");
 }
 

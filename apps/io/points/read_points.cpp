@@ -8,6 +8,7 @@
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
 #include "io/las/las_points.h"
+#include "io/las/selection.h"
 #include "io/ogr/ogr.h"
 #include "io/points/binary_points.h"
 #include "io/points/longitude.h"
@@ -45,8 +46,11 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
     case PointFormat::text:
       break;
   }
-  return read_text_points(
-      bytes, name, {.columns = source.columns, .skip_invalid = source.skip_invalid, .vertices = source.vertices});
+  return read_text_points(bytes, name,
+                          {.columns = source.columns,
+                           .skip_invalid = source.skip_invalid,
+                           .vertices = source.vertices,
+                           .where = source.where});
 }
 
 /// What the command line says of the system of the points counts more than what the file says.
@@ -65,6 +69,12 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
 }
 
 }  // namespace
+
+std::optional<FieldNames> fields_of(PointFormat format) {
+  if (format == PointFormat::text) return names_of_columns();
+  if (format == PointFormat::las) return names_of_las_fields();
+  return std::nullopt;
+}
 
 PointFile read_points(const PointSource& source) {
   if (source.format == PointFormat::ogr)

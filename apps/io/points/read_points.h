@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/condition.h"
 #include "io/formats.h"
-#include "io/las/condition.h"
 #include "io/point_file.h"
 #include "io/points/foreground.h"
 #include "io/table/columns.h"
@@ -20,11 +20,14 @@ struct PointSource {
   PixelRule pixels = {};                            ///< of images
   bool skip_invalid = false;                        ///< leave out lines of text that are no point
   bool vertices = false;                            ///< take those of lines and polygons as points
-  std::optional<Condition> where = std::nullopt;    ///< of LAS: which points count
+  std::optional<Condition> where = std::nullopt;    ///< of LAS and text: which points count
   std::optional<Crs> crs = std::nullopt;            ///< of the points, whatever the file says
   std::optional<std::string> layer = std::nullopt;  ///< of a source of OGR that has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
 };
+
+/// What PointSource::where may name; nothing where points have no fields beside them.
+std::optional<FieldNames> fields_of(PointFormat format);
 
 /// The points in the order of the file, all finite. A gzip file is read as what was compressed. Throws BadInput naming
 /// the file, the line or the point, what was found and what was expected; Failure; Cancelled.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <vector>
 
 #include "io/failure.h"
 #include "io/gis/wkt_geometry.h"
@@ -47,6 +48,7 @@ class TextReader {
       return {};
     }
     const bool header = take_header();
+    if (rule_.where) find_fields(header);
     if (header && !lines_.next_with_content()) return std::move(file_);
     separator_ = data_separator();
     if (!header) first_line_ = lines_.number();
@@ -56,7 +58,7 @@ class TextReader {
     file_.points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text_.size() / 4 + 1));
     do {
       take_line();
-      if (width_ && !wkt_ && !decimal_comma_) read_plain_lines();
+      if (width_ && !wkt_ && !decimal_comma_ && !rule_.where) read_plain_lines();
     } while (lines_.next_with_content());
     tell();
     return std::move(file_);
@@ -141,6 +143,36 @@ class TextReader {
     return header_.find_first_of(",;\t") == std::string_view::npos ? ';' : separator_of(header_);
   }
 
+  /// The columns of --where, by a header.
+  void find_fields(bool header) {
+    if (!header) bad_input(name_, "no header line", "one with the names that --where asks for");
+    const std::vector<std::string_view> names = split(header_, separator_of(header_));
+    for (const std::string& field : rule_.where->fields()) field_columns_.push_back(find_name(names, field));
+    field_values_.resize(field_columns_.size());
+    selects_.emplace(*rule_.where);
+  }
+
+  /// Whether the current line counts.
+  bool is_selected() {
+    if (!selects_) return true;
+    Fields fields(lines_.line(), separator_);
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      const auto asked = std::find(field_columns_.begin(), field_columns_.end(), count);
+      if (asked == field_columns_.end()) {
+        fields.take();
+        continue;
+      }
+      const double value = read_number(fields, " in a column that --where asks for");
+      for (std::size_t i = 0; i < field_columns_.size(); ++i)  // which may have been named in two ways
+        if (field_columns_[i] == count) field_values_[i] = value;
+    }
+    take_width(count);
+    const bool counts = (*selects_)(field_values_);
+    ++(counts ? selected_ : deselected_);
+    return counts;
+  }
+
   /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
   void read_plain_lines() {
     for (Point p; const char* behind = read_plain_line(p); lines_.pass_line(behind)) {
@@ -189,7 +221,7 @@ class TextReader {
   /// The points of the current line, or a note that there are none.
   void take_line() {
     try {
-      wkt_ ? read_geometries() : read_point();
+      if (is_selected()) wkt_ ? read_geometries() : read_point();
     } catch (const BadInput& refusal) {
       if (!rule_.skip_invalid) throw;
       if (skipped_++ == 0) first_skipped_ = refusal.what();
@@ -246,7 +278,8 @@ class TextReader {
     file_.crs = geometries.crs();
   }
 
-  double read_number(Fields& fields) {
+  /// `where`, for messages, is empty for a coordinate.
+  double read_number(Fields& fields, const std::string& where = "") {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
     const bool whole_field = number.fault == NumberFault::none && !decimal_comma_ && fields.take_up_to(number.end);
     if (whole_field) return number.value;
@@ -257,7 +290,8 @@ class TextReader {
     const ParsedNumber whole = parse_whole_number(field);
     if (whole.fault != NumberFault::none)
       bad_input(here(), in_quotes(field),
-                expected_instead(whole.fault) + (is_missing(field) ? skip_hint() : hint(whole.fault)));
+                expected_instead(whole.fault) + where +
+                    (is_missing(field) || !where.empty() ? skip_hint() : hint(whole.fault)));
     return whole.value;
   }
 
@@ -291,10 +325,13 @@ class TextReader {
     return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
   }
 
-  /// What was left out.
+  /// What was selected, and what was left out.
   void tell() {
+    if (selects_)
+      file_.remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
+                              " are as --where asks");
     if (skipped_ == 0) return;
-    if (file_.points.empty())
+    if (file_.points.empty() && deselected_ == 0)
       bad_input(name_, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
     file_.remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
                             " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
@@ -315,6 +352,10 @@ class TextReader {
   std::size_t first_point_ = 0;                      // its line
   bool decimal_comma_ = false;                       // and no decimal point
   std::size_t comma_line_ = 0;                       // that has shown it
+  std::vector<std::size_t> field_columns_ = {};      // of the fields of --where
+  std::vector<double> field_values_ = {};
+  std::optional<Decision> selects_ = std::nullopt;  // where there is a --where
+  std::size_t selected_ = 0, deselected_ = 0;       // lines
   std::size_t skipped_ = 0;
   std::string first_skipped_ = {};
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/condition.h"
 #include "io/point_file.h"
 #include "io/table/columns.h"
 
@@ -17,13 +18,14 @@ struct TableRule {
   std::optional<Columns> columns = std::nullopt;  ///< absent: as the header names them, else the first two
   bool skip_invalid = false;                      ///< leave out lines that are no point, and say how many
   bool vertices = false;                          ///< take those of lines and polygons in a column of geometries
+  std::optional<Condition> where = std::nullopt;  ///< on columns that the header names: which lines count
 };
 
 /// The separator is the first of comma, semicolon, tab and blanks that the first line of data contains; but where every
 /// comma stands inside a number, as in "1,5;2,5", it is a decimal sign. Fields may stand in double quotes (not with
 /// blanks). A first line without a number in either column is a header; where its names are known, such as lat and lon,
 /// they say which columns are x and y, or that there is one of geometries in well-known text. All lines have the same
-/// number of columns. Throws BadInput naming the line, and WrongUsage when both columns turn out to be one.
+/// number of columns. Of a line that is not as `where` asks only the columns that it names are read. Throws BadInput naming the line, and WrongUsage when both columns turn out to be one.
 PointFile read_text_points(std::string_view text, const std::string& name, const TableRule& rule);
 
 }  // namespace rbpa::app

@@ -33,7 +33,8 @@ def alpha_shape(
     ----------
     points : array_like of shape (n, 2)
         Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
-        is in use; anything else is converted.
+        is in use; anything else is converted: lists, a pandas DataFrame of two columns (x, then y), the points of a
+        GeoPandas GeoSeries or GeoDataFrame.
     alpha : float, "auto", "min", "plateau" or "plateau:K"
         A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "min" is the least radius
         at which every point is in a triangle, "auto" the least at which moreover the triangles form at most `components`

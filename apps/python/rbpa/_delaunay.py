@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._input import Floats, Indices, Progress, Unchanged, as_points, as_threads, freeze
+from rbpa._input import Floats, Indices, Progress, Unchanged, as_array, as_points, as_threads, freeze
 
 
 class Delaunay:
@@ -94,7 +94,7 @@ class Delaunay:
             coordinate is not finite.
         """
         self._unchanged.check(self.points)
-        queries = np.asarray(xi)
+        queries = as_array(xi, "xi")
         if queries.ndim == 0 or queries.shape[-1] != 2:
             raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
         found = self._locator.find(as_points(queries.reshape(-1, 2), "xi"))

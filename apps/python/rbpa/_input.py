@@ -25,24 +25,49 @@ def as_points(points: npt.ArrayLike, name: str = "points") -> Floats:
     """An array of shape (n, 2), float64, in C order: the same object where it is one already."""
     if isinstance(points, np.ma.MaskedArray) and points.mask.any():
         raise InvalidInput(f"{name}: found masked values, expected points without; leave their rows out")
-    try:
-        array = np.asarray(points)
-    except ValueError as error:
-        raise InvalidInput(f"{name}: NumPy makes no array of it: {error}") from None
+    array = as_array(points, name)
     if array.ndim == 1 and array.size == 0:
         return np.empty((0, 2))
     if array.dtype.kind not in "iuf":
-        hint = "; take (z.real, z.imag) as two columns" if array.dtype.kind == "c" else ""
+        hint = _hint_of_kind(points, array, name)
         raise InvalidInput(f"{name}: found an array of {array.dtype}, expected numbers (float64){hint}")
     if array.ndim != 2 or array.shape[1] != 2:
-        raise InvalidInput(f"{name}: found an array of shape {array.shape}, expected (n, 2){_hint(array, name)}")
+        raise InvalidInput(f"{name}: found an array of shape {array.shape}, expected (n, 2){_hint(points, array, name)}")
     if array.dtype.kind in "iu" and array.dtype.itemsize == 8 and array.size:
         if max(int(array.max()), -int(array.min())) > _EXACT:
             raise InvalidInput(f"{name}: found integers beyond 2**53, expected coordinates that float64 can hold")
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def _hint(array: npt.NDArray[Any], name: str) -> str:
+def as_array(points: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
+    """What NumPy makes of it; of GeoPandas' points, which it makes nothing of, their coordinates."""
+    geometry: Any = getattr(points, "geometry", points)  # of a GeoDataFrame
+    if hasattr(geometry, "geom_type") and hasattr(geometry, "to_numpy"):
+        try:
+            return np.column_stack((geometry.x, geometry.y))
+        except ValueError:
+            hint = "explode() parts MultiPoints, shapely.get_coordinates() takes the vertices of lines and polygons"
+            found = ", ".join(sorted({str(kind) for kind in geometry.geom_type}))
+            raise InvalidInput(f"{name}: found geometries of type {found}, expected Point; {hint}") from None
+    try:
+        return np.asarray(points)
+    except ValueError as error:
+        raise InvalidInput(f"{name}: NumPy makes no array of it: {error}") from None
+
+
+def _hint_of_kind(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> str:
+    if array.dtype.kind == "c":
+        return "; take (z.real, z.imag) as two columns"
+    if hasattr(points, "columns"):
+        return f"; {name}[[X, Y]].astype(float) takes two columns of a table"
+    if array.ndim == 1 and array.size and hasattr(array[0], "x"):
+        return f"; np.array([(p.x, p.y) for p in {name}]) has the coordinates"
+    return ""
+
+
+def _hint(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> str:
+    if array.ndim == 2 and hasattr(points, "columns"):
+        return f": {name}[[X, Y]] takes two columns of a table"
     if array.ndim == 2 and array.shape[0] == 2 and array.shape[1] != 3:
         return f": np.transpose({name}), if a row is a coordinate"
     if array.ndim == 2 and array.shape[1] > 2:

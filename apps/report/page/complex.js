@@ -84,6 +84,11 @@ class Complex {
     return step < 0 ? 0 : this.data.counts.triangles[step];
   }
 
+  /** The points of a step's triangles, each as often as it is a corner. */
+  cornersAt(step) {
+    return this.triangles.subarray(0, 3 * this.countAt(step));
+  }
+
   /** What a step has, by the names of `rbpa alpha --json`. */
   numbersAt(step) {
     const { counts, areas, radii } = this.data;

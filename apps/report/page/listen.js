@@ -16,8 +16,8 @@ function listen(page) {
       page.shown[name] = event.target.checked;
       page.ask("step");
     });
-  element("save-geojson").addEventListener("click", () => page.save("geojson", "application/geo+json", page.geojson()));
-  element("save-svg").addEventListener("click", () => page.save("svg", "image/svg+xml", page.svg()));
+  element("save-geojson").addEventListener("click", () => saveFile(page, "geojson", "application/geo+json", shapeAsGeojson(page)));
+  element("save-svg").addEventListener("click", () => saveFile(page, "svg", "image/svg+xml", viewAsSvg(page)));
 }
 
 function listenToRadius(page) {
@@ -117,6 +117,7 @@ function listenToPicture(page) {
   const keys = {
     "+": () => middle(1.5), "=": () => middle(1.5), "-": () => middle(1 / 1.5),
     0: () => page.move((view) => view.fit()),
+    1: () => page.fitShape(),
     ArrowLeft: () => page.move((view) => view.pan(step(), 0)),
     ArrowRight: () => page.move((view) => view.pan(-step(), 0)),
     ArrowUp: () => page.move((view) => view.pan(0, step())),
@@ -131,4 +132,5 @@ function listenToPicture(page) {
   element("zoom-in").addEventListener("click", keys["+"]);
   element("zoom-out").addEventListener("click", keys["-"]);
   element("fit").addEventListener("click", keys[0]);
+  element("fit-shape").addEventListener("click", keys[1]);
 }

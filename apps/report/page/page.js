@@ -12,7 +12,7 @@ function pixelOf(text) {
   return new Uint32Array(bytes.buffer)[0];
 }
 
-const mostPlateaus = 4; // to choose from
+const maxPlateaus = 4; // to choose from
 const snapDistance = 8; // thousandths of the slider
 
 class Page {
@@ -42,6 +42,7 @@ class Page {
     const { recommended } = this.complex.data.facts;
     if (recommended !== null) this.goToAlpha(radiusOf(recommended.alpha));
     else this.goTo(this.complex.steps - 1);
+    this.fitShape();
   }
 
   // What is fixed ------------------------------------------------------------------------------------------------------
@@ -69,7 +70,7 @@ class Page {
     const { min, auto, plateaus, facts } = this.complex.data;
     const most = facts.mostComponents;
     const share = facts.cover === 1 ? "every point" : `a share of ${facts.cover} of the points`;
-    const choices = plateaus.slice(0, mostPlateaus).map(({ alpha, from, to }, i) => [
+    const choices = plateaus.slice(0, maxPlateaus).map(({ alpha, from, to }, i) => [
       i === 0 ? "plateau" : `plateau:${i + 1}`,
       alpha,
       `the shape hardly changes from ${short(from)} to ${short(to)}`,
@@ -131,7 +132,7 @@ class Page {
 
   /** Of a position on the slider; near the alpha of a plateau it is that. */
   goToPosition(position) {
-    const alphas = this.complex.data.plateaus.slice(0, mostPlateaus).map(({ alpha }) => alpha);
+    const alphas = this.complex.data.plateaus.slice(0, maxPlateaus).map(({ alpha }) => alpha);
     const near = alphas.find((alpha) => Math.abs(this.axis.at(alpha) - position) < snapDistance);
     if (near !== undefined) this.goToAlpha(near);
     else this.goTo(this.complex.stepAt(this.axis.radiusAt(position)));
@@ -355,48 +356,14 @@ class Page {
     this.ask("view");
   }
 
+  /** What is in triangles at this radius, however far off other points are. */
+  fitShape() {
+    this.move((view) => view.fit(this.complex.cornersAt(this.step)));
+  }
+
   chooseAt({ x, y }) {
     const triangle = this.raster.at(Math.floor(x), Math.floor(y));
     this.choosePair(triangle < 0 ? -1 : this.complex.pairAt(triangle, this.step), false);
-  }
-
-  // What is saved ------------------------------------------------------------------------------------------------------
-
-  geojson() {
-    return geojsonOf(polygonsAt(this.complex, this.complex.countAt(this.step)), this.complex.data.points);
-  }
-
-  svg() {
-    const { complex, view, step, shown } = this;
-    const count = complex.countAt(step);
-    view.project();
-    this.light(Infinity);
-    const corners = (t) => [...complex.triangles.subarray(3 * t, 3 * t + 3)];
-    const ends = (side) => [complex.triangles[side], complex.triangles[nextSide(side)]];
-    const inner = shown.edges ? (sidesInView(complex, view, count).inner ?? []) : [];
-    const free = shown.freeEdges ? freeEdgesInView(complex, view, step) : [];
-    const isHole = this.pair >= 0 && complex.data.pairs.dimension[this.pair] === 1;
-    return svgOf({
-      width: view.width,
-      height: view.height,
-      x: view.x,
-      y: view.y,
-      polygons: polygonsAt(complex, count),
-      regions: this.region.length === 0 ? [] : [{ triangles: this.region.map(corners), colour: isHole ? this.colours.litGap : this.colours.lit }],
-      lines: [...inner, ...free].map(ends),
-      dots: shown.isolated ? isolatedInView(complex, view, count) : [],
-      colours: this.colours,
-      title: `${complex.data.facts.source}, alpha ${this.alpha}`,
-    });
-  }
-
-  save(ending, type, text) {
-    const link = document.createElement("a");
-    const name = this.complex.data.facts.source.replace(/\.[^.]*$/, "") || "shape";
-    link.href = URL.createObjectURL(new Blob([text], { type }));
-    link.download = `${name}.alpha-${short(this.alpha)}.${ending}`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   }
 }
 

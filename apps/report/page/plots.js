@@ -55,7 +55,7 @@ class CountsPlot {
     const { left, right, top, bottom } = plotMargin;
     const { radii, counts } = complex.data;
     this.axis = LogAxis.of(radii, complex.reach(), left, width - right);
-    this.drawPlateaus(context, complex.data.plateaus.slice(0, mostPlateaus), top, height - bottom, colours);
+    this.drawPlateaus(context, complex.data.plateaus.slice(0, maxPlateaus), top, height - bottom, colours);
     drawRadiusTicks(context, this.axis, top, height - bottom, colours);
     let most = 1;
     for (const [name] of plottedCounts) for (const count of counts[name]) most = Math.max(most, count);

@@ -44,9 +44,23 @@ class View {
     this.top += dy;
   }
 
-  /** All points, with a margin. */
-  fit() {
-    this.show(-this.halfWidth, this.halfWidth, -this.halfHeight, this.halfHeight, 0.94);
+  /** These points, with a margin; of none all. */
+  fit(points = []) {
+    if (points.length === 0) return this.show(-this.halfWidth, this.halfWidth, -this.halfHeight, this.halfHeight, 0.94);
+    const { left, right, bottom, top } = this.boxOf(points);
+    this.show(left, right, bottom, top, 0.94);
+  }
+
+  /** In the normalised plane. */
+  boxOf(points) {
+    let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
+    for (const p of points) {
+      left = Math.min(left, this.u[p]);
+      right = Math.max(right, this.u[p]);
+      bottom = Math.min(bottom, this.v[p]);
+      top = Math.max(top, this.v[p]);
+    }
+    return { left, right, bottom, top };
   }
 
   /** A box of the normalised plane, as a share of the picture. */
@@ -87,13 +101,7 @@ class View {
 
   /** Shows the points when they are out of sight, or too small to see. */
   bringToView(points) {
-    let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
-    for (const p of points) {
-      left = Math.min(left, this.u[p]);
-      right = Math.max(right, this.u[p]);
-      bottom = Math.min(bottom, this.v[p]);
-      top = Math.max(top, this.v[p]);
-    }
+    const { left, right, bottom, top } = this.boxOf(points);
     const at = (u) => this.left + this.scale * u, down = (v) => this.top - this.scale * v;
     const seen = at(left) >= 0 && at(right) <= this.width && down(top) >= 0 && down(bottom) <= this.height;
     const large = Math.max(right - left, top - bottom) * this.scale >= 24;

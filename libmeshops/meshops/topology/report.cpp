@@ -13,7 +13,7 @@ namespace meshops {
 namespace {
 
 /// A boundary passes a vertex more than once, or a halfedge is not in the ring of its vertex.
-bool has_several_fans_anywhere(const Connectivity& mesh) {
+bool has_several_fans_anywhere(const Connectivity& mesh, detail::Steps& step) {
   std::size_t in_rings = 0, halfedges = 0;
   bool found = false;
   for_each_vertex(mesh, [&](Vertex v) {
@@ -22,6 +22,7 @@ bool has_several_fans_anywhere(const Connectivity& mesh) {
     int gaps = 0;
     Halfedge out = first;
     do {
+      step();
       ++in_rings;
       gaps += mesh.is_boundary(out);
       out = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(out));
@@ -35,8 +36,8 @@ bool has_several_fans_anywhere(const Connectivity& mesh) {
 /// The steps of SoupReporter, on a mesh whose vertices have one fan each.
 class MeshReporter {
  public:
-  MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex)
-      : mesh_(mesh), point_of_vertex_(point_of_vertex), vertices_(mesh.n_vertices()) {}
+  MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, detail::Steps& step)
+      : mesh_(mesh), point_of_vertex_(point_of_vertex), step_(step), vertices_(mesh.n_vertices()) {}
 
   TopologyReport operator()() {
     find_pieces();
@@ -59,12 +60,14 @@ class MeshReporter {
   /// Pieces of surface, in the order of their first faces.
   void find_pieces() {
     for_each_edge(mesh_, [&](OpenMesh::EdgeHandle e) {
+      step_();
       const Halfedge h = mesh_.halfedge_handle(e, 0);
       vertices_.unite(index(mesh_.from_vertex_handle(h)), index(mesh_.to_vertex_handle(h)));
     });
     const std::size_t none = mesh_.n_vertices();
     piece_of_.assign(mesh_.n_vertices(), none);
     for_each_face(mesh_, [&](Face f) {
+      step_();
       std::size_t& piece = piece_of_[root(mesh_.halfedge_handle(f))];
       if (piece == none) {
         piece = total_.per_component.size();
@@ -77,6 +80,7 @@ class MeshReporter {
 
   void count_edges() {
     for_each_edge(mesh_, [&](OpenMesh::EdgeHandle e) {
+      step_();
       ++piece_at(mesh_.halfedge_handle(e, 0)).edges;
       ++total_.edges;
     });
@@ -85,10 +89,14 @@ class MeshReporter {
   void count_curves() {
     std::vector<bool> is_known(mesh_.n_halfedges(), false);
     for_each_halfedge(mesh_, [&](Halfedge first) {
+      step_();
       if (!mesh_.is_boundary(first) || is_known[index(first)]) return;
       ++piece_at(first).boundary_curves;
       ++total_.boundary_curves;
-      for (Halfedge h = first; !is_known[index(h)]; h = mesh_.next_halfedge_handle(h)) is_known[index(h)] = true;
+      for (Halfedge h = first; !is_known[index(h)]; h = mesh_.next_halfedge_handle(h)) {
+        step_();
+        is_known[index(h)] = true;
+      }
     });
   }
 
@@ -100,6 +108,7 @@ class MeshReporter {
     std::vector<std::uint8_t> fans_at(bound, unseen);
     DisjointSets connected(bound);
     for_each_vertex(mesh_, [&](Vertex v) {
+      step_();
       const std::uint32_t p = point_of(v);
       std::uint8_t& fans = fans_at[p];
       if (fans == unseen) {
@@ -130,27 +139,30 @@ class MeshReporter {
 
   const Connectivity& mesh_;
   std::span<const std::uint32_t> point_of_vertex_;
+  detail::Steps& step_;
   DisjointSets vertices_;              // joined along edges: a set has the vertices of a piece
   std::vector<std::size_t> piece_of_;  // of the least vertex of each set
   TopologyReport total_;
 };
 
 /// The report of a copy in which each fan has a vertex, on the same point.
-TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex) {
+TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex,
+                              const GoOn& go_on) {
   Connectivity parted = mesh;
   std::vector<std::uint32_t> points(point_of_vertex.begin(), point_of_vertex.end());
   for (auto v = static_cast<std::uint32_t>(points.size()); v < mesh.n_vertices(); ++v) points.push_back(v);
   for (const Vertex v : separate_fans(parted)) points.push_back(points[static_cast<std::size_t>(v.idx())]);
-  return report(parted, points);
+  return report(parted, points, go_on);
 }
 
 }  // namespace
 
-TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex) {
+TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, const GoOn& go_on) {
   require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
           "report: not one point for each vertex");
-  if (has_several_fans_anywhere(mesh)) return report_of_fans(mesh, point_of_vertex);
-  return MeshReporter(mesh, point_of_vertex)();
+  detail::Steps step(go_on);
+  if (has_several_fans_anywhere(mesh, step)) return report_of_fans(mesh, point_of_vertex, go_on);
+  return MeshReporter(mesh, point_of_vertex, step)();
 }
 
 }  // namespace meshops

@@ -70,6 +70,8 @@ MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {
 /// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own. Where
 /// several fans share a vertex, as OpenMesh's readers leave it, it is a pinch: no piece and no curve passes it.
 /// Requires: validate() finds nothing but vertices with several fans; `point_of_vertex` is empty or has a value per vertex.
-MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {});
+/// Throws: Cancelled.
+MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {},
+                                  const GoOn& go_on = {});
 
 }  // namespace meshops

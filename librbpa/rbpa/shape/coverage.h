@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,9 +20,11 @@ namespace rbpa {
 /// For each input point the index of the polygon that it is in, inside or on a ring; of several that touch each other in
 /// it the least. Absent: it is in none. Duplicates are where the point is that they repeat.
 /// Requires: `points` are those of the complex, and `polygons` what polygons(complex, filter) returns.
+/// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
                                                                      std::span<const Polygon> polygons,
                                                                      const PolygonFilter& filter,
-                                                                     std::span<const Point> points);
+                                                                     std::span<const Point> points,
+                                                                     const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -36,10 +36,11 @@ struct Below {
   }
 };
 
-std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Point> points) {
+std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Point> points, Steps& step) {
   std::vector<Edge> edges;
   for (std::uint32_t p = 0; p < polygons.size(); ++p) {
     const auto add = [&](const Ring& ring, std::uint32_t number) {
+      step(ring.points.size());
       for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const Point& a = points[ring.points[i]];
         const Point& b = points[ring.points[i + 1 == ring.points.size() ? 0 : i + 1]];
@@ -57,11 +58,11 @@ class Sweep {
  public:
   using Edges = std::set<const Edge*, Below>;
 
-  explicit Sweep(const std::vector<Edge>& edges) : first_(edges.data()), place_(edges.size()) {
+  Sweep(const std::vector<Edge>& edges, Steps& step) : step_(step), first_(edges.data()), place_(edges.size()) {
     for (const Edge& edge : edges) starts_.push_back(&edge);
     ends_ = starts_;
-    std::sort(starts_.begin(), starts_.end(), [](const Edge* a, const Edge* b) { return a->low < b->low; });
-    std::sort(ends_.begin(), ends_.end(), [](const Edge* a, const Edge* b) { return a->high < b->high; });
+    sort(starts_, step_, [](const Edge* a, const Edge* b) { return a->low < b->low; });
+    sort(ends_, step_, [](const Edge* a, const Edge* b) { return a->high < b->high; });
     start_ = starts_.begin();
     end_ = ends_.begin();
   }
@@ -74,6 +75,7 @@ class Sweep {
 
   /// Edges that end at `at` or before go, those that begin there come. Returns the latter.
   std::span<const Edge* const> move_to_start(const Point& at) {
+    step_();
     move_past_ends(at);
     const auto first = start_;
     for (; start_ != starts_.end() && (*start_)->low == at; ++start_)
@@ -90,6 +92,7 @@ class Sweep {
  private:
   std::size_t number(const Edge* edge) const { return static_cast<std::size_t>(edge - first_); }
 
+  Steps& step_;
   const Edge* first_;
   std::vector<const Edge*> starts_, ends_;
   std::vector<const Edge*>::const_iterator start_, end_;  // the next ones
@@ -98,12 +101,10 @@ class Sweep {
 };
 
 /// For each polygon the edge next below the first point of its shell.
-std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges,
-                                     const std::function<void()>& ask) {
+std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges, Steps& step) {
   std::vector<const Edge*> below(polygons, nullptr);
-  Sweep sweep(edges);
+  Sweep sweep(edges, step);
   while (const std::optional<Point> at = sweep.next_start()) {
-    if (ask) ask();
     for (const Edge* opening : sweep.move_to_start(*at)) {
       const auto place = sweep.place_of(opening);
       if (opening->opens_shell && place != sweep.crossed().begin()) below[opening->polygon] = *std::prev(place);
@@ -115,9 +116,9 @@ std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edg
 }  // namespace
 
 std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
-                                           const std::function<void()>& ask) {
-  const std::vector<Edge> edges = edges_of(polygons, points);
-  const std::vector<const Edge*> below = edges_below(polygons.size(), edges, ask);
+                                           Steps& step) {
+  const std::vector<Edge> edges = edges_of(polygons, points, step);
+  const std::vector<const Edge*> below = edges_below(polygons.size(), edges, step);
   std::vector<std::optional<HoleOf>> inside(polygons.size());
   std::vector<bool> known(polygons.size(), false);
   std::vector<std::size_t> waiting;
@@ -143,15 +144,15 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
 
 std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,
                                                           std::span<const Point> points,
-                                                          std::span<const std::uint32_t> queries) {
-  const std::vector<Edge> edges = edges_of(polygons, points);
+                                                          std::span<const std::uint32_t> queries, Steps& step) {
+  const std::vector<Edge> edges = edges_of(polygons, points, step);
   std::vector<std::size_t> order(queries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return points[queries[a]] < points[queries[b]]; });
+  sort(order, step, [&](std::size_t a, std::size_t b) { return points[queries[a]] < points[queries[b]]; });
   std::vector<std::optional<std::uint32_t>> around(queries.size());
-  Sweep sweep(edges);
+  Sweep sweep(edges, step);
   for (const std::size_t q : order) {
+    step();
     const Point& at = points[queries[q]];
     for (auto start = sweep.next_start(); start && *start < at; start = sweep.next_start()) sweep.move_to_start(*start);
     sweep.move_past_ends(at);

@@ -6,13 +6,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "rbpa/core/point.h"
 #include "rbpa/shape/polygons.h"
+#include "rbpa/shape/steps.h"
 
 namespace rbpa {
 
@@ -23,15 +23,15 @@ struct HoleOf {
 };
 
 /// For each polygon the smallest hole that it lies in, if any.
-/// Requires: `polygons` are those of a solid alpha complex, `points` the input by index. Calls `ask`, if any, at every point
-///           of the sweep; it may throw.
+/// Requires: `polygons` are those of a solid alpha complex, `points` the input by index.
+/// Throws: Cancelled. What is sorted and every point of the sweep are steps; so below.
 std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
-                                           const std::function<void()>& ask = {});
+                                           Steps& step);
 
 /// For each of `queries`, indices of points, the polygon that it lies in, if any.
 /// Requires: the same, and no query on a ring.
 std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,
                                                           std::span<const Point> points,
-                                                          std::span<const std::uint32_t> queries);
+                                                          std::span<const std::uint32_t> queries, Steps& step);
 
 }  // namespace rbpa

@@ -13,6 +13,7 @@
 #include "rbpa/shape/measure.h"
 #include "rbpa/shape/nesting.h"
 #include "rbpa/shape/split_curve.h"
+#include "rbpa/shape/steps.h"
 
 namespace rbpa {
 namespace {
@@ -78,40 +79,38 @@ class RingsByComponent {
   std::vector<std::vector<Ring>> rings_;
 };
 
-std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& complex, std::size_t points) {
+std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& complex, std::size_t points, Steps& step) {
   const Mesh& mesh = complex.mesh;
-  meshops::DisjointSets components = components_of(mesh);
+  meshops::DisjointSets components = components_of(mesh, step);
   RingsByComponent rings(points, mesh.n_vertices());
   std::vector<std::uint32_t> curve;
   for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {
     curve.clear();
     for (const meshops::Halfedge h : boundary) curve.push_back(complex.input_index[index(mesh.to_vertex_handle(h))]);
     std::reverse(curve.begin(), curve.end());  // the mesh is on the left now
+    step(curve.size());
     rings.add(curve, components.find(static_cast<std::uint32_t>(index(mesh.to_vertex_handle(boundary.front())))));
   }
   return rings.take();
 }
 
-std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex, std::size_t points,
-                                                  const std::function<bool()>& go_on) {
+std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex, std::size_t points, Steps& step) {
   const auto triangles = static_cast<std::uint32_t>(complex.triangles.size());
-  const auto ask = [&](std::uint32_t t) {
-    if (t % 16384 == 0 && go_on && !go_on()) throw Cancelled();
-  };
   meshops::DisjointSets components(triangles);
   for (std::uint32_t t = 0; t < triangles; ++t) {
-    ask(t);
+    step();
     for (const std::uint32_t other : complex.neighbors[t])
       if (other < t) components.unite(t, other);
   }
   RingsByComponent rings(points, triangles);
   BoundaryWalk walk(complex);
   for (std::uint32_t t = 0; t < triangles; ++t) {
-    ask(t);
+    step();
     for (std::size_t across = 0; across < 3; ++across) {
       if (!walk.is_new({t, across})) continue;
       std::vector<std::uint32_t> curve = walk.curve_from({t, across});
       std::reverse(curve.begin(), curve.end());  // the triangles are on the left now
+      step(curve.size());
       rings.add(curve, components.find(t));
     }
   }
@@ -119,9 +118,12 @@ std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex,
 }
 
 /// One of the rings runs counter-clockwise. It has the least point of all, perhaps with holes that touch it there.
-Polygon polygon_of(std::vector<Ring> rings, const Order& order) {
-  for (Ring& ring : rings) order.begin_with_least(ring);
-  std::sort(rings.begin(), rings.end(), order);
+Polygon polygon_of(std::vector<Ring> rings, const Order& order, Steps& step) {
+  for (Ring& ring : rings) {
+    step(ring.points.size());
+    order.begin_with_least(ring);
+  }
+  sort(rings, step, order);
   const auto shell =
       std::find_if(rings.begin(), rings.end(), [&](const Ring& ring) { return order.is_counter_clockwise(ring); });
   meshops::require(shell != rings.end(), "polygons: the complex is of other points than those given");
@@ -132,21 +134,20 @@ Polygon polygon_of(std::vector<Ring> rings, const Order& order) {
 }
 
 /// Takes holes that are too small out of their polygons, and the polygons in those holes.
-void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, double min_area,
-                const std::function<void()>& ask) {
+void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, double min_area, Steps& step) {
   std::vector<std::vector<bool>> filled;
   bool any = false;
   for (const Polygon& polygon : polygons) {
-    ask();
     std::vector<bool>& of_polygon = filled.emplace_back();
     for (const Ring& hole : polygon.holes) {
+      step(hole.points.size());
       of_polygon.push_back(enclosed_area(hole, points) < min_area);
       any = any || of_polygon.back();
     }
   }
   if (!any) return;
 
-  const std::vector<std::optional<HoleOf>> inside = nesting(polygons, points, ask);
+  const std::vector<std::optional<HoleOf>> inside = nesting(polygons, points, step);
   std::vector<Polygon> kept;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     bool covered = false;
@@ -166,25 +167,16 @@ void check(const PolygonFilter& filter) {
 }
 
 std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std::span<const Point> points,
-                                 const PolygonFilter& filter, const std::function<bool()>& go_on = {}) {
-  std::size_t steps = 0;
-  const auto ask = [&] {
-    if (++steps % 16384 == 0 && go_on && !go_on()) throw Cancelled();
-  };
+                                 const PolygonFilter& filter, Steps& step) {
   const Order order(points);
   std::vector<Polygon> result;
-  for (std::vector<Ring>& rings : components) {
-    ask();
-    result.push_back(polygon_of(std::move(rings), order));
-  }
-  std::sort(result.begin(), result.end(), [&](const Polygon& a, const Polygon& b) {
-    ask();
-    return order(a, b);
-  });
+  for (std::vector<Ring>& rings : components) result.push_back(polygon_of(std::move(rings), order, step));
+  sort(result, step, order);
 
-  if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area, ask);
+  if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area, step);
   for (Polygon& polygon : result) {
-    ask();
+    step(polygon.shell.points.size());
+    for (const Ring& hole : polygon.holes) step(hole.points.size());
     measure(polygon, points);
   }
   std::erase_if(result, [&](const Polygon& polygon) { return polygon.area < filter.min_part_area; });
@@ -193,17 +185,20 @@ std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std:
 
 }  // namespace
 
-std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter) {
+std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter,
+                              const std::function<bool()>& go_on) {
   check(filter);
+  Steps step(go_on);
   const std::vector<Point> points = points_under(complex);
-  return polygons_of(rings_by_component(complex, points.size()), points, filter);
+  return polygons_of(rings_by_component(complex, points.size(), step), points, filter, step);
 }
 
 std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex, const PolygonFilter& filter,
                               const std::function<bool()>& go_on) {
   check(filter);
   require_linked(complex, points.size(), go_on);
-  return polygons_of(rings_by_component(complex, points.size(), go_on), points, filter, go_on);
+  Steps step(go_on);
+  return polygons_of(rings_by_component(complex, points.size(), step), points, filter, step);
 }
 
 }  // namespace rbpa

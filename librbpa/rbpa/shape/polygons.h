@@ -45,13 +45,14 @@ struct PolygonFilter {
 /// The solid components as polygons, sorted by the first point of the shell, then by the second, lexicographically.
 /// Where a component touches itself in a point, its boundary is parted there into rings. A boundary edge is on exactly
 /// one ring, and no other edge is on any.
-/// Throws: InvalidInput when a bound of the filter is negative or not a number.
+/// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled when `go_on`, which is called
+///         every few milliseconds, returns false. Empty: never called.
 /// Cost:   as above; each filter for holes adds a plane sweep over the boundary.
-RBPA_API std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {});
+RBPA_API std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
+                                       const std::function<bool()>& go_on = {});
 
 /// The same of a solid complex in arrays, with neighbours, on these points.
-/// Throws: moreover ContractViolation as require_linked(), or when the points are visibly others; Cancelled when `go_on`,
-///         which is called every few milliseconds, returns false. Empty: never called.
+/// Throws: moreover ContractViolation as require_linked(), or when the points are visibly others.
 RBPA_API std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex,
                                        const PolygonFilter& filter = {}, const std::function<bool()>& go_on = {});
 

@@ -59,6 +59,14 @@ await test("the page loads without a word, and asks for nothing but itself", asy
 
 const stepAt = (alpha) => critical.findLast((step) => step.alpha <= alpha);
 
+await test("the first view has the whole shape, as large as it can be", async () => {
+  const box = await wide.value(`(() => {
+    const { view } = page, { left, right, bottom, top } = view.boxOf(page.complex.cornersAt(page.step));
+    return { width: (right - left) * view.scale / view.width, height: (top - bottom) * view.scale / view.height };
+  })()`);
+  assert(Math.abs(Math.max(box.width, box.height) - 0.94) < 0.02, JSON.stringify(box));
+});
+
 await test("it begins at the alpha that is recommended, and says why; the others are a click away", async () => {
   await assertNumbers(wide, stepAt(recommended.alpha), recommended.alpha);
   assert((await text(wide, "why")).includes(recommended.why));
@@ -143,6 +151,7 @@ await test("the slider, dragged, goes from nothing to the whole triangulation", 
 });
 
 await test("the pixels of the shape are its area", async () => {
+  await wide.value(`document.getElementById("fit").click()`);
   for (const share of [0.3, 0.6, 0.9]) {
     const step = Math.floor(share * critical.length);
     await wide.value(`page.goTo(${step})`);
@@ -221,6 +230,10 @@ await test("drag, wheel, keys and buttons move the view, and All shows all again
   await wide.value(`document.getElementById("fit").click()`);
   await drawn(wide);
   assert.deepEqual(await view(), first);
+  await focus(wide, "shape");
+  await wide.press("1");
+  await drawn(wide);
+  assert((await view()).scale >= first.scale);
 });
 
 await test("what is saved is what rbpa shape writes, with every coordinate as in the input", async () => {
@@ -266,7 +279,7 @@ await test("all that can be used has a name and is reached by Tab", async () => 
     await wide.call("Input.dispatchKeyEvent", { type: "keyDown", key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
     await wide.call("Input.dispatchKeyEvent", { type: "keyUp", key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 });
   }
-  for (const id of ["shape", "zoom-in", "fit", "radius", "slider", "next", "show-edges", "save-geojson", "save-svg"]) assert(reached.has(id), id);
+  for (const id of ["shape", "zoom-in", "fit-shape", "fit", "radius", "slider", "next", "show-edges", "save-geojson", "save-svg"]) assert(reached.has(id), id);
 });
 
 await test("text stands out from what is behind it, light and dark", async () => {

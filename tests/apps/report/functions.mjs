@@ -206,6 +206,32 @@ for (const [name, complex] of Object.entries(complexes)) {
   });
 }
 
+test("a view of the shape leaves out what is far off, and everything is a view away", () => {
+  const far = file("outliers.xy", [[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0.5], [1e6, 2e5], [-3e6, 1e6]]);
+  const complex = complexOf(far);
+  const { recommended } = complex.data.facts;
+  const step = complex.stepAt(recommended.alpha);
+  assert(new Set(complex.cornersAt(step)).size === 5, "the square is recommended, without the outliers");
+  const view = new page.View(complex.data.points);
+  view.resize(200, 100);
+  const inside = (p) => view.x[p] >= 0 && view.x[p] <= 200 && view.y[p] >= 0 && view.y[p] <= 100;
+  const seen = () => {
+    view.project();
+    return [...view.x.keys()].filter(inside).length;
+  };
+  const spread = () => Math.max(...complex.cornersAt(step).map((p) => view.y[p])) - Math.min(...complex.cornersAt(step).map((p) => view.y[p]));
+  view.fit();
+  assert.equal(seen(), 7);
+  assert(spread() < 1);
+  view.fit(complex.cornersAt(step));
+  assert.equal(seen(), 5);
+  assert(Math.abs(spread() - 94) < 1e-3);
+  const { scale } = view;
+  view.fit(complex.cornersAt(-1)); // no triangle: all
+  assert(view.scale < 1e-5 * scale);
+  assert.equal(seen(), 7);
+});
+
 test("orientation is exact", () => {
   const points = Float64Array.from([0, 0, 12, 12, 24, 24, 0.5, 0.5 + 2 ** -53, 0.5, 0.5, 1e308, 1e308, -1e308, 1e308, 5e-324, 0, 0, 5e-324]);
   assert.equal(page.orientation(points, 0, 1, 2), 0);

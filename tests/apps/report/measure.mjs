@@ -68,7 +68,7 @@ tell("step of the slider: script", steps.script);
 tell("step of the slider: until its frame is over", steps.frames);
 for (const [name, body] of Object.entries({
   "new view: numbers under all pixels": "page.lay()",
-  "polygons as GeoJSON": "page.geojson()",
+  "polygons as GeoJSON": "shapeAsGeojson(page)",
 })) {
   const times = await tab.value(`(() => {
     const times = [];

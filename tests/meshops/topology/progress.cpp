@@ -118,6 +118,18 @@ TEST_SUITE("progress") {
     const std::vector<double> lengths(mesh.n_edges(), 1.5);
     is_watched(3 * faces, [&](const GoOn& go_on) { homology(mesh, lengths, go_on); });
   }
+
+  TEST_CASE("the report of a mesh can be watched and cancelled, whatever its boundary") {
+    for (const auto& [name, given] : large_soups()) {
+      CAPTURE(name);
+      if (!find_defects(given).empty()) continue;
+      OpenMesh::PolyConnectivity mesh;
+      const std::vector<std::uint32_t> point_of = build_mesh(mesh, given);
+      // Every vertex, edge and halfedge is passed at least once, and most of them several times.
+      const std::size_t passed = mesh.n_vertices() + 3 * mesh.n_halfedges();
+      is_watched(passed, [&](const GoOn& go_on) { report(mesh, point_of, go_on); });
+    }
+  }
 }
 
 TEST_SUITE("examine") {

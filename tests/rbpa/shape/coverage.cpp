@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "rbpa/core/error.h"
 #include "support/generate.h"
 #include "support/pictures.h"
 #include "support/random.h"
@@ -96,6 +98,23 @@ TEST_CASE("no polygon, no point in one") {
   check({}, 1);
   check({{0, 0}, {1, 0}, {2, 0}, {1, 0}}, 1);
   check({{0, 0}, {1, 0}, {0, 1}, {9, 9}, {9, 9}, {0, 1}}, 1);
+}
+
+TEST_CASE("which points lie in filled holes can be cancelled, wherever it is") {
+  const Points points = uniform(60000, 5);
+  const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, 0.4);
+  const PolygonFilter filled{.min_hole_area = std::numeric_limits<double>::infinity()};
+  const std::vector<Polygon> polygons = rbpa::polygons(complex, filled);
+  std::size_t asked = 0;
+  rbpa::polygon_of_points(complex, polygons, filled, points, [&] { return ++asked > 0; });
+  const auto queries = static_cast<double>(complex.isolated.size());
+  CHECK(static_cast<double>(asked) > queries * std::log2(queries) / 2 / 16384);  // what the sort of these compares
+  for (std::size_t last = 1; last <= asked; ++last) {
+    std::size_t left = last;
+    CHECK_THROWS_AS(rbpa::polygon_of_points(complex, polygons, filled, points, [&] { return --left > 0; }),
+                    rbpa::Cancelled);
+    CHECK(left == 0);  // and was not asked again
+  }
 }
 
 TEST_SUITE_END();

@@ -225,6 +225,37 @@ TEST_CASE("arrays of other points are refused, and a cancelled run ends") {
   CHECK_THROWS_AS(rbpa::polygons(points, arrays, {}, [] { return false; }), rbpa::Cancelled);
 }
 
+TEST_CASE("dust, and a plate with many holes: every sort asks whether to go on") {
+  const Points points = uniform(60000, 5);
+  for (const double alpha : {0.6, 0.9}) {  // some triangles and a few holes; most of them
+    CAPTURE(alpha);
+    const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
+    const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true});
+    std::size_t asked = 0;
+    const auto count_asks = [&](const PolygonFilter& filter) {
+      asked = 0;
+      const auto go_on = [&] { return ++asked > 0; };
+      const std::vector<Polygon> made = rbpa::polygons(points, arrays, filter, go_on);
+      const std::size_t of_arrays = asked;
+      asked = 0;
+      CHECK(rbpa::polygons(complex, filter, go_on) == made);
+      CHECK(2 * asked > of_arrays);
+      return of_arrays;
+    };
+    const auto edges = static_cast<double>(arrays.boundary.size());
+    const double compared = edges * std::log2(edges) / 2;  // at least
+    const std::size_t unfilled = count_asks({}), filled = count_asks({.min_hole_area = infinity});
+    CHECK(static_cast<double>(filled - unfilled) >
+          2 * compared / 16384);  // by where edges begin, and by where they end
+    for (std::size_t last = 1; last <= filled; ++last) {
+      std::size_t left = last;
+      CHECK_THROWS_AS(rbpa::polygons(points, arrays, {.min_hole_area = infinity}, [&] { return --left > 0; }),
+                      rbpa::Cancelled);
+      CHECK(left == 0);  // and was not asked again
+    }
+  }
+}
+
 TEST_CASE("integer grids: shells less holes are the triangles, to the last unit") {
   Random random(5);
   for (int run = 0; run < 300; ++run) {

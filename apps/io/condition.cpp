@@ -1,4 +1,4 @@
-#include "io/las/condition.h"
+#include "io/condition.h"
 
 #include <algorithm>
 #include <cctype>
@@ -19,10 +19,21 @@ constexpr std::pair<std::string_view, Step> comparisons[] = {
     {"==", Step::equal},      {"=", Step::equal},          {"!=", Step::not_equal}, {"<>", Step::not_equal},
     {"<=", Step::less_equal}, {">=", Step::greater_equal}, {"<", Step::less},       {">", Step::greater}};
 
+/// Letters beyond ASCII are letters.
+bool is_of_word(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) != 0 || c == '_' || c == '.' || byte >= 0x80;
+}
+
+std::string_view without_quotes(std::string_view word) {
+  return word.size() > 2 && word.front() == '"' ? word.substr(1, word.size() - 2) : word;
+}
+
 /// Recursive descent, a function for each rule of the grammar.
 class Parser {
  public:
-  Parser(const std::string& text, Instructions& result) : rest_(text), result_(result) {}
+  Parser(const std::string& text, const FieldNames& names, Instructions& result, std::vector<std::string>& fields)
+      : rest_(text), names_(names), result_(result), fields_(fields) {}
 
   void parse() {
     take();
@@ -33,14 +44,12 @@ class Parser {
  private:
   static constexpr int deepest = 100;  // brackets in brackets
 
-  /// Goes to the next word: a name, a number or a sign.
+  /// Goes to the next word: a name, perhaps in quotes, a number or a sign.
   void take() {
     while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front())) != 0) rest_.remove_prefix(1);
-    const auto is_of_word = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-    };
     std::size_t size = 0;
-    while (size < rest_.size() && is_of_word(rest_[size])) {
+    if (!rest_.empty() && rest_.front() == '"') size = std::min(rest_.find('"', 1), rest_.size() - 1) + 1;
+    while ((size == 0 || rest_.front() != '"') && size < rest_.size() && is_of_word(rest_[size])) {
       ++size;
       const bool exponent =
           (rest_[size - 1] == 'e' || rest_[size - 1] == 'E') && (is_digit(rest_.front()) || rest_.front() == '.');
@@ -147,24 +156,22 @@ class Parser {
       return {Step::number, negative ? -number.value : number.value};
     }
     if (negative) refuse("a number");
-    if (!is_las_field(word_)) refuse("a number or a field of LAS: " + las_field_names());
-    Condition::Instruction field{Step::field, 0, std::string(word_)};
+    const bool keyword = is("and") || is("or") || is("not") || is("in");
+    if (keyword || !names_.are(word_)) refuse("a number or " + names_.described);
+    const std::string name(without_quotes(word_));
     take();
-    return field;
+    const auto known = std::find(fields_.begin(), fields_.end(), name);
+    const auto index = static_cast<std::size_t>(known - fields_.begin());
+    if (known == fields_.end()) fields_.push_back(name);
+    return {Step::field, 0, index};
   }
 
   std::string_view rest_;
   std::string_view word_;  // the next one, empty at the end
+  const FieldNames& names_;
   Instructions& result_;
+  std::vector<std::string>& fields_;
 };
-
-/// The formats that have a field, for a message.
-std::string formats_with(std::string_view field, unsigned minor) {
-  std::string formats;
-  for (unsigned format = 0; format <= last_las_format; ++format)
-    if (find_las_field(field, format, minor)) formats += (formats.empty() ? "" : ", ") + std::to_string(format);
-  return formats.empty() ? "one of a later version" : formats;
-}
 
 double evaluated(Step step, double a, double b) {
   switch (step) {
@@ -189,44 +196,34 @@ double evaluated(Step step, double a, double b) {
 
 }  // namespace
 
-Condition::Condition(const std::string& text) { Parser(text, instructions_).parse(); }
-
-Selection::Selection(const Condition& condition, const LasRecords& records, const std::string& name)
-    : axes_(records.axes) {
-  for (const Condition::Instruction& given : condition.instructions()) {
-    Instruction& instruction = instructions_.emplace_back(Instruction{given.step, given.number});
-    if (given.step != Step::field) continue;
-    if (const std::optional<std::size_t> axis = las_axis(given.field)) {
-      instruction.field = {.offset = 4 * *axis, .type = Scalar::int32};
-      instruction.axis = axis;
-      continue;
-    }
-    const std::optional<LasField> field = find_las_field(given.field, records.format, records.minor);
-    if (!field)
-      bad_input(name, "point format " + std::to_string(records.format) + " of LAS 1." + std::to_string(records.minor),
-                "one with " + given.field + ", as --where asks: " + formats_with(given.field, records.minor));
-    instruction.field = *field;
-  }
+FieldNames names_of_columns() {
+  const auto are = [](std::string_view word) {
+    if (word.empty()) return false;
+    return is_of_word(word.front()) || (word.size() > 2 && word.front() == '"' && word.back() == '"');
+  };
+  return {are, "the name of a column (in double quotes where it is no word)"};
 }
 
-bool Selection::operator()(const char* record) {
-  values_.clear();
-  for (const Instruction& instruction : instructions_) {
+Condition::Condition(const std::string& text, const FieldNames& names) {
+  Parser(text, names, instructions_, fields_).parse();
+}
+
+bool Decision::operator()(std::span<const double> values) {
+  stack_.clear();
+  for (const Condition::Instruction& instruction : instructions_) {
     if (instruction.step == Step::number) {
-      values_.push_back(instruction.number);
+      stack_.push_back(instruction.number);
     } else if (instruction.step == Step::field) {
-      const char* at = record + instruction.field.offset;
-      values_.push_back(instruction.axis ? axes_[*instruction.axis](load<std::int32_t>(at, std::endian::little))
-                                         : instruction.field.value(record));
+      stack_.push_back(values[instruction.field]);
     } else if (instruction.step == Step::negation) {
-      values_.back() = values_.back() == 0 ? 1 : 0;
+      stack_.back() = stack_.back() == 0 ? 1 : 0;
     } else {
-      const double right = values_.back();
-      values_.pop_back();
-      values_.back() = evaluated(instruction.step, values_.back(), right);
+      const double right = stack_.back();
+      stack_.pop_back();
+      stack_.back() = evaluated(instruction.step, stack_.back(), right);
     }
   }
-  return values_.back() != 0;
+  return stack_.back() != 0;
 }
 
 }  // namespace rbpa::app

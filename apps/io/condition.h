@@ -1,0 +1,58 @@
+// What: `--where`: which points of a file count, by numbers that stand beside them: "class == 2 and (z > 3 or not overlap)".
+// Cost: a few operations a point for each word.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rbpa::app {
+
+/// What a condition may call a field.
+struct FieldNames {
+  bool (*are)(std::string_view word);
+  std::string described;  ///< for messages, behind "expected a number or "
+};
+
+/// Of tables: any name. One that is no word, such as "point class", stands in double quotes.
+FieldNames names_of_columns();
+
+/// Comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or `field in (2, 6)`, or a
+/// field that is not 0; joined by not, and, or (also ! && ||) and brackets. Small and capital letters are the same.
+class Condition {
+ public:
+  /// Throws WrongUsage naming what is not understood.
+  Condition(const std::string& text, const FieldNames& names);
+
+  enum class Step { field, number, equal, not_equal, less, less_equal, greater, greater_equal, both, either, negation };
+  /// In the order of evaluation: values before what is made of them.
+  struct Instruction {
+    Step step;
+    double number = 0;      ///< of Step::number
+    std::size_t field = 0;  ///< of Step::field: which of fields()
+  };
+  const std::vector<Instruction>& instructions() const { return instructions_; }
+  /// As they were written, each once.
+  const std::vector<std::string>& fields() const { return fields_; }
+
+ private:
+  std::vector<Instruction> instructions_;
+  std::vector<std::string> fields_;
+};
+
+/// Says of one point after the other whether a condition holds.
+class Decision {
+ public:
+  explicit Decision(const Condition& condition) : instructions_(condition.instructions()) {}
+
+  /// `values` are those of the condition's fields.
+  bool operator()(std::span<const double> values);
+
+ private:
+  std::vector<Condition::Instruction> instructions_;
+  std::vector<double> stack_;
+};
+
+}  // namespace rbpa::app

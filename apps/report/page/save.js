@@ -1,0 +1,40 @@
+// What: what is shown as files: the shape as GeoJSON, the view as SVG.
+"use strict";
+
+function shapeAsGeojson({ complex, step }) {
+  return geojsonOf(polygonsAt(complex, complex.countAt(step)), complex.data.points);
+}
+
+function viewAsSvg(page) {
+  const { complex, view, step, shown, colours } = page;
+  const count = complex.countAt(step);
+  view.project();
+  page.light(Infinity);
+  const corners = (t) => [...complex.triangles.subarray(3 * t, 3 * t + 3)];
+  const ends = (side) => [complex.triangles[side], complex.triangles[nextSide(side)]];
+  const inner = shown.edges ? (sidesInView(complex, view, count).inner ?? []) : [];
+  const free = shown.freeEdges ? freeEdgesInView(complex, view, step) : [];
+  const isHole = page.pair >= 0 && complex.data.pairs.dimension[page.pair] === 1;
+  return svgOf({
+    width: view.width,
+    height: view.height,
+    x: view.x,
+    y: view.y,
+    polygons: polygonsAt(complex, count),
+    regions: page.region.length === 0 ? [] : [{ triangles: page.region.map(corners), colour: isHole ? colours.litGap : colours.lit }],
+    lines: [...inner, ...free].map(ends),
+    dots: shown.isolated ? isolatedInView(complex, view, count) : [],
+    colours,
+    title: `${complex.data.facts.source}, alpha ${page.alpha}`,
+  });
+}
+
+/** Has the browser save a text, under the name of the points and of the radius. */
+function saveFile({ complex, alpha }, ending, type, text) {
+  const link = document.createElement("a");
+  const name = complex.data.facts.source.replace(/\.[^.]*$/, "") || "shape";
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = `${name}.alpha-${short(alpha)}.${ending}`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
