@@ -37,6 +37,8 @@ set(arrows
   rbpa/arrays>rbpa rbpa/arrays>rbpa/predicate rbpa/arrays>rbpa/parallel rbpa/arrays>meshops/core
   rbpa/arrays>meshops/patch rbpa>rbpa/arrays
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
+  rbpa/partial>rbpa rbpa/partial>rbpa/core rbpa/partial>rbpa/predicate rbpa/partial>rbpa/run rbpa/partial>rbpa/shape
+  rbpa/partial>meshops/core rbpa/partial>meshops/topology
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
 
   # Programs: folders of ours first, then what each uses of the libraries.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rbpa {
 namespace {
@@ -28,29 +27,20 @@ double length(const Point& a, const Point& b) {
   return std::scalbn(std::sqrt(u * u + v * v), exponent);
 }
 
-/// Sums of numbers that are not negative, some of them perhaps infinite.
-class LengthSum {
- public:
-  void add(double value) {
-    if (std::isinf(value))
-      infinite_ = true;
-    else
-      sum_.add(value);
-  }
-  double rounded() const { return infinite_ ? std::numeric_limits<double>::infinity() : sum_.rounded(); }
-
- private:
-  ExactSum sum_;
-  bool infinite_ = false;
-};
+void add_twice_area(ExactSum& sum, const Point& from, const Point& to) {
+  sum.add_product(from.x, to.y);
+  sum.add_product(-from.y, to.x);
+}
 
 }  // namespace
 
+void BoundaryMeasure::add_edge(const Point& from, const Point& to) {
+  add_twice_area(twice_, from, to);
+  lengths_.add(length(from, to));
+}
+
 void add_twice_area(ExactSum& sum, const Ring& ring, std::span<const Point> points) {
-  for_each_edge(ring, points, [&](const Point& a, const Point& b) {
-    sum.add_product(a.x, b.y);
-    sum.add_product(-a.y, b.x);
-  });
+  for_each_edge(ring, points, [&](const Point& a, const Point& b) { add_twice_area(sum, a, b); });
 }
 
 double enclosed_area(const Ring& ring, std::span<const Point> points) {
@@ -60,16 +50,12 @@ double enclosed_area(const Ring& ring, std::span<const Point> points) {
 }
 
 void measure(Polygon& polygon, std::span<const Point> points) {
-  ExactSum twice;
-  LengthSum perimeter;
-  const auto add = [&](const Ring& ring) {
-    add_twice_area(twice, ring, points);
-    for_each_edge(ring, points, [&](const Point& a, const Point& b) { perimeter.add(length(a, b)); });
-  };
-  add(polygon.shell);
-  for (const Ring& hole : polygon.holes) add(hole);
-  polygon.area = twice.rounded(-1);
-  polygon.perimeter = perimeter.rounded();
+  BoundaryMeasure boundary;
+  const auto add = [&](const Point& from, const Point& to) { boundary.add_edge(from, to); };
+  for_each_edge(polygon.shell, points, add);
+  for (const Ring& hole : polygon.holes) for_each_edge(hole, points, add);
+  polygon.area = boundary.area();
+  polygon.perimeter = boundary.perimeter();
 }
 
 PolygonTotals total(std::span<const Polygon> polygons) {

@@ -2,6 +2,8 @@
 // Law:  a function of the ring's edges: of no order.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "rbpa/core/point.h"
@@ -9,6 +11,35 @@
 #include "rbpa/shape/polygons.h"
 
 namespace rbpa {
+
+/// Sums of numbers that are not negative, some of them perhaps infinite.
+class LengthSum {
+ public:
+  void add(double value) {
+    if (std::isinf(value))
+      infinite_ = true;
+    else
+      sum_.add(value);
+  }
+  double rounded() const { return infinite_ ? std::numeric_limits<double>::infinity() : sum_.rounded(); }
+
+ private:
+  ExactSum sum_;
+  bool infinite_ = false;
+};
+
+/// What the edges of a polygon's rings, each with the polygon on its left, enclose, and how long they are.
+class BoundaryMeasure {
+ public:
+  void add_edge(const Point& from, const Point& to);
+
+  double area() const { return twice_.rounded(-1); }  ///< rounded once
+  double perimeter() const { return lengths_.rounded(); }
+
+ private:
+  ExactSum twice_;
+  LengthSum lengths_;
+};
 
 /// Adds twice the area that the ring encloses, exactly: positive when it is counter-clockwise.
 void add_twice_area(ExactSum& sum, const Ring& ring, std::span<const Point> points);

@@ -1,0 +1,88 @@
+#include "rbpa/partial/rings.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "rbpa/core/error.h"
+#include "rbpa/predicate/predicates.h"
+#include "rbpa/shape/measure.h"
+#include "rbpa/shape/split_curve.h"
+
+namespace rbpa {
+namespace {
+
+void begin_with_least(CornerRing& ring) {
+  const auto less = [](const Corner& a, const Corner& b) { return a.at < b.at; };
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), less), ring.end());
+}
+
+void add_ring(OpenComponent& component, CornerRing&& ring) {
+  if (ring.size() < 3) throw InvalidInput("a boundary ring of " + std::to_string(ring.size()) + " points, expected 3");
+  begin_with_least(ring);
+  component.least = std::min(component.least, ring[0].at);
+  component.rings.push_back(std::move(ring));
+}
+
+void measure(CornerPolygon& polygon) {
+  BoundaryMeasure boundary;
+  const auto add = [&](const CornerRing& ring) {
+    const Corner* from = &ring.back();
+    for (const Corner& to : ring) boundary.add_edge(std::exchange(from, &to)->at, to.at);
+  };
+  add(polygon.shell);
+  for (const CornerRing& hole : polygon.holes) add(hole);
+  polygon.area = boundary.area();
+  polygon.perimeter = boundary.perimeter();
+}
+
+}  // namespace
+
+void add_curve(OpenComponent& component, std::vector<Corner>&& curve) {
+  std::vector<std::uint64_t> points;
+  points.reserve(curve.size());
+  for (const Corner& corner : curve) points.push_back(corner.index);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() == curve.size()) return add_ring(component, std::move(curve));
+
+  // Points by their place among those of the curve.
+  std::vector<std::uint32_t> numbers;
+  std::vector<const Corner*> corners(points.size());
+  for (const Corner& corner : curve) {
+    const auto place = std::lower_bound(points.begin(), points.end(), corner.index) - points.begin();
+    numbers.push_back(static_cast<std::uint32_t>(place));
+    corners[static_cast<std::size_t>(place)] = &corner;
+  }
+  std::vector<Ring> rings;
+  CurveSplitter(points.size()).split(numbers, rings);
+  for (const Ring& ring : rings) {
+    CornerRing made;
+    for (const std::uint32_t number : ring.points) made.push_back(*corners[number]);
+    add_ring(component, std::move(made));
+  }
+}
+
+bool ring_before(const CornerRing& a, const CornerRing& b) {
+  return std::pair(a[0].at, a[1].at) < std::pair(b[0].at, b[1].at);
+}
+
+CornerPolygon polygon_of(std::vector<CornerRing>&& rings) {
+  std::sort(rings.begin(), rings.end(), ring_before);
+  // The shell has the least point of all, perhaps with holes that touch it there. A ring cannot go straight on in its least
+  // point.
+  const auto shell = std::find_if(rings.begin(), rings.end(), [](const CornerRing& ring) {
+    return Predicates<long double>::orientation(ring.back().at, ring[0].at, ring[1].at) > 0;
+  });
+  if (shell == rings.end())
+    throw InvalidInput("a component of " + std::to_string(rings.size()) +
+                       " boundary rings, expected one of them to run counter-clockwise");
+  CornerPolygon polygon{.shell = std::move(*shell)};
+  rings.erase(shell);
+  polygon.holes = std::move(rings);
+  measure(polygon);
+  return polygon;
+}
+
+}  // namespace rbpa

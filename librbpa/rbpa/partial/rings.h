@@ -1,0 +1,22 @@
+// What: boundary curves of an open component to rings, and the rings of a finished one to its polygon.
+#pragma once
+
+#include <vector>
+
+#include "rbpa/partial/partial.h"
+#include "rbpa/partial/state.h"
+
+namespace rbpa {
+
+/// Adds the rings of a closed boundary curve, triangles on the left.
+/// Throws: InvalidInput when it is no boundary curve of triangles. Cost: n log n.
+void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
+
+/// The order of rings: by first point, then by second. An edge is on one ring, and no two compare equal.
+bool ring_before(const CornerRing& a, const CornerRing& b);
+
+/// The polygon of a component all of whose curves are closed, its points not counted in.
+/// Throws: InvalidInput when the rings are not those of a component.
+CornerPolygon polygon_of(std::vector<CornerRing>&& rings);
+
+}  // namespace rbpa
