@@ -42,6 +42,7 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_polygons(module);
   rbpa::python::bind_filtration(module);
   rbpa::python::bind_locator(module);
+  rbpa::python::bind_partial(module);
   rbpa::python::bind_mesh(module);
   rbpa::python::bind_soups(module);
 }

@@ -1,6 +1,9 @@
 from collections.abc import Callable, Sequence
 from typing import Any, Optional, overload
 
+import numpy as np
+import numpy.typing as npt
+
 from rbpa._input import Floats, Indices, Integers, Progress
 
 version: str
@@ -30,6 +33,13 @@ def fingerprint(points: Floats) -> int: ...
 def polygons(
     points: Floats, simplices: Indices, neighbors: Indices, min_hole_area: float, min_part_area: float
 ) -> dict[str, Any]: ...
+
+def halo(region: tuple[float, float, float, float], alpha: float) -> tuple[float, float, float, float]: ...
+def partial(
+    points: Floats, indices: npt.NDArray[np.uint64], region: tuple[float, float, float, float], alpha: float, threads: int
+) -> tuple[bytes, dict[str, Any], Integers, Integers]: ...
+def merge_partials(a: bytes, b: bytes) -> tuple[bytes, dict[str, Any]]: ...
+def finish_partial(partial: bytes) -> tuple[dict[str, int], dict[str, Any]]: ...
 
 class Delta:
     @property

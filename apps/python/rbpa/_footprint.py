@@ -1,0 +1,154 @@
+"""What is known of a complex whose points are not in memory."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, List, Sequence
+
+import numpy as np
+
+from rbpa._input import Floats, Integers
+from rbpa._polygons import Polygons
+
+Flat = Dict[str, Any]
+
+
+class Footprint:
+    """The solid alpha complex of points that are elsewhere: what `rbpa.dask.alpha_shape` returns.
+
+    Attributes
+    ----------
+    alpha : float
+        The radius.
+    polygons : Polygons
+        A polygon with holes for each piece that is connected through edges. Their indices are int64: places in the sources one
+        after the other.
+    points, duplicates, isolated : int
+        Of the points: how many, how many equal one before them, how many distinct ones are in no triangle.
+    vertices, edges, triangles : int
+        Of the complex.
+    solid_components, components, holes, boundary_curves : int
+        Pieces that are connected through edges, and through points; holes of the latter; curves of the boundary.
+    triangle_files : list of str
+        Where the triangles are, if they were asked for.
+    """
+
+    alpha: float
+    polygons: Polygons
+    points: int
+    duplicates: int
+    isolated: int
+    vertices: int
+    edges: int
+    triangles: int
+    solid_components: int
+    components: int
+    holes: int
+    boundary_curves: int
+    triangle_files: List[str]
+
+    def __init__(self, alpha: float, counts: Dict[str, int], polygons: Polygons, triangle_files: List[str]) -> None:
+        self.alpha = alpha
+        self.polygons = polygons
+        self.triangle_files = triangle_files
+        self.__dict__.update(counts)
+
+    @property
+    def area(self) -> float:
+        """Of all triangles together: the polygons' areas added exactly, rounded once."""
+        return self.polygons.area
+
+    @property
+    def perimeter(self) -> float:
+        """The length of the boundary."""
+        return self.polygons.perimeter
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        return self.polygons.__geo_interface__
+
+    def to_geojson(self) -> str:
+        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter, number of holes."""
+        return self.polygons.to_geojson()
+
+    def to_wkt(self) -> str:
+        """The text of an OGC MULTIPOLYGON."""
+        return self.polygons.to_wkt()
+
+    def to_shapely(self) -> Any:
+        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
+        return self.polygons.to_shapely()
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draws the polygons with matplotlib, as `Polygons.plot`. Returns the axes."""
+        return self.polygons.plot(ax, **style)
+
+    def __repr__(self) -> str:
+        return f"<rbpa.Footprint of {self.points} points: alpha {self.alpha}, {self.triangles} triangles, {self.polygons!r}>"
+
+
+class _Places:
+    """Coordinates by indices that are far apart."""
+
+    def __init__(self, indices: Integers, coordinates: Floats) -> None:
+        self._indices, first = np.unique(indices, return_index=True)
+        self._coordinates = coordinates[first]
+
+    def __getitem__(self, indices: Integers) -> Floats:
+        found: Floats = self._coordinates[np.searchsorted(self._indices, indices)]
+        return found
+
+
+def gathered(files: Sequence[str], rest: Flat) -> Polygons:
+    """The polygons of files and the others, in the order of their shells' first points, then of the second."""
+    flats = [rest]
+    for path in files:
+        with np.load(path) as file:
+            flats.append(dict(file))
+    flat = _sorted(_joined(flats))
+    flat["area"], flat["perimeter"] = _sum(flat["areas"]), _sum(flat["perimeters"])
+    return Polygons(_Places(flat["indices"], flat.pop("coordinates")), flat)  # type: ignore[arg-type]
+
+
+def _sum(values: Floats) -> float:
+    """The exact sum, rounded once; infinite beyond the range of double."""
+    try:
+        return math.fsum(values)
+    except OverflowError:
+        return math.inf
+
+
+def _joined(flats: List[Flat]) -> Flat:
+    joined = {name: np.concatenate([flat[name] for flat in flats]) for name in ("indices", "coordinates", "areas", "perimeters", "points")}
+    for name, of in (("ring_begin", "indices"), ("polygon_begin", "ring_begin")):
+        ends, total = [np.zeros(1, np.int64)], 0
+        for flat in flats:
+            ends.append(flat[name][1:] + total)
+            total += int(flat[name][-1])
+        joined[name] = np.concatenate(ends)
+    return joined
+
+
+def _sorted(flat: Flat) -> Flat:
+    rings, shells = flat["ring_begin"], flat["polygon_begin"][:-1]
+    first = flat["coordinates"][rings[shells]]
+    second = flat["coordinates"][rings[shells] + 1]
+    order = np.lexsort((second[:, 1], second[:, 0], first[:, 1], first[:, 0]))
+    ring_order, polygon_begin = _ranges(flat["polygon_begin"], order)
+    corner_order, ring_begin = _ranges(rings, ring_order)
+    return {
+        "indices": flat["indices"][corner_order],
+        "coordinates": flat["coordinates"][corner_order],
+        "ring_begin": ring_begin,
+        "polygon_begin": polygon_begin,
+        "areas": flat["areas"][order],
+        "perimeters": flat["perimeters"][order],
+        "points": flat["points"][order],
+    }
+
+
+def _ranges(begin: Integers, order: Integers) -> tuple[Integers, Integers]:
+    """The items of some ranges one after the other, and where each range begins then, with the end."""
+    sizes = np.diff(begin)[order]
+    new_begin = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+    return np.arange(new_begin[-1]) + np.repeat(begin[:-1][order] - new_begin[:-1], sizes), new_begin

@@ -1,0 +1,129 @@
+"""How points are counted in cells, and the plane is cut into tiles of about as many points each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Iterator, Optional, Sequence, Tuple
+
+import numpy as np
+
+from rbpa._core import InvalidInput, halo
+from rbpa._input import Floats, Integers
+
+Bounds = Tuple[float, float, float, float]
+
+_FAR = float("inf")
+_PLANE: Bounds = (-_FAR, -_FAR, _FAR, _FAR)
+_MAX_CELLS = 1 << 20  # of all points together; what the client holds of them
+_INDEX_BITS = 30  # of a cell's place along an axis
+_LEAST = -1074  # the last bit of a double
+
+
+@dataclass
+class Cells:
+    """Numbers of points in squares whose sides are 2**exponent long, corners at multiples of it."""
+
+    exponent: int
+    at: Integers  # (m, 2)
+    counts: Integers
+
+    def coarsened(self, exponent: int) -> Cells:
+        """In squares of 2**exponent, which is not less."""
+        at = self.at >> min(exponent - self.exponent, 63)
+        if len(at) == 0:
+            return Cells(exponent, at, self.counts)
+        low, high = at.min(axis=0), at.max(axis=0)
+        rows = int(high[1] - low[1]) + 1
+        keys, where = np.unique((at[:, 0] - low[0]) * rows + (at[:, 1] - low[1]), return_inverse=True)
+        counts = np.zeros(len(keys), np.int64)
+        np.add.at(counts, where, self.counts)
+        return Cells(exponent, np.column_stack((keys // rows + low[0], keys % rows + low[1])), counts)
+
+
+def cells_of(points: Floats) -> Cells:
+    """Cells so small that none has most of the points, but where these are nearly one."""
+    wrong = np.flatnonzero(~np.isfinite(points).all(axis=1))
+    if len(wrong):
+        raise InvalidInput(f"points: found {points[wrong[0]].tolist()} in row {wrong[0]}, expected finite coordinates")
+    if len(points) == 0:
+        return Cells(_LEAST, np.empty((0, 2), np.int64), np.empty(0, np.int64))
+    finest = max(int(np.frexp(np.abs(points).max())[1]) - _INDEX_BITS, _LEAST)
+    sample = points[:: max(len(points) >> 14, 1)]
+    exponent = finest + _INDEX_BITS
+    while exponent > finest and _counted(sample, exponent).counts.max() > max(len(sample) >> 6, 1):
+        exponent -= 1
+    return _counted(points, exponent)
+
+
+def _counted(points: Floats, exponent: int) -> Cells:
+    at = np.floor(np.ldexp(points, -exponent)).astype(np.int64)
+    return Cells(exponent, at, np.ones(len(at), np.int64)).coarsened(exponent)
+
+
+def united(parts: Sequence[Cells]) -> Cells:
+    """All together, in cells as large as the largest, or larger where there would be too many."""
+    filled = [part for part in parts if len(part.counts)]
+    if not filled:
+        return Cells(0, np.empty((0, 2), np.int64), np.empty(0, np.int64))
+    exponent = max(part.exponent for part in filled)
+    same = [part.coarsened(exponent) for part in filled]
+    at, counts = np.concatenate([part.at for part in same]), np.concatenate([part.counts for part in same])
+    all_cells = Cells(exponent, at, counts).coarsened(exponent)
+    while len(all_cells.counts) > _MAX_CELLS:
+        all_cells = all_cells.coarsened(all_cells.exponent + 1)
+    return all_cells
+
+
+@dataclass
+class Tile:
+    """A part of the plane, a half-open box, and the box of what is within 2 alpha of it; whole, or in two halves."""
+
+    number: int
+    region: Bounds
+    around: Bounds
+    halves: Optional[Tuple[Tile, Tile]] = None
+
+    def parted(self, points: Floats) -> Iterator[Tuple[int, Integers]]:
+        """Of each whole tile that has points in its halo, or its own: its number, and which points these are."""
+        return self._parted(points, np.arange(len(points)))
+
+    def _parted(self, points: Floats, some: Integers) -> Iterator[Tuple[int, Integers]]:
+        x, y = points[some].T
+        x0, y0, x1, y1 = self.around
+        inside = some[(x0 <= x) & (x <= x1) & (y0 <= y) & (y <= y1)]
+        if len(inside) == 0:
+            return
+        if self.halves is None:
+            yield self.number, inside
+            return
+        for half in self.halves:
+            yield from half._parted(points, inside)
+
+    def __len__(self) -> int:
+        """How many whole tiles."""
+        return 1 if self.halves is None else sum(len(half) for half in self.halves)
+
+
+def halved(cells: Cells, max_points: int, alpha: float) -> Tile:
+    """The plane, halved along lines between cells until a part has at most so many points, or is one cell."""
+    tiles = 0
+
+    def tile(region: Bounds, at: Integers, counts: Integers) -> Tile:
+        nonlocal tiles
+        around = halo(region, alpha)
+        if counts.sum() <= max_points or len(counts) == 1:
+            tiles += 1
+            return Tile(tiles - 1, region, around)
+        axis = int(np.argmax(at.max(axis=0) - at.min(axis=0)))
+        steps, where = np.unique(at[:, axis], return_inverse=True)
+        before = np.cumsum(np.bincount(where, weights=counts))[:-1]  # of each step but the first, all points before it
+        cut = steps[1 + int(np.argmin(np.abs(before - counts.sum() / 2)))]
+        line = float(np.ldexp(float(cut), cells.exponent))
+        left, right = list(region), list(region)
+        left[2 + axis] = right[axis] = line
+        is_left = at[:, axis] < cut
+        a = tile((left[0], left[1], left[2], left[3]), at[is_left], counts[is_left])
+        b = tile((right[0], right[1], right[2], right[3]), at[~is_left], counts[~is_left])
+        return Tile(-1, region, around, (a, b))
+
+    return tile(_PLANE, cells.at, cells.counts)

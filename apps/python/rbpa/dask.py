@@ -1,0 +1,279 @@
+"""Alpha shapes of more points than one machine holds, on the workers of a Dask cluster.
+
+    >>> import rbpa.dask                                                         # doctest: +SKIP
+    >>> footprint = rbpa.dask.alpha_shape("tiles/*.npy", 1.0, storage="/shared")  # doctest: +SKIP
+    >>> footprint.area, len(footprint.polygons)                                  # doctest: +SKIP
+
+The points are counted in cells, cut into tiles by these counts, and every tile is a task: of its own points and those within
+2 alpha around it, it computes what it has of the complex, and what is open along its rim. Two results merge into one, in
+any order, and the last one is the whole. What comes out is what `rbpa.alpha_shape` gives for all points together, to the
+last bit, whatever the tiles, the workers, and how many of them were lost on the way.
+
+Points do not pass through the scheduler or the client. They lie in files in `storage`, a folder that all workers see, from when
+they are cut until the tile is done; tasks hand on what is open, and write the polygons that are finished there too.
+"""
+
+from __future__ import annotations
+
+import glob
+import os
+import pathlib
+import shutil
+import tempfile
+import uuid
+from dataclasses import dataclass
+from typing import Any, Callable, Iterable, Optional, Sequence, Union
+
+import dask
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import InvalidInput
+from rbpa._footprint import Footprint, gathered
+from rbpa._input import Floats, as_count, as_points, as_radius, as_threads
+from rbpa._tiles import Cells, Tile, cells_of, halved, united
+
+Reader = Callable[[str], npt.ArrayLike]
+Path = Union[str, "os.PathLike[str]"]
+
+_RECORD = np.dtype([("x", np.float64), ("y", np.float64), ("index", np.uint64)])
+_BLOCK_BYTES = 64 << 20  # of a raw file or .npy that one task reads
+
+
+def alpha_shape(
+    sources: Union[Path, Sequence[Path], Any],
+    alpha: float,
+    client: Any = None,
+    *,
+    storage: Optional[Path] = None,
+    tile_points: int = 1_000_000,
+    triangles: bool = False,
+    reader: Optional[Reader] = None,
+    threads: int = 1,
+) -> Footprint:
+    """The solid alpha complex of points in files or Dask collections: its polygons, counts, and triangles in files.
+
+    Parameters
+    ----------
+    sources
+        Files (a path, a pattern such as "tiles/*.npy", or a list of these, which are read in that order), a dask.array of
+        shape (n, 2), or a dask.dataframe of two columns. Files are .npy of shape (n, 2), .f64xy (pairs of native float64) or
+        text of two columns; `reader` reads any others. Points are numbered through, in the order of the sources.
+    alpha : float
+        A finite radius above 0. Infinity is refused, as no part of the points determines a part of the result then: take a
+        radius above all that matter, or `rbpa.Delaunay`. `rbpa.alpha_shape` of a sample finds one.
+    client : distributed.Client, optional
+        Where tasks run; by default wherever Dask runs them.
+    storage : path, optional
+        A folder that all workers can read and write, by default one for temporary files: good on one machine. It takes about
+        24 bytes a point and more for halos until the end.
+    tile_points : int
+        At most about so many points a tile, halos not counted; more where they are too near each other to be told apart.
+        A task needs about 200 bytes for each of them.
+    triangles : bool
+        Writes the triangles: int64 files of shape (m, 3) in `storage`, one for each tile, named in `Footprint.triangle_files`.
+    reader : callable, optional
+        reader(path) returns the points of a file, of shape (n, 2). Twice the same, or that is noticed and refused.
+    threads : int
+        Of each task.
+
+    Returns
+    -------
+    Footprint
+
+    Raises
+    ------
+    InvalidInput
+        Sources that are no points; says which, and what was expected. Files that changed between two readings.
+    """
+    radius = as_radius(alpha)
+    if not np.isfinite(radius):
+        raise InvalidInput("alpha: found inf, expected a finite radius: without one a circle is as large as all points")
+    most, workers = as_count(tile_points, "tile_points", 1), as_threads(as_count(threads, "threads", 1))
+    chunks = _chunks(sources, reader)
+    folder = pathlib.Path(tempfile.gettempdir() if storage is None else storage, f"rbpa-{uuid.uuid4().hex}")
+    folder.mkdir(parents=True)
+    run = _Run(client, folder.name)
+    try:
+        counts = run.compute([run.task("count", i, _count, c) for i, c in enumerate(chunks)])
+        first = np.concatenate([[0], np.cumsum([n for n, _ in counts])]).astype(np.int64)
+        tree = halved(united([cells for _, cells in counts]), most, radius)
+        pieces = run.compute(
+            [
+                run.task("cut", i, _cut, chunk, int(first[i]), counts[i][0], tree, str(folder / f"points-{i}"))
+                for i, chunk in enumerate(chunks)
+            ]
+        )
+        merged = _merged(run, tree, pieces, radius, workers, str(folder), triangles)
+        open_rim, files, triangle_files = run.compute([merged])[0]
+        numbers, rest = _core.finish_partial(open_rim)
+        footprint = Footprint(radius, numbers, gathered(files, rest), triangle_files)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
+    _remove_but(triangle_files, folder)
+    return footprint
+
+
+class _Run:
+    """Dask's tasks of one call, with names that say what they do."""
+
+    def __init__(self, client: Any, token: str) -> None:
+        self._client = client
+        self._token = token
+
+    def task(self, verb: str, number: int, work: Callable[..., Any], *arguments: Any) -> Any:
+        return dask.delayed(work, pure=False)(*arguments, dask_key_name=f"rbpa-{verb}-{self._token[5:13]}-{number}")
+
+    def compute(self, tasks: list[Any]) -> list[Any]:
+        if self._client is None:
+            return list(dask.compute(*tasks))
+        return list(self._client.gather(self._client.compute(tasks)))
+
+
+@dataclass
+class _File:
+    """Some of the points of a file."""
+
+    path: str
+    reader: Optional[Reader]
+    first: int = 0
+    count: Optional[int] = None  # to the end
+
+    def read(self) -> Floats:
+        if self.reader is not None:
+            return as_points(self.reader(self.path), self.path)
+        if self.path.endswith(".npy"):
+            mapped = np.load(self.path, mmap_mode="r")
+            return as_points(mapped[self.first : None if self.count is None else self.first + self.count], self.path)
+        if self.path.endswith(".f64xy"):
+            count = -1 if self.count is None else 2 * self.count
+            return np.fromfile(self.path, np.float64, count, offset=16 * self.first).reshape(-1, 2)
+        with open(self.path, encoding="utf-8") as file:
+            separated = "," in file.readline()
+        return as_points(np.loadtxt(self.path, delimiter="," if separated else None, ndmin=2), self.path)
+
+
+def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:
+    """What one task reads each: files, parts of files, or blocks of a collection."""
+    if hasattr(sources, "to_delayed"):
+        if len(getattr(sources, "shape", (0, 2))) != 2 or sources.shape[1] != 2:
+            raise InvalidInput(f"sources: found a collection of shape {sources.shape}, expected (n, 2)")
+        if hasattr(sources, "rechunk"):
+            sources = sources.rechunk({1: 2})
+        return list(np.ravel(sources.to_delayed()))
+    paths = [sources] if isinstance(sources, (str, os.PathLike)) else list(sources)
+    files = [file for path in paths for file in _files(os.fspath(path))]
+    return [part for file in files for part in _parts(file, reader)]
+
+
+def _files(path: str) -> Iterable[str]:
+    found = sorted(glob.glob(path)) if glob.has_magic(path) and not os.path.exists(path) else [path]
+    if not found or not os.path.exists(found[0]):
+        raise InvalidInput(f"{path}: found no such file, expected points")
+    return found
+
+
+def _parts(path: str, reader: Optional[Reader]) -> Iterable[_File]:
+    if reader is not None or not path.endswith((".npy", ".f64xy")):
+        return [_File(path, reader)]
+    points = len(np.load(path, mmap_mode="r")) if path.endswith(".npy") else os.path.getsize(path) // 16
+    at_once = _BLOCK_BYTES // 16
+    return [_File(path, None, first, min(at_once, points - first)) for first in range(0, max(points, 1), at_once)]
+
+
+def _read(chunk: Any) -> Floats:
+    return chunk.read() if isinstance(chunk, _File) else as_points(chunk)
+
+
+def _count(chunk: Any) -> tuple[int, Cells]:
+    points = _read(chunk)
+    return len(points), cells_of(points)
+
+
+def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tuple[int, str, int, int]]:
+    """Writes the points of a chunk tile by tile, each with its halo: of each tile the file, where, and how many."""
+    points = _read(chunk)
+    if len(points) != count:
+        raise InvalidInput(f"{chunk}: found {len(points)} points, expected {count} as when they were counted")
+    pieces, at = [], 0
+    with open(f"{path}.{uuid.uuid4().hex}", "wb") as file:
+        for tile, inside in tree.parted(points):
+            records = np.empty(len(inside), _RECORD)
+            records["x"], records["y"] = points[inside].T
+            records["index"] = inside + first
+            records.tofile(file)
+            pieces.append((tile, path, at, len(inside)))
+            at += records.nbytes
+    os.replace(file.name, path)
+    return pieces
+
+
+def _merged(
+    run: _Run, tree: Tile, pieces: list[list[tuple[int, str, int, int]]], alpha: float, threads: int, folder: str, triangles: bool
+) -> Any:
+    """The task of which all others are parts: tiles are merged as they were halved."""
+    of_tile: dict[int, list[tuple[str, int, int]]] = {}
+    for chunk in pieces:
+        for tile, path, at, count in chunk:
+            of_tile.setdefault(tile, []).append((path, at, count))
+    merges = 0
+
+    def result(tile: Tile) -> Any:
+        nonlocal merges
+        if tile.halves is None:
+            arguments = (of_tile.get(tile.number, []), tile.region, alpha, threads, folder, tile.number, triangles)
+            return run.task("partial", tile.number, _partial, *arguments)
+        a, b = (result(half) for half in tile.halves)
+        merges += 1
+        return run.task("merge", merges, _merge, a, b, folder, merges)
+
+    return result(tree)
+
+
+def _partial(
+    pieces: list[tuple[str, int, int]], region: tuple[float, ...], alpha: float, threads: int, folder: str, number: int, triangles: bool
+) -> Any:
+    records = np.concatenate([_piece(*piece) for piece in pieces]) if pieces else np.empty(0, _RECORD)
+    points = np.column_stack((records["x"], records["y"]))
+    indices = np.ascontiguousarray(records["index"])
+    open_rim, polygons, corners, _ = _core.partial(points, indices, region, alpha, threads)
+    written = []
+    if triangles:
+        written.append(_write(pathlib.Path(folder, f"triangles-{number:06}.npy"), lambda file: np.save(file, corners)))
+    return open_rim, _keep(polygons, folder, f"partial-{number}"), written
+
+
+def _piece(path: str, at: int, count: int) -> npt.NDArray[Any]:
+    records = np.fromfile(path, _RECORD, count, offset=at)
+    if len(records) != count:
+        raise InvalidInput(f"{path}: found {len(records)} points from byte {at} on, expected {count}: it was cut off")
+    return records
+
+
+def _merge(a: Any, b: Any, folder: str, number: int) -> Any:
+    open_rim, polygons = _core.merge_partials(a[0], b[0])
+    return open_rim, [*a[1], *b[1], *_keep(polygons, folder, f"merge-{number}")], [*a[2], *b[2]]
+
+
+def _keep(polygons: dict[str, Any], folder: str, name: str) -> list[str]:
+    if len(polygons["areas"]) == 0:
+        return []
+    return [_write(pathlib.Path(folder, f"polygons-{name}.npz"), lambda file: np.savez(file, **polygons))]
+
+
+def _write(path: pathlib.Path, write: Callable[[Any], None]) -> str:
+    """Whole or not at all: a task that is run again, or twice at once, writes the same."""
+    with open(f"{path}.{uuid.uuid4().hex}", "wb") as file:
+        write(file)
+    os.replace(file.name, path)
+    return str(path)
+
+
+def _remove_but(kept: list[str], folder: pathlib.Path) -> None:
+    if not kept:
+        return shutil.rmtree(folder, ignore_errors=True)
+    for path in folder.iterdir():
+        if str(path) not in set(kept):
+            path.unlink()
