@@ -119,7 +119,8 @@ def _sum(values: Floats) -> float:
 
 
 def _joined(flats: List[Flat]) -> Flat:
-    joined = {name: np.concatenate([flat[name] for flat in flats]) for name in ("indices", "coordinates", "areas", "perimeters", "points")}
+    plain = ("indices", "coordinates", "areas", "perimeters", "points")
+    joined = {name: np.concatenate([flat[name] for flat in flats]) for name in plain}
     for name, of in (("ring_begin", "indices"), ("polygon_begin", "ring_begin")):
         ends, total = [np.zeros(1, np.int64)], 0
         for flat in flats:

@@ -24,15 +24,16 @@ import uuid
 from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
-import dask
 import numpy as np
 import numpy.typing as npt
+from dask.base import compute
+from dask.delayed import delayed
 
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._footprint import Footprint, gathered
 from rbpa._input import Floats, as_count, as_points, as_radius, as_threads
-from rbpa._tiles import Cells, Tile, cells_of, halved, united
+from rbpa._tiles import Bounds, Cells, Tile, cells_of, halved, united
 
 Reader = Callable[[str], npt.ArrayLike]
 Path = Union[str, "os.PathLike[str]"]
@@ -70,7 +71,7 @@ def alpha_shape(
         24 bytes a point and more for halos until the end.
     tile_points : int
         At most about so many points a tile, halos not counted; more where they are too near each other to be told apart.
-        A task needs about 200 bytes for each of them.
+        A task needs about 230 bytes for each of them and of its halo.
     triangles : bool
         Writes the triangles: int64 files of shape (m, 3) in `storage`, one for each tile, named in `Footprint.triangle_files`.
     reader : callable, optional
@@ -124,11 +125,11 @@ class _Run:
         self._token = token
 
     def task(self, verb: str, number: int, work: Callable[..., Any], *arguments: Any) -> Any:
-        return dask.delayed(work, pure=False)(*arguments, dask_key_name=f"rbpa-{verb}-{self._token[5:13]}-{number}")
+        return delayed(work, pure=False)(*arguments, dask_key_name=f"rbpa-{verb}-{self._token[5:13]}-{number}")
 
     def compute(self, tasks: list[Any]) -> list[Any]:
         if self._client is None:
-            return list(dask.compute(*tasks))
+            return list(compute(*tasks))  # type: ignore[no-untyped-call]
         return list(self._client.gather(self._client.compute(tasks)))
 
 
@@ -164,15 +165,16 @@ def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:
             sources = sources.rechunk({1: 2})
         return list(np.ravel(sources.to_delayed()))
     paths = [sources] if isinstance(sources, (str, os.PathLike)) else list(sources)
-    files = [file for path in paths for file in _files(os.fspath(path))]
+    files = [file for path in paths for file in _files(os.fspath(path), reader)]
     return [part for file in files for part in _parts(file, reader)]
 
 
-def _files(path: str) -> Iterable[str]:
-    found = sorted(glob.glob(path)) if glob.has_magic(path) and not os.path.exists(path) else [path]
-    if not found or not os.path.exists(found[0]):
+def _files(path: str, reader: Optional[Reader]) -> Sequence[str]:
+    """Those that a pattern stands for; a name that only the reader understands is one."""
+    found = [path] if os.path.exists(path) else sorted(glob.glob(path))
+    if not found and reader is None:
         raise InvalidInput(f"{path}: found no such file, expected points")
-    return found
+    return found or [path]
 
 
 def _parts(path: str, reader: Optional[Reader]) -> Iterable[_File]:
@@ -233,7 +235,7 @@ def _merged(
 
 
 def _partial(
-    pieces: list[tuple[str, int, int]], region: tuple[float, ...], alpha: float, threads: int, folder: str, number: int, triangles: bool
+    pieces: list[tuple[str, int, int]], region: Bounds, alpha: float, threads: int, folder: str, number: int, triangles: bool
 ) -> Any:
     records = np.concatenate([_piece(*piece) for piece in pieces]) if pieces else np.empty(0, _RECORD)
     points = np.column_stack((records["x"], records["y"]))
