@@ -2,11 +2,14 @@
 // docs/io.md shows it. Files lie in the folder for temporary ones; what is read has been read before.
 //   bench_io [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
@@ -22,6 +25,7 @@
 #include "bench/arguments.h"
 #include "bench/machine.h"
 #include "bench/timings.h"
+#include "io/number.h"
 #include "io/output_file.h"
 #include "io/points/read_points.h"
 #include "io/read_mesh.h"
@@ -154,6 +158,11 @@ class Table {
     add_read_points("read .csv, 17 digits", csv);
     add_read_points("read .xy, 6 places", short_xy);
     add_read_points("read .f64xy", raw("p.f64xy"));
+    add_read_points("read .csv, columns by their header", headed("headed.csv"));
+    add_read_points("read .xy.gz, 6 places", compressed("short.xy.gz", short_xy));
+    add_read_points("read .las, 1.2, format 1", las("p.las"));
+    add_read_points("read .geojson, a MultiPoint", geojson("p.geojson"));
+    add_read_points("read .wkt, a MULTIPOINT", wkt("p.wkt"));
     for (const std::string format : {"off", "obj", "ply", "npy"}) {
       write(format, "m", triangles_);
       write(format, "v", {});
@@ -166,6 +175,8 @@ class Table {
       add_write("write ." + format, format, "m", triangles_, triangles_.size());
     }
     add_write("write .npy", "npy", "m", triangles_, triangles_.size());
+    write("vtu", "m", triangles_);
+    add_write("write .vtu", "vtu", "m", triangles_, triangles_.size());
   }
 
   std::string table(const std::string& name, const std::vector<Point>& points, std::string_view separator) {
@@ -187,6 +198,66 @@ class Table {
     file.publish();
     return folder_.file(name);
   }
+  std::string bytes(const std::string& name, std::string_view content) {
+    OutputFile file(folder_.file(name));
+    file.write(content);
+    file.finish();
+    file.publish();
+    return folder_.file(name);
+  }
+  /// As exports have it: a number of the point, a name, then longitude and latitude in degrees.
+  std::string headed(const std::string& name) {
+    std::string content = "id,name,lon,lat\n";
+    for (std::size_t i = 0; i < short_points_.size(); ++i)
+      content +=
+          std::to_string(i) + ",tree," + text(short_points_[i].x / 10) + ',' + text(short_points_[i].y / 20) + '\n';
+    return bytes(name, content);
+  }
+  std::string compressed(const std::string& name, const std::string& path) {
+    const std::size_t size = fs::file_size(path);
+    std::string content(size, '\0');
+    if (std::fread(content.data(), 1, size, open(path, "rb").get()) != size) throw std::runtime_error(path);
+    const gzFile file = gzopen(folder_.file(name).c_str(), "wb");
+    gzwrite(file, content.data(), static_cast<unsigned>(size));
+    if (gzclose(file) != Z_OK) throw std::runtime_error(name + ": cannot be compressed");
+    return folder_.file(name);
+  }
+  /// Version 1.2, records of 28 bytes, coordinates in thousandths.
+  std::string las(const std::string& name) {
+    constexpr std::size_t header_size = 227, record_size = 28;
+    std::string content(header_size + record_size * points_.size(), '\0');
+    const auto put = [&](std::size_t at, auto value) { std::memcpy(content.data() + at, &value, sizeof value); };
+    content.replace(0, 4, "LASF");
+    put(24, std::uint16_t{0x0201});
+    put(94, static_cast<std::uint16_t>(header_size));
+    put(96, static_cast<std::uint32_t>(header_size));
+    put(104, std::uint8_t{1});
+    put(105, static_cast<std::uint16_t>(record_size));
+    put(107, static_cast<std::uint32_t>(points_.size()));
+    for (const std::size_t at : {131U, 139U, 147U}) put(at, 0.001);
+    for (const std::size_t at : {179U, 195U, 211U}) put(at, 1000.0);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      put(header_size + record_size * i, static_cast<std::int32_t>(1000 * points_[i].x));
+      put(header_size + record_size * i + 4, static_cast<std::int32_t>(1000 * points_[i].y));
+    }
+    return bytes(name, content);
+  }
+  std::string geojson(const std::string& name) {
+    std::string content = R"({"type": "MultiPoint", "coordinates": [)";
+    for (const Point& p : short_points_)
+      content += (&p == short_points_.data() ? "[" : ", [") + text(p.x) + ", " + text(p.y) + ']';
+    return bytes(name, content + "]}\n");
+  }
+  std::string wkt(const std::string& name) {
+    std::string content = "MULTIPOINT (";
+    for (const Point& p : short_points_)
+      content += (&p == short_points_.data() ? "(" : ", (") + text(p.x) + ' ' + text(p.y) + ')';
+    return bytes(name, content + ")\n");
+  }
+  static std::string text(double value) {
+    char digits[rbpa::app::number_room];
+    return {digits, rbpa::app::put_number(digits, value)};
+  }
   void write(const std::string& format, const std::string& name, std::span<const Triangle> triangles) {
     OutputFile file(folder_.file(name + "." + format));
     rbpa::app::write_triangles(file, *rbpa::app::output_format(format), {points_, triangles});
@@ -196,7 +267,7 @@ class Table {
 
   void add_read_points(const std::string& name, const std::string& path) {
     const auto read = [path, this] {
-      const auto format = rbpa::app::point_format(rbpa::app::ending(path));
+      const auto format = rbpa::app::point_format(rbpa::app::input_ending(path));
       if (rbpa::app::read_points({path, *format}).points.size() != points_.size())
         throw std::runtime_error(path + ": other points");
     };
