@@ -9,6 +9,7 @@
 #include "fuzz/target.h"
 #include "io/failure.h"
 #include "io/gunzip.h"
+#include "io/las/selection.h"
 #include "io/message.h"
 #include "io/points/read_points.h"
 
@@ -30,8 +31,9 @@ PointSource later_source_of(std::size_t selector) {
     case 0:
       source.format = PointFormat::las;
       source.skip_invalid = source.vertices = false;
-      if (selector % 4 == 1) source.where = Condition("classification == 2 or x < 0 and not withheld");
-      if (selector % 4 == 2) source.where = Condition("gps_time > 1 or red > 1");
+      if (selector % 4 == 1)
+        source.where = Condition("classification == 2 or x < 0 and not withheld", names_of_las_fields());
+      if (selector % 4 == 2) source.where = Condition("gps_time > 1 or red > 1", names_of_las_fields());
       break;
     case 1:
       source.format = PointFormat::geojson;
@@ -41,6 +43,7 @@ PointSource later_source_of(std::size_t selector) {
       break;
     default:
       source.shift_longitude = selector % 8 > 5;
+      if (selector % 8 == 5) source.where = Condition("class > 1 or not x == 2", names_of_columns());
       break;
   }
   return source;
@@ -99,7 +102,13 @@ void is_a_sentence(const std::string& message) {
 /// What reads before there are points: what was compressed, and the condition of a command line.
 void read_before(bool compressed, const std::string& bytes) {
   if (!compressed) {
-    const Condition condition(bytes);
+    for (const FieldNames& names : {names_of_columns(), names_of_las_fields()}) {
+      try {
+        const Condition condition(bytes, names);
+      } catch (const WrongUsage& refusal) {
+        is_a_sentence(refusal.what());
+      }
+    }
     return;
   }
   std::string text;
