@@ -49,14 +49,6 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
       bytes, name, {.columns = source.columns, .skip_invalid = source.skip_invalid, .vertices = source.vertices});
 }
 
-/// What the command line says of the system of the points counts more than what the file says.
-void settle_crs(PointFile& file, const std::optional<Crs>& said) {
-  if (said && file.crs && file.crs->text() != said->text())
-    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
-  if (said) file.crs = said;
-  if (file.crs && file.crs->degrees) file.degrees = true;
-}
-
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
   if (source.shift_longitude) shift_longitude(file, name);
@@ -65,6 +57,13 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
 }
 
 }  // namespace
+
+void settle_crs(PointFile& file, const std::optional<Crs>& said) {
+  if (said && file.crs && file.crs->text() != said->text())
+    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
+  if (said) file.crs = said;
+  if (file.crs && file.crs->degrees) file.degrees = true;
+}
 
 PointFile read_points(const PointSource& source) {
   if (source.format == PointFormat::ogr)
