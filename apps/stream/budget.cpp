@@ -18,8 +18,8 @@ Budget divide(std::uint64_t memory, unsigned threads) {
   Budget budget{};
   budget.workers = static_cast<unsigned>(std::min<std::uint64_t>(most, std::max(threads, 1U)));
   budget.tile_points = left / budget.workers / bytes_of_tile_point;
-  budget.cells = std::clamp<std::size_t>(left / 256, std::size_t{1} << 12U, std::size_t{1} << 20U);
-  budget.waiting = left / 96;
+  budget.cells = std::clamp<std::size_t>(left / 256, std::size_t{1} << 12U, std::size_t{1} << 17U);
+  budget.waiting = left / 64;
   budget.sort_bytes = left / 2;
   return budget;
 }

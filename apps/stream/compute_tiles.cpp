@@ -74,8 +74,8 @@ class Computation {
       work();
     }
     if (failure_) std::rethrow_exception(failure_);
-    WholeComplex rest = finish(std::move(state_.open.front()));
-    polygons_.add(rest.polygons);
+    const WholeComplex rest = finish(std::move(state_.open.front()));
+    if (request_.wants_polygons()) polygons_.add(rest.polygons);
     rows_.flush();
     polygons_.flush();
     return {rest.counts};

@@ -1,10 +1,9 @@
 // What: polygons in a file of scratch in the order in which they are finished, and from there in canonical order.
 // Cost: each polygon is written once and read once, or twice each where they do not fit into memory together; the largest
-//       polygon has to fit.
+//       ring has to fit.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 
@@ -30,10 +29,14 @@ class PolygonLog {
   /// All that was added is in the file.
   LogState flush();
 
-  /// Calls visit(polygon) for all in order. Throws Failure when the file is not as it was written, Cancelled.
-  void sorted(std::uint64_t memory, const std::function<void(const PolygonOutline&)>& visit) const;
+  /// Gives all to `sink` in order. Throws Failure when the file is not as it was written, Cancelled.
+  void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:
+  void append(const CornerPolygon& polygon);
+  template <typename T>
+  void append(const T& value);
+
   const Scratch& scratch_;
   LogState state_ = {};
   std::string waiting_ = {};

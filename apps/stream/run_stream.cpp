@@ -43,6 +43,34 @@ class LongSum {
   double sum_ = 0, lost_ = 0;
 };
 
+/// Adds up what goes to a writer.
+class Adding final : public PolygonSink {
+ public:
+  explicit Adding(PolygonSink& to) : to_(to) {}
+  void begin(const PolygonFacts& facts) override {
+    ++polygons_;
+    holes_ += facts.holes;
+    area_.add(facts.area);
+    perimeter_.add(facts.perimeter);
+    to_.begin(facts);
+  }
+  void ring(std::span<const Point> points) override { to_.ring(points); }
+  void end() override { to_.end(); }
+  void finish() override { to_.finish(); }
+
+  void tell(StreamResult& result) const {
+    result.polygons = polygons_;
+    result.holes = holes_;
+    result.area = area_.value();
+    result.perimeter = perimeter_.value();
+  }
+
+ private:
+  PolygonSink& to_;
+  std::uint64_t polygons_ = 0, holes_ = 0;
+  LongSum area_ = {}, perimeter_ = {};
+};
+
 class Run {
  public:
   Run(const StreamRequest& request, OutputSet& outputs)
@@ -115,11 +143,8 @@ class Run {
     manifest_.points = counts.points();
     manifest_.least = counts.least();
     manifest_.greatest = counts.greatest();
-    const TileLimits limits{budget_.tile_points,
-                            std::min(request_.tile_size.value_or(~std::uint64_t{0}), budget_.tile_points),
-                            reach_of(request_.alpha)};
     try {
-      TilePlan plan = plan_tiles(counts, limits);
+      TilePlan plan = plan_for(counts);
       manifest_.tree = std::move(plan.tree);
       require_room_for_tiles(scratch_, plan.points, sample);
     } catch (const TooDense& dense) {
@@ -127,6 +152,20 @@ class Run {
     }
     manifest_.pass = Pass::cut;
     save(manifest_, scratch_);
+  }
+
+  /// Small tiles are computed fastest, as long as there is not much around them.
+  TilePlan plan_for(const CellCounts& counts) const {
+    constexpr std::uint64_t small = 1U << 17U;
+    TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),
+                      reach_of(request_.alpha)};
+    while (true) {
+      TilePlan plan = plan_tiles(counts, limits);
+      constexpr double much = 1.25;
+      const bool is_lean = plan.points <= much * static_cast<double>(counts.points());
+      if (is_lean || request_.tile_size || limits.owned == budget_.tile_points) return plan;
+      limits.owned = std::min(4 * limits.owned, budget_.tile_points);
+    }
   }
 
   void cut() {
@@ -168,34 +207,20 @@ class Run {
   }
 
   void write_polygons(OutputFile& file, StreamFormat format) {
-    result_.polygons = result_.holes = 0;
-    LongSum area, perimeter;
-    const auto take = [&](auto& writer) {
-      polygons_->sorted(budget_.sort_bytes, [&](const PolygonOutline& polygon) {
-        writer.add(polygon);
-        ++result_.polygons;
-        result_.holes += polygon.rings.size() - 1;
-        area.add(polygon.area);
-        perimeter.add(polygon.perimeter);
-      });
-      writer.finish();
-    };
-    if (format == StreamFormat::geojson) {
-      GeojsonWriter writer(file, manifest_.crs);
-      take(writer);
-      const std::array<Point, 2> corners = {manifest_.least, manifest_.greatest};
-      if (const auto why = geojson_caution({.points = corners,
-                                            .polygons = {},
-                                            .polygon_of = {},
-                                            .crs = manifest_.crs,
-                                            .degrees = manifest_.degrees}))
-        result_.caution = (file.name() + ": ") + *why;
-    } else {
+    if (format == StreamFormat::wkt) {
       WktWriter writer(file);
-      take(writer);
+      return write_polygons(writer);
     }
-    result_.area = area.value();
-    result_.perimeter = perimeter.value();
+    GeojsonWriter writer(file, manifest_.crs);
+    write_polygons(writer);
+    const std::array<Point, 2> corners = {manifest_.least, manifest_.greatest};
+    const Shape box{corners, {}, {}, manifest_.crs, manifest_.degrees};
+    if (const std::optional<std::string> why = geojson_caution(box)) result_.caution = file.name() + ": " + *why;
+  }
+  void write_polygons(PolygonSink& writer) {
+    Adding adding(writer);
+    polygons_->sorted(budget_.sort_bytes, adding);
+    adding.tell(result_);
   }
 
   const StreamRequest& request_;

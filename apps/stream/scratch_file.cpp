@@ -72,7 +72,7 @@ std::size_t ScratchFile::read(char* to, std::size_t size) {
   return done;
 }
 
-std::size_t ScratchFile::read_at(std::uint64_t offset, char* to, std::size_t size) {
+std::size_t ScratchFile::read_at(std::uint64_t offset, char* to, std::size_t size) const {
   std::size_t done = 0;
   while (done < size) {
     stop_if_interrupted();

@@ -21,7 +21,7 @@ class ScratchFile {
   void write_at(std::uint64_t offset, std::string_view bytes);
   /// How many bytes came; fewer than `size` at the end of the file only.
   std::size_t read(char* to, std::size_t size);
-  std::size_t read_at(std::uint64_t offset, char* to, std::size_t size);
+  std::size_t read_at(std::uint64_t offset, char* to, std::size_t size) const;
   std::uint64_t size() const;
   void cut(std::uint64_t size);
 

@@ -1,6 +1,7 @@
 #include "io/gis/polygon_writers.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "io/gis/geojson_crs.h"
 
@@ -16,7 +17,7 @@ struct Signs {
 constexpr Signs geojson{"[", "]", "[", ",", "]", ","};
 constexpr Signs wkt{"(", ")", "", " ", "", ", "};
 
-void write_ring(OutputFile& file, const std::vector<Point>& ring, const Signs& signs) {
+void write_ring(OutputFile& file, std::span<const Point> ring, const Signs& signs) {
   const auto write_point = [&](const Point& p) {
     file.write(signs.open_point);
     file.write_number(p.x);
@@ -30,17 +31,6 @@ void write_ring(OutputFile& file, const std::vector<Point>& ring, const Signs& s
     file.write(signs.between);
   }
   write_point(ring.front());  // closed
-  file.write(signs.close_list);
-}
-
-void write_rings(OutputFile& file, const PolygonOutline& polygon, const Signs& signs) {
-  file.write(signs.open_list);
-  std::string_view before = "";
-  for (const std::vector<Point>& ring : polygon.rings) {
-    file.write(before);
-    before = signs.between;
-    write_ring(file, ring, signs);
-  }
   file.write(signs.close_list);
 }
 
@@ -58,30 +48,50 @@ GeojsonWriter::GeojsonWriter(OutputFile& file, const std::optional<Crs>& crs) : 
   file_.write("{\"type\":\"FeatureCollection\"," + crs_member(crs) + "\"features\":[");
 }
 
-void GeojsonWriter::add(const PolygonOutline& polygon) {
+void GeojsonWriter::begin(const PolygonFacts& facts) {
   file_.write(number_ == 0 ? "\n" : ",\n");
   file_.write("{\"type\":\"Feature\",\"properties\":{\"number\":");
   file_.write_number(++number_);
   file_.write(",\"area\":");
-  write_json_number(file_, polygon.area);
+  write_json_number(file_, facts.area);
   file_.write(",\"perimeter\":");
-  write_json_number(file_, polygon.perimeter);
+  write_json_number(file_, facts.perimeter);
   file_.write(",\"holes\":");
-  file_.write_number(std::uint64_t{polygon.rings.size() - 1});
+  file_.write_number(facts.holes);
   file_.write(",\"points\":");
-  file_.write_number(polygon.points);
+  file_.write_number(facts.points);
   file_.write("},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":");
-  write_rings(file_, polygon, geojson);
+  file_.write(geojson.open_list);
+  any_ring_ = false;
+}
+
+void GeojsonWriter::ring(std::span<const Point> points) {
+  if (any_ring_) file_.write(geojson.between);
+  any_ring_ = true;
+  write_ring(file_, points, geojson);
+}
+
+void GeojsonWriter::end() {
+  file_.write(geojson.close_list);
   file_.write("}}");
 }
 
 void GeojsonWriter::finish() { file_.write("\n]}\n"); }
 
-void WktWriter::add(const PolygonOutline& polygon) {
+void WktWriter::begin(const PolygonFacts&) {
   file_.write(any_ ? wkt.between : "MULTIPOLYGON (");
   any_ = true;
-  write_rings(file_, polygon, wkt);
+  file_.write(wkt.open_list);
+  any_ring_ = false;
 }
+
+void WktWriter::ring(std::span<const Point> points) {
+  if (any_ring_) file_.write(wkt.between);
+  any_ring_ = true;
+  write_ring(file_, points, wkt);
+}
+
+void WktWriter::end() { file_.write(wkt.close_list); }
 
 void WktWriter::finish() { file_.write(any_ ? ")\n" : "MULTIPOLYGON EMPTY\n"); }
 

@@ -5,34 +5,34 @@
 namespace rbpa::app {
 namespace {
 
-PolygonOutline outline_of(const Polygon& polygon, const Shape& shape) {
-  PolygonOutline outline{.area = polygon.area, .perimeter = polygon.perimeter};
-  const auto add = [&](const Ring& ring) {
-    std::vector<Point>& points = outline.rings.emplace_back();
-    for (const std::uint32_t i : ring.points) points.push_back(shape.points[i]);
+/// `points`: how many are in each polygon; empty where that does not matter.
+void write_all(PolygonSink& sink, const Shape& shape, const std::vector<std::size_t>& points) {
+  std::vector<Point> corners;
+  const auto write = [&](const Ring& ring) {
+    corners.clear();
+    for (const std::uint32_t i : ring.points) corners.push_back(shape.points[i]);
+    sink.ring(corners);
   };
-  add(polygon.shell);
-  for (const Ring& hole : polygon.holes) add(hole);
-  return outline;
+  for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
+    const Polygon& polygon = shape.polygons[i];
+    sink.begin({polygon.area, polygon.perimeter, polygon.holes.size(), points.empty() ? 0 : points[i]});
+    write(polygon.shell);
+    for (const Ring& hole : polygon.holes) write(hole);
+    sink.end();
+  }
+  sink.finish();
 }
 
 }  // namespace
 
 void write_geojson(OutputFile& file, const Shape& shape) {
-  const std::vector<std::size_t> points = points_in_polygons(shape);
   GeojsonWriter writer(file, shape.crs);
-  for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
-    PolygonOutline outline = outline_of(shape.polygons[i], shape);
-    outline.points = points[i];
-    writer.add(outline);
-  }
-  writer.finish();
+  write_all(writer, shape, points_in_polygons(shape));
 }
 
 void write_wkt(OutputFile& file, const Shape& shape) {
   WktWriter writer(file);
-  for (const Polygon& polygon : shape.polygons) writer.add(outline_of(polygon, shape));
-  writer.finish();
+  write_all(writer, shape, {});
 }
 
 }  // namespace rbpa::app
