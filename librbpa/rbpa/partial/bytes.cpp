@@ -15,7 +15,8 @@ namespace {
 class Writer {
  public:
   void add(std::uint64_t value) {
-    for (unsigned shift = 0; shift < 64; shift += 8) bytes_.push_back(static_cast<std::uint8_t>(value >> shift));
+    bytes_.resize(bytes_.size() + partial_format::word);
+    set(bytes_.size() - partial_format::word, value);
   }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(const Point& p) {

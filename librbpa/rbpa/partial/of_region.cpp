@@ -1,6 +1,7 @@
 // partial(): looks at each triangle of a region once, and then at its boundary and rim only.
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "meshops/core/fresh_vector.h"
@@ -17,6 +18,13 @@ namespace {
 
 constexpr std::uint32_t none = Triangulation::none;
 constexpr unsigned all = 7;  // corners are owned
+
+using Ask = std::function<void()>;
+
+/// Asks now and then whether to go on.
+void ask_at(std::size_t step, const Ask& ask) {
+  if (ask && step % 65536 == 0) ask();
+}
 
 /// What one pass over the triangles finds.
 struct Pass {
@@ -49,10 +57,11 @@ void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pas
   }
 }
 
-Pass look_at_triangles(const RegionComplex& of) {
+Pass look_at_triangles(const RegionComplex& of, const Ask& ask) {
   Pass pass(of);
   const auto& triangles = of.triangulation().triangles;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    ask_at(t, ask);
     const unsigned owned = of.owned_corners(t);
     if (owned == 0) continue;
     pass.triangles += std::uint64_t{of.owns_triangle(t, owned)};
@@ -67,7 +76,7 @@ Pass look_at_triangles(const RegionComplex& of) {
 /// Makes the state of what a pass has found.
 class Builder {
  public:
-  Builder(const RegionComplex& of, Pass&& pass) : of_(of), pass_(std::move(pass)) {}
+  Builder(const RegionComplex& of, Pass&& pass, const Ask& ask) : of_(of), pass_(std::move(pass)), ask_(ask) {}
 
   PartialState build() {
     number_components();
@@ -87,6 +96,7 @@ class Builder {
     number_.resize(triangles);
     std::uint32_t count = 0;
     for (std::uint32_t t = 0; t < triangles; ++t) {
+      ask_at(t, ask_);
       if (of_.owned_corners(t) == 0) continue;
       const std::uint32_t least = pass_.components.find(t);
       number_[t] = least == t ? count++ : number_[least];
@@ -160,6 +170,7 @@ class Builder {
 
   void add_boundary() {
     RimWalk walk(of_);
+    std::size_t steps = 0;
     for (const OpenSide& side : pass_.boundary) {
       if (of_.owns(walk.from(side)) || !walk.is_new(side)) continue;
       const std::uint32_t c = component(side.triangle);
@@ -168,6 +179,7 @@ class Builder {
     }
     // What begins in an owned point and is in no chain is on closed curves.
     for (const OpenSide& side : pass_.boundary) {
+      ask_at(++steps, ask_);
       if (!walk.is_new(side)) continue;
       add_curve(state_.open[component(side.triangle)], walk.path_from(side));
       ++state_.counts.boundary_curves;
@@ -176,16 +188,19 @@ class Builder {
 
   const RegionComplex& of_;
   Pass pass_;
+  const Ask& ask_;
   meshops::FreshVector<std::uint32_t> number_;  // of each triangle's component
   std::vector<std::uint32_t> pinched_;          // the points of pinches, ascending
   PartialState state_;
 };
 
-Partial partial_of(const RegionComplex& complex, const Region& region, double alpha) {
-  PartialState state = Builder(complex, look_at_triangles(complex)).build();
+Partial partial_of(const RegionComplex& complex, const Region& region, double alpha, const PartialOptions& options) {
+  const Triangulation& triangulation = complex.triangulation();
+  const Ask ask = asking(options.progress, triangulation.distinct, triangulation.triangles.size());
+  PartialState state = Builder(complex, look_at_triangles(complex, ask), ask).build();
   state.alpha = alpha;
   state.cover = Cover(region);
-  settle(state);
+  settle(state, ask);
   return Partial(std::move(state));
 }
 
@@ -206,13 +221,13 @@ OwnedItems items_of(const RegionComplex& complex) {
 }  // namespace
 
 Partial partial(const Region& region, const RegionPoints& points, double alpha, const PartialOptions& options) {
-  return partial_of(RegionComplex(region, points, alpha, options), region, alpha);
+  return partial_of(RegionComplex(region, points, alpha, options), region, alpha, options);
 }
 
 PartialAndItems partial_and_items(const Region& region, const RegionPoints& points, double alpha,
                                   const PartialOptions& options) {
   const RegionComplex complex(region, points, alpha, options);
-  return {.partial = partial_of(complex, region, alpha), .owned = items_of(complex)};
+  return {.partial = partial_of(complex, region, alpha, options), .owned = items_of(complex)};
 }
 
 }  // namespace rbpa

@@ -12,39 +12,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "rbpa/core/api.h"
-#include "rbpa/core/point.h"
 #include "rbpa/core/progress.h"
+#include "rbpa/partial/corner_polygon.h"
 #include "rbpa/partial/region.h"
 
 namespace rbpa {
-
-/// A point of the input by its place there, and where it is. Of equal points the lowest.
-struct Corner {
-  std::uint64_t index = 0;
-  Point at = {};
-  friend bool operator==(const Corner&, const Corner&) = default;
-};
-
-/// As Ring (rbpa/shape/polygons.h): the lexicographically least point first and not repeated, none passed twice.
-using CornerRing = std::vector<Corner>;
-
-/// As Polygon (rbpa/shape/polygons.h), to the last bit.
-struct CornerPolygon {
-  CornerRing shell = {};               ///< counter-clockwise
-  std::vector<CornerRing> holes = {};  ///< clockwise; by first point, then by second
-  double area = 0;                     ///< the real number rounded once
-  double perimeter = 0;
-  /// Input points in it, repetitions counted; one in which several polygons touch counts in the first of them.
-  std::uint64_t points = 0;
-  friend bool operator==(const CornerPolygon&, const CornerPolygon&) = default;
-};
-
-/// The order of polygons: by the first point of the shell, then by the second.
-RBPA_API bool comes_before(const CornerPolygon& a, const CornerPolygon& b);
 
 /// Of regions that are merged. What they own adds up; components and curves count when they are finished.
 struct PartialCounts {

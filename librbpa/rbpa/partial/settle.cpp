@@ -147,7 +147,7 @@ void release_held(PartialState& state) {
 
 }  // namespace
 
-void settle(PartialState& state) {
+void settle(PartialState& state, const std::function<void()>& ask) {
   const auto components = static_cast<std::uint32_t>(state.open.size());
   std::vector<OpenComponent> finished;
   Numbers old_of_finished;
@@ -158,6 +158,7 @@ void settle(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   state.counts.solid_components += finished.size();
   for (std::size_t i = 0; i < finished.size(); ++i) {
+    if (ask && i % 1024 == 0) ask();
     number[old_of_finished[i]] = open + static_cast<std::uint32_t>(state.held.size());
     CornerPolygon& polygon = state.held.emplace_back(polygon_of(std::move(finished[i].rings)));
     polygon.points = finished[i].points;
