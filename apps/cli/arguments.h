@@ -45,11 +45,11 @@ std::vector<std::string> ogr_paths(const ShapeTarget& target);
 ShapeTarget parse_isolated(const std::string& path);
 
 /// " -> a.off, standard output"; "" when there is none.
-template <typename Format>
-std::string list_of(const std::vector<TargetOf<Format>>& targets) {
+template <typename Target>
+std::string list_of(const std::vector<Target>& targets) {
   std::string text;
   const char* before = " -> ";
-  for (const TargetOf<Format>& target : targets) {
+  for (const Target& target : targets) {
     text += before + (target.path == "-" ? std::string("standard output") : target.path);
     before = ", ";
   }

@@ -13,6 +13,7 @@
 #include "cli/report_verb.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
+#include "cli/stream_verb.h"
 #include "io/descriptor.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -32,8 +33,7 @@ CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, co
 }
 
 template <typename Arguments>
-void add_point_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
+void add_format_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--format", arguments.format,
                   "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
                       (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
@@ -62,6 +62,12 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
                   "Share of white from which on a pixel is light; 0.5 by default")
       ->type_name("T");
   verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+}
+
+template <typename Arguments>
+void add_point_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
+  add_format_options(verb, arguments);
 }
 
 void add_method_options(CLI::App& verb, MethodArguments& arguments) {
@@ -256,6 +262,48 @@ void add_report(CLI::App& app, ReportArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_stream(CLI::App& app, StreamArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "stream", "The same triangles and polygons of more points than fit into memory, by way of tiles on a disk");
+  verb.add_option("POINTS", arguments.inputs, "Files of points, .gz or not, and folders of such files")->required();
+  add_format_options(verb, arguments);
+  verb.add_option(
+          "--alpha", arguments.radius.alpha,
+          "Largest circumradius, required: a finite radius in units of the points (rbpa alpha on a sample shows "
+          "which to choose)")
+      ->type_name("R")
+      ->required();
+  verb.add_option("-o,--output", arguments.outputs,
+                  "File to write, by its ending: " + std::string(stream_formats) +
+                      "; - is standard output; may be given several times")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
+      ->type_name("NAME");
+  verb.add_option("--memory", arguments.memory, "Memory that the run may take, such as 500M or 4G")
+      ->type_name("SIZE")
+      ->capture_default_str();
+  verb.add_option("--scratch", arguments.scratch,
+                  "Folder for tiles, new or empty; by default one beside the first OUT that goes with the run")
+      ->type_name("DIR");
+  add_switch(verb, "--resume", arguments.resume, "Go on with the run in --scratch where it stopped, or begin");
+  verb.add_option("--tile-size", arguments.tile_size, "Points of a tile, at most; by default as many as memory allows")
+      ->type_name("S");
+  add_switch(verb, "--keep-tiles", arguments.keep_tiles, "Leave the files of tiles in --scratch");
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa stream lidar/*.las --alpha 2 --memory 1G --scratch /data/scratch -o footprint.geojson\n"
+      "  rbpa stream lidar/ --alpha 2 -o footprint.wkt -o triangles.npy -o 'tiles/*.ply'\n"
+      "  rbpa stream lidar/*.las --alpha 2 --scratch /data/scratch -o footprint.geojson --resume\n\n"
+      "The files are the same to the byte as those of rbpa shape and rbpa mesh of all points in one file. Files are "
+      "read\n"
+      "twice, and the scratch takes about as much as LAS files do. Of .npy, .f64xy, LAS and text some megabytes are "
+      "in\n"
+      "memory at a time, of other formats a whole file.\n" +
+      std::string(exit_codes));
+}
+
 /// "rbpa mesh", or "rbpa" where no verb was given.
 std::string asked_for(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
@@ -264,7 +312,7 @@ std::string asked_for(const CLI::App& app) {
 
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
-  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape, info or report (see rbpa --help)";
+  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape, stream, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -294,12 +342,14 @@ int main(int argc, char** argv) {
       "`rbpa help VERB` says more.");
   MeshArguments mesh;
   ShapeArguments shape;
+  StreamArguments stream;
   InfoArguments info;
   AlphaArguments alpha;
   ReportArguments report_page;
   add_mesh(app, mesh);
   add_alpha(app, alpha);
   add_shape(app, shape);
+  add_stream(app, stream);
   add_info(app, info);
   add_report(app, report_page);
   add_manual(app, std::string("rbpa ") + RBPA_VERSION);
@@ -318,6 +368,7 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
   if (app.got_subcommand("shape")) return run(program, [&] { run_shape(shape); });
+  if (app.got_subcommand("stream")) return run(program, [&] { run_stream(stream); });
   if (app.got_subcommand("report")) return run(program, [&] { run_report(report_page); });
   return run(program, [&] { run_info(info); });
 }

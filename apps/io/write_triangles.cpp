@@ -3,6 +3,7 @@
 #include <string>
 #include <tuple>
 
+#include "io/npy_header.h"
 #include "io/polygon_files.h"
 #include "io/write_vtu.h"
 
@@ -31,19 +32,9 @@ void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
   }
 }
 
-/// `columns`: what Python writes of a shape behind the number of rows.
+/// `columns`: as npy_header() has them.
 void write_npy(OutputFile& file, std::size_t rows, std::string_view columns, std::span<const std::uint32_t> values) {
-  std::string header = "{'descr': '<u4', 'fortran_order': False, 'shape': (";
-  header += std::to_string(rows);
-  header += columns;
-  header += "), }";
-  constexpr std::size_t before = 10, alignment = 64;  // bytes before the text; where NumPy wants the data
-  header.append(alignment - (before + header.size() + 1) % alignment, ' ');
-  header += '\n';
-  file.write(std::string_view("\x93NUMPY\x01\x00", 8));
-  const char length[2] = {static_cast<char>(header.size() & 0xFFU), static_cast<char>(header.size() >> 8U)};
-  file.write({length, 2});
-  file.write(header);
+  file.write(npy_header("<u4", rows, columns));
   if (!values.empty()) file.write_binary(values);
 }
 

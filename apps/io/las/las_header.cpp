@@ -34,36 +34,41 @@ bool begins_with_signature(std::string_view data) {
   return data.starts_with("\xDD\xCC") || data.starts_with("\xCC\xDD");
 }
 
-void find_points(LasHeader& header, std::string_view bytes, const std::string& name) {
+void find_points(LasHeader& header, std::string_view bytes, std::size_t size, const std::string& name) {
   const std::size_t begin = las_value<std::uint32_t>(bytes.data() + 96);
-  if (begin < header.size || begin > bytes.size())
+  if (begin < header.size || begin > size)
     bad_input(name, "an offset to point data of " + std::to_string(begin),
-              "one behind the header, from " + std::to_string(header.size) + " to " + std::to_string(bytes.size()));
-  std::string_view data = bytes.substr(begin);
+              "one behind the header, from " + std::to_string(header.size) + " to " + std::to_string(size));
+  std::size_t left = size - begin;
+  header.begin = begin;
   constexpr std::size_t signature = 2;
-  if (header.minor == 0 && begins_with_signature(data) && data.size() >= signature &&
-      header.count <= (data.size() - signature) / header.length)
-    data.remove_prefix(signature);
-  if (header.count > data.size() / header.length)
+  const bool is_signed =
+      header.minor == 0 && begin <= bytes.size() && begins_with_signature(bytes.substr(begin)) && left >= signature;
+  if (is_signed && header.count <= (left - signature) / header.length) {
+    header.begin += signature;
+    left -= signature;
+  }
+  if (header.count > left / header.length)
     bad_input(
-        name,
-        counted(data.size(), "byte") + " of points, which are " + counted(data.size() / header.length, "whole record"),
+        name, counted(left, "byte") + " of points, which are " + counted(left / header.length, "whole record"),
         std::to_string(header.count) + " records of " + std::to_string(header.length) + " bytes as the header says");
-  header.points = data.data();
 }
 
 }  // namespace
 
 LasHeader read_las_header(std::string_view bytes, const std::string& name) {
+  return read_las_header(bytes, bytes.size(), name);
+}
+
+LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name) {
   require_version(bytes, name);
   const char* at = bytes.data();
   LasHeader header{};
   header.minor = las_value<std::uint8_t>(at + 25);
   header.size = las_value<std::uint16_t>(at + 94);
-  if (header.size < first_header_size || header.size > bytes.size())
-    bad_input(
-        name, "a header size of " + std::to_string(header.size),
-        "from " + std::to_string(first_header_size) + " to the size of the file, " + std::to_string(bytes.size()));
+  if (header.size < first_header_size || header.size > size)
+    bad_input(name, "a header size of " + std::to_string(header.size),
+              "from " + std::to_string(first_header_size) + " to the size of the file, " + std::to_string(size));
   header.records = las_value<std::uint32_t>(at + 100);
   const unsigned format = las_value<std::uint8_t>(at + 104);
   constexpr unsigned compressed = 0xC0U;  // bits that LASzip sets
@@ -91,7 +96,7 @@ LasHeader read_las_header(std::string_view bytes, const std::string& name) {
     header.extended_begin = las_value<std::uint64_t>(at + 235);
     header.extended_records = las_value<std::uint32_t>(at + 243);
   }
-  find_points(header, bytes, name);
+  find_points(header, bytes, size, name);
   return header;
 }
 

@@ -1,5 +1,5 @@
 // What: the public header block of a LAS file, versions 1.0 to 1.4.
-// Law:  every record that it speaks of lies within the bytes.
+// Law:  every record that it speaks of lies within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and those before it.
 #pragma once
 
@@ -27,12 +27,15 @@ struct LasHeader {
   std::size_t records;                           ///< variable length records, which begin behind the header
   std::size_t count;                             ///< of points
   std::size_t length;                            ///< of a point record, with whatever follows the fields of its format
-  const char* points;                            ///< the first
+  std::size_t begin;                             ///< of the first
   std::size_t extended_begin, extended_records;  ///< variable length records behind the points, from 1.4 on
   std::array<double, 3> scale, offset;
 };
 
 /// Throws BadInput when the bytes are no LAS file that can be read, naming what is wrong.
 LasHeader read_las_header(std::string_view bytes, const std::string& name);
+
+/// The same of a file of `size` bytes of which `bytes` are the first: its header, or all before its points and two more.
+LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 
 }  // namespace rbpa::app

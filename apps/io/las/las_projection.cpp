@@ -71,9 +71,8 @@ void visit(Found& found, std::string_view bytes, std::size_t at, std::size_t end
 
 LasCrs las_crs(std::string_view bytes, const LasHeader& header) {
   Found found;
-  const auto points = static_cast<std::size_t>(header.points - bytes.data());
-  visit(found, bytes, header.size, points, header.records, false);
-  if (header.extended_records > 0 && header.extended_begin > points)
+  visit(found, bytes, header.size, std::min(header.begin, bytes.size()), header.records, false);
+  if (header.extended_records > 0 && header.extended_begin > header.begin)
     visit(found, bytes, header.extended_begin, bytes.size(), header.extended_records, true);
   if (found.text && (found.text->crs || !found.keys)) return *found.text;
   return found.keys.value_or(LasCrs{});

@@ -33,7 +33,7 @@ std::vector<Point> load_all(const PointArray& array, const LoadX& load_x, const 
       points[i] = {load_x(array.first_x + i * array.stride), load_y(array.first_y + i * array.stride)};
       finite &= is_finite(points[i]);
     }
-    for (std::size_t i = first; i < last && !finite; ++i) require_finite(points[i], i, name);
+    for (std::size_t i = first; i < last && !finite; ++i) require_finite(points[i], array.first_index + i, name);
   }
   return points;
 }

@@ -20,6 +20,7 @@ struct PointArray {
   Scalar x_type;
   Scalar y_type;
   std::endian order;
+  std::size_t first_index = 0;  ///< of point 0 in its file, for messages
 };
 
 /// Requires every byte named to be there. Throws BadInput when a coordinate is not finite; points count from 0.

@@ -97,7 +97,7 @@ std::optional<Shape> parse_shape(std::string_view text) {
 
 }  // namespace
 
-std::vector<Point> read_npy_points(std::string_view bytes, const std::string& name) {
+NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name) {
   const NpyHeader header = find_header(bytes, name);
   const std::string_view descr = value_of(header.text, "descr");
   const std::optional<NumberType> number = parse_type(descr);
@@ -108,16 +108,21 @@ std::vector<Point> read_npy_points(std::string_view bytes, const std::string& na
   const std::string_view order = value_of(header.text, "fortran_order");
   if (order != "True" && order != "False") bad_input(name, "fortran_order " + in_quotes(order), "True or False");
 
-  const std::size_t item = size_of(number->type), row = item * shape->columns;
-  const std::size_t available = bytes.size() - header.data;
-  if (shape->rows > available / row)
+  const NpyLayout layout{shape->rows, shape->columns, number->type, number->order, order == "True", header.data};
+  const std::size_t available = size - header.data;
+  if (shape->rows > available / layout.row())
     bad_input(name, counted(available, "byte") + " of data",
-              std::to_string(shape->rows) + " rows of " + std::to_string(row) + " bytes as the header says");
-  const char* data = bytes.data() + header.data;
-  if (order == "True")
-    return load_points({shape->rows, data, data + shape->rows * item, item, number->type, number->type, number->order},
-                       name);
-  return load_points({shape->rows, data, data + item, row, number->type, number->type, number->order}, name);
+              std::to_string(shape->rows) + " rows of " + std::to_string(layout.row()) + " bytes as the header says");
+  return layout;
+}
+
+std::vector<Point> read_npy_points(std::string_view bytes, const std::string& name) {
+  const NpyLayout array = read_npy_layout(bytes, bytes.size(), name);
+  const char* data = bytes.data() + array.data;
+  const std::size_t item = array.item();
+  if (array.columns_first)
+    return load_points({array.rows, data, data + array.rows * item, item, array.type, array.type, array.order}, name);
+  return load_points({array.rows, data, data + item, array.row(), array.type, array.type, array.order}, name);
 }
 
 }  // namespace rbpa::app

@@ -1,13 +1,31 @@
 // What: points from NumPy's array format, versions 1 to 3.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/scalar.h"
 #include "rbpa/core/point.h"
 
 namespace rbpa::app {
+
+/// Where the numbers of an array are.
+struct NpyLayout {
+  std::size_t rows, columns;
+  Scalar type;
+  std::endian order;
+  bool columns_first;  ///< all x before all y
+  std::size_t data;    ///< offset of the first number
+
+  std::size_t item() const { return size_of(type); }
+  std::size_t row() const { return item() * columns; }
+};
+
+/// Of a file of `size` bytes that begins with `bytes`, all of its header among them. Throws as read_npy_points().
+NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name);
 
 /// An array of shape (n, 2), or (n, 3) whose third column is left out; float32, float64 or integers, either byte order,
 /// rows or columns first. What follows the array is left alone, as NumPy does. Throws BadInput, before anything is

@@ -53,14 +53,6 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
                            .where = source.where});
 }
 
-/// What the command line says of the system of the points counts more than what the file says.
-void settle_crs(PointFile& file, const std::optional<Crs>& said) {
-  if (said && file.crs && file.crs->text() != said->text())
-    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
-  if (said) file.crs = said;
-  if (file.crs && file.crs->degrees) file.degrees = true;
-}
-
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
   if (source.shift_longitude) shift_longitude(file, name);
@@ -74,6 +66,13 @@ std::optional<FieldNames> fields_of(PointFormat format) {
   if (format == PointFormat::text) return names_of_columns();
   if (format == PointFormat::las) return names_of_las_fields();
   return std::nullopt;
+}
+
+void settle_crs(PointFile& file, const std::optional<Crs>& said) {
+  if (said && file.crs && file.crs->text() != said->text())
+    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
+  if (said) file.crs = said;
+  if (file.crs && file.crs->degrees) file.degrees = true;
 }
 
 PointFile read_points(const PointSource& source) {

@@ -33,6 +33,9 @@ std::optional<FieldNames> fields_of(PointFormat format);
 /// the file, the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
+/// What the command line says of the system of the points counts more than what the file says.
+void settle_crs(PointFile& file, const std::optional<Crs>& said);
+
 /// The same of the content of a file, which messages call `name`: the path does not count.
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "io/failure.h"
@@ -36,40 +37,76 @@ bool is_missing(std::string_view field) {
   return std::any_of(std::begin(signs), std::end(signs), [&](std::string_view sign) { return same_name(field, sign); });
 }
 
-class TextReader {
- public:
-  TextReader(std::string_view text, const std::string& name, const TableRule& rule)
-      : text_(text), lines_(text), name_(name), rule_(rule) {}
+}  // namespace
 
-  PointFile read() {
-    if (!next_after_separator_hint()) {
-      if (rule_.columns && (rule_.columns->x.number == 0 || rule_.columns->y.number == 0))
-        bad_input(name_, "no header line", "one with the column names");
-      return {};
-    }
-    const bool header = take_header();
-    if (rule_.where) find_fields(header);
-    if (header && !lines_.next_with_content()) return std::move(file_);
-    separator_ = data_separator();
-    if (!header) first_line_ = lines_.number();
-    first_point_ = lines_.number();
+class TextTable::Reader {
+ public:
+  Reader(std::string name, TableRule rule) : lines_({}), name_(std::move(name)), rule_(std::move(rule)) {}
+
+  void read(std::string_view text) {
+    if (lines_.number() == 0 && !has_text_) text = beyond_byte_order_mark(text);
+    has_text_ = has_text_ || !text.empty();
+    lines_ = Lines(text, lines_.number());
+    forget_points();
+    if (!lines_.next_with_content()) return;
+    if (place_ != Place::data && !find_data()) return;
 
     // A point takes four characters or more; room that is not used costs nothing.
-    file_.points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text_.size() / 4 + 1));
+    file_.points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text.size() / 4 + 1));
     do {
       take_line();
       if (width_ && !wkt_ && !decimal_comma_ && !rule_.where) read_plain_lines();
     } while (lines_.next_with_content());
-    tell();
-    return std::move(file_);
   }
 
+  void finish() {
+    const bool by_name = rule_.columns && (rule_.columns->x.number == 0 || rule_.columns->y.number == 0);
+    if (by_name && (place_ == Place::hint || place_ == Place::header))
+      bad_input(name_, "no header line", "one with the column names");
+    tell();
+  }
+
+  PointFile& file() { return file_; }
+
  private:
-  /// Excel may write "sep=;" before everything else; the lines show it as well.
-  bool next_after_separator_hint() {
-    if (!lines_.next_with_content()) return false;
-    const bool hint = lines_.line().size() == 5 && lines_.line().starts_with("sep=");
-    return !hint || lines_.next_with_content();
+  /// What the next line may be.
+  enum class Place { hint, header, first_data, data };
+
+  std::string_view beyond_byte_order_mark(std::string_view text) const {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+      bad_input(name_, "text in UTF-16", "UTF-8 (iconv -f UTF-16 -t UTF-8)");
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    return text;
+  }
+
+  /// Goes on from a line with content to the first line of data, or returns false when that is not in this text.
+  bool find_data() {
+    if (place_ == Place::hint) {
+      // Excel may write "sep=;" before everything else; the lines show it as well.
+      const bool hint = lines_.line().size() == 5 && lines_.line().starts_with("sep=");
+      place_ = Place::header;
+      if (hint && !lines_.next_with_content()) return false;
+    }
+    if (place_ == Place::header) {
+      const bool header = take_header();
+      if (rule_.where) find_fields(header);
+      place_ = Place::first_data;
+      if (!header) first_line_ = lines_.number();
+      if (header && !lines_.next_with_content()) return false;
+    }
+    separator_ = data_separator();
+    first_point_ = lines_.number();
+    place_ = Place::data;
+    return true;
+  }
+
+  /// Points of the text before are elsewhere now; what is to be known of them is not.
+  void forget_points() {
+    const auto is_whole = [](const Point& p) { return std::trunc(p.x) == p.x && std::trunc(p.y) == p.y; };
+    all_whole_ = all_whole_ && std::all_of(file_.points.begin(), file_.points.end(), is_whole);
+    any_points_ = any_points_ || !file_.points.empty();
+    file_.points.clear();
   }
 
   std::string here() const { return at_line(name_, lines_.number()); }
@@ -305,7 +342,7 @@ class TextReader {
       bad_input(here(), in_quotes(field), expected_instead(one ? number.fault : NumberFault::not_a_number));
     if (!decimal_comma_) {
       const auto is_whole = [](const Point& p) { return std::trunc(p.x) == p.x && std::trunc(p.y) == p.y; };
-      if (!std::all_of(file_.points.begin(), file_.points.end(), is_whole))
+      if (!all_whole_ || !std::all_of(file_.points.begin(), file_.points.end(), is_whole))
         bad_input(here(), in_quotes(field), "a number with a decimal point, as in lines before");
       decimal_comma_ = true;
       comma_line_ = lines_.number();
@@ -331,24 +368,26 @@ class TextReader {
       file_.remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
                               " are as --where asks");
     if (skipped_ == 0) return;
-    if (file_.points.empty() && deselected_ == 0)
+    if (file_.points.empty() && !any_points_ && deselected_ == 0)
       bad_input(name_, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
     file_.remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
                             " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
   }
 
-  std::string_view text_;
   Lines lines_;
-  const std::string& name_;
-  const TableRule& rule_;
+  std::string name_;
+  TableRule rule_;
   PointFile file_ = {};
+  Place place_ = Place::hint;
+  bool has_text_ = false;
+  bool any_points_ = false, all_whole_ = true;  // of texts before
   char separator_ = blanks;
   std::size_t x_ = 0;
   std::size_t y_ = 1;
   std::optional<std::size_t> wkt_ = std::nullopt;    // the column of geometries, in place of both
   std::size_t first_line_ = 0;                       // the line that says how many columns there are
   std::optional<std::size_t> width_ = std::nullopt;  // how many
-  std::string_view header_ = {};                     // empty without one
+  std::string header_ = {};                          // empty without one
   std::size_t first_point_ = 0;                      // its line
   bool decimal_comma_ = false;                       // and no decimal point
   std::size_t comma_line_ = 0;                       // that has shown it
@@ -360,14 +399,18 @@ class TextReader {
   std::string first_skipped_ = {};
 };
 
-}  // namespace
+TextTable::TextTable(const std::string& name, const TableRule& rule) : reader_(std::make_unique<Reader>(name, rule)) {}
+TextTable::~TextTable() = default;
+
+void TextTable::read(std::string_view text) { reader_->read(text); }
+void TextTable::finish() { reader_->finish(); }
+PointFile& TextTable::file() { return reader_->file(); }
 
 PointFile read_text_points(std::string_view text, const std::string& name, const TableRule& rule) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    bad_input(name, "text in UTF-16", "UTF-8 (iconv -f UTF-16 -t UTF-8)");
-  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
-  return TextReader(text, name, rule).read();
+  TextTable table(name, rule);
+  table.read(text);
+  table.finish();
+  return std::move(table.file());
 }
 
 }  // namespace rbpa::app

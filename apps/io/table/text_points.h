@@ -4,6 +4,7 @@
 // Cost: one pass.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,25 @@ struct TableRule {
   bool skip_invalid = false;                      ///< leave out lines that are no point, and say how many
   bool vertices = false;                          ///< take those of lines and polygons in a column of geometries
   std::optional<Condition> where = std::nullopt;  ///< on columns that the header names: which lines count
+};
+
+/// A table that comes in several texts, each of whole lines.
+class TextTable {
+ public:
+  TextTable(const std::string& name, const TableRule& rule);
+  ~TextTable();
+  TextTable(const TextTable&) = delete;
+  TextTable& operator=(const TextTable&) = delete;
+
+  /// The points of file() are those of this text now: to be copied, not taken. Throws as read_text_points().
+  void read(std::string_view text);
+  /// That was all: adds what there is to remark. The points are still those of the last text.
+  void finish();
+  PointFile& file();
+
+ private:
+  class Reader;
+  std::unique_ptr<Reader> reader_;
 };
 
 /// The separator is the first of comma, semicolon, tab and blanks that the first line of data contains; but where every

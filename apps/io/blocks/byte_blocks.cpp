@@ -1,0 +1,154 @@
+#include "io/blocks/byte_blocks.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/gunzip.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
+
+struct stat status_of(int descriptor, const std::string& name) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) throw Failure(name + ": cannot read: " + std::strerror(errno));
+  return status;
+}
+
+}  // namespace
+
+struct ByteBlocks::Unpacking {
+  Unpacking() : packed(at_once) {
+    constexpr int widest_window = 15, gzip_only = 16;
+    if (inflateInit2(&state, widest_window + gzip_only) != Z_OK) throw std::bad_alloc();
+  }
+  ~Unpacking() { inflateEnd(&state); }
+  Unpacking(const Unpacking&) = delete;
+  Unpacking& operator=(const Unpacking&) = delete;
+
+  z_stream state{};
+  std::vector<char> packed;
+  bool between_members = false;
+};
+
+ByteBlocks::ByteBlocks(const std::string& path, bool unpacks)
+    : name_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  const std::string expected = "a file of points";
+  if (descriptor_ < 0) bad_input(path, errno == ENOENT ? "no such file" : std::strerror(errno), expected);
+  try {
+    const struct stat status = status_of(descriptor_, name_);
+    if (S_ISDIR(status.st_mode)) bad_input(name_, "a folder", expected);
+    if (!S_ISREG(status.st_mode)) bad_input(name_, "a pipe or a device", "a file, which can be read twice");
+    file_size_ = static_cast<std::uint64_t>(status.st_size);
+    changed_seconds_ = status.st_mtim.tv_sec;
+    changed_nanoseconds_ = status.st_mtim.tv_nsec;
+    posix_fadvise(descriptor_, 0, 0, POSIX_FADV_SEQUENTIAL);
+    char first[3];
+    const ssize_t count = pread(descriptor_, first, sizeof first, 0);
+    if (unpacks && count == sizeof first && is_gzip({first, sizeof first})) unpacking_ = std::make_unique<Unpacking>();
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+}
+
+ByteBlocks::~ByteBlocks() { close(descriptor_); }
+
+std::size_t ByteBlocks::read(char* to, std::size_t size) {
+  std::size_t done = 0;
+  while (done < size) {
+    stop_if_interrupted();
+    const std::size_t some = std::min(size - done, at_once);
+    const std::size_t count = unpacking_ ? unpack(to + done, some) : read_file(to + done, some);
+    if (count == 0) break;
+    done += count;
+  }
+  return done;
+}
+
+void ByteBlocks::skip(std::uint64_t size) {
+  if (!unpacking_) {
+    bytes_read_ = std::min(file_size_, bytes_read_ + size);
+    return;
+  }
+  std::vector<char> passed(std::min<std::uint64_t>(size, at_once));
+  while (size > 0) {
+    const std::size_t count = read(passed.data(), std::min<std::uint64_t>(size, passed.size()));
+    if (count == 0) return;
+    size -= count;
+  }
+}
+
+/// At least a byte, unless the end has come.
+std::size_t ByteBlocks::read_file(char* to, std::size_t size) {
+  while (true) {
+    const ssize_t count = pread(descriptor_, to, size, static_cast<off_t>(bytes_read_));
+    if (count > 0) {
+      bytes_read_ += static_cast<std::uint64_t>(count);
+      return static_cast<std::size_t>(count);
+    }
+    if (count == 0) {
+      require_unchanged();
+      return 0;
+    }
+    if (errno != EINTR) throw Failure(name_ + ": cannot read: " + std::strerror(errno));
+    stop_if_interrupted();
+  }
+}
+
+bool ByteBlocks::refill() {
+  z_stream& state = unpacking_->state;
+  if (state.avail_in > 0) return true;
+  const std::size_t count = read_file(unpacking_->packed.data(), unpacking_->packed.size());
+  state.next_in = reinterpret_cast<Bytef*>(unpacking_->packed.data());
+  state.avail_in = static_cast<uInt>(count);
+  return count > 0;
+}
+
+std::size_t ByteBlocks::unpack(char* to, std::size_t size) {
+  z_stream& state = unpacking_->state;
+  state.next_out = reinterpret_cast<Bytef*>(to);
+  state.avail_out = static_cast<uInt>(size);
+  while (state.avail_out == size) {
+    if (!refill()) {
+      if (unpacking_->between_members) return 0;
+      bad_input(name_, "the end of the file inside compressed data", "a whole gzip file");
+    }
+    if (unpacking_->between_members) inflateReset(&state);
+    const int code = inflate(&state, Z_NO_FLUSH);
+    if (code != Z_OK && code != Z_STREAM_END) {
+      const std::string why = state.msg == nullptr ? "" : " (" + std::string(state.msg) + ")";
+      bad_input(name_, "damaged gzip data" + why, "a whole gzip file");
+    }
+    unpacking_->between_members = code == Z_STREAM_END;
+  }
+  return size - state.avail_out;
+}
+
+/// What somebody else writes meanwhile is half of the old and half of the new.
+void ByteBlocks::require_unchanged() const {
+  const struct stat now = status_of(descriptor_, name_);
+  if (static_cast<std::uint64_t>(now.st_size) == file_size_ && now.st_mtim.tv_sec == changed_seconds_ &&
+      now.st_mtim.tv_nsec == changed_nanoseconds_)
+    return;
+  bad_input(name_, "a change while it was read", "a file that stays as it is while it is read");
+}
+
+std::string first_bytes(ByteBlocks& bytes, std::size_t size) {
+  std::string first(size, '\0');
+  first.resize(bytes.read(first.data(), size));
+  return first;
+}
+
+}  // namespace rbpa::app

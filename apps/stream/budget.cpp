@@ -1,0 +1,32 @@
+#include "stream/budget.h"
+
+#include <algorithm>
+
+namespace rbpa::app {
+namespace {
+
+/// Rims, buckets and blocks that are read ahead, beside tiles.
+std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 8; }
+
+}  // namespace
+
+Budget divide(std::uint64_t memory, unsigned threads) {
+  const std::uint64_t left = memory - std::min(memory, reserve_of(memory));
+  // Tiles that are too small have more around them than in them.
+  constexpr std::uint64_t points_worth_a_worker = 50'000;
+  const std::uint64_t most = std::max<std::uint64_t>(left / (points_worth_a_worker * bytes_of_tile_point), 1);
+  Budget budget{};
+  budget.workers = static_cast<unsigned>(std::min<std::uint64_t>(most, std::max(threads, 1U)));
+  budget.tile_points = left / budget.workers / bytes_of_tile_point;
+  budget.cells = std::clamp<std::size_t>(left / 256, std::size_t{1} << 12U, std::size_t{1} << 17U);
+  budget.waiting = left / 64;
+  budget.sort_bytes = left / 2;
+  return budget;
+}
+
+std::uint64_t memory_for(std::uint64_t tile_points) {
+  const std::uint64_t tile = tile_points * bytes_of_tile_point;
+  return std::max(least_memory, (program_bytes + tile) * 8 / 7 + (program_bytes + tile) / 16);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,30 @@
+// What: how the memory that a run may take is divided.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rbpa::app {
+
+/// Bytes that the program takes before it has a point, with its libraries.
+constexpr std::uint64_t program_bytes = std::uint64_t{24} << 20U;
+/// A tile in work takes at most so many a point: read, triangulated, told apart, and what is made of it.
+constexpr std::uint64_t bytes_of_tile_point = 330;
+/// The least --memory.
+constexpr std::uint64_t least_memory = std::uint64_t{64} << 20U;
+
+struct Budget {
+  unsigned workers;           ///< tiles in work at a time
+  std::uint64_t tile_points;  ///< that a tile may have, those around it included
+  std::size_t cells;          ///< in which points are counted
+  std::uint64_t waiting;      ///< points that wait to be written while tiles are cut
+  std::uint64_t sort_bytes;   ///< for what is put in order at the end
+};
+
+/// Requires at least least_memory.
+Budget divide(std::uint64_t memory, unsigned threads);
+
+/// The memory with which a tile of so many points would do.
+std::uint64_t memory_for(std::uint64_t tile_points);
+
+}  // namespace rbpa::app

@@ -1,0 +1,291 @@
+#include "stream/cut_tiles.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/number.h"
+#include "stream/input_blocks.h"
+#include "stream/pass_progress.h"
+#include "stream/refuse_dense.h"
+#include "stream/scratch_file.h"
+#include "stream/tile_file.h"
+
+namespace rbpa::app {
+namespace {
+
+/// The part of a tile in which a point matters for no other.
+Box inside_of(const Box& box, double reach) {
+  const auto low = [&](double at) { return std::isinf(at) ? at : above(above(at, reach), 0); };
+  const auto high = [&](double at) { return std::isinf(at) ? at : below(below(at, reach), 0); };
+  return {{low(box.low.x), low(box.low.y)}, {high(box.high.x), high(box.high.y)}};
+}
+
+class Cutter {
+ public:
+  Cutter(const TileTree& tree, double alpha, const Scratch& scratch, std::uint64_t most_waiting)
+      : tree_(tree), reach_(reach_of(alpha)), most_waiting_(most_waiting) {
+    for (std::uint32_t tile = 0; tile < tree.tiles(); ++tile) {
+      writers_.emplace_back(scratch.tile(tile), tree.box(tile), alpha);
+      inside_.push_back(inside_of(tree.box(tile), reach_));
+    }
+  }
+
+  /// Goes on with files as they were when so much was in them.
+  void resume(const std::vector<TileSummary>& tiles) {
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile) writers_[tile].resume(tiles[tile]);
+  }
+  /// Only the points of this one are written.
+  void want_only(std::uint32_t tile) { wanted_ = tile; }
+
+  void add(const std::vector<Point>& points, std::uint64_t first) {
+    for (const Point& p : points) {
+      if (!inside_[last_].contains(p)) {
+        last_ = tree_.tile_of(p);
+        if (!inside_[last_].contains(p)) {
+          tree_.for_each_near(p, reach_, [&](std::uint32_t tile) { put(tile, p, first, tile == last_); });
+          ++first;
+          continue;
+        }
+      }
+      put(last_, p, first++, true);
+    }
+    if (waiting_ > most_waiting_) write_the_fullest();
+  }
+
+  void flush() {
+    for (TileWriter& writer : writers_) {
+      stop_if_interrupted();
+      writer.flush();
+    }
+    waiting_ = 0;
+  }
+  std::vector<TileSummary> summaries() const {
+    std::vector<TileSummary> found;
+    for (const TileWriter& writer : writers_) found.push_back(writer.summary());
+    return found;
+  }
+  TileSummary finish(std::uint32_t tile) { return writers_[tile].finish(); }
+
+ private:
+  static constexpr std::size_t enough = 4 * most_in_packed_block;
+
+  void put(std::uint32_t tile, const Point& p, std::uint64_t index, bool owned) {
+    if (wanted_ && tile != *wanted_) return;
+    TileWriter& writer = writers_[tile];
+    writer.add(p, index, owned);
+    ++waiting_;
+    if (writer.waiting() >= enough) flush(writer);
+  }
+  void flush(TileWriter& writer) {
+    waiting_ -= writer.waiting();
+    writer.flush();
+  }
+  void write_the_fullest() {
+    const std::size_t average = waiting_ / writers_.size();
+    for (TileWriter& writer : writers_)
+      if (writer.waiting() >= average) flush(writer);
+  }
+
+  const TileTree& tree_;
+  double reach_;
+  std::size_t most_waiting_, waiting_ = 0;
+  std::vector<TileWriter> writers_;
+  std::vector<Box> inside_;
+  std::uint32_t last_ = 0;  // most points are near the one before
+  std::optional<std::uint32_t> wanted_ = std::nullopt;
+};
+
+/// Writing all that waits takes time.
+constexpr std::chrono::seconds time_between_saves(10);
+
+std::uint64_t bytes_of(const Question& question) {
+  std::uint64_t bytes = 0;
+  for (const InputFile& file : question.inputs) bytes += file.size;
+  return bytes;
+}
+
+/// The widest cut through the middle of a sample of what a tile owns.
+struct Line {
+  TileTree::Part::Kind kind;
+  double at;
+};
+std::optional<Line> middle_of(std::vector<Point>& sample) {
+  const auto along = [&](double Point::*axis) {
+    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    const auto less = [&](const Point& a, const Point& b) { return a.*axis < b.*axis; };
+    std::nth_element(sample.begin(), middle, sample.end(), less);
+    const double least = (*std::min_element(sample.begin(), middle + 1, less)).*axis;
+    const double greatest = (*std::max_element(middle, sample.end(), less)).*axis;
+    double line = (*middle).*axis;
+    if (line == least) {  // the next that is larger
+      line = greatest;
+      for (const Point& p : sample)
+        if (p.*axis > least) line = std::min(line, p.*axis);
+    }
+    return std::pair(greatest / 2 - least / 2, line);
+  };
+  if (sample.empty()) return std::nullopt;
+  const auto [wide, x] = along(&Point::x);
+  const auto [high, y] = along(&Point::y);
+  if (wide == 0 && high == 0) return std::nullopt;
+  if (wide >= high) return Line{TileTree::Part::Kind::cut_x, x};
+  return Line{TileTree::Part::Kind::cut_y, y};
+}
+
+/// About how many points are looked at to find the middle.
+constexpr std::size_t sample_size = 1U << 14U;
+
+class SmallerCutter {
+ public:
+  SmallerCutter(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest)
+      : request_(request), budget_(budget), scratch_(scratch), manifest_(manifest) {}
+
+  void run() {
+    for (std::uint32_t tile = 0; tile < manifest_.tiles.size(); ++tile) {
+      bool any = false;
+      while (is_too_large(manifest_.tiles[tile]) && cut_or_repair(tile)) any = true;
+      if (any) save(manifest_, scratch_);
+    }
+  }
+
+ private:
+  bool is_too_large(const TileSummary& tile) const {
+    return tile.points > budget_.tile_points || tile.owned > request_.tile_size.value_or(budget_.tile_points);
+  }
+
+  /// Some of what the tile owns, evenly.
+  std::vector<Point> sample_of(std::uint32_t tile, Box& extent) const {
+    const Box box = manifest_.tree.box(tile);
+    const std::uint64_t step = manifest_.tiles[tile].owned / sample_size + 1;
+    TileReader reader(scratch_.tile(tile), box, request_.alpha);
+    std::vector<Point> sample;
+    IndexedPoints block;
+    std::uint64_t count = 0;
+    for (; reader.next(block); block.clear()) {
+      stop_if_interrupted();
+      for (const Point& p : block.points) {
+        if (!box.contains(p)) continue;
+        if (count == 0) extent = {p, p};
+        extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)};
+        extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)};
+        if (count++ % step == 0) sample.push_back(p);
+      }
+    }
+    return sample;
+  }
+
+  bool cut_or_repair(std::uint32_t tile) {
+    try {
+      return cut(tile);
+    } catch (const Damaged&) {  // as it is when a run was killed between two files
+      cut_again(request_, budget_, scratch_, manifest_, tile);
+      return cut(tile);
+    }
+  }
+
+  /// False when it cannot be cut.
+  bool cut(std::uint32_t tile) {
+    Box extent;
+    std::vector<Point> sample = sample_of(tile, extent);
+    const TileSummary& summary = manifest_.tiles[tile];
+    const std::optional<Line> line = middle_of(sample);
+    // What is around a part of so small a box is around all of it.
+    const double size = std::max(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
+    const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
+    if (hopeless && summary.points > budget_.tile_points) refuse_dense({extent.low, summary.points}, request_, budget_);
+    if (!line) return false;  // one point, however often: it has to be a tile
+    split(tile, *line);
+    return true;
+  }
+
+  void split(std::uint32_t tile, const Line& line) {
+    TileTree tree = manifest_.tree;
+    const Box before = tree.box(tile);
+    const std::uint32_t other = tree.cut(tile, line.kind, line.at);
+    const double reach = reach_of(request_.alpha);
+    const bool x = line.kind == TileTree::Part::Kind::cut_x;
+    // The file of the first part takes its place when both are whole.
+    const std::string whole = scratch_.tile(tile), part = whole + ".new";
+    TileWriter first(part, tree.box(tile), request_.alpha),
+        second(scratch_.tile(other), tree.box(other), request_.alpha);
+    TileReader reader(whole, before, request_.alpha);
+    IndexedPoints block;
+    for (; reader.next(block); block.clear()) {
+      stop_if_interrupted();
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        const Point& p = block.points[i];
+        const double at = x ? p.x : p.y;
+        const bool owned = before.contains(p);
+        if (below(at, reach) < line.at) first.add(p, block.indices[i], owned && at < line.at);
+        if (above(at, reach) >= line.at) second.add(p, block.indices[i], owned && at >= line.at);
+      }
+      if (first.waiting() >= 4 * most_in_packed_block) first.flush();
+      if (second.waiting() >= 4 * most_in_packed_block) second.flush();
+    }
+    const TileSummary of_first = first.finish(), of_second = second.finish();
+    manifest_.tree = std::move(tree);
+    manifest_.tiles[tile] = of_first;
+    manifest_.tiles.push_back(of_second);
+    rename_scratch(part, whole);
+  }
+
+  const StreamRequest& request_;
+  const Budget& budget_;
+  const Scratch& scratch_;
+  Manifest& manifest_;
+};
+
+}  // namespace
+
+void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest) {
+  PassProgress progress(request.shows_progress, "2/4 cutting", bytes_of(manifest.question));
+  Cutter cutter(manifest.tree, request.alpha, scratch, budget.waiting);
+  if (manifest.files_done > 0) cutter.resume(manifest.tiles);
+  std::uint64_t before = 0;
+  for (std::size_t file = 0; file < manifest.files_done; ++file) before += manifest.question.inputs[file].size;
+  InputBlocks input(request.sources, manifest.files_done, manifest.next_index);
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point saved = Clock::now();
+  for (InputBlock block; input.next(block);) {
+    stop_if_interrupted();
+    cutter.add(block.points, block.first);
+    progress.at(before + input.bytes_read(), block.first);
+    if (!block.ends_file || Clock::now() - saved < time_between_saves) continue;
+    saved = Clock::now();
+    cutter.flush();
+    manifest.files_done = block.file + 1;
+    manifest.next_index = block.first;
+    manifest.tiles = cutter.summaries();
+    save(manifest, scratch);
+  }
+  manifest.tiles.clear();
+  for (std::uint32_t tile = 0; tile < manifest.tree.tiles(); ++tile) {
+    stop_if_interrupted();
+    manifest.tiles.push_back(cutter.finish(tile));
+  }
+}
+
+void cut_again(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest,
+               std::uint32_t tile) {
+  PassProgress progress(request.shows_progress, "cutting a tile again", bytes_of(manifest.question));
+  Cutter cutter(manifest.tree, request.alpha, scratch, budget.waiting);
+  cutter.want_only(tile);
+  InputBlocks input(request.sources, 0, 0);
+  for (InputBlock block; input.next(block);) {
+    stop_if_interrupted();
+    cutter.add(block.points, block.first);
+    progress.at(input.bytes_read(), block.first);
+  }
+  manifest.tiles[tile] = cutter.finish(tile);
+}
+
+void cut_smaller(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest) {
+  SmallerCutter(request, budget, scratch, manifest).run();
+}
+
+}  // namespace rbpa::app

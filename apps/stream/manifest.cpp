@@ -1,0 +1,153 @@
+#include "stream/manifest.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "io/failure.h"
+#include "io/number.h"
+#include "stream/scratch_file.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int version = 1;
+
+std::string absolute(const std::string& path) {
+  return path == "-" ? path : std::filesystem::absolute(path).lexically_normal().string();
+}
+
+Json json_of(const TileTree& tree) {
+  Json parts = Json::array();
+  for (const TileTree::Part& part : tree.parts())
+    parts.push_back({static_cast<int>(part.kind), part.line, part.first, part.second});
+  return parts;
+}
+
+TileTree tree_of(const Json& json) {
+  std::vector<TileTree::Part> parts;
+  for (const Json& part : json)
+    parts.push_back({static_cast<TileTree::Part::Kind>(part.at(0).get<int>()), part.at(1).get<double>(),
+                     part.at(2).get<std::uint32_t>(), part.at(3).get<std::uint32_t>()});
+  return TileTree(std::move(parts));
+}
+
+Json json_of(const std::vector<TileSummary>& tiles) {
+  Json json = Json::array();
+  for (const TileSummary& tile : tiles)
+    json.push_back({tile.points, tile.owned, tile.bytes, tile.blocks, tile.checksum});
+  return json;
+}
+
+std::vector<TileSummary> tiles_of(const Json& json) {
+  std::vector<TileSummary> tiles;
+  for (const Json& tile : json) tiles.push_back({tile.at(0), tile.at(1), tile.at(2), tile.at(3), tile.at(4)});
+  return tiles;
+}
+
+Json json_of(const Question& question) {
+  Json inputs = Json::array();
+  for (const InputFile& file : question.inputs) inputs.push_back({file.path, file.size, file.changed});
+  return {{"inputs", inputs},           {"options", question.options},     {"alpha", question.alpha},
+          {"memory", question.memory},  {"tile_size", question.tile_size}, {"keep_tiles", question.keep_tiles},
+          {"targets", question.targets}};
+}
+
+/// Throws WrongUsage "--resume: found X, expected Y as the run in FOLDER has".
+void require_same(const Json& before, const Question& question, const std::string& folder) {
+  const Json now = json_of(question);
+  if (before == now) return;
+  const std::string run = " of the run in " + folder;
+  const Json &old_inputs = before.at("inputs"), &inputs = now.at("inputs");
+  for (std::size_t i = 0; i < std::min(old_inputs.size(), inputs.size()); ++i) {
+    const std::string name = in_quotes(inputs[i].at(0).get<std::string>());
+    if (inputs[i].at(0) != old_inputs[i].at(0))
+      throw WrongUsage("--resume: found the input " + name + ", expected " +
+                       in_quotes(old_inputs[i].at(0).get<std::string>()) + run);
+    if (inputs[i] != old_inputs[i])
+      throw WrongUsage("--resume: found " + name + " changed, expected it as it was when the run in " + folder +
+                       " began");
+  }
+  for (const auto& [key, value] : now.items()) {
+    if (before.at(key) == value) continue;
+    if (value.is_array())
+      throw WrongUsage("--resume: found " + counted(value.size(), key == "inputs" ? "input" : "target") +
+                       ", or others, expected the " + std::to_string(before.at(key).size()) + run);
+    throw WrongUsage("--resume: found " + key + " " + shown(value.dump()) + ", expected " +
+                     shown(before.at(key).dump()) + run);
+  }
+}
+
+}  // namespace
+
+Question question_of(const StreamRequest& request) {
+  Question question{.options = request.options,
+                    .alpha = request.alpha,
+                    .memory = request.memory,
+                    .tile_size = request.tile_size.value_or(0),
+                    .keep_tiles = request.keep_tiles};
+  for (const PointSource& source : request.sources) {
+    struct stat status {};
+    if (stat(source.path.c_str(), &status) != 0)
+      bad_input(source.path, errno == ENOENT ? "no such file" : std::strerror(errno), "a file of points");
+    constexpr std::int64_t second = 1'000'000'000;
+    question.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),
+                               status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});
+  }
+  for (const StreamTarget& target : request.targets) question.targets.push_back(absolute(target.path));
+  return question;
+}
+
+void save(const Manifest& manifest, const Scratch& scratch) {
+  Json json = {{"format", "scratch of rbpa stream"},
+               {"version", version},
+               {"question", json_of(manifest.question)},
+               {"workers", manifest.workers},
+               {"pass", static_cast<int>(manifest.pass)}};
+  if (manifest.pass != Manifest::Pass::count) {
+    json["points"] = manifest.points;
+    json["box"] = {manifest.least.x, manifest.least.y, manifest.greatest.x, manifest.greatest.y};
+    json["crs"] = manifest.crs ? Json({manifest.crs->authority, manifest.crs->code, manifest.crs->degrees}) : Json();
+    json["degrees"] = manifest.degrees;
+    json["tree"] = json_of(manifest.tree);
+    json["files_done"] = manifest.files_done;
+    json["next_index"] = manifest.next_index;
+    json["tiles"] = json_of(manifest.tiles);
+  }
+  replace_content(scratch.manifest(), json.dump() + "\n");
+}
+
+Manifest load_manifest(const Scratch& scratch, const Question& question) {
+  const std::string text = scratch_content(scratch.manifest());
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("version") != version) throw std::runtime_error("another version");
+    require_same(json.at("question"), question, scratch.folder());
+    Manifest manifest{.question = question, .workers = json.at("workers")};
+    manifest.pass = static_cast<Manifest::Pass>(json.at("pass").get<int>());
+    if (manifest.pass == Manifest::Pass::count) return manifest;
+    manifest.points = json.at("points");
+    const Json& box = json.at("box");
+    manifest.least = {box.at(0), box.at(1)};
+    manifest.greatest = {box.at(2), box.at(3)};
+    if (const Json& crs = json.at("crs"); !crs.is_null()) manifest.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
+    manifest.degrees = json.at("degrees");
+    manifest.tree = tree_of(json.at("tree"));
+    manifest.files_done = json.at("files_done");
+    manifest.next_index = json.at("next_index");
+    manifest.tiles = tiles_of(json.at("tiles"));
+    return manifest;
+  } catch (const WrongUsage&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Failure(scratch.manifest() + ": found no manifest of rbpa stream (" + std::string(error.what()) +
+                  "), expected one; remove " + scratch.folder() + " and begin anew");
+  }
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,65 @@
+// What: how far a run has come, in a file of its scratch, so that another can go on with it.
+// Law:  the file is written as a whole or not at all, and what it says of other files is so.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/crs.h"
+#include "rbpa/core/point.h"
+#include "stream/request.h"
+#include "stream/scratch.h"
+#include "stream/tile_file.h"
+#include "stream/tile_tree.h"
+
+namespace rbpa::app {
+
+/// A file of the input as it was when the run began.
+struct InputFile {
+  std::string path;
+  std::uint64_t size = 0;
+  std::int64_t changed = 0;  ///< nanoseconds
+  friend bool operator==(const InputFile&, const InputFile&) = default;
+};
+
+/// What must be the same when a run goes on.
+struct Question {
+  std::vector<InputFile> inputs = {};
+  std::string options = {};  ///< how they are read
+  double alpha = 0;
+  std::uint64_t memory = 0, tile_size = 0;
+  bool keep_tiles = false;
+  std::vector<std::string> targets = {};
+};
+
+/// The question of a request, by the files that are there. Throws BadInput when one is not.
+Question question_of(const StreamRequest& request);
+
+struct Manifest {
+  enum class Pass { count, cut, compute };
+
+  Question question = {};
+  unsigned workers = 1;
+  Pass pass = Pass::count;
+
+  // Known from `cut` on.
+  std::uint64_t points = 0;
+  Point least = {}, greatest = {};
+  std::optional<Crs> crs = std::nullopt;
+  bool degrees = false;
+  TileTree tree = {};
+
+  // While tiles are cut: files that are done, and the index behind their points. Then `tiles` are the files so far.
+  std::size_t files_done = 0;
+  std::uint64_t next_index = 0;
+  std::vector<TileSummary> tiles = {};  ///< by their numbers
+};
+
+void save(const Manifest& manifest, const Scratch& scratch);
+
+/// The manifest of a run that asked the same. Throws WrongUsage saying what is different, Failure when it is none.
+Manifest load_manifest(const Scratch& scratch, const Question& question);
+
+}  // namespace rbpa::app

@@ -1,0 +1,48 @@
+// What: what a run of `rbpa stream` is to do, and how much of the machine it may take.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/points/read_points.h"
+
+namespace rbpa::app {
+
+enum class StreamFormat {
+  npy,      ///< triangles, as `rbpa mesh` writes them
+  geojson,  ///< polygons, as `rbpa shape` writes them
+  wkt,      ///< likewise
+  ply       ///< a mesh for each tile: the name has a '*' for its number
+};
+
+struct StreamTarget {
+  std::string path;
+  StreamFormat format;
+};
+
+struct StreamRequest {
+  std::vector<PointSource> sources = {};
+  std::string options = {};  ///< what says how the sources are read: another text, another input
+  double alpha = 0;
+  std::uint64_t memory = 0;                               ///< bytes
+  std::optional<std::uint64_t> tile_size = std::nullopt;  ///< points that a tile may own
+  std::optional<std::string> scratch = std::nullopt;      ///< the folder; none: beside the first target
+  bool keep_tiles = false;
+  bool resume = false;
+  unsigned threads = 1;  ///< at most so many work
+  bool quiet = false;
+  bool shows_progress = false;
+  std::vector<StreamTarget> targets = {};
+  std::optional<std::string> stats = std::nullopt;
+
+  bool wants(StreamFormat format) const {
+    for (const StreamTarget& target : targets)
+      if (target.format == format) return true;
+    return false;
+  }
+  bool wants_polygons() const { return wants(StreamFormat::geojson) || wants(StreamFormat::wkt); }
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,33 @@
+// What: a complex of more points than fit into memory, from files to files, by way of files of tiles.
+// Law:  the bytes of `rbpa mesh` and `rbpa shape`, whatever the tiles are; targets appear whole or not at all.
+// Source: docs/stream.md.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "io/output_file.h"
+#include "rbpa/partial/partial.h"
+#include "stream/request.h"
+
+namespace rbpa::app {
+
+struct StreamResult {
+  PartialCounts counts = {};
+  std::size_t tiles = 0;
+  // Where polygons are asked for:
+  std::uint64_t polygons = 0, holes = 0;
+  double area = 0, perimeter = 0;
+  std::optional<std::string> caution = std::nullopt;  ///< what readers of GeoJSON may mistake
+  double count_seconds = 0, cut_seconds = 0, compute_seconds = 0, write_seconds = 0;
+};
+
+/// Adds the targets to `outputs`, whole but for their names, and calls before_names(result) before these are given; then
+/// the scratch goes. Throws BadInput, WrongUsage, Failure, Cancelled.
+StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
+                        const std::function<void(const StreamResult&)>& before_names);
+
+}  // namespace rbpa::app

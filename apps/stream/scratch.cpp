@@ -1,0 +1,147 @@
+#include "stream/scratch.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+#include <vector>
+
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* lock_name = "/lock";
+constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
+constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
+                                 "progress.json.new", "polygons",          "created"};
+constexpr std::string_view beginning = ".rbpa-stream-";
+
+std::string numbered(const std::string& folder, const char* part, std::uint64_t number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
+  return folder + "/" + part + "/" + digits;
+}
+
+/// Opens and locks the file, or returns -1 when somebody else has it.
+int locked(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw Failure(path + ": cannot create: " + std::strerror(errno));
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
+  close(descriptor);
+  return -1;
+}
+
+/// Removes folders beside the targets whose runs are dead.
+void clear_dead(const std::string& beside) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(beside, error))
+    if (entry.path().filename().string().starts_with(beginning) && entry.is_directory(error))
+      found.push_back(entry.path());
+  for (const fs::path& folder : found) {
+    const std::string lock = folder.string() + lock_name;
+    if (access(lock.c_str(), F_OK) != 0) continue;  // about to be one
+    const int descriptor = open(lock.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
+    if (descriptor >= 0) close(descriptor);
+  }
+}
+
+std::string folder_of(const StreamRequest& request) {
+  const std::string path = request.targets.empty() ? request.stats.value_or("-") : request.targets.front().path;
+  const std::size_t slash = path.rfind('/');
+  return path == "-" || slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+}  // namespace
+
+Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.has_value()) {
+  if (is_asked_for_) {
+    folder_ = *request.scratch;
+    while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
+  } else {
+    const std::string beside = folder_of(request);
+    clear_dead(beside);
+    folder_ = beside + "/" + std::string(beginning) + std::to_string(getpid());
+  }
+  make(request);
+}
+
+void Scratch::make(const StreamRequest& request) {
+  std::error_code error;
+  is_new_ = fs::create_directory(folder_, error);
+  if (error || !fs::is_directory(folder_))
+    throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
+  has_run_ = fs::exists(manifest());
+  if (!is_new_ && !has_run_) {
+    // Some of it is left of a run that was killed before it had begun.
+    const auto is_other = [](const fs::directory_entry& entry) {
+      const std::string name = entry.path().filename().string();
+      return name != lock_name + 1 && std::find(std::begin(parts), std::end(parts), name) == std::end(parts) &&
+             std::find(std::begin(files), std::end(files), name) == std::end(files);
+    };
+    const fs::directory_iterator entries(folder_);
+    if (std::any_of(begin(entries), end(entries), is_other))
+      throw WrongUsage("--scratch: found other files in " + folder_ + ", expected an empty folder, or none");
+  }
+  if (has_run_ && !request.resume)
+    throw WrongUsage("--scratch: found a run in " + folder_ +
+                     ", expected --resume to go on with it, or another folder");
+  lock_ = locked(folder_ + lock_name);
+  if (lock_ < 0) throw Failure(folder_ + ": found another run at work in it, expected none");
+  for (const char* part : parts) fs::create_directory(folder_ + "/" + part, error);
+  if (error) throw Failure(folder_ + ": cannot make a folder in it: " + error.message());
+  if (is_new_) {
+    const int created = open((folder_ + "/created").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (created >= 0) close(created);
+  }
+}
+
+Scratch::~Scratch() {
+  std::error_code error;
+  if (!is_asked_for_ && !folder_.empty()) fs::remove_all(folder_, error);
+  if (lock_ >= 0) close(lock_);
+}
+
+std::string Scratch::tile(std::uint32_t number) const { return numbered(folder_, "tiles", number) + ".tile"; }
+std::string Scratch::rows(std::size_t bucket) const { return numbered(folder_, "triangles", bucket); }
+std::string Scratch::partials(std::uint64_t generation) const { return numbered(folder_, "partials", generation); }
+std::string Scratch::sorted_polygons(std::size_t run) const { return numbered(folder_, "runs", run); }
+
+std::uint64_t Scratch::free_bytes() const {
+  struct statvfs status {};
+  if (statvfs(folder_.c_str(), &status) != 0) return ~std::uint64_t{0};
+  return std::uint64_t{status.f_bavail} * status.f_frsize;
+}
+
+void Scratch::clear(bool keep_tiles) {
+  std::error_code error;
+  const bool was_created = fs::exists(folder_ + "/created");
+  for (const char* part : parts)
+    if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
+  for (const char* file : files)
+    if (!keep_tiles || std::string_view(file) != "manifest.json") fs::remove(folder_ + "/" + file, error);
+  fs::remove(folder_ + lock_name, error);
+  if (was_created && !keep_tiles) fs::remove(folder_, error);  // where nothing else came into it
+}
+
+void Scratch::clear_rows() const {
+  std::error_code error;
+  for (const char* part : {"triangles", "partials", "runs"}) {
+    fs::remove_all(folder_ + "/" + part, error);
+    fs::create_directory(folder_ + "/" + part, error);
+  }
+  fs::remove(polygons(), error);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,51 @@
+// What: the folder in which a run keeps what does not fit into memory.
+// Law:  one run at a time; what is in it that is not of a run is never touched.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "stream/request.h"
+
+namespace rbpa::app {
+
+class Scratch {
+ public:
+  /// The folder that is asked for, or a new one beside the first target, after those are gone that runs have left there
+  /// which were killed. Throws WrongUsage when the folder has something else in it, or a run to go on with where that was
+  /// not asked for; Failure when it cannot be made or another run is in it.
+  explicit Scratch(const StreamRequest& request);
+  /// Removes what nobody can go on with: everything in a folder that was not asked for.
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::string manifest() const { return folder_ + "/manifest.json"; }
+  std::string progress() const { return folder_ + "/progress.json"; }
+  std::string tile(std::uint32_t number) const;
+  std::string rows(std::size_t bucket) const;
+  std::string partials(std::uint64_t generation) const;
+  std::string polygons() const { return folder_ + "/polygons"; }
+  std::string sorted_polygons(std::size_t run) const;
+  const std::string& folder() const { return folder_; }
+  /// Whether the files of an earlier run are there.
+  bool has_run() const { return has_run_; }
+
+  /// Bytes that are free on its disk.
+  std::uint64_t free_bytes() const;
+  /// The run is done: all goes, or all but the tiles.
+  void clear(bool keep_tiles);
+  /// The files of a pass go.
+  void clear_rows() const;
+
+ private:
+  void make(const StreamRequest& request);
+  void lock();
+
+  std::string folder_;
+  bool is_asked_for_, is_new_ = false, has_run_ = false;
+  int lock_ = -1;
+};
+
+}  // namespace rbpa::app

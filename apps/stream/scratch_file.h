@@ -1,0 +1,47 @@
+// What: reading and writing files of scratch, whose failures are said in one line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace rbpa::app {
+
+/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below.
+class ScratchFile {
+ public:
+  enum class Mode { read, write, append, update };  // write begins anew; update writes into what is there
+  ScratchFile(const std::string& path, Mode mode);
+  ~ScratchFile();
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  /// At the end, or at an offset. Throws Cancelled after a signal.
+  void write(std::string_view bytes);
+  void write_at(std::uint64_t offset, std::string_view bytes);
+  /// How many bytes came; fewer than `size` at the end of the file only.
+  std::size_t read(char* to, std::size_t size);
+  std::size_t read_at(std::uint64_t offset, char* to, std::size_t size) const;
+  std::uint64_t size() const;
+  void cut(std::uint64_t size);
+
+ private:
+  [[noreturn]] void fail(const char* doing) const;
+
+  std::string path_;
+  int descriptor_;
+};
+
+/// The whole content of a file; empty when there is none.
+std::string scratch_content(const std::string& path);
+
+/// The content of the file becomes `bytes`, all at once.
+void replace_content(const std::string& path, std::string_view bytes);
+
+/// A file gets the name of another, which is gone.
+void rename_scratch(const std::string& from, const std::string& to);
+
+/// CRC-32, of zlib.
+std::uint32_t checksum_of(std::string_view bytes, std::uint32_t before = 0);
+
+}  // namespace rbpa::app

@@ -1,0 +1,43 @@
+#include "stream/tile_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "io/output_file.h"
+#include "io/write_triangles.h"
+
+namespace rbpa::app {
+
+std::string tile_mesh_path(const std::string& pattern, std::uint32_t tile) {
+  std::string number = std::to_string(tile);
+  constexpr std::size_t digits = 6;
+  if (number.size() < digits) number.insert(0, digits - number.size(), '0');
+  std::string path = pattern;
+  return path.replace(path.rfind('*'), 1, number);
+}
+
+void write_tile_mesh(const std::string& pattern, std::uint32_t tile, const IndexedPoints& points,
+                     std::span<const TriangleRow> triangles) {
+  std::vector<std::uint64_t> used;
+  for (const TriangleRow& triangle : triangles) used.insert(used.end(), triangle.begin(), triangle.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const auto place = [](const std::vector<std::uint64_t>& sorted, std::uint64_t index) {
+    return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), index) - sorted.begin());
+  };
+  std::vector<Point> vertices;
+  for (const std::uint64_t index : used) vertices.push_back(points.points[place(points.indices, index)]);
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  for (const TriangleRow& triangle : triangles) {
+    std::array<std::uint32_t, 3>& face = faces.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) face[k] = static_cast<std::uint32_t>(place(used, triangle[k]));
+  }
+  OutputSet outputs;
+  OutputFile& file = outputs.add(tile_mesh_path(pattern, tile));
+  write_triangles(file, OutputFormat::ply, {vertices, faces, {}, {}});
+  file.finish();
+  outputs.publish();
+}
+
+}  // namespace rbpa::app

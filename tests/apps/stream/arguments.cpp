@@ -1,0 +1,128 @@
+// What the verb takes, and what it says.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+const std::string square = "0 0\n1 0\n0 1\n1 1\n";
+
+std::string said(const Folder& folder, const std::string& arguments, int code) {
+  CAPTURE(arguments);
+  const Outcome outcome = folder.rbpa("stream " + arguments);
+  CHECK(outcome.code == code);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  return outcome.err;
+}
+
+}  // namespace
+
+TEST_CASE("a run says what it has made, and leaves nothing else") {
+  const Folder folder;
+  folder.file("a.xy", square);
+  folder.file("b.xy", "1 1\n5 5\n");
+  const Outcome outcome = folder.rbpa("stream a.xy b.xy --alpha 1 -o t.npy -o p.wkt --stats s.json");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err ==
+        "rbpa: 6 points (1 duplicate) in 1 tile, 2 triangles, 1 isolated, 1 polygon with 0 holes, area 1 -> t.npy, "
+        "p.wkt\n");
+  CHECK(folder.content("p.wkt") == "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)))\n");
+  CHECK(folder.names() == std::vector<std::string>{"a.xy", "b.xy", "p.wkt", "s.json", "t.npy"});
+  const auto stats = nlohmann::json::parse(folder.content("s.json"));
+  CHECK(stats.at("points") == 6);
+  CHECK(stats.at("distinct") == 5);
+  CHECK(stats.at("triangles") == 2);
+  CHECK(stats.at("edges") == 5);
+  CHECK(stats.at("holes") == 0);
+  CHECK(stats.at("polygons") == 1);
+  CHECK(folder.rbpa("stream a.xy --alpha 1 -o - --output-format wkt -q").out ==
+        "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)))\n");
+  CHECK(folder.rbpa("stream a.xy --alpha 0.1 -o e.wkt")
+            .err.starts_with("rbpa: the complex is empty: no triangle has circumradius <= 0.1\n"));
+  CHECK(folder.content("e.wkt") == "MULTIPOLYGON EMPTY\n");
+}
+
+TEST_CASE("folders are their files of points by name, and a mesh of each tile is a file") {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path("in"));
+  std::filesystem::create_directory(folder.path("out"));
+  folder.file("in/b.xy", square);
+  folder.file("in/a.csv", "2,0\n2,1\n");
+  folder.file("in/readme.md", "no points");
+  CHECK(folder.rbpa("stream in --alpha 1 --tile-size 2 -o t.npy -o 'out/*.ply' -q").code == 0);
+  folder.file("all.xy", "2 0\n2 1\n" + square);
+  REQUIRE(folder.rbpa("mesh all.xy --alpha 1 -o want.npy -q").code == 0);
+  CHECK(folder.content("t.npy") == folder.content("want.npy"));
+  const auto tiles = std::filesystem::directory_iterator(folder.path("out"));
+  std::size_t faces = 0;
+  for (const auto& tile : tiles) {
+    const std::string ply = read_file(tile.path());
+    const std::size_t at = ply.find("element face ");
+    REQUIRE(at != std::string::npos);
+    faces += std::stoul(ply.substr(at + 13));
+  }
+  CHECK(faces == 4);
+}
+
+TEST_CASE("what is refused, and why") {
+  const Folder folder;
+  folder.file("a.xy", square);
+  folder.file("b.geojson", "x");
+  std::filesystem::create_directory(folder.path("none"));
+  CHECK(said(folder, "a.xy -o t.npy", 2).find("--alpha is required") != std::string::npos);
+  for (const char* alpha : {"inf", "auto", "min", "plateau"}) {
+    const std::string text = said(folder, std::string("a.xy -o t.npy --alpha ") + alpha, 2);
+    CHECK(text.find("rbpa alpha on a sample") != std::string::npos);
+    CHECK(text.find(alpha) != std::string::npos);
+  }
+  CHECK(said(folder, "a.xy -o t.npy --alpha 0", 2).find("expected a radius") != std::string::npos);
+  CHECK(said(folder, "- -o t.npy --alpha 1", 2).find("read twice") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1", 2).find("found no -o OUT") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.off", 2).find("found the ending 'off', expected one of geojson") !=
+        std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.ply", 2).find("expected a name with a '*'") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o a.xy --output-format wkt", 2).find("a.xy") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --memory 1M", 2).find("--memory: found '1M'") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --memory lots", 2).find("--memory: found 'lots'") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --tile-size 0", 2).find("--tile-size: found '0'") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --resume", 2).find("--resume: found no --scratch") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --keep-tiles", 2).find("found no --scratch") != std::string::npos);
+  CHECK(said(folder, "none --alpha 1 -o t.npy", 3).find("a folder without files of points") != std::string::npos);
+  CHECK(said(folder, "c.xy --alpha 1 -o t.npy", 3) == "rbpa: c.xy: found no such file, expected a file of points\n");
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch .", 2).find("found other files in .") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch a.xy", 1).find("cannot make the folder") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o nowhere/t.npy", 1).find("nowhere") != std::string::npos);
+  CHECK(folder.names() == std::vector<std::string>{"a.xy", "b.geojson", "none"});
+}
+
+TEST_CASE("files of different systems of coordinates are not one input") {
+  const Folder folder;
+  folder.file("a.csv", "geometry\n\"SRID=28992;POINT (1 2)\"\n");
+  folder.file("b.csv", "geometry\n\"SRID=31370;POINT (1 2)\"\n");
+  CHECK(said(folder, "a.csv b.csv --alpha 1 -o p.wkt", 3).find("EPSG:28992 as files before") != std::string::npos);
+  CHECK(folder.rbpa("stream a.csv b.csv --alpha 1 --crs EPSG:28992 -o p.wkt -q").code == 0);
+}
+
+TEST_CASE("too many points within 2 alpha: where, how many, and what would do") {
+  const Folder folder;
+  std::string points(16 * 300'000, '\0');
+  double* values = reinterpret_cast<double*>(points.data());
+  unsigned state = 1;
+  for (std::size_t i = 0; i < 600'000; ++i)
+    values[i] = double((state = state * 1664525u + 1013904223u) >> 8U) * 0x1p-24;
+  folder.file("p.f64xy", points);
+  const std::string text = said(folder, "p.f64xy --alpha 5 --memory 64M -o p.wkt -q", 1);
+  CHECK(text.find("--memory 64M: found 300000 points within 2 alpha = 10 of each other near (") != std::string::npos);
+  const std::size_t at = text.find("; --memory ");
+  REQUIRE(at != std::string::npos);
+  const std::string enough = text.substr(at + 11, text.find(' ', at + 11) - at - 11);
+  CHECK(folder.rbpa("stream p.f64xy --alpha 5 --memory " + enough + " -o p.wkt -q").code == 0);
+  CHECK(folder.names() == std::vector<std::string>{"p.f64xy", "p.wkt"});
+}

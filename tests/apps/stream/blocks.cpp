@@ -1,0 +1,156 @@
+// Files read block by block: the points that are read at once, and what is refused.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstring>
+
+#include "io/blocks/point_blocks.h"
+#include "io/failure.h"
+#include "support/las_file.h"
+#include "support/program.h"
+#include "support/random.h"
+
+using apps_test::Folder;
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+std::vector<Point> by_blocks(const PointSource& source, PointFile* about = nullptr) {
+  const auto blocks = open_point_blocks(source);
+  std::vector<Point> points, block;
+  while (blocks->next(block)) points.insert(points.end(), block.begin(), block.end());
+  if (about != nullptr) *about = blocks->about();
+  return points;
+}
+
+bool same_bits(const std::vector<Point>& a, const std::vector<Point>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Point)) == 0);
+}
+
+void check_same(const PointSource& source) {
+  CAPTURE(source.path);
+  const PointFile whole = read_points(source);
+  PointFile about;
+  CHECK(same_bits(by_blocks(source, &about), whole.points));
+  CHECK(about.remarks == whole.remarks);
+  CHECK(about.degrees == whole.degrees);
+}
+
+/// What is said of a file that is refused.
+std::string refusal(const PointSource& source) {
+  try {
+    by_blocks(source);
+    return "";
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+}
+
+std::string npy(const std::string& descr, bool columns_first, std::size_t rows, const std::string& data) {
+  std::string header = "{'descr': '" + descr + "', 'fortran_order': " + (columns_first ? "True" : "False") +
+                       ", 'shape': (" + std::to_string(rows) + ", 2), }\n";
+  return std::string("\x93NUMPY\x01\x00", 8) + char(header.size()) + '\0' + header + data;
+}
+
+// More than a block, and more than a piece of text.
+constexpr std::size_t many = 150'000;
+
+std::string doubles(std::size_t count) {
+  rbpa_test::Random random(1);
+  std::vector<double> values(2 * count);
+  for (double& value : values) value = double(random.below(1U << 20U)) / 7;
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+}
+
+}  // namespace
+
+TEST_CASE("raw numbers, arrays and LAS by blocks are what they are at once") {
+  const Folder folder;
+  const std::string numbers = doubles(many);
+  check_same({.path = folder.file("p.f64xy", numbers), .format = PointFormat::raw});
+  check_same({.path = folder.file("a.npy", npy("<f8", false, many, numbers)), .format = PointFormat::npy});
+  check_same({.path = folder.file("b.npy", npy("<f8", true, many, numbers)), .format = PointFormat::npy});
+  check_same({.path = folder.file("c.npy", npy(">i4", false, 2 * many, numbers)), .format = PointFormat::npy});
+  apps_test::LasFile las{.minor = 4, .format = 6};
+  rbpa_test::Random random(2);
+  for (std::size_t i = 0; i < 70'000; ++i)
+    las.points.push_back({.x = int(random.below(1000)),
+                          .y = int(random.below(1000)),
+                          .classification = unsigned(random.below(3)),
+                          .withheld = i % 7 == 0});
+  las.extended = {{"LASF_Projection", 2112, "PROJCS[\"x\",AUTHORITY[\"EPSG\",\"28992\"]]"}};
+  const std::string path = folder.file("p.las", apps_test::bytes_of(las));
+  check_same({.path = path, .format = PointFormat::las});
+  check_same({.path = path, .format = PointFormat::las, .where = Condition("classification == 2")});
+  PointFile about;
+  by_blocks({.path = path, .format = PointFormat::las}, &about);
+  REQUIRE(about.crs);
+  CHECK(about.crs->text() == "EPSG:28992");
+}
+
+TEST_CASE("text by pieces is what it is at once, packed or not") {
+  const Folder folder;
+  rbpa_test::Random random(3);
+  std::string text = "\xEF\xBB\xBF# many\n\nid,lon,lat,name\n";
+  for (std::size_t i = 0; i < many; ++i)
+    text += std::to_string(i) + "," + std::to_string(double(random.below(360)) - 180.5) + "," +
+            std::to_string(random.below(90)) + ",\"a, b\"\n";
+  text += "5,1,2,no end of line";
+  const PointSource source{.path = folder.file("p.csv", text)};
+  PointFile about;
+  CHECK(same_bits(by_blocks(source, &about), read_points(source).points));
+  CHECK(about.degrees);
+  REQUIRE(folder.run("/bin/gzip", "-k p.csv").code == 0);
+  CHECK(same_bits(by_blocks({.path = folder.path("p.csv.gz")}), read_points(source).points));
+  // Two members, one behind the other.
+  const std::string packed = folder.content("p.csv.gz");
+  folder.file("q.xy", "1 2\n3 4\n");
+  REQUIRE(folder.run("/bin/gzip", "q.xy").code == 0);
+  const std::string twice = folder.content("q.xy.gz") + folder.content("q.xy.gz");
+  CHECK(by_blocks({.path = folder.file("r.xy.gz", twice)}).size() == 4);
+
+  std::string commas = "x;y\n";
+  for (std::size_t i = 0; i < many; ++i) commas += "1234567;7654321\n";
+  check_same({.path = folder.file("commas.csv", commas + "1,5;2,5\n")});
+  check_same({.path = folder.file("skipped.csv", commas + "a;b\n3;4\n"), .skip_invalid = true});
+  check_same({.path = folder.file("comments.xy", "# nothing\n\n")});
+}
+
+TEST_CASE("what is wrong with a file is said by its line or point, as when it is read at once") {
+  const Folder folder;
+  std::string text;
+  for (std::size_t i = 0; i < many; ++i) text += "1234.5 7654.25\n";
+  const auto check = [&](const PointSource& source) {
+    CAPTURE(source.path);
+    std::string expected;
+    try {
+      read_points(source);
+    } catch (const BadInput& error) {
+      expected = error.what();
+    }
+    CHECK(refusal(source) == expected);
+    CHECK_FALSE(expected.empty());
+  };
+  check({.path = folder.file("word.xy", text + "1 x\n")});
+  check({.path = folder.file("columns.xy", text + "1 2 3\n")});
+  check({.path = folder.file("comma.xy", text + "1,5 2\n")});
+  check({.path = folder.file("empty.xy", "")});
+  check({.path = folder.file("name.csv", "# x\n"), .columns = parse_columns("a,b")});
+  check({.path = folder.path("none.xy")});
+  std::string numbers = doubles(many);
+  check({.path = folder.file("odd.f64xy", numbers + "x"), .format = PointFormat::raw});
+  check({.path = folder.file("short.npy", npy("<f8", false, many + 1, numbers)), .format = PointFormat::npy});
+  const double infinite = INFINITY;
+  std::memcpy(numbers.data() + 16 * 100'000, &infinite, 8);
+  check({.path = folder.file("inf.f64xy", numbers), .format = PointFormat::raw});
+  check({.path = folder.file("inf.npy", npy("<f8", false, many, numbers)), .format = PointFormat::npy});
+  check({.path = folder.file("no.las", std::string(300, 'x')), .format = PointFormat::las});
+  apps_test::LasFile las;
+  las.points.resize(1000);
+  std::string bytes = apps_test::bytes_of(las);
+  check({.path = folder.file("cut.las", bytes.substr(0, bytes.size() - 5)), .format = PointFormat::las});
+  CHECK(refusal({.path = "/dev/null"}) ==
+        "/dev/null: found a pipe or a device, expected a file, which can be read twice");
+  CHECK(refusal({.path = folder.path("")}).find("found a folder") != std::string::npos);
+}

@@ -1,0 +1,315 @@
+// Whatever happens to a run, the next one goes on with it and makes the same bytes.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "robustness/moments.h"
+#include "support/child.h"
+#include "support/program.h"
+#include "support/random.h"
+
+using namespace apps_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Two files of points in a square with holes.
+void make_input(const Folder& folder, std::size_t count) {
+  rbpa_test::Random random(1);
+  for (const char* name : {"a.f64xy", "b.f64xy"}) {
+    std::vector<double> values(count);
+    for (double& value : values) value = double(random.below(100'000)) / 100;
+    folder.file(name, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
+  }
+}
+
+constexpr std::size_t some = 60'000;
+
+Child::Command command(const Folder& folder, const std::vector<std::string>& more) {
+  Child::Command words = {RBPA_PROGRAM,
+                          "stream",
+                          folder.path("a.f64xy"),
+                          folder.path("b.f64xy"),
+                          "--alpha",
+                          "3.2",
+                          "--tile-size",
+                          "1500",
+                          "-o",
+                          folder.path("t.npy"),
+                          "-o",
+                          folder.path("p.geojson"),
+                          "-q"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+Child::Command with_scratch(const Folder& folder) {
+  return command(folder, {"--scratch", folder.path("scratch"), "--resume"});
+}
+
+struct Made {
+  std::string triangles, polygons;
+  double seconds = 0;
+};
+
+/// By a run that nothing hinders.
+const Made& expected() {
+  static const Made made = [] {
+    const Folder folder;
+    make_input(folder, some);
+    const auto start = Clock::now();
+    Child child(command(folder, {}));
+    REQUIRE(child.wait() == Ending{0, 0});
+    const double seconds = seconds_since(start);
+    CHECK(folder.names() == std::vector<std::string>{"a.f64xy", "b.f64xy", "p.geojson", "t.npy"});
+    return Made{folder.content("t.npy"), folder.content("p.geojson"), seconds};
+  }();
+  return made;
+}
+
+void check_done(const Folder& folder) {
+  CHECK(folder.content("t.npy") == expected().triangles);
+  CHECK(folder.content("p.geojson") == expected().polygons);
+  CHECK(folder.names() == std::vector<std::string>{"a.f64xy", "b.f64xy", "p.geojson", "t.npy"});
+}
+
+void finish(const Folder& folder) {
+  Child child(with_scratch(folder));
+  CHECK(child.wait() == Ending{0, 0});
+  check_done(folder);
+}
+
+void sleep(double seconds) { usleep(static_cast<useconds_t>(1e6 * seconds)); }
+
+/// What the program says, of a run that does not succeed.
+std::string refusal(const Folder& folder, const std::string& arguments) {
+  const Outcome outcome = folder.rbpa("stream " + arguments);
+  CHECK(outcome.code != 0);
+  return outcome.err;
+}
+
+}  // namespace
+
+TEST_CASE("killed at any moment, and again, a run is gone on with") {
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> share(0, 1.05);
+  for (int moment = 0; moment < robustness::moments; ++moment) {
+    CAPTURE(moment);
+    const Folder folder;
+    make_input(folder, some);
+    for (int kill = 0; kill < 1 + moment % 3; ++kill) {
+      Child child(with_scratch(folder));
+      sleep(share(random) * expected().seconds);
+      child.send(SIGKILL);
+      child.wait();
+      for (const char* name : {"t.npy", "p.geojson"})
+        if (folder.has(name))
+          CHECK(folder.content(name) == (name[0] == 't' ? expected().triangles : expected().polygons));
+    }
+    finish(folder);
+  }
+}
+
+TEST_CASE("a signal ends a run at once; its scratch stays only where one was named") {
+  for (const bool named : {false, true})
+    for (const double share : {0.1, 0.5, 0.8}) {
+      const Folder folder;
+      make_input(folder, 20 * some);
+      Child child(named ? with_scratch(folder) : command(folder, {}));
+      sleep(share * 8 * expected().seconds);
+      if (child.has_ended()) continue;  // a fast machine
+      const auto start = Clock::now();
+      child.send(SIGINT);
+      CHECK(child.wait() == Ending{130, 0});
+      CHECK(seconds_since(start) < 2);  // a third of a second where nobody else is at work
+      std::vector<std::string> names = {"a.f64xy", "b.f64xy"};
+      if (named) names.push_back("scratch");
+      CHECK(folder.names() == names);
+    }
+}
+
+TEST_CASE("what a run that was killed has left beside its target, the next one removes") {
+  const Folder folder;
+  make_input(folder, 10 * some);
+  Child child(command(folder, {}));
+  const auto any_scratch = [&] {
+    for (const std::string& name : folder.names())
+      if (name.starts_with(".rbpa-stream-") && fs::exists(folder.path(name) + "/manifest.json")) return true;
+    return false;
+  };
+  while (!any_scratch() && !child.has_ended()) usleep(1000);
+  child.send(SIGKILL);
+  child.wait();
+  CHECK(any_scratch());
+  make_input(folder, some);
+  Child next(command(folder, {}));
+  CHECK(next.wait() == Ending{0, 0});
+  check_done(folder);
+}
+
+TEST_CASE("files of tiles that were changed or cut off are made again") {
+  rbpa_test::Random random(3);
+  for (int round = 0; round < 6; ++round) {
+    const Folder folder;
+    make_input(folder, some);
+    {  // all tiles, and nothing computed
+      Child child(command(folder, {"--scratch", folder.path("scratch"), "--keep-tiles"}));
+      REQUIRE(child.wait() == Ending{0, 0});
+      REQUIRE(fs::exists(folder.path("scratch/manifest.json")));
+      fs::remove(folder.path("t.npy"));
+    }
+    std::size_t tiles = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path("scratch/tiles"))) {
+      if (tiles++ % 20 != 0) continue;
+      std::string content = read_file(entry.path());
+      const std::size_t at = random.below(content.size());
+      if (round % 3 == 0)
+        fs::remove(entry.path());
+      else if (round % 3 == 1)
+        fs::resize_file(entry.path(), at);
+      else {
+        content[at] = char(content[at] ^ 16);
+        std::ofstream(entry.path(), std::ios::binary) << content;
+      }
+    }
+    CHECK(tiles > 30);
+    Child child(command(folder, {"--scratch", folder.path("scratch"), "--keep-tiles", "--resume"}));
+    CHECK(child.wait() == Ending{0, 0});
+    CHECK(folder.content("t.npy") == expected().triangles);
+    CHECK(folder.content("p.geojson") == expected().polygons);
+  }
+}
+
+TEST_CASE("another question is not what the run in the scratch was about") {
+  const Folder folder;
+  make_input(folder, 1000);
+  const std::string same = "a.f64xy b.f64xy --alpha 3 -o t.npy --scratch s --keep-tiles -q";
+  REQUIRE(folder.rbpa("stream " + same).code == 0);
+  CHECK(refusal(folder, same) ==
+        "rbpa: --scratch: found a run in s, expected --resume to go on with it, or another folder\n");
+  CHECK(folder.rbpa("stream " + same + " --resume").code == 0);
+  const auto check = [&](const std::string& arguments, const std::string& part) {
+    const std::string text = refusal(folder, arguments + " --scratch s --keep-tiles -q --resume");
+    CAPTURE(text);
+    CHECK(text.starts_with("rbpa: --resume: found "));
+    CHECK(text.find(part) != std::string::npos);
+  };
+  check("a.f64xy b.f64xy --alpha 4 -o t.npy", "alpha 4");
+  check("a.f64xy --alpha 3 -o t.npy", "1 input");
+  check("b.f64xy a.f64xy --alpha 3 -o t.npy", "b.f64xy");
+  check("a.f64xy b.f64xy --alpha 3 -o u.npy", "target");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --memory 500M", "memory");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --tile-size 77", "tile_size 77");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --format f64xy", "options");
+  std::string content = folder.content("b.f64xy");
+  folder.file("b.f64xy", content.substr(0, content.size() / 2));
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy", "changed");
+  folder.file("s/manifest.json", "{}");
+  CHECK(refusal(folder, same + " --resume").find("found no manifest") != std::string::npos);
+}
+
+TEST_CASE("another run is at work in the folder") {
+  const Folder folder;
+  make_input(folder, 20 * some);
+  Child child(with_scratch(folder));
+  while (!fs::exists(folder.path("scratch/manifest.json"))) usleep(1000);
+  const Outcome outcome = folder.rbpa("stream a.f64xy --alpha 1 -o x.npy --scratch scratch --resume -q");
+  if (!child.has_ended()) {
+    CHECK(outcome.code == 1);
+    CHECK(outcome.err.find("found another run at work") != std::string::npos);
+  }
+}
+
+TEST_CASE("no file may be larger: one line, and the next run goes on") {
+  std::mt19937 random(21);
+  for (int moment = 0; moment < robustness::moments / 2; ++moment) {
+    const Folder folder;
+    make_input(folder, some);
+    // From what tiles need to what the targets are.
+    const double most = std::exp(std::uniform_real_distribution<double>(std::log(2000), std::log(3e6))(random));
+    Child child(with_scratch(folder), [&] {
+      redirect(STDERR_FILENO, folder.path("said"), O_WRONLY | O_CREAT | O_TRUNC);
+      const rlimit both{static_cast<rlim_t>(most), static_cast<rlim_t>(most)};
+      setrlimit(RLIMIT_FSIZE, &both);
+    });
+    const Ending ending = child.wait();
+    const std::string said = folder.content("said");
+    fs::remove(folder.path("said"));
+    CAPTURE(most);
+    CAPTURE(said);
+    CHECK((ending == Ending{0, 0} || ending == Ending{1, 0}));
+    if (ending.code == 1) {
+      CHECK(said.find(": cannot write: File too large\n") != std::string::npos);
+      CHECK(std::count(said.begin(), said.end(), '\n') == 1);
+      finish(folder);
+    }
+  }
+}
+
+TEST_CASE("a full disk: one line, and the next run goes on") {
+  const Folder place;
+  const std::string disk = place.path("disk");
+  fs::create_directory(disk);
+  if (mount("stream", disk.c_str(), "tmpfs", MS_NOSUID, "size=16m") != 0) {
+    MESSAGE("SKIPPED: no small disk can be mounted here");
+    return;
+  }
+  setenv("TMPDIR", disk.c_str(), 1);
+  std::mt19937 random(22);
+  for (int moment = 0; moment < robustness::moments / 2; ++moment) {
+    const Folder folder;
+    make_input(folder, some);
+    const std::size_t left = std::uniform_int_distribution<std::size_t>(0, 8'000'000)(random);
+    const std::size_t free = fs::space(disk).available;
+    std::ofstream(disk + "/ballast") << std::string(free - std::min(free, left), 'x');
+    Child child(with_scratch(folder),
+                [&] { redirect(STDERR_FILENO, place.path("said"), O_WRONLY | O_CREAT | O_TRUNC); });
+    const Ending ending = child.wait();
+    fs::remove(disk + "/ballast");
+    const std::string said = place.content("said");
+    CAPTURE(left);
+    CAPTURE(said);
+    CHECK((ending == Ending{0, 0} || ending == Ending{1, 0}));
+    if (ending.code == 1) {
+      const bool known = said.find(" free on its disk, expected ") != std::string::npos;
+      CHECK((known || said.find("No space left on device\n") != std::string::npos));
+      CHECK(std::count(said.begin(), said.end(), '\n') == 1);
+      finish(folder);
+    }
+  }
+  unsetenv("TMPDIR");
+  umount2(disk.c_str(), MNT_DETACH);
+}
+
+TEST_CASE("a run takes no more memory than it may") {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  MESSAGE("SKIPPED: sanitizers take memory for themselves");
+#else
+  const Folder folder;
+  make_input(folder, robustness::moments > 8 ? 6'000'000 : 1'000'000);
+  for (const char* memory : {"64M", "128M"}) {
+    CAPTURE(memory);
+    REQUIRE(folder
+                .rbpa(std::string("stream a.f64xy b.f64xy --alpha 0.9 --memory ") + memory +
+                      " -o t.npy -o p.geojson -q --stats s.json")
+                .code == 0);
+    const std::string stats = folder.content("s.json");
+    const std::size_t at = stats.find("\"peak_bytes\": ");
+    REQUIRE(at != std::string::npos);
+    CHECK(std::stoull(stats.substr(at + 14)) < std::stoull(memory) << 20U);
+  }
+#endif
+}

@@ -1,0 +1,64 @@
+#include "stream/runs.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "cli/mesh_verb.h"
+#include "cli/shape_verb.h"
+#include "cli/stream_verb.h"
+#include "io/number.h"
+
+namespace stream_test {
+
+using apps_test::Folder;
+
+namespace {
+
+std::string text_of(double alpha) { return std::string(std::string_view(rbpa::app::ShortestText(alpha))); }
+
+Made take(const Folder& folder) {
+  Made made{folder.content("t.npy"), folder.content("p.geojson"), folder.content("p.wkt")};
+  for (const char* name : {"t.npy", "p.geojson", "p.wkt"}) std::filesystem::remove(folder.path(name));
+  return made;
+}
+
+}  // namespace
+
+std::string raw(std::span<const rbpa::Point> points) {
+  return {reinterpret_cast<const char*>(points.data()), points.size_bytes()};
+}
+
+Made wanted(const Folder& folder, const std::string& file, double alpha) {
+  rbpa::app::MeshArguments mesh;
+  mesh.points = folder.path(file);
+  mesh.radius.alpha = text_of(alpha);
+  mesh.outputs = {folder.path("t.npy")};
+  mesh.run.quiet = true;
+  rbpa::app::run_mesh(mesh);
+  rbpa::app::ShapeArguments shape;
+  shape.points = folder.path(file);
+  shape.radius.alpha = text_of(alpha);
+  shape.outputs = {folder.path("p.geojson"), folder.path("p.wkt")};
+  shape.run.quiet = true;
+  rbpa::app::run_shape(shape);
+  return take(folder);
+}
+
+Made streamed(const Folder& folder, const std::vector<std::string>& files, double alpha, const How& how) {
+  const std::vector<std::string> before = folder.names();
+  rbpa::app::StreamArguments stream;
+  for (const std::string& file : files) stream.inputs.push_back(folder.path(file));
+  stream.radius.alpha = text_of(alpha);
+  stream.outputs = {folder.path("t.npy"), folder.path("p.geojson"), folder.path("p.wkt")};
+  stream.memory = std::to_string(how.memory);
+  if (how.tile_size > 0) stream.tile_size = std::to_string(how.tile_size);
+  stream.run.quiet = true;
+  stream.run.threads = std::to_string(how.threads);
+  rbpa::app::run_stream(stream);
+  const Made made = take(folder);
+  CHECK(folder.names() == before);
+  return made;
+}
+
+}  // namespace stream_test
