@@ -116,6 +116,15 @@ RBPA_API Partial merge(Partial&& a, Partial&& b);
 /// finished when it is certain to which of them the common points count.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
+struct TakenHoles {
+  ComponentName component;        ///< those of the same polygon may be taken by several names, and several times by one
+  std::vector<CornerRing> holes;  ///< in order
+};
+
+/// The holes of components that are not finished, which are no more in `partial`: a component that is everywhere may have more
+/// of them than fit into memory. By component; those without holes are left out.
+RBPA_API std::vector<TakenHoles> take_holes(Partial& partial);
+
 struct WholeComplex {
   PartialCounts counts;
   std::vector<CornerPolygon> polygons;  ///< in order, those not taken
