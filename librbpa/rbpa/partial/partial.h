@@ -108,7 +108,7 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 
 /// Two sets of regions as one.
 /// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when what they say of a common triangle
-///         cannot be: halos were not complete, or points not the same.
+///         cannot be: halos were not complete, or points not the same. Then neither is of any further use.
 /// Cost:   n log n in what is open; an amortised constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 

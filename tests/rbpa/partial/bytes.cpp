@@ -26,20 +26,25 @@ using Bytes = std::vector<std::uint8_t>;
 
 Bytes text(const char* letters) { return {letters, letters + std::strlen(letters)}; }
 
-/// The left of a picture, with every list filled: chains, rings of open components, a pinch that waits, a held polygon.
+const Picture picture = {"###...........",  //
+                         "#.#...........",  //
+                         "###...........",  //
+                         "..............",  //
+                         "...#..........",  //
+                         "....##########",  //
+                         "....#.########",  //
+                         "....##########",  //
+                         "..............",  //
+                         "......########"};
+const rbpa::Region left{-1, -99, 20, 99}, right{20, -99, 99, 99};
+
+Partial part(const rbpa::Region& region) {
+  return rbpa::partial(region, given(region, points_of(picture), picture_alpha), picture_alpha);
+}
+
+/// The left of the picture has every list filled: chains, rings of open components, a pinch that waits, a held polygon.
 Partial with_all_lists() {
-  const Points points = points_of({"###...........",  //
-                                   "#.#...........",  //
-                                   "###...........",  //
-                                   "..............",  //
-                                   "...#..........",  //
-                                   "....##########",  //
-                                   "....#.########",  //
-                                   "....##########",  //
-                                   "..............",  //
-                                   "......########"});
-  const rbpa::Region region{-1, -99, 20, 99};
-  Partial made = rbpa::partial(region, given(region, points, picture_alpha), picture_alpha);
+  Partial made = part(left);
   const rbpa::PartialState& state = made.state();
   REQUIRE(state.open.size() == 2);
   REQUIRE(state.open[0].rings.size() + state.open[1].rings.size() == 1);
@@ -145,7 +150,8 @@ TEST_CASE(
   const Bytes bytes = rbpa::to_bytes(any);
   const std::size_t words = bytes.size() / 8;
   Random random(3);
-  int refused = 0, read = 0;
+  const Partial rest = part(right);
+  int refused = 0, read = 0, merged = 0;
   for (int run = 0; run < 20'000; ++run) {
     Bytes changed = bytes;
     for (int change = random.integer(1, 3); change > 0; --change) {
@@ -166,15 +172,17 @@ TEST_CASE(
       REQUIRE(rbpa::to_bytes(made) == changed);
       ++read;
       // What can be read can be merged, or is refused then.
-      Partial copy = made;
-      const rbpa::Region rest{11, -9, 99, 99};
-      rbpa::merge(std::move(copy), rbpa::partial(rest, given(rest, {}, 1), picture_alpha));
+      Partial with = made;
+      rbpa::merge(std::move(with), Partial(rest));
+      ++merged;
     } catch (const rbpa::InvalidInput&) {
       ++refused;
     }
   }
   CHECK(refused > 1000);
   CHECK(read > 1000);
+  CHECK(merged > 1000);
+  CHECK(merged < read);
 }
 
 TEST_SUITE_END();
