@@ -30,8 +30,25 @@ class Writer {
       add(corner.at);
     }
   }
+  void add(const std::vector<ComponentName>& names) {
+    add(std::uint64_t{names.size()});
+    for (const ComponentName& name : names)
+      for (const std::uint64_t corner : name) add(corner);
+  }
+  void add(const ExactSum& sum) {
+    for (const std::int64_t digit : sum.digits()) add(static_cast<std::uint64_t>(digit));
+  }
+  void add(const HoleSums& sums) {
+    add(sums.holes);
+    add(sums.names);
+    add(sums.measure.twice_area());
+    add(sums.measure.lengths().finite());
+    add(std::uint64_t{sums.measure.lengths().is_infinite()});
+  }
   void add(const CornerPolygon& polygon) {
     add(polygon.points);
+    add(polygon.taken_holes);
+    add(polygon.names);
     add(polygon.area);
     add(polygon.perimeter);
     add(polygon.shell);
@@ -72,6 +89,8 @@ void add_open(Writer& writer, const std::vector<OpenComponent>& components) {
     writer.add(component.least);
     writer.add(std::uint64_t{component.rings.size()});
     for (const CornerRing* ring : in_order(component.rings, ring_before)) writer.add(*ring);
+    writer.add(std::uint64_t{component.taken.size()});
+    for (const HoleSums& sums : component.taken) writer.add(sums);
   }
 }
 

@@ -44,10 +44,16 @@ void check_rings(const std::vector<CornerRing>& rings) {
   expect(ascends(rings, ring_before), "rings in order");
 }
 
+void check_names(const std::vector<ComponentName>& names, std::uint64_t holes) {
+  expect(ascends(names, std::less<>()), "names of components in order");
+  expect(names.empty() == (holes == 0) && names.size() <= holes, "a hole or more to each name");
+}
+
 void check_polygons(const std::vector<CornerPolygon>& polygons) {
   for (const CornerPolygon& polygon : polygons) {
     check_rings({polygon.shell});
     check_rings(polygon.holes);
+    check_names(polygon.names, polygon.taken_holes);
     expect(polygon.area >= 0 && polygon.perimeter >= 0, "areas and perimeters of 0 or more");
   }
   expect(ascends(polygons, comes_before), "polygons in order");
@@ -84,6 +90,8 @@ void check_open(const PartialState& state) {
     const bool no_boundary = component.least == Point{infinity, infinity};
     expect(no_boundary || is_finite(component.least), "a least point of a component");
     check_rings(component.rings);
+    expect(component.taken.size() <= 1, "one sum of holes at most");
+    for (const HoleSums& sums : component.taken) check_names(sums.names, sums.holes);
   }
   for (const Chain& chain : state.chains) {
     expect(chain.component < state.open.size(), "chains of components that are open");

@@ -2,6 +2,7 @@
 // Law:  those of polygons() (rbpa/shape/polygons.h), to the last bit.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Corner {
 /// As Ring (rbpa/shape/polygons.h): the lexicographically least point first and not repeated, none passed twice.
 using CornerRing = std::vector<Corner>;
 
+/// What a component is called that is not finished: a triangle of it, which no other ever has.
+using ComponentName = std::array<std::uint64_t, 3>;
+
 /// As Polygon (rbpa/shape/polygons.h), to the last bit.
 struct CornerPolygon {
   CornerRing shell = {};               ///< counter-clockwise
@@ -28,6 +32,10 @@ struct CornerPolygon {
   double perimeter = 0;
   /// Input points in it, repetitions counted; one in which several polygons touch counts in the first of them.
   std::uint64_t points = 0;
+  /// Of holes that were taken before it was finished (take_holes()): how many, and the names by which they are its own,
+  /// ascending. Area and perimeter have them in.
+  std::uint64_t taken_holes = 0;
+  std::vector<ComponentName> names = {};
   friend bool operator==(const CornerPolygon&, const CornerPolygon&) = default;
 };
 

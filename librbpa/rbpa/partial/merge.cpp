@@ -95,6 +95,7 @@ void absorb(OpenComponent& to, OpenComponent&& from) {
   to.least = std::min(to.least, from.least);
   if (to.rings.size() < from.rings.size()) std::swap(to.rings, from.rings);
   append(to.rings, std::move(from.rings));
+  add_taken(to, std::move(from));
 }
 
 /// Makes one of components in the same set. Groups follow.

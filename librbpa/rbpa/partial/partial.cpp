@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rbpa/core/error.h"
+#include "rbpa/partial/rings.h"
 #include "rbpa/partial/state.h"
 #include "rbpa/run/input.h"
 
@@ -42,6 +43,18 @@ std::vector<CornerPolygon> take_settled(Partial& partial) {
   std::vector<CornerPolygon> settled = std::exchange(partial.state().polygons, {});
   std::sort(settled.begin(), settled.end(), comes_before);
   return settled;
+}
+
+std::vector<TakenHoles> take_holes(Partial& partial) {
+  PartialState& state = partial.state();
+  std::vector<TakenHoles> taken;
+  std::uint32_t next = 0;
+  for (const SharedTriangle& triangle : state.shared) {
+    if (triangle.component != next) continue;  // they are numbered by their first
+    std::vector<CornerRing> holes = holes_out_of(state.open[next++], triangle.corners);
+    if (!holes.empty()) taken.push_back({.component = triangle.corners, .holes = std::move(holes)});
+  }
+  return taken;
 }
 
 WholeComplex finish(Partial&& partial) {

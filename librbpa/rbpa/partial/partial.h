@@ -108,13 +108,22 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 
 /// Two sets of regions as one.
 /// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when what they say of a common triangle
-///         cannot be: halos were not complete, or points not the same.
+///         cannot be: halos were not complete, or points not the same. Then neither is of any further use.
 /// Cost:   n log n in what is open; an amortised constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// The finished polygons, in order, which are no more in `partial`; counts stay. A polygon that touches an unfinished one is
 /// finished when it is certain to which of them the common points count.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
+
+struct TakenHoles {
+  ComponentName component;        ///< those of the same polygon may be taken by several names, and several times by one
+  std::vector<CornerRing> holes;  ///< in order
+};
+
+/// The holes of components that are not finished, which are no more in `partial`: a component that is everywhere may have more
+/// of them than fit into memory. By component; those without holes are left out.
+RBPA_API std::vector<TakenHoles> take_holes(Partial& partial);
 
 struct WholeComplex {
   PartialCounts counts;

@@ -73,9 +73,36 @@ class Reader {
     }
     return corners;
   }
+  std::vector<ComponentName> names() {
+    std::vector<ComponentName> names(count("names", 3));
+    for (ComponentName& name : names)
+      for (std::uint64_t& corner : name) corner = number();
+    return names;
+  }
+  ExactSum sum() {
+    ExactSum::Digits digits;
+    for (std::int64_t& digit : digits) {
+      digit = static_cast<std::int64_t>(number());
+      if (&digit != &digits.back() && (digit < 0 || digit > 0xffffffff))
+        wrong("as a digit", static_cast<std::uint64_t>(digit));
+    }
+    return ExactSum::of(digits);
+  }
+  HoleSums hole_sums() {
+    HoleSums sums;
+    sums.holes = number();
+    sums.names = names();
+    const ExactSum twice_area = sum(), lengths = sum();
+    const std::uint64_t infinite = number();
+    if (infinite > 1) wrong("where 0 or 1 stands", infinite);
+    sums.measure = BoundaryMeasure(twice_area, LengthSum::of(lengths, infinite == 1));
+    return sums;
+  }
   CornerPolygon polygon() {
     CornerPolygon polygon;
     polygon.points = number();
+    polygon.taken_holes = number();
+    polygon.names = names();
     polygon.area = real();
     polygon.perimeter = real();
     polygon.shell = corners("points of a shell");
@@ -127,13 +154,15 @@ void read_rim(Reader& reader, PartialState& state) {
     if (both >> 34U != 0) refuse("a shared triangle of component " + std::to_string(both >> 2U));
     triangle.component = static_cast<std::uint32_t>(both >> 2U);
   }
-  state.open.resize(reader.count("open components", 5));
+  state.open.resize(reader.count("open components", 6));
   for (OpenComponent& component : state.open) {
     component.group = reader.small("as a group");
     component.points = reader.number();
     component.least = reader.point();
     component.rings.resize(reader.count("rings", 1));
     for (CornerRing& ring : component.rings) ring = reader.corners("points of a ring");
+    component.taken.resize(reader.count("sums of holes", 2 * std::tuple_size_v<ExactSum::Digits>));
+    for (HoleSums& sums : component.taken) sums = reader.hole_sums();
   }
   state.chains.resize(reader.count("chains", 2));
   for (Chain& chain : state.chains) {
@@ -159,7 +188,7 @@ Partial partial_from_bytes(std::span<const std::uint8_t> bytes) {
   state.cover = Cover(read_quadrants(reader));
   read_rim(reader, state);
   for (auto* polygons : {&state.held, &state.polygons}) {
-    polygons->resize(reader.count("polygons", 5));
+    polygons->resize(reader.count("polygons", 7));
     for (CornerPolygon& polygon : *polygons) polygon = reader.polygon();
   }
   reader.end();

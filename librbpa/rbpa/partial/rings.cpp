@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include "rbpa/core/error.h"
 #include "rbpa/predicate/predicates.h"
-#include "rbpa/shape/measure.h"
 #include "rbpa/shape/split_curve.h"
 
 namespace rbpa {
@@ -25,16 +25,14 @@ void add_ring(OpenComponent& component, CornerRing&& ring) {
   component.rings.push_back(std::move(ring));
 }
 
-void measure(CornerPolygon& polygon) {
-  BoundaryMeasure boundary;
-  const auto add = [&](const CornerRing& ring) {
-    const Corner* from = &ring.back();
-    for (const Corner& to : ring) boundary.add_edge(std::exchange(from, &to)->at, to.at);
-  };
-  add(polygon.shell);
-  for (const CornerRing& hole : polygon.holes) add(hole);
-  polygon.area = boundary.area();
-  polygon.perimeter = boundary.perimeter();
+void add_edges(BoundaryMeasure& boundary, const CornerRing& ring) {
+  const Corner* from = &ring.back();
+  for (const Corner& to : ring) boundary.add_edge(std::exchange(from, &to)->at, to.at);
+}
+
+/// A ring cannot go straight on in its least point.
+bool is_shell(const CornerRing& ring) {
+  return Predicates<long double>::orientation(ring.back().at, ring[0].at, ring[1].at) > 0;
 }
 
 }  // namespace
@@ -68,21 +66,52 @@ bool ring_before(const CornerRing& a, const CornerRing& b) {
   return std::pair(a[0].at, a[1].at) < std::pair(b[0].at, b[1].at);
 }
 
-CornerPolygon polygon_of(std::vector<CornerRing>&& rings) {
+CornerPolygon polygon_of(OpenComponent&& component) {
+  std::vector<CornerRing>& rings = component.rings;
   std::sort(rings.begin(), rings.end(), ring_before);
-  // The shell has the least point of all, perhaps with holes that touch it there. A ring cannot go straight on in its least
-  // point.
-  const auto shell = std::find_if(rings.begin(), rings.end(), [](const CornerRing& ring) {
-    return Predicates<long double>::orientation(ring.back().at, ring[0].at, ring[1].at) > 0;
-  });
+  const auto shell = std::find_if(rings.begin(), rings.end(), is_shell);
   if (shell == rings.end())
     throw InvalidInput("a component of " + std::to_string(rings.size()) +
                        " boundary rings, expected one of them to run counter-clockwise");
-  CornerPolygon polygon{.shell = std::move(*shell)};
+  BoundaryMeasure boundary;
+  for (const CornerRing& ring : rings) add_edges(boundary, ring);
+  CornerPolygon polygon{.shell = std::move(*shell), .points = component.points};
   rings.erase(shell);
   polygon.holes = std::move(rings);
-  measure(polygon);
+  for (HoleSums& taken : component.taken) {
+    boundary += taken.measure;
+    polygon.taken_holes = taken.holes;
+    polygon.names = std::move(taken.names);
+  }
+  polygon.area = boundary.area();
+  polygon.perimeter = boundary.perimeter();
   return polygon;
+}
+
+std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name) {
+  const auto first = std::partition(component.rings.begin(), component.rings.end(), is_shell);
+  std::vector<CornerRing> holes(std::make_move_iterator(first), std::make_move_iterator(component.rings.end()));
+  component.rings.erase(first, component.rings.end());
+  if (holes.empty()) return holes;
+  std::sort(holes.begin(), holes.end(), ring_before);
+  HoleSums sums{.holes = holes.size(), .names = {name}};
+  for (const CornerRing& hole : holes) add_edges(sums.measure, hole);
+  OpenComponent taken;
+  taken.taken.push_back(std::move(sums));
+  add_taken(component, std::move(taken));
+  return holes;
+}
+
+void add_taken(OpenComponent& to, OpenComponent&& from) {
+  if (to.taken.empty()) std::swap(to.taken, from.taken);
+  if (from.taken.empty()) return;
+  HoleSums &sums = to.taken[0], &added = from.taken[0];
+  sums.holes += added.holes;
+  sums.measure += added.measure;
+  std::vector<ComponentName> names;
+  std::set_union(sums.names.begin(), sums.names.end(), added.names.begin(), added.names.end(),
+                 std::back_inserter(names));
+  sums.names = std::move(names);
 }
 
 }  // namespace rbpa

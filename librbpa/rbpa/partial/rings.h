@@ -15,8 +15,14 @@ void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 /// The order of rings: by first point, then by second. An edge is on one ring, and no two compare equal.
 bool ring_before(const CornerRing& a, const CornerRing& b);
 
-/// The polygon of a component all of whose curves are closed, its points not counted in.
+/// The polygon of a component all of whose curves are closed.
 /// Throws: InvalidInput when the rings are not those of a component.
-CornerPolygon polygon_of(std::vector<CornerRing>&& rings);
+CornerPolygon polygon_of(OpenComponent&& component);
+
+/// Takes the holes out, if any, in order, and remembers what has to be known of them under that name.
+std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name);
+
+/// Of holes taken out of two components that are one.
+void add_taken(OpenComponent& to, OpenComponent&& from);
 
 }  // namespace rbpa

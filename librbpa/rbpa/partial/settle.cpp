@@ -160,8 +160,7 @@ void settle(PartialState& state, const std::function<void()>& ask) {
   for (std::size_t i = 0; i < finished.size(); ++i) {
     if (ask && i % 1024 == 0) ask();
     number[old_of_finished[i]] = open + static_cast<std::uint32_t>(state.held.size());
-    CornerPolygon& polygon = state.held.emplace_back(polygon_of(std::move(finished[i].rings)));
-    polygon.points = finished[i].points;
+    state.held.push_back(polygon_of(std::move(finished[i])));
   }
   for (Pinch& pinch : state.pinches)
     for (std::uint32_t& m : pinch.members) m = m < components ? number[m] : open + (m - components);

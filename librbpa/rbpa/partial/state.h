@@ -10,6 +10,7 @@
 
 #include "rbpa/partial/cover.h"
 #include "rbpa/partial/partial.h"
+#include "rbpa/shape/measure.h"
 
 namespace rbpa {
 
@@ -27,6 +28,13 @@ struct Chain {
   std::vector<Corner> path;
 };
 
+/// Of holes that were taken out of a component.
+struct HoleSums {
+  std::uint64_t holes = 0;
+  std::vector<ComponentName> names = {};  // ascending, none twice
+  BoundaryMeasure measure = {};
+};
+
 /// A solid component of which regions are missing: it has a shared triangle.
 struct OpenComponent {
   /// Components that hang together through points have the same.
@@ -35,6 +43,7 @@ struct OpenComponent {
   /// The least of its chains and rings, at infinity where there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};
+  std::vector<HoleSums> taken = {};  // none or one: sums are large
 };
 
 /// Points in which components touch, all the same ones: they count in the one whose polygon comes first.

@@ -62,9 +62,29 @@ void ExactSum::carry(Digits& digits) {
   digits.back() += carried;  // keeps the sign
 }
 
-double ExactSum::rounded(int exponent) const {
+ExactSum& ExactSum::operator+=(const ExactSum& other) {
+  const Digits added = other.digits();
+  carry(digits_);
+  for (std::size_t i = 0; i < added.size(); ++i) digits_[i] += added[i];
+  additions_ = 1;  // two digits that are carried are less than a product adds
+  return *this;
+}
+
+ExactSum::Digits ExactSum::digits() const {
   Digits digits = digits_;
   carry(digits);
+  return digits;
+}
+
+ExactSum ExactSum::of(const Digits& digits) {
+  ExactSum sum;
+  sum.digits_ = digits;
+  sum.additions_ = 1;
+  return sum;
+}
+
+double ExactSum::rounded(int exponent) const {
+  Digits digits = this->digits();
   const bool negative = digits.back() < 0;
   if (negative) {
     for (std::int64_t& digit : digits) digit = -digit;

@@ -17,13 +17,20 @@ class ExactSum {
   void add(double value) { add_product(value, 1); }
   void add_product(double a, double b);
 
+  ExactSum& operator+=(const ExactSum& other);
+
+  /// Digit i counts 2^(32 i) times a unit that never changes; all but the last are in [0, 2³²), the last has the sign.
+  using Digits = std::array<std::int64_t, 142>;
+  /// A function of the sum alone.
+  Digits digits() const;
+  /// Requires: digits as above.
+  static ExactSum of(const Digits& digits);
+
   /// The double nearest to the sum times 2^exponent (next to nearest where that is subnormal); infinity beyond the
   /// largest.
   double rounded(int exponent = 0) const;
 
  private:
-  using Digits = std::array<std::int64_t, 142>;
-
   static void carry(Digits& digits);
   void add_bits(std::uint64_t bits, unsigned position, bool negative);
 

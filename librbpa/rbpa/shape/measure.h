@@ -22,6 +22,20 @@ class LengthSum {
       sum_.add(value);
   }
   double rounded() const { return infinite_ ? std::numeric_limits<double>::infinity() : sum_.rounded(); }
+  LengthSum& operator+=(const LengthSum& other) {
+    sum_ += other.sum_;
+    infinite_ = infinite_ || other.infinite_;
+    return *this;
+  }
+
+  bool is_infinite() const { return infinite_; }
+  const ExactSum& finite() const { return sum_; }  ///< of those that are
+  static LengthSum of(const ExactSum& finite, bool infinite) {
+    LengthSum sum;
+    sum.sum_ = finite;
+    sum.infinite_ = infinite;
+    return sum;
+  }
 
  private:
   ExactSum sum_;
@@ -31,8 +45,18 @@ class LengthSum {
 /// What the edges of a polygon's rings, each with the polygon on its left, enclose, and how long they are.
 class BoundaryMeasure {
  public:
-  void add_edge(const Point& from, const Point& to);
+  BoundaryMeasure() = default;
+  BoundaryMeasure(const ExactSum& twice_area, const LengthSum& lengths) : twice_(twice_area), lengths_(lengths) {}
 
+  void add_edge(const Point& from, const Point& to);
+  BoundaryMeasure& operator+=(const BoundaryMeasure& other) {
+    twice_ += other.twice_;
+    lengths_ += other.lengths_;
+    return *this;
+  }
+
+  const ExactSum& twice_area() const { return twice_; }
+  const LengthSum& lengths() const { return lengths_; }
   double area() const { return twice_.rounded(-1); }  ///< rounded once
   double perimeter() const { return lengths_.rounded(); }
 

@@ -26,20 +26,25 @@ using Bytes = std::vector<std::uint8_t>;
 
 Bytes text(const char* letters) { return {letters, letters + std::strlen(letters)}; }
 
-/// The left of a picture, with every list filled: chains, rings of open components, a pinch that waits, a held polygon.
+const Picture picture = {"###...........",  //
+                         "#.#...........",  //
+                         "###...........",  //
+                         "..............",  //
+                         "...#..........",  //
+                         "....##########",  //
+                         "....#.########",  //
+                         "....##########",  //
+                         "..............",  //
+                         "......########"};
+const rbpa::Region left{-1, -99, 20, 99}, right{20, -99, 99, 99};
+
+Partial part(const rbpa::Region& region) {
+  return rbpa::partial(region, given(region, points_of(picture), picture_alpha), picture_alpha);
+}
+
+/// The left of the picture has every list filled: chains, rings of open components, a pinch that waits, a held polygon.
 Partial with_all_lists() {
-  const Points points = points_of({"###...........",  //
-                                   "#.#...........",  //
-                                   "###...........",  //
-                                   "..............",  //
-                                   "...#..........",  //
-                                   "....##########",  //
-                                   "....#.########",  //
-                                   "....##########",  //
-                                   "..............",  //
-                                   "......########"});
-  const rbpa::Region region{-1, -99, 20, 99};
-  Partial made = rbpa::partial(region, given(region, points, picture_alpha), picture_alpha);
+  Partial made = part(left);
   const rbpa::PartialState& state = made.state();
   REQUIRE(state.open.size() == 2);
   REQUIRE(state.open[0].rings.size() + state.open[1].rings.size() == 1);
@@ -78,7 +83,9 @@ TEST_CASE("the checksum is that of the XZ format") {
 }
 
 TEST_CASE("bytes say all, and the same bytes are written again") {
-  for (const Partial& partial : {Partial(), with_all_lists()}) {
+  Partial without_holes = with_all_lists();
+  CHECK(rbpa::take_holes(without_holes).size() == 1);
+  for (const Partial& partial : {Partial(), with_all_lists(), without_holes}) {
     const Bytes bytes = rbpa::to_bytes(partial);
     const Partial read = rbpa::partial_from_bytes(bytes);
     CHECK(rbpa::to_bytes(read) == bytes);
@@ -93,8 +100,8 @@ TEST_CASE("the format of this version does not change unseen") {
   const rbpa::Region region{-9, -9, 2, 9};
   const Bytes bytes = rbpa::to_bytes(rbpa::partial(region, given(region, square, 1.0), 1));
   CHECK(std::equal(bytes.begin(), bytes.begin() + 8, "RBPAPART"));
-  CHECK(bytes.size() == 512);
-  CHECK(rbpa::crc64({bytes.data(), bytes.size() - 8}) == 3'084'600'451'556'096'637U);
+  CHECK(bytes.size() == 520);
+  CHECK(rbpa::crc64({bytes.data(), bytes.size() - 8}) == 5'268'788'840'152'528'991U);
 }
 
 TEST_CASE("cut off anywhere, or a bit changed anywhere: refused") {
@@ -137,10 +144,14 @@ TEST_CASE("what is wrong is said") {
 
 TEST_CASE(
     "signed bytes with anything in them: refused, or read as what is written again; never more memory than bytes") {
-  const Bytes bytes = rbpa::to_bytes(with_all_lists());
+  Partial any = with_all_lists();
+  SUBCASE("") {}
+  SUBCASE("with holes taken") { CHECK(rbpa::take_holes(any).size() == 1); }
+  const Bytes bytes = rbpa::to_bytes(any);
   const std::size_t words = bytes.size() / 8;
   Random random(3);
-  int refused = 0, read = 0;
+  const Partial rest = part(right);
+  int refused = 0, read = 0, merged = 0;
   for (int run = 0; run < 20'000; ++run) {
     Bytes changed = bytes;
     for (int change = random.integer(1, 3); change > 0; --change) {
@@ -161,15 +172,17 @@ TEST_CASE(
       REQUIRE(rbpa::to_bytes(made) == changed);
       ++read;
       // What can be read can be merged, or is refused then.
-      Partial copy = made;
-      const rbpa::Region rest{11, -9, 99, 99};
-      rbpa::merge(std::move(copy), rbpa::partial(rest, given(rest, {}, 1), picture_alpha));
+      Partial with = made;
+      rbpa::merge(std::move(with), Partial(rest));
+      ++merged;
     } catch (const rbpa::InvalidInput&) {
       ++refused;
     }
   }
   CHECK(refused > 1000);
   CHECK(read > 1000);
+  CHECK(merged > 1000);
+  CHECK(merged < read);
 }
 
 TEST_SUITE_END();

@@ -114,6 +114,45 @@ TEST_CASE("polygons taken at any time are all of them, with the same counts") {
   CHECK(early > 200);
 }
 
+TEST_CASE("holes taken at any time are those of the polygons that have their names") {
+  Random random(5);
+  std::size_t early = 0, late = 0;
+  for (int run = 0; run < 300; ++run) {
+    const Points points = points_of(random_picture(12, 12, random.between(0.6, 0.95), random));
+    std::vector<Partial> parts = partials(any_cut(points, 12, random), points, picture_alpha);
+    std::vector<rbpa::TakenHoles> taken;
+    const auto take = [&](Partial& from) {
+      const std::vector<rbpa::TakenHoles> now = rbpa::take_holes(from);
+      taken.insert(taken.end(), now.begin(), now.end());
+      CHECK(rbpa::take_holes(from).empty());
+    };
+    while (parts.size() > 1) {
+      Partial last = std::move(parts.back());
+      parts.pop_back();
+      Partial& with = parts[random.below(parts.size())];
+      if (random.chance(0.5)) take(last);
+      with = rbpa::merge(std::move(with), std::move(last));
+      if (random.chance(0.5)) take(with);
+      if (random.chance(0.3)) with = rbpa::partial_from_bytes(rbpa::to_bytes(with));
+    }
+    rbpa::WholeComplex found = rbpa::finish(std::move(parts[0]));
+    for (rbpa::CornerPolygon& polygon : found.polygons) {
+      const std::size_t had = polygon.holes.size();
+      for (const rbpa::TakenHoles& some : taken)
+        if (std::binary_search(polygon.names.begin(), polygon.names.end(), some.component))
+          polygon.holes.insert(polygon.holes.end(), some.holes.begin(), some.holes.end());
+      std::sort(polygon.holes.begin(), polygon.holes.end(),
+                [](const auto& a, const auto& b) { return std::pair(a[0].at, a[1].at) < std::pair(b[0].at, b[1].at); });
+      REQUIRE(polygon.holes.size() == had + polygon.taken_holes);
+      late += had;
+      early += polygon.taken_holes;
+    }
+    REQUIRE(difference(found, whole(points, picture_alpha)) == "");
+  }
+  CHECK(early > 300);
+  CHECK(late > 100);
+}
+
 TEST_CASE("what is finished does not stay: a long row of islands has a small rim") {
   Points points;
   for (int i = 0; i < 1000; ++i)
@@ -147,6 +186,7 @@ TEST_CASE("an infinite radius is refused with the reason, and what else is no in
   const Given all = given(Region{}, points, 1);
   CHECK(says(refusal([&] { rbpa::partial({}, all, infinity); }), "no halo around a region is enough"));
   CHECK(says(refusal([&] { rbpa::halo({}, infinity); }), "no halo"));
+  CHECK(rbpa::halo({infinity, 0, infinity, 1}, 1e308) == Region{});
   for (const double alpha : {0.0, -1.0, std::nan(""), -infinity})
     CHECK(says(refusal([&] { rbpa::partial({}, all, alpha); }), "expected a finite radius above 0"));
   CHECK(says(refusal([&] { rbpa::partial({2, 0, 1, 1}, all, 1); }), "x from 2 to 1"));

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -93,6 +94,30 @@ TEST_CASE("the order does not matter") {
     random.shuffle(products);
     CHECK(sum_of(products) == sum);
   }
+}
+
+TEST_CASE("sums of parts are the sum, and digits say all of it") {
+  Random random(3);
+  for (int run = 0; run < 500; ++run) {
+    const Products products = random_products(random, 300);
+    std::array<ExactSum, 3> parts;
+    ExactSum whole;
+    for (const auto& [a, b] : products) {
+      parts[random.below(3)].add_product(a, b);
+      whole.add_product(a, b);
+    }
+    parts[1] += parts[2];
+    parts[0] += ExactSum::of(parts[1].digits());
+    CHECK(parts[0].digits() == whole.digits());
+    CHECK(parts[0].rounded() == whole.rounded());
+  }
+}
+
+TEST_CASE("a sum may be added to itself again and again") {
+  ExactSum sum;
+  sum.add_product(-3, 0x1p-600);
+  for (int doubled = 0; doubled < 700; ++doubled) sum += ExactSum(sum);
+  CHECK(sum.rounded() == -0x3p100);
 }
 
 TEST_SUITE_END();
