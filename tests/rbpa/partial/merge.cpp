@@ -170,6 +170,35 @@ TEST_CASE("what is finished does not stay: a long row of islands has a small rim
   CHECK(rbpa::finish(std::move(all)).polygons.empty());
 }
 
+TEST_CASE("a polygon is finished when an open component that it touches is known to come first") {
+  // A block of squares, and one that touches it in (14, 14).
+  Points points{{16, 14}, {14, 16}, {16, 16}, {15, 15}};
+  for (int x = 0; x <= 14; ++x)
+    for (int y = 0; y <= 14; ++y)
+      if (x % 2 == y % 2) points.push_back({double(x), double(y)});
+  const auto part = [&](const Region& region) { return rbpa::partial(region, given(region, points, 1), 1); };
+  const auto check = [](Partial& partial) {
+    const std::vector<rbpa::CornerPolygon> settled = rbpa::take_settled(partial);
+    REQUIRE(settled.size() == 1);
+    CHECK(settled[0].area == 4);
+    CHECK(settled[0].points == 4);
+  };
+  // By a chain.
+  Partial above = part({-infinity, 8, infinity, infinity});
+  CHECK(above.rim().components == 1);
+  check(above);
+  // By a ring: of the block only the middle is missing.
+  Partial around;
+  for (const double x : {-infinity, 6.5, 7.5})
+    for (const double y : {-infinity, 6.5, 7.5}) {
+      const auto end = [](double from) { return from == 6.5 ? 7.5 : from < 0 ? 6.5 : infinity; };
+      if (x != 6.5 || y != 6.5) around = rbpa::merge(std::move(around), part({x, y, end(x), end(y)}));
+    }
+  CHECK(around.rim().chains == 0);
+  CHECK(around.rim().components == 1);
+  check(around);
+}
+
 TEST_CASE("of no region: merged with another it is that") {
   const Points points = uniform(100, 1);
   const Partial some = rbpa::partial(halves[0], given(halves[0], points, 2), 2);
