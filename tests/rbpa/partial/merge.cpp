@@ -206,6 +206,11 @@ TEST_CASE("of no region: merged with another it is that") {
   CHECK(bytes_of(rbpa::merge(Partial(some), Partial())) == bytes_of(some));
   const Region empty{3, 0, 3, 9};
   CHECK(bytes_of(rbpa::merge(Partial(some), rbpa::partial(empty, given(empty, points, 2), 2))) == bytes_of(some));
+  const auto from = [&](double x) {
+    const Region region{x, 2, 7, 9};
+    return bytes_of(rbpa::partial(region, given(region, points, 2), 2));
+  };
+  CHECK(from(-0.0) == from(0.0));
   CHECK(Partial().alpha() == 0);
   CHECK(!Partial().is_whole());
 }
