@@ -73,6 +73,21 @@ TEST_CASE("some of the regions: the same bytes in any order, whether or not they
   }
 }
 
+TEST_CASE("a part of the plane has the same bytes however it is cut") {
+  Random random(6);
+  for (int run = 0; run < 300; ++run) {
+    const Points points = points_of(random_picture(9, 9, random.between(0.4, 0.95), random));
+    const Point middle = points[random.below(points.size())];
+    const Region part{-infinity, -infinity, middle.x + 6, infinity};
+    Regions cut;
+    for (const double x : {-infinity, middle.x})
+      for (const double y : {-infinity, middle.y})
+        cut.push_back({x, y, x < middle.x ? middle.x : part.x1, y < middle.y ? middle.y : infinity});
+    const Bytes expected = bytes_of(partials({part}, points, picture_alpha)[0]);
+    REQUIRE(bytes_of(merged(partials(cut, points, picture_alpha), random)) == expected);
+  }
+}
+
 TEST_CASE("the order of points, points beyond the halo and threads change no byte") {
   Random random(3);
   const Points points = uniform(3000, 3);
@@ -123,6 +138,9 @@ TEST_CASE("holes taken at any time are those of the polygons that have their nam
     std::vector<rbpa::TakenHoles> taken;
     const auto take = [&](Partial& from) {
       const std::vector<rbpa::TakenHoles> now = rbpa::take_holes(from);
+      for (const rbpa::TakenHoles& some : now)
+        CHECK(std::is_sorted(some.holes.begin(), some.holes.end(),
+                             [](const auto& a, const auto& b) { return a[0].at < b[0].at; }));
       taken.insert(taken.end(), now.begin(), now.end());
       CHECK(rbpa::take_holes(from).empty());
     };
