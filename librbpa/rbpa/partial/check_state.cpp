@@ -31,7 +31,8 @@ void check_path(const std::vector<Corner>& path) {
   expect(path.size() >= 3, "3 points or more on a ring or a chain");
   for (const Corner& corner : path) expect(is_finite(corner.at), "finite coordinates");
   expect(std::adjacent_find(path.begin(), path.end(),
-                            [](const Corner& a, const Corner& b) { return a.index == b.index; }) == path.end(),
+                            [](const Corner& a, const Corner& b) { return a.index == b.index || a.at == b.at; }) ==
+             path.end(),
          "edges between different points");
 }
 

@@ -79,11 +79,13 @@ class Reader {
       for (std::uint64_t& corner : name) corner = number();
     return names;
   }
+  /// No sum is so large that its last digit has more than the sign.
   ExactSum sum() {
     ExactSum::Digits digits;
     for (std::int64_t& digit : digits) {
-      digit = static_cast<std::int64_t>(number());
-      if (&digit != &digits.back() && (digit < 0 || digit > 0xffffffff))
+      digit = std::bit_cast<std::int64_t>(number());
+      const bool is_last = &digit == &digits.back();
+      if (is_last ? digit != 0 && digit != -1 : digit < 0 || digit > 0xffffffff)
         wrong("as a digit", static_cast<std::uint64_t>(digit));
     }
     return ExactSum::of(digits);

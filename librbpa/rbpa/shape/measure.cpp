@@ -21,7 +21,7 @@ void for_each_edge(const Ring& ring, std::span<const Point> points, Visit&& visi
 double length(const Point& a, const Point& b) {
   const double dx = std::abs(b.x - a.x), dy = std::abs(b.y - a.y);
   const double larger = std::max(dx, dy), smaller = std::min(dx, dy);
-  if (std::isinf(larger)) return larger;
+  if (larger == 0 || std::isinf(larger)) return larger;
   const int exponent = std::ilogb(larger);
   const double u = std::scalbn(larger, -exponent), v = std::scalbn(smaller, -exponent);
   return std::scalbn(std::sqrt(u * u + v * v), exponent);

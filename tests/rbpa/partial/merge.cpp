@@ -73,6 +73,21 @@ TEST_CASE("some of the regions: the same bytes in any order, whether or not they
   }
 }
 
+TEST_CASE("a part of the plane has the same bytes however it is cut") {
+  Random random(6);
+  for (int run = 0; run < 300; ++run) {
+    const Points points = points_of(random_picture(9, 9, random.between(0.4, 0.95), random));
+    const Point middle = points[random.below(points.size())];
+    const Region part{-infinity, -infinity, middle.x + 6, infinity};
+    Regions cut;
+    for (const double x : {-infinity, middle.x})
+      for (const double y : {-infinity, middle.y})
+        cut.push_back({x, y, x < middle.x ? middle.x : part.x1, y < middle.y ? middle.y : infinity});
+    const Bytes expected = bytes_of(partials({part}, points, picture_alpha)[0]);
+    REQUIRE(bytes_of(merged(partials(cut, points, picture_alpha), random)) == expected);
+  }
+}
+
 TEST_CASE("the order of points, points beyond the halo and threads change no byte") {
   Random random(3);
   const Points points = uniform(3000, 3);
@@ -123,6 +138,9 @@ TEST_CASE("holes taken at any time are those of the polygons that have their nam
     std::vector<rbpa::TakenHoles> taken;
     const auto take = [&](Partial& from) {
       const std::vector<rbpa::TakenHoles> now = rbpa::take_holes(from);
+      for (const rbpa::TakenHoles& some : now)
+        CHECK(std::is_sorted(some.holes.begin(), some.holes.end(),
+                             [](const auto& a, const auto& b) { return a[0].at < b[0].at; }));
       taken.insert(taken.end(), now.begin(), now.end());
       CHECK(rbpa::take_holes(from).empty());
     };
@@ -170,6 +188,35 @@ TEST_CASE("what is finished does not stay: a long row of islands has a small rim
   CHECK(rbpa::finish(std::move(all)).polygons.empty());
 }
 
+TEST_CASE("a polygon is finished when an open component that it touches is known to come first") {
+  // A block of squares, and one that touches it in (14, 14).
+  Points points{{16, 14}, {14, 16}, {16, 16}, {15, 15}};
+  for (int x = 0; x <= 14; ++x)
+    for (int y = 0; y <= 14; ++y)
+      if (x % 2 == y % 2) points.push_back({double(x), double(y)});
+  const auto part = [&](const Region& region) { return rbpa::partial(region, given(region, points, 1), 1); };
+  const auto check = [](Partial& partial) {
+    const std::vector<rbpa::CornerPolygon> settled = rbpa::take_settled(partial);
+    REQUIRE(settled.size() == 1);
+    CHECK(settled[0].area == 4);
+    CHECK(settled[0].points == 4);
+  };
+  // By a chain.
+  Partial above = part({-infinity, 8, infinity, infinity});
+  CHECK(above.rim().components == 1);
+  check(above);
+  // By a ring: of the block only the middle is missing.
+  Partial around;
+  for (const double x : {-infinity, 6.5, 7.5})
+    for (const double y : {-infinity, 6.5, 7.5}) {
+      const auto end = [](double from) { return from == 6.5 ? 7.5 : from < 0 ? 6.5 : infinity; };
+      if (x != 6.5 || y != 6.5) around = rbpa::merge(std::move(around), part({x, y, end(x), end(y)}));
+    }
+  CHECK(around.rim().chains == 0);
+  CHECK(around.rim().components == 1);
+  check(around);
+}
+
 TEST_CASE("of no region: merged with another it is that") {
   const Points points = uniform(100, 1);
   const Partial some = rbpa::partial(halves[0], given(halves[0], points, 2), 2);
@@ -177,6 +224,11 @@ TEST_CASE("of no region: merged with another it is that") {
   CHECK(bytes_of(rbpa::merge(Partial(some), Partial())) == bytes_of(some));
   const Region empty{3, 0, 3, 9};
   CHECK(bytes_of(rbpa::merge(Partial(some), rbpa::partial(empty, given(empty, points, 2), 2))) == bytes_of(some));
+  const auto from = [&](double x) {
+    const Region region{x, 2, 7, 9};
+    return bytes_of(rbpa::partial(region, given(region, points, 2), 2));
+  };
+  CHECK(from(-0.0) == from(0.0));
   CHECK(Partial().alpha() == 0);
   CHECK(!Partial().is_whole());
 }
