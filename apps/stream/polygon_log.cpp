@@ -131,7 +131,11 @@ class Run {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
   const std::vector<Entry>& entries() const { return entries_; }
-  std::string_view record(const Entry& entry) const { return std::string_view(bytes_).substr(entry.begin, entry.size); }
+  /// Empty where it is not carried.
+  std::string_view record(const Entry& entry) const {
+    if (entry.size == 0) return {};
+    return std::string_view(bytes_).substr(entry.begin, entry.size);
+  }
   void clear() {
     entries_.clear();
     bytes_.clear();
