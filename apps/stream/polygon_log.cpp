@@ -126,7 +126,7 @@ class Run {
   void refer(const Key& key, std::uint64_t at) { entries_.push_back({key, at, 0}); }
 
   bool is_empty() const { return entries_.empty(); }
-  std::uint64_t memory() const { return bytes_.capacity() + entries_.capacity() * sizeof(Entry); }
+  std::uint64_t memory() const { return bytes_.size() + entries_.size() * sizeof(Entry); }
   void sort() {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }

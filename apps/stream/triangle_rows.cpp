@@ -12,6 +12,7 @@
 namespace rbpa::app {
 namespace {
 
+constexpr std::uint64_t few_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t buffer_bytes = 12 * 4096;  // a whole number of rows of either kind
 
 /// A number of a row that depends on all its bits: their sum does not depend on the order.
@@ -191,7 +192,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
     };
     std::uint64_t sum = 0;
     // Few of the indices begin a triangle: no use in a number for each.
-    if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < memory / 2) {
+    if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
       const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
       require_same(rows.size(), sum);
       return write(std::string_view(reinterpret_cast<const char*>(rows.data()), rows.size() * row_bytes()));
