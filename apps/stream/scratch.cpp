@@ -58,10 +58,16 @@ void clear_dead(const std::string& beside) {
   }
 }
 
+/// That of the first target which is a file, and no device or pipe; else the current one.
 std::string folder_of(const StreamRequest& request) {
-  const std::string path = request.targets.empty() ? request.stats.value_or("-") : request.targets.front().path;
-  const std::size_t slash = path.rfind('/');
-  return path == "-" || slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  for (const StreamTarget& target : request.targets) {
+    std::error_code error;
+    const bool is_other = fs::exists(target.path, error) && !fs::is_regular_file(target.path, error);
+    const std::size_t slash = target.path.rfind('/');
+    if (target.path == "-" || is_other || slash == std::string::npos) continue;
+    return target.path.substr(0, slash + 1);
+  }
+  return ".";
 }
 
 }  // namespace
