@@ -179,6 +179,22 @@ class SmallerCutter {
     return sample;
   }
 
+  /// How many points of the file are within reach of where the tile's own are.
+  std::uint64_t count_near(std::uint32_t tile, const Box& extent) const {
+    const double reach = reach_of(request_.alpha);
+    TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
+    std::uint64_t count = 0;
+    IndexedPoints block;
+    for (; reader.next(block); block.clear()) {
+      stop_if_interrupted();
+      for (const Point& p : block.points)
+        if (above(p.x, reach) >= extent.low.x && below(p.x, reach) <= extent.high.x &&
+            above(p.y, reach) >= extent.low.y && below(p.y, reach) <= extent.high.y)
+          ++count;
+    }
+    return count;
+  }
+
   bool cut_or_repair(std::uint32_t tile) {
     try {
       return cut(tile);
@@ -197,7 +213,11 @@ class SmallerCutter {
     // What is around a part of so small a box is around all of it.
     const double size = std::max(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
     const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
-    if (hopeless && summary.points > budget_.tile_points) refuse_dense({extent.low, summary.points}, request_, budget_);
+    if (hopeless && summary.points > budget_.tile_points) {
+      const std::uint64_t near = count_near(tile, extent);
+      if (near > budget_.tile_points) refuse_dense({extent.low, near}, request_, budget_);
+      return false;  // most are around a box that is larger than it need be: a cut leaves them in one half
+    }
     if (!line) return false;  // one point, however often: it has to be a tile
     split(tile, *line);
     return true;

@@ -126,12 +126,16 @@ class Run {
   void refer(const Key& key, std::uint64_t at) { entries_.push_back({key, at, 0}); }
 
   bool is_empty() const { return entries_.empty(); }
-  std::uint64_t memory() const { return bytes_.capacity() + entries_.capacity() * sizeof(Entry); }
+  std::uint64_t memory() const { return bytes_.size() + entries_.size() * sizeof(Entry); }
   void sort() {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
   const std::vector<Entry>& entries() const { return entries_; }
-  std::string_view record(const Entry& entry) const { return std::string_view(bytes_).substr(entry.begin, entry.size); }
+  /// Empty where it is not carried.
+  std::string_view record(const Entry& entry) const {
+    if (entry.size == 0) return {};
+    return std::string_view(bytes_).substr(entry.begin, entry.size);
+  }
   void clear() {
     entries_.clear();
     bytes_.clear();

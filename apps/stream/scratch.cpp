@@ -22,8 +22,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "/lock";
 constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
-constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
-                                 "progress.json.new", "polygons",          "created"};
+constexpr const char* files[] = {"manifest.json", "manifest.json.new", "progress.json", "progress.json.new",
+                                 "polygons"};
+constexpr const char* created_name = "created";  // the folder is ours, and goes with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
 
 std::string numbered(const std::string& folder, const char* part, std::uint64_t number) {
@@ -57,10 +58,16 @@ void clear_dead(const std::string& beside) {
   }
 }
 
+/// That of the first target which is a file, and no device or pipe; else the current one.
 std::string folder_of(const StreamRequest& request) {
-  const std::string path = request.targets.empty() ? request.stats.value_or("-") : request.targets.front().path;
-  const std::size_t slash = path.rfind('/');
-  return path == "-" || slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  for (const StreamTarget& target : request.targets) {
+    std::error_code error;
+    const bool is_other = fs::exists(target.path, error) && !fs::is_regular_file(target.path, error);
+    const std::size_t slash = target.path.rfind('/');
+    if (target.path == "-" || is_other || slash == std::string::npos) continue;
+    return target.path.substr(0, slash + 1);
+  }
+  return ".";
 }
 
 }  // namespace
@@ -82,12 +89,14 @@ void Scratch::make(const StreamRequest& request) {
   is_new_ = fs::create_directory(folder_, error);
   if (error || !fs::is_directory(folder_))
     throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
+  if (is_new_) mark_as_created();
   has_run_ = fs::exists(manifest());
   if (!is_new_ && !has_run_) {
     // Some of it is left of a run that was killed before it had begun.
     const auto is_other = [](const fs::directory_entry& entry) {
       const std::string name = entry.path().filename().string();
-      return name != lock_name + 1 && std::find(std::begin(parts), std::end(parts), name) == std::end(parts) &&
+      return name != lock_name + 1 && name != created_name &&
+             std::find(std::begin(parts), std::end(parts), name) == std::end(parts) &&
              std::find(std::begin(files), std::end(files), name) == std::end(files);
     };
     const fs::directory_iterator entries(folder_);
@@ -99,12 +108,9 @@ void Scratch::make(const StreamRequest& request) {
                      ", expected --resume to go on with it, or another folder");
   lock_ = locked(folder_ + lock_name);
   if (lock_ < 0) throw Failure(folder_ + ": found another run at work in it, expected none");
+  if (!has_run_) return clear_leftovers();
   for (const char* part : parts) fs::create_directory(folder_ + "/" + part, error);
   if (error) throw Failure(folder_ + ": cannot make a folder in it: " + error.message());
-  if (is_new_) {
-    const int created = open((folder_ + "/created").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (created >= 0) close(created);
-  }
 }
 
 Scratch::~Scratch() {
@@ -126,13 +132,31 @@ std::uint64_t Scratch::free_bytes() const {
 
 void Scratch::clear(bool keep_tiles) {
   std::error_code error;
-  const bool was_created = fs::exists(folder_ + "/created");
-  for (const char* part : parts)
-    if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
+  const std::string created = folder_ + "/" + created_name;
+  // What says that there is something goes before what it speaks of: a kill may come between.
   for (const char* file : files)
     if (!keep_tiles || std::string_view(file) != "manifest.json") fs::remove(folder_ + "/" + file, error);
+  for (const char* part : parts)
+    if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
-  if (was_created && !keep_tiles) fs::remove(folder_, error);  // where nothing else came into it
+  if (keep_tiles || !fs::exists(created)) return;
+  fs::remove(created, error);
+  fs::remove(folder_, error);  // where nothing else came into it
+}
+
+void Scratch::clear_leftovers() const {
+  std::error_code error;
+  for (const char* file : files) fs::remove(folder_ + "/" + file, error);
+  for (const char* part : parts) {
+    fs::remove_all(folder_ + "/" + part, error);
+    fs::create_directory(folder_ + "/" + part, error);
+    if (error) throw Failure(folder_ + ": cannot make a folder in it: " + error.message());
+  }
+}
+
+void Scratch::mark_as_created() const {
+  const int created = open((folder_ + "/" + created_name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (created >= 0) close(created);
 }
 
 void Scratch::clear_rows() const {

@@ -41,7 +41,8 @@ class Scratch {
 
  private:
   void make(const StreamRequest& request);
-  void lock();
+  void clear_leftovers() const;
+  void mark_as_created() const;
 
   std::string folder_;
   bool is_asked_for_, is_new_ = false, has_run_ = false;

@@ -12,6 +12,7 @@
 namespace rbpa::app {
 namespace {
 
+constexpr std::uint64_t few_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t buffer_bytes = 12 * 4096;  // a whole number of rows of either kind
 
 /// A number of a row that depends on all its bits: their sum does not depend on the order.
@@ -43,6 +44,18 @@ class RowFile {
   ScratchFile file_;
   std::vector<Row> rows_;
 };
+
+/// The rows of a file that are few, in order. Adds up their numbers.
+template <typename Index>
+std::vector<std::array<Index, 3>> sorted_rows(const std::string& path, std::uint64_t& sum) {
+  std::vector<std::array<Index, 3>> rows;
+  RowFile<Index>(path).for_each([&](const std::array<Index, 3>& row) {
+    rows.push_back(row);
+    sum += number_of({row[0], row[1], row[2]});
+  });
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
 
 /// Sorts the rows of a file whose smallest indices are from `first` to `last`, some at a time.
 template <typename Index>
@@ -172,12 +185,22 @@ RowsState TriangleRows::flush() {
 
 void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::string_view bytes)>& write) const {
   const auto sort = [&]<typename Index>(std::size_t i, Index) {
-    BucketSort<Index> bucket(scratch_.rows(i), i * width_, (i + 1) * width_, memory);
-    std::uint64_t rows = 0;
-    const std::uint64_t sum = bucket.count(rows);
-    if (rows != buckets_[i].rows || sum != buckets_[i].sum)
+    const auto require_same = [&](std::uint64_t rows, std::uint64_t sum) {
+      if (rows == buckets_[i].rows && sum == buckets_[i].sum) return;
       throw Failure(scratch_.rows(i) + ": found other triangles than were written; remove " + scratch_.folder() +
                     " and begin anew");
+    };
+    std::uint64_t sum = 0;
+    // Few of the indices begin a triangle: no use in a number for each.
+    if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
+      const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
+      require_same(rows.size(), sum);
+      return write(std::string_view(reinterpret_cast<const char*>(rows.data()), rows.size() * row_bytes()));
+    }
+    BucketSort<Index> bucket(scratch_.rows(i), i * width_, (i + 1) * width_, memory);
+    std::uint64_t rows = 0;
+    sum = bucket.count(rows);
+    require_same(rows, sum);
     bucket.write(write);
   };
   for (std::size_t i = 0; i < buckets_.size(); ++i) {

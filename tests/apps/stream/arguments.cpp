@@ -44,6 +44,7 @@ TEST_CASE("a run says what it has made, and leaves nothing else") {
   CHECK(stats.at("polygons") == 1);
   CHECK(folder.rbpa("stream a.xy --alpha 1 -o - --output-format wkt -q").out ==
         "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)))\n");
+  CHECK(folder.rbpa("stream a.xy --alpha 1 -o /dev/null --output-format npy -q").code == 0);
   CHECK(folder.rbpa("stream a.xy --alpha 0.1 -o e.wkt")
             .err.starts_with("rbpa: the complex is empty: no triangle has circumradius <= 0.1\n"));
   CHECK(folder.content("e.wkt") == "MULTIPOLYGON EMPTY\n");

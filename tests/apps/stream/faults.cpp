@@ -83,7 +83,9 @@ const Made& expected() {
 void check_done(const Folder& folder) {
   CHECK(folder.content("t.npy") == expected().triangles);
   CHECK(folder.content("p.geojson") == expected().polygons);
-  CHECK(folder.names() == std::vector<std::string>{"a.f64xy", "b.f64xy", "p.geojson", "t.npy"});
+  std::string names;
+  for (const std::string& name : folder.names()) names += name + " ";
+  CHECK(names == "a.f64xy b.f64xy p.geojson t.npy ");
 }
 
 void finish(const Folder& folder) {
@@ -125,11 +127,11 @@ TEST_CASE("killed at any moment, and again, a run is gone on with") {
 
 TEST_CASE("a signal ends a run at once; its scratch stays only where one was named") {
   for (const bool named : {false, true})
-    for (const double share : {0.1, 0.5, 0.8}) {
+    for (const double share : {0.1, 0.6}) {
       const Folder folder;
-      make_input(folder, 20 * some);
+      make_input(folder, 10 * some);
       Child child(named ? with_scratch(folder) : command(folder, {}));
-      sleep(share * 8 * expected().seconds);
+      sleep(share * 4 * expected().seconds);
       if (child.has_ended()) continue;  // a fast machine
       const auto start = Clock::now();
       child.send(SIGINT);
