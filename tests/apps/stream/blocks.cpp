@@ -6,6 +6,7 @@
 
 #include "io/blocks/point_blocks.h"
 #include "io/failure.h"
+#include "io/las/selection.h"
 #include "support/las_file.h"
 #include "support/program.h"
 #include "support/random.h"
@@ -82,7 +83,13 @@ TEST_CASE("raw numbers, arrays and LAS by blocks are what they are at once") {
   las.extended = {{"LASF_Projection", 2112, "PROJCS[\"x\",AUTHORITY[\"EPSG\",\"28992\"]]"}};
   const std::string path = folder.file("p.las", apps_test::bytes_of(las));
   check_same({.path = path, .format = PointFormat::las});
-  check_same({.path = path, .format = PointFormat::las, .where = Condition("classification == 2")});
+  check_same(
+      {.path = path, .format = PointFormat::las, .where = Condition("classification == 2", names_of_las_fields())});
+  std::string table = "x,class,y\n";
+  for (int i = 0; i < 90000; ++i)
+    table += std::to_string(i) + ',' + std::to_string(i % 3) + ',' + std::to_string(-i) + '\n';
+  const std::string csv = folder.file("p.csv", table);
+  check_same({.path = csv, .format = PointFormat::text, .where = Condition("class == 2", names_of_columns())});
   PointFile about;
   by_blocks({.path = path, .format = PointFormat::las}, &about);
   REQUIRE(about.crs);
