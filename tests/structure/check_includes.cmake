@@ -56,7 +56,7 @@ set(arrows
   triangulation>rbpa triangulation>rbpa/shape
   program>meshops/topology program>rbpa/core
   python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
-  python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/shape
+  python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
   cli>rbpa cli>rbpa/filtration cli>rbpa/shape
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology)
