@@ -15,7 +15,7 @@ from rbpa._core import InvalidInput
 from rbpa._input import Alpha, Floats, Indices, Progress, Unchanged
 from rbpa._input import as_count, as_points, as_radius, as_share, as_threads, freeze
 from rbpa._plateau import Plateau
-from rbpa._polygons import Polygons
+from rbpa._polygons import Outlined, Polygons
 
 
 def alpha_shape(
@@ -102,7 +102,7 @@ def _choose(
     return as_radius(alpha)  # type: ignore[arg-type]  # which refuses other words
 
 
-class AlphaShape:
+class AlphaShape(Outlined):
     """The solid alpha complex of points: what `alpha_shape` returns. Arrays are read-only.
 
     Attributes
@@ -151,32 +151,6 @@ class AlphaShape:
         self._unchanged.check(self.points)
         flat = _core.polygons(self.points, self.simplices, self.neighbors, float(min_hole_area), float(min_part_area))
         return Polygons(self.points, flat)
-
-    @property
-    def area(self) -> float:
-        """Of all triangles together, in squared units of the points: the polygons' areas added exactly, rounded once."""
-        return self.polygons.area
-
-    @property
-    def perimeter(self) -> float:
-        """The length of the boundary."""
-        return self.polygons.perimeter
-
-    @property
-    def __geo_interface__(self) -> dict[str, Any]:
-        return self.polygons.__geo_interface__
-
-    def to_geojson(self) -> str:
-        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter, number of holes."""
-        return self.polygons.to_geojson()
-
-    def to_wkt(self) -> str:
-        """The text of an OGC MULTIPOLYGON."""
-        return self.polygons.to_wkt()
-
-    def to_shapely(self) -> Any:
-        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
-        return self.polygons.to_shapely()
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh of all points and the triangles. Needs the package meshio."""

@@ -8,12 +8,12 @@ from typing import Any, Dict, List, Sequence
 import numpy as np
 
 from rbpa._input import Floats, Integers
-from rbpa._polygons import Polygons
+from rbpa._polygons import Outlined, Polygons
 
 Flat = Dict[str, Any]
 
 
-class Footprint:
+class Footprint(Outlined):
     """The solid alpha complex of points that are elsewhere: what `rbpa.dask.alpha_shape` returns.
 
     Attributes
@@ -52,32 +52,6 @@ class Footprint:
         self.polygons = polygons
         self.triangle_files = triangle_files
         self.__dict__.update(counts)
-
-    @property
-    def area(self) -> float:
-        """Of all triangles together: the polygons' areas added exactly, rounded once."""
-        return self.polygons.area
-
-    @property
-    def perimeter(self) -> float:
-        """The length of the boundary."""
-        return self.polygons.perimeter
-
-    @property
-    def __geo_interface__(self) -> Dict[str, Any]:
-        return self.polygons.__geo_interface__
-
-    def to_geojson(self) -> str:
-        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter, number of holes."""
-        return self.polygons.to_geojson()
-
-    def to_wkt(self) -> str:
-        """The text of an OGC MULTIPOLYGON."""
-        return self.polygons.to_wkt()
-
-    def to_shapely(self) -> Any:
-        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
-        return self.polygons.to_shapely()
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draws the polygons with matplotlib, as `Polygons.plot`. Returns the axes."""

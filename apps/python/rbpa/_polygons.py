@@ -157,3 +157,36 @@ class Polygons(Sequence[Polygon]):
     def __repr__(self) -> str:
         holes = len(self._flat["ring_begin"]) - 1 - len(self)
         return f"<rbpa.Polygons: {len(self)} polygons, {holes} holes, area {self.area:.6g}>"
+
+
+class Outlined:
+    """What has polygons, and is taken by other programs as these are."""
+
+    polygons: Any  # Polygons
+
+    @property
+    def area(self) -> float:
+        """Of all triangles together, in squared units of the points: the polygons' areas added exactly, rounded once."""
+        return float(self.polygons.area)
+
+    @property
+    def perimeter(self) -> float:
+        """The length of the boundary."""
+        return float(self.polygons.perimeter)
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        interface: dict[str, Any] = self.polygons.__geo_interface__
+        return interface
+
+    def to_geojson(self) -> str:
+        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter, number of holes."""
+        return str(self.polygons.to_geojson())
+
+    def to_wkt(self) -> str:
+        """The text of an OGC MULTIPOLYGON."""
+        return str(self.polygons.to_wkt())
+
+    def to_shapely(self) -> Any:
+        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
+        return self.polygons.to_shapely()

@@ -199,16 +199,17 @@ def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tupl
     points = _read(chunk)
     if len(points) != count:
         raise InvalidInput(f"{chunk}: found {len(points)} points, expected {count} as when they were counted")
-    pieces, at = [], 0
-    with open(f"{path}.{uuid.uuid4().hex}", "wb") as file:
+    pieces: list[tuple[int, str, int, int]] = []
+
+    def write(file: Any) -> None:
         for tile, inside in tree.parted(points):
             records = np.empty(len(inside), _RECORD)
             records["x"], records["y"] = points[inside].T
             records["index"] = inside + first
+            pieces.append((tile, path, file.tell(), len(inside)))
             records.tofile(file)
-            pieces.append((tile, path, at, len(inside)))
-            at += records.nbytes
-    os.replace(file.name, path)
+
+    _write(pathlib.Path(path), write)
     return pieces
 
 
