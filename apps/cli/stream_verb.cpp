@@ -196,7 +196,10 @@ void add_stats(OutputSet& outputs, const StreamRequest& request, const StreamRes
     stats.polygons = result.polygons;
     stats.of_polygons = {.holes = result.holes, .area = result.area, .perimeter = result.perimeter};
   }
+  stats.tiles = result.tiles;
   stats.read_seconds = result.count_seconds + result.cut_seconds;
+  stats.count_seconds = result.count_seconds;
+  stats.cut_seconds = result.cut_seconds;
   stats.build_seconds = result.compute_seconds;
   stats.write_seconds = result.write_seconds;
   OutputFile& file = outputs.add(*request.stats);
