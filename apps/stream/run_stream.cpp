@@ -63,6 +63,7 @@ class Run {
 
   StreamResult run(const std::function<void(const StreamResult&)>& before_names) {
     begin();
+    return_freed_memory(request_.memory, budget_.workers);
     if (manifest_.pass == Pass::count) count();
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
