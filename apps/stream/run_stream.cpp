@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "io/interrupt.h"
 #include "io/message.h"
 #include "io/npy_header.h"
+#include "rbpa/shape/polygons.h"
 #include "stream/budget.h"
 #include "stream/cell_counts.h"
 #include "stream/compute_tiles.h"
@@ -29,29 +29,13 @@ namespace {
 
 using Pass = Manifest::Pass;
 
-/// Adds what numbers lose by rounding.
-class LongSum {
- public:
-  void add(double value) {
-    const double sum = sum_ + value;
-    lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
-    sum_ = sum;
-  }
-  double value() const { return sum_ + lost_; }
-
- private:
-  double sum_ = 0, lost_ = 0;
-};
-
 /// Adds up what goes to a writer.
 class Adding final : public PolygonSink {
  public:
   explicit Adding(PolygonSink& to) : to_(to) {}
   void begin(const PolygonFacts& facts) override {
     ++polygons_;
-    holes_ += facts.holes;
-    area_.add(facts.area);
-    perimeter_.add(facts.perimeter);
+    sums_.add(facts.holes, facts.area, facts.perimeter);
     to_.begin(facts);
   }
   void ring(std::span<const Point> points) override { to_.ring(points); }
@@ -60,15 +44,16 @@ class Adding final : public PolygonSink {
 
   void tell(StreamResult& result) const {
     result.polygons = polygons_;
-    result.holes = holes_;
-    result.area = area_.value();
-    result.perimeter = perimeter_.value();
+    const PolygonTotals totals = sums_.totals();
+    result.holes = totals.holes;
+    result.area = totals.area;
+    result.perimeter = totals.perimeter;
   }
 
  private:
   PolygonSink& to_;
-  std::uint64_t polygons_ = 0, holes_ = 0;
-  LongSum area_ = {}, perimeter_ = {};
+  std::uint64_t polygons_ = 0;
+  RunningTotals sums_ = {};
 };
 
 class Run {
@@ -78,6 +63,7 @@ class Run {
 
   StreamResult run(const std::function<void(const StreamResult&)>& before_names) {
     begin();
+    return_freed_memory(request_.memory, budget_.workers);
     if (manifest_.pass == Pass::count) count();
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();

@@ -11,9 +11,9 @@
 
 namespace stream_test {
 
-/// The bytes of both kinds of targets.
+/// The bytes of both kinds of targets, and what the run says of all polygons: their number, area and perimeter.
 struct Made {
-  std::string triangles, polygons, text;
+  std::string triangles, polygons, text, totals = {};
   friend bool operator==(const Made&, const Made&) = default;
 };
 
