@@ -166,6 +166,33 @@ class StreamBench {
     tell_passes();
     tell_bytes();
     tell_sum();
+    tell_more();
+  }
+
+  /// What more points would take on more machines like this one, of the numbers above; docs/scale.md, section 2.
+  void tell_more() const {
+    const double tiles = most(&Moment::tile_bytes) / points(), output = stream_.output_bytes / points();
+    const double bytes = 2 * input_.bytes / points() + 2 * tiles;
+    const double computing = stream_.run.processor_seconds / points() / arguments_.threads;
+    std::printf(
+        "By these numbers, on machines with %u threads each, and a disk of so much a second:\n\n"
+        "| points | machines | hours, 0.5 GB/s | hours, 2 GB/s | computing alone | disk of each, TB | output, GB |\n"
+        "|--:|--:|--:|--:|--:|--:|--:|\n",
+        arguments_.threads);
+    struct Row {
+      double points, machines;
+    };
+    for (const Row& row : {Row{1e9, 1}, Row{1e10, 1}, Row{1e10, 10}, Row{1e12, 10}, Row{1e12, 100}, Row{1e12, 1000}}) {
+      const double each = row.points / row.machines;
+      // One machine writes what comes out.
+      const auto hours = [&](double disk) {
+        return (each * (bytes / disk + computing) + row.points * output / disk) / 3600;
+      };
+      std::printf("| %.0e | %.0f | %.3g | %.3g | %.3g | %.3g | %.3g |\n", row.points, row.machines, hours(0.5e9),
+                  hours(2e9), each * computing / 3600, each * (input_.bytes / points() + tiles) / 1e12,
+                  row.points * output / gigabyte);
+    }
+    std::printf("\n");
   }
 
   void tell_passes() const {

@@ -25,6 +25,10 @@ std::int64_t between(std::uint64_t bits, std::int64_t first, std::int64_t last) 
   return first + (static_cast<std::int64_t>(bits & 0xffffU) * (last - first + 1) >> 16U);
 }
 
+rbpa::Point point_at(std::int64_t x, std::int64_t y) {
+  return {static_cast<double>(easting + x) / unit, static_cast<double>(northing + y) / unit};
+}
+
 }  // namespace
 
 LidarPoints::LidarPoints(Ground ground, std::uint64_t count, std::uint64_t seed)
@@ -62,24 +66,44 @@ bool LidarPoints::is_ground(std::int64_t x, std::int64_t y) {
   return !lake_.contains(x, y) || island_.contains(x, y);
 }
 
+LidarPoints::Spot LidarPoints::jittered(std::int64_t column, std::int64_t row) const {
+  const std::uint64_t h = hash(place, column, row);
+  return {column * unit + between(h, 5, 95), row * unit + between(h >> 32U, 5, 95)};
+}
+
 void LidarPoints::make_row() {
   waiting_.clear();
   taken_ = 0;
   for (std::int64_t column = 0; column < columns_ && waiting_.size() < left_; ++column) {
-    const std::uint64_t h = hash(place, column, row_);
-    std::int64_t x = 0, y = 0;
+    Spot spot{};
     if (ground_ == Ground::jittered) {
-      x = column * unit + between(h, 5, 95);
-      y = row_ * unit + between(h >> 32U, 5, 95);
+      spot = jittered(column, row_);
     } else {
-      x = static_cast<std::int64_t>((h >> 32U) * static_cast<std::uint64_t>(columns_ * unit) >> 32U);
-      y = row_ * unit + between(h, 0, unit - 1);
+      const std::uint64_t h = hash(place, column, row_);
+      spot.x = static_cast<std::int64_t>((h >> 32U) * static_cast<std::uint64_t>(columns_ * unit) >> 32U);
+      spot.y = row_ * unit + between(h, 0, unit - 1);
     }
-    if (!is_ground(x, y)) continue;
-    waiting_.push_back({static_cast<double>(easting + x) / unit, static_cast<double>(northing + y) / unit});
+    if (is_ground(spot.x, spot.y)) waiting_.push_back(point_at(spot.x, spot.y));
   }
   left_ -= waiting_.size();
   ++row_;
+}
+
+void LidarPoints::in_squares(const Squares& squares, std::vector<rbpa::Point>& points,
+                             std::vector<std::uint64_t>& indices) {
+  points.clear();
+  indices.clear();
+  for (std::int64_t row = squares.row; row < squares.last_row; ++row)
+    for (std::int64_t column = squares.column; column < squares.last_column; ++column) {
+      const Spot spot = jittered(column, row);
+      if (!is_ground(spot.x, spot.y)) continue;
+      points.push_back(point_at(spot.x, spot.y));
+      indices.push_back(static_cast<std::uint64_t>(row) << 32U | static_cast<std::uint64_t>(column));
+    }
+}
+
+rbpa::Point LidarPoints::corner_of(std::int64_t column, std::int64_t row) {
+  return point_at(column * unit, row * unit);
 }
 
 bool LidarPoints::next(std::vector<rbpa::Point>& block, std::size_t most) {

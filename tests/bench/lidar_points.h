@@ -26,6 +26,16 @@ class LidarPoints {
   /// Replaces `block` by the next points, at most so many; false at the end.
   bool next(std::vector<rbpa::Point>& block, std::size_t most);
 
+  /// Squares of side 1: columns from column to last_column, rows likewise, the last not included.
+  struct Squares {
+    std::int64_t column, row, last_column, last_row;
+  };
+  /// The points of these squares of jittered ground without end, wherever next() is, each with the number of its square.
+  /// Requires numbers from 0 to 2³¹.
+  void in_squares(const Squares& squares, std::vector<rbpa::Point>& points, std::vector<std::uint64_t>& indices);
+  /// The lower left corner of a square, which is of no square beside it.
+  static rbpa::Point corner_of(std::int64_t column, std::int64_t row);
+
  private:
   struct Disk {
     std::int64_t x = 0, y = 0, radius = 0;  // hundredths
@@ -34,6 +44,11 @@ class LidarPoints {
     }
   };
 
+  /// The place in a square, in hundredths.
+  struct Spot {
+    std::int64_t x, y;
+  };
+  Spot jittered(std::int64_t column, std::int64_t row) const;
   void make_row();
   std::uint64_t hash(std::uint64_t kind, std::int64_t column, std::int64_t row) const;
   bool is_ground(std::int64_t x, std::int64_t y);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -61,6 +62,39 @@ TEST_CASE("lidar points are as many as were asked for, whatever the blocks, and 
   CHECK(points_of(Ground::jittered, 1, 5).size() == 1);
 }
 
+TEST_CASE("the points of some squares are those that come by row") {
+  LidarPoints points(Ground::jittered, 40000, 3);
+  std::vector<rbpa::Point> by_row, some;
+  points.next(by_row, 40000);
+  const rbpa::Point low = LidarPoints::corner_of(20, 50), high = LidarPoints::corner_of(90, 110);
+  const auto is_outside = [&](const rbpa::Point& p) {
+    return !(low.x <= p.x && p.x < high.x && low.y <= p.y && p.y < high.y);
+  };
+  by_row.erase(std::remove_if(by_row.begin(), by_row.end(), is_outside), by_row.end());
+  std::vector<std::uint64_t> indices;
+  points.in_squares({20, 50, 90, 110}, some, indices);
+  CHECK(some.size() > 1000);
+  CHECK(some == by_row);
+  CHECK(indices.size() == some.size());
+  CHECK(std::is_sorted(indices.begin(), indices.end()));
+  CHECK(std::adjacent_find(indices.begin(), indices.end()) == indices.end());
+}
+
+TEST_CASE("the model of merges is near what tiles of other ground send") {
+  const Folder folder;
+  const std::string file = folder.path() + "/merge.csv";
+  const Report all = run(RBPA_BENCH_MERGE, "--across=4 --side=48 --calibrate=5 --predict=3 " + file);
+  CHECK(all.code == 0);
+  const std::size_t at = all.text.find("| all | | | ");
+  REQUIRE(at != std::string::npos);
+  double measured = 0, modelled = 0, ratio = 0;
+  CHECK(std::sscanf(all.text.c_str() + at, "| all | | | %lf | %lf | %lf |", &measured, &modelled, &ratio) == 3);
+  CHECK(measured > 16 * 1000);
+  CHECK(ratio == doctest::Approx(1).epsilon(0.3));
+  CHECK(fs::file_size(file) > 100);
+  CHECK(run(RBPA_BENCH_MERGE, "--across=0").code == 2);
+}
+
 TEST_CASE("a run in tiles finds what the run in memory does, which the report says, and leaves nothing") {
   for (const char* options : {"--target=geojson --ground=uniform --input=npy", "--target=npy --threads=1"}) {
     CAPTURE(options);
@@ -70,7 +104,8 @@ TEST_CASE("a run in tiles finds what the run in memory does, which the report sa
                                                   " --scratch=" + folder.path() + " " + options);
     CHECK(all.code == 0);
     CHECK(all.text.find("\nIn memory there are as many triangles, and the area is the same.\n") != std::string::npos);
-    for (const char* row : {"| 1 count | ", "| 4 write | ", "| reading the input twice | ", "| together | "})
+    for (const char* row : {"| 1 count | ", "| 4 write | ", "| reading the input twice | ",
+                            "| together; with warm memory | ", "| 1e+12 | 1000 | "})
       CHECK(all.text.find(row) != std::string::npos);
     CHECK(all.text.find("| resident, at most / --memory ≤ 1 | 0.") != std::string::npos);
     CHECK(folder.is_empty());
