@@ -40,6 +40,12 @@ void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]]
 #endif
 }
 
+void return_free_pages() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 std::uint64_t memory_for(std::uint64_t tile_points) {
   const std::uint64_t tile = tile_points * bytes_of_tile_point;
   return std::max(least_memory, (program_bytes + tile) * 8 / 7 + (program_bytes + tile) / 16);

@@ -67,6 +67,7 @@ class Run {
     if (manifest_.pass == Pass::count) count();
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
+    return_free_pages();  // of the points that waited for their tiles
     result_.cut_seconds = lap();
     compute();
     result_.compute_seconds = lap();
