@@ -10,6 +10,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "stream/polygon_record.h"
 #include "stream/scratch_file.h"
 
 namespace rbpa::app {
@@ -18,13 +19,6 @@ namespace {
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20U;
 /// A longer record stays in the log and is read when it is its turn.
 constexpr std::uint64_t most_carried = std::uint64_t{1} << 16U;
-
-/// Before the rings of a polygon, each of which is the number of its points and these.
-struct RecordHead {
-  std::uint64_t size;  // of the record without this number
-  PolygonFacts facts;
-};
-static_assert(sizeof(RecordHead) == 40 && std::is_trivially_copyable_v<RecordHead>);
 
 /// What decides the order: the first two points of the shell.
 struct Key {
@@ -261,29 +255,19 @@ void PolygonLog::resume(const LogState& state) {
   file.cut(state.bytes);
 }
 
-template <typename T>
-void PolygonLog::append(const T& value) {
-  waiting_.append(reinterpret_cast<const char*>(&value), sizeof value);
+void PolygonLog::append(std::string_view bytes) {
+  waiting_ += bytes;
   if (waiting_.size() >= buffer_bytes) flush();
 }
 
-void PolygonLog::append(const CornerPolygon& polygon) {
-  std::uint64_t corners = polygon.shell.size();
-  for (const CornerRing& hole : polygon.holes) corners += hole.size();
-  const std::uint64_t rings = polygon.holes.size() + 1;
-  append(RecordHead{sizeof(PolygonFacts) + rings * sizeof(std::uint64_t) + corners * sizeof(Point),
-                    {polygon.area, polygon.perimeter, rings - 1, polygon.points}});
-  const auto append_ring = [&](const CornerRing& ring) {
-    append(std::uint64_t{ring.size()});
-    for (const Corner& corner : ring) append(corner.at);
-  };
-  append_ring(polygon.shell);
-  for (const CornerRing& hole : polygon.holes) append_ring(hole);
+void PolygonLog::add(std::span<const CornerPolygon> polygons) {
+  for (const CornerPolygon& polygon : polygons) put_record(polygon, [this](std::string_view bytes) { append(bytes); });
+  state_.polygons += polygons.size();
 }
 
-void PolygonLog::add(std::span<const CornerPolygon> polygons) {
-  for (const CornerPolygon& polygon : polygons) append(polygon);
-  state_.polygons += polygons.size();
+void PolygonLog::add_records(std::string_view bytes, std::uint64_t polygons) {
+  append(bytes);
+  state_.polygons += polygons;
 }
 
 LogState PolygonLog::flush() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "io/gis/polygon_writers.h"
 #include "rbpa/partial/partial.h"
@@ -26,6 +27,8 @@ class PolygonLog {
   /// Goes on where the file had come to. Throws Failure when there is less.
   void resume(const LogState& state);
   void add(std::span<const CornerPolygon> polygons);
+  /// Some of the bytes of records (polygon_record.h), in which so many polygons end.
+  void add_records(std::string_view bytes, std::uint64_t polygons);
   /// All that was added is in the file.
   LogState flush();
 
@@ -33,9 +36,7 @@ class PolygonLog {
   void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:
-  void append(const CornerPolygon& polygon);
-  template <typename T>
-  void append(const T& value);
+  void append(std::string_view bytes);
 
   const Scratch& scratch_;
   LogState state_ = {};

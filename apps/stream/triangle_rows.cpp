@@ -123,10 +123,12 @@ class BucketSort {
 
 }  // namespace
 
+bool have_short_indices(std::uint64_t points) { return points <= std::numeric_limits<std::uint32_t>::max(); }
+
 std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), rows.end(), std::uint64_t{0}); }
 
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
-    : scratch_(scratch), short_(points <= std::numeric_limits<std::uint32_t>::max()) {
+    : scratch_(scratch), short_(have_short_indices(points)) {
   // There are at most two triangles a point, and of points in random order three times as many with small indices.
   const std::uint64_t bytes = 2 * points * row_bytes();
   constexpr std::uint64_t most_files = 4096;

@@ -16,6 +16,9 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
+/// Whether indices of so many points take 4 bytes, not 8.
+bool have_short_indices(std::uint64_t points);
+
 /// How far the files have come.
 struct RowsState {
   std::vector<std::uint64_t> rows = {};  ///< of each file
@@ -35,7 +38,6 @@ class TriangleRows {
   /// All that was added is in the files.
   RowsState flush();
 
-  /// Whether indices take 4 bytes, not 8.
   bool are_short() const { return short_; }
   /// Calls write(bytes) with all rows in order, as they lie in memory of a little-endian machine. With about so many bytes
   /// of memory; throws Failure when a file is not as it was written.
