@@ -15,7 +15,6 @@
 #include "io/progress_line.h"
 #include "io/same_file.h"
 #include "io/whole_number.h"
-#include "program/exit_code.h"
 #include "stream/run_stream.h"
 #include "tasks/write_lists.h"
 
@@ -146,16 +145,20 @@ void require_different_files(const StreamRequest& request) {
 }
 
 void write_tasks(const StreamRequest& request, const std::string& program) {
+  const TaskOptions options{.program = program, .threads = request.threads};
+  require_lines(request, options);
   TaskLists lists;
   std::string folder;
   const StreamResult result = prepare_tasks(request, [&](const Scratch& scratch, const Manifest& manifest) {
     folder = scratch.folder();
-    lists = write_lists(request, {.program = program, .threads = request.threads}, scratch, manifest);
+    lists = write_lists(request, options, scratch, manifest);
   });
   if (request.quiet) return;
   say("rbpa", counted(result.counts.points, "point") + " in " + counted(result.tiles, "tile") + ", " +
                   counted(lists.tasks, "task") + " in " + counted(lists.levels.size(), "list") + " -> " + folder);
-  print(how_to_run(folder));
+  OutputFile out("-");
+  out.write(how_to_run(folder));
+  out.finish();
 }
 
 }  // namespace

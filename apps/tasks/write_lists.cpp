@@ -94,14 +94,7 @@ class Lists {
   }
 
  private:
-  /// One word of the shell: a name with a newline would be two lines.
-  std::string word(const std::string& path) const {
-    if (path.find('\n') != std::string::npos)
-      throw WrongUsage("--tasks: found a newline in the name " + in_quotes(path) +
-                       ", expected none: a command is a line");
-    return shell_word(path);
-  }
-  std::string word_of_partial(const std::string& name) const { return word(folder_ + "/partials/" + name); }
+  std::string word_of_partial(const std::string& name) const { return shell_word(folder_ + "/partials/" + name); }
   std::string list_name(const char* what) const {
     return std::to_string(lists_.levels.size() + 1) + "-" + what + ".txt";
   }
@@ -110,12 +103,13 @@ class Lists {
     makefile_.line("# The tasks of a run of rbpa stream. When make was interrupted, the same goes on.");
     makefile_.line("ifndef RBPA_TASKS");
     makefile_.line("all:");
-    makefile_.line("\t+@cd " + recipe(word(folder_)) + " && $(MAKE) --no-print-directory -f Makefile RBPA_TASKS=1");
+    makefile_.line("\t+@cd " + recipe(shell_word(folder_)) +
+                   " && $(MAKE) --no-print-directory -f Makefile RBPA_TASKS=1");
     makefile_.line(".PHONY: all");
     makefile_.line("else");
     makefile_.line("all: done");
     std::string test;
-    for (const std::string& path : targets()) test += "test -e " + word(absolute(path)) + " && ";
+    for (const std::string& path : targets()) test += "test -e " + shell_word(absolute(path)) + " && ";
     if (!test.empty()) {
       makefile_.line("hash := \\#");
       makefile_.line("are_there != " + assigned(test) + "echo yes");
@@ -142,11 +136,12 @@ class Lists {
     const std::string how = " --threads " + std::to_string(options_.threads) + " -q";
     for (const std::uint32_t tile : manifest_.tree.order()) {
       const std::string path = scratch_.tile(tile).substr(scratch_.folder().size() + 1), name = partial_name(1, tile);
-      std::string command = program_ + " tile " + word(folder_ + "/" + path) + " -o " + word_of_partial(name);
+      std::string command = program_ + " tile " + shell_word(folder_ + "/" + path) + " -o " + word_of_partial(name);
       if (request_.wants(StreamFormat::npy))
-        command += " -o " + word(folder_ + "/triangles/" + fs::path(path).stem().string() + ".npy");
+        command += " -o " + shell_word(folder_ + "/triangles/" + fs::path(path).stem().string() + ".npy");
       for (const StreamTarget& target : request_.targets)
-        if (target.format == StreamFormat::ply) command += " -o " + word(tile_mesh_path(absolute(target.path), tile));
+        if (target.format == StreamFormat::ply)
+          command += " -o " + shell_word(tile_mesh_path(absolute(target.path), tile));
       task(list, "partials/" + name, " " + path, command + how);
       partials.push_back(name);
     }
@@ -177,9 +172,9 @@ class Lists {
     std::string command = program_ + " merge" + words;
     for (const StreamTarget& target : request_.targets) {
       if (target.format == StreamFormat::ply) continue;
-      command += " -o " + word(absolute(target.path));
+      command += " -o " + shell_word(absolute(target.path));
     }
-    if (request_.stats) command += " --stats " + word(absolute(*request_.stats));
+    if (request_.stats) command += " --stats " + shell_word(absolute(*request_.stats));
     if (targets().empty())
       command += " -o " + word_of_partial("whole.partial");  // meshes of tiles were all
     else
@@ -217,7 +212,7 @@ class Lists {
            "sbatch:\n"
            "#   sh slurm.sh --partition=short --mem=2G\n"
            "cd " +
-           word(folder_) +
+           shell_word(folder_) +
            " || exit\n"
            "most=1000  # of an array; more lines are shared among them (MaxArraySize of `scontrol show config`)\n"
            "before=\n"
@@ -226,7 +221,7 @@ class Lists {
            "; do\n"
            "  lines=$(wc -l < $list)\n"
            "  count=$((lines < most ? lines : most))\n"
-           "  before=$(sbatch --parsable --job-name=rbpa-$list --array=1-$count "
+           "  before=$(sbatch --parsable --kill-on-invalid-dep=yes --job-name=rbpa-$list --array=1-$count "
            "${before:+--dependency=afterok:$before} \"$@\" \\\n"
            "    --wrap=\"awk -v k=\\$SLURM_ARRAY_TASK_ID 'NR % $count == k % $count' $list | sh -e\") || exit\n"
            "  before=${before%%;*}\n"
@@ -255,6 +250,16 @@ std::string shell_word(const std::string& text) {
   word.insert(word.begin(), '\'');
   word += '\'';
   return word;
+}
+
+void require_lines(const StreamRequest& request, const TaskOptions& options) {
+  std::vector<std::string> names = {options.program, absolute(request.scratch.value_or("."))};
+  for (const StreamTarget& target : request.targets) names.push_back(absolute(target.path));
+  if (request.stats) names.push_back(absolute(*request.stats));
+  for (const std::string& name : names)
+    if (name.find('\n') != std::string::npos)
+      throw WrongUsage("--tasks: found a newline in the name " + in_quotes(name) +
+                       ", expected none: a command is a line");
 }
 
 TaskLists write_lists(const StreamRequest& request, const TaskOptions& options, const Scratch& scratch,

@@ -24,7 +24,10 @@ struct TaskLists {
   std::vector<std::string> levels = {};  ///< names of the lists in the folder
 };
 
-/// Throws WrongUsage where a name has a newline, Failure.
+/// Throws WrongUsage where a name has a newline.
+void require_lines(const StreamRequest& request, const TaskOptions& options);
+
+/// Requires that. Throws Failure, Cancelled.
 TaskLists write_lists(const StreamRequest& request, const TaskOptions& options, const Scratch& scratch,
                       const Manifest& manifest);
 
