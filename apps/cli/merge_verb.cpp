@@ -41,7 +41,8 @@ StreamRequest parse_request(const MergeArguments& arguments) {
 
 void require_different_files(const MergeArguments& arguments, bool is_partial) {
   std::vector<std::string> files = arguments.outputs;
-  if (is_partial) files.push_back(polygons_path(arguments.outputs.front()));
+  if (is_partial)
+    for (const std::string& path : side_paths(arguments.outputs.front())) files.push_back(path);
   if (arguments.stats) files.push_back(*arguments.stats);
   for (const std::string& path : arguments.partials) require_different(files, path, "a partial");
 }

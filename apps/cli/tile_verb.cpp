@@ -44,7 +44,8 @@ TileRequest parse_request(const TileArguments& arguments) {
 
 void require_different_files(const TileArguments& arguments, const TileRequest& request) {
   std::vector<std::string> files = arguments.outputs;
-  if (request.partial) files.push_back(polygons_path(*request.partial));
+  if (request.partial)
+    for (const std::string& path : side_paths(*request.partial)) files.push_back(path);
   if (arguments.stats) files.push_back(*arguments.stats);
   require_different(files, arguments.tile, "the tile");
 }

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace rbpa::app {
 namespace {
 
@@ -22,6 +26,18 @@ Budget divide(std::uint64_t memory, unsigned threads) {
   budget.waiting = left / 64;
   budget.sort_bytes = left / 2;
   return budget;
+}
+
+void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]] unsigned workers) {
+#ifdef __GLIBC__
+  // Arrays from this size on are mapped by themselves, and go when they are freed. Of the rest each thread, the one that
+  // reads included, may keep twice as much: together a sixteenth of the memory. More than the last bound gains nothing.
+  const std::uint64_t share = memory / 32 / (workers + 1);
+  const auto size =
+      static_cast<int>(std::clamp<std::uint64_t>(share, std::uint64_t{1} << 17U, std::uint64_t{1} << 23U));
+  mallopt(M_MMAP_THRESHOLD, size);
+  mallopt(M_TRIM_THRESHOLD, 2 * size);
+#endif
 }
 
 std::uint64_t memory_for(std::uint64_t tile_points) {

@@ -145,8 +145,9 @@ class Computation {
       state_.open.pop_back();
       Partial& first = state_.open.back();
       first = merge(std::move(first), std::move(second));
+      keep_finished(first);
     }
-    keep_settled(state_.open.back());
+    if (ends_[position] == 0) keep_finished(state_.open.back());
     state_.points_done += manifest_.tiles[order_[position]].owned;
     progress_.at(state_.points_done, state_.points_done);
     std::unique_lock lock(mutex_);
@@ -159,9 +160,12 @@ class Computation {
     turned_.notify_all();
   }
 
-  void keep_settled(Partial& partial) {
-    const std::vector<CornerPolygon> polygons = take_settled(partial);
-    if (request_.wants_polygons()) polygons_.add(polygons);
+  /// It goes to files, or nowhere where it is not asked for: it would only grow.
+  void keep_finished(Partial& partial) {
+    const Finished finished = take_finished(partial);
+    if (!request_.wants_polygons()) return;
+    polygons_.add(finished.polygons);
+    polygons_.add(finished.holes);
   }
 
   /// So often that it takes a small part of the time.

@@ -55,6 +55,7 @@ class Run {
   /// True when all was done before.
   bool prepare() {
     begin();
+    return_freed_memory(request_.memory, budget_.workers);
     const bool is_done = manifest_.pass == Pass::compute;
     if (manifest_.pass == Pass::count) count();
     result_.count_seconds = lap();

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "/lock";
 constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
-constexpr const char* files[] = {"manifest.json", "manifest.json.new", "progress.json", "progress.json.new",
-                                 "polygons"};
+constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
+                                 "progress.json.new", "polygons",          "holes"};
 constexpr const char* created_name = "created";  // the folder is ours, and goes with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
 
@@ -123,7 +123,7 @@ Scratch::~Scratch() {
 std::string Scratch::tile(std::uint32_t number) const { return numbered(folder_, "tiles", number) + ".tile"; }
 std::string Scratch::rows(std::size_t bucket) const { return numbered(folder_, "triangles", bucket); }
 std::string Scratch::partials(std::uint64_t generation) const { return numbered(folder_, "partials", generation); }
-std::string Scratch::sorted_polygons(std::size_t run) const { return numbered(folder_, "runs", run); }
+std::string Scratch::sorted_run(std::size_t number) const { return numbered(folder_, "runs", number); }
 
 std::uint64_t Scratch::free_bytes() const {
   struct statvfs status {};
@@ -167,6 +167,7 @@ void Scratch::clear_rows() const {
     fs::create_directory(folder_ + "/" + part, error);
   }
   fs::remove(polygons(), error);
+  fs::remove(holes(), error);
 }
 
 }  // namespace rbpa::app

@@ -1,7 +1,6 @@
 #include "stream/write_targets.h"
 
 #include <array>
-#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,24 +9,11 @@
 #include "io/gis/polygon_writers.h"
 #include "io/interrupt.h"
 #include "io/npy_header.h"
+#include "rbpa/shape/polygons.h"
 #include "stream/room_on_disk.h"
 
 namespace rbpa::app {
 namespace {
-
-/// Adds what numbers lose by rounding.
-class LongSum {
- public:
-  void add(double value) {
-    const double sum = sum_ + value;
-    lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
-    sum_ = sum;
-  }
-  double value() const { return sum_ + lost_; }
-
- private:
-  double sum_ = 0, lost_ = 0;
-};
 
 /// Adds up what goes to a writer.
 class Adding final : public PolygonSink {
@@ -35,9 +21,7 @@ class Adding final : public PolygonSink {
   explicit Adding(PolygonSink& to) : to_(to) {}
   void begin(const PolygonFacts& facts) override {
     ++polygons_;
-    holes_ += facts.holes;
-    area_.add(facts.area);
-    perimeter_.add(facts.perimeter);
+    sums_.add(facts.holes, facts.area, facts.perimeter);
     to_.begin(facts);
   }
   void ring(std::span<const Point> points) override { to_.ring(points); }
@@ -46,15 +30,16 @@ class Adding final : public PolygonSink {
 
   void tell(StreamResult& result) const {
     result.polygons = polygons_;
-    result.holes = holes_;
-    result.area = area_.value();
-    result.perimeter = perimeter_.value();
+    const PolygonTotals totals = sums_.totals();
+    result.holes = totals.holes;
+    result.area = totals.area;
+    result.perimeter = totals.perimeter;
   }
 
  private:
   PolygonSink& to_;
-  std::uint64_t polygons_ = 0, holes_ = 0;
-  LongSum area_ = {}, perimeter_ = {};
+  std::uint64_t polygons_ = 0;
+  RunningTotals sums_ = {};
 };
 
 void write_rows(OutputFile& file, const std::string& path, const TriangleRows& rows, std::uint64_t count,

@@ -157,10 +157,12 @@ StreamResult finish_run(const StreamRequest& request, PartialFile whole, OutputS
   TriangleRows rows(scratch, points, budget.sort_bytes / 2);
   PolygonLog polygons(scratch);
   for (const SideFile& file : whole.files) {
-    if (file.kind == SideFile::Kind::triangles && request.wants(StreamFormat::npy)) add_triangles(file, points, rows);
-    if (file.kind == SideFile::Kind::polygons && request.wants_polygons()) {
-      for_each_piece(file, [&](std::string_view bytes) { polygons.add_records(bytes, 0); });
-      polygons.add_records({}, file.items);
+    if (file.kind == SideFile::Kind::triangles) {
+      if (request.wants(StreamFormat::npy)) add_triangles(file, points, rows);
+    } else if (request.wants_polygons()) {
+      for_each_piece(file, [&](std::string_view bytes) {
+        file.kind == SideFile::Kind::polygons ? polygons.add_polygon_records(bytes) : polygons.add_hole_records(bytes);
+      });
     }
   }
   if (request.wants_polygons()) polygons.add(rest.polygons);

@@ -3,14 +3,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "rbpa/core/error.h"
 #include "rbpa/partial/bytes.h"
+#include "stream/polygon_log.h"
 #include "stream/polygon_record.h"
 #include "stream/scratch_file.h"
 
@@ -36,15 +38,21 @@ fs::path folder_of(const std::string& path) { return fs::absolute(path).lexicall
   bad_input(path, "a file that was cut off or changed", "a partial of rbpa tile or rbpa merge; run its task again");
 }
 
+/// By their numbers.
+constexpr std::string_view kinds[] = {"polygons", "holes", "triangles"};
+constexpr std::size_t kinds_beside = 2;
+
+std::string_view name_of(SideFile::Kind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
 Json json_of(const SideFile& file, const fs::path& folder) {
-  return {file.kind == SideFile::Kind::polygons ? "polygons" : "triangles",
-          fs::absolute(file.path).lexically_normal().lexically_relative(folder).string(), file.items, file.bytes,
-          file.checksum};
+  return {name_of(file.kind), fs::absolute(file.path).lexically_normal().lexically_relative(folder).string(),
+          file.items, file.bytes, file.checksum};
 }
 
 SideFile side_file_of(const Json& json, const fs::path& folder) {
-  const std::string kind = json.at(0);
-  return {kind == "polygons" ? SideFile::Kind::polygons : SideFile::Kind::triangles,
+  const auto kind = std::find(std::begin(kinds), std::end(kinds), json.at(0).get<std::string>());
+  if (kind == std::end(kinds)) bad_input(json.dump(), "a file of another kind", "polygons, holes or triangles");
+  return {static_cast<SideFile::Kind>(kind - std::begin(kinds)),
           (folder / json.at(1).get<std::string>()).lexically_normal().string(), json.at(2), json.at(3), json.at(4)};
 }
 
@@ -90,17 +98,26 @@ TileSet operator+(const TileSet& a, const TileSet& b) {
   return TileSet(std::move(ranges));
 }
 
-std::string polygons_path(const std::string& path) { return fs::path(path).replace_extension(".polygons").string(); }
+std::vector<std::string> side_paths(const std::string& path) {
+  std::vector<std::string> paths;
+  for (const std::string_view kind : std::span(kinds).first(kinds_beside))
+    paths.push_back(fs::path(path).replace_extension(kind).string());
+  return paths;
+}
 
 void add_partial(OutputSet& outputs, const std::string& path, PartialFile partial) {
-  if (const std::vector<CornerPolygon> polygons = take_settled(partial.partial); !polygons.empty()) {
-    SideOutput side(outputs, SideFile::Kind::polygons, polygons_path(path));
-    for (const CornerPolygon& polygon : polygons) {
-      stop_if_interrupted();
-      put_record(polygon, [&](std::string_view bytes) { side.write(bytes); });
-    }
-    partial.files.push_back(side.finish(polygons.size()));
+  const Finished finished = take_finished(partial.partial);
+  const std::vector<std::string> paths = side_paths(path);
+  SideOutput polygons(outputs, SideFile::Kind::polygons, paths[0]), holes(outputs, SideFile::Kind::holes, paths[1]);
+  const auto put = [&](std::string_view bytes) { polygons.write(bytes); };
+  const auto put_hole = [&](std::string_view bytes) { holes.write(bytes); };
+  for (const CornerPolygon& polygon : finished.polygons) {
+    stop_if_interrupted();
+    put_record(polygon, put, put_hole);
   }
+  for (const TakenHoles& taken : finished.holes) put_record(taken, put_hole);
+  for (SideOutput* file : {&polygons, &holes})
+    if (const SideFile about = file->finish(0); about.bytes > 0) partial.files.push_back(about);
   const fs::path folder = folder_of(path);
   std::vector<Json> files;
   for (const SideFile& file : partial.files) files.push_back(json_of(file, folder));
@@ -164,16 +181,17 @@ void for_each_piece(const SideFile& file, const std::function<void(std::string_v
 }
 
 SideOutput::SideOutput(OutputSet& outputs, SideFile::Kind kind, const std::string& path)
-    : file_(outputs.add(path)), about_{.kind = kind, .path = path} {}
+    : outputs_(outputs), about_{.kind = kind, .path = path} {}
 
 void SideOutput::write(std::string_view bytes) {
-  file_.write(bytes);
+  if (file_ == nullptr) file_ = &outputs_.add(about_.path);
+  file_->write(bytes);
   about_.bytes += bytes.size();
   about_.checksum = checksum_of(bytes, about_.checksum);
 }
 
 SideFile SideOutput::finish(std::uint64_t items) {
-  file_.finish();
+  if (file_ != nullptr) file_->finish();
   about_.items = items;
   return about_;
 }

@@ -1,5 +1,5 @@
 // What: the file of a partial: what some tiles of a run contribute together, and where their polygons and triangles are.
-// Law:  what is read is what was written, or BadInput. Of the same tiles, in whatever order merged, the bytes are the same.
+// Law:  what is read is what was written, or BadInput.
 // Cost: that of what is open between the tiles, and some words a tile. The format is in docs/tasks.md.
 #pragma once
 
@@ -16,12 +16,13 @@
 
 namespace rbpa::app {
 
-/// What does not go through merges: finished polygons as the log has them, or triangles as .npy.
+/// What does not go through merges: finished polygons and holes as the log has them (stream/polygon_record.h), and triangles
+/// as .npy.
 struct SideFile {
-  enum class Kind { polygons, triangles };
+  enum class Kind { polygons, holes, triangles };
   Kind kind = Kind::polygons;
   std::string path = {};
-  std::uint64_t items = 0;  ///< polygons, triangles
+  std::uint64_t items = 0;  ///< triangles; else 0
   std::uint64_t bytes = 0;
   std::uint32_t checksum = 0;  ///< CRC-32
 };
@@ -56,10 +57,10 @@ struct PartialFile {
   Partial partial = {};
 };
 
-/// Beside the file at `path`, which is a partial.
-std::string polygons_path(const std::string& path);
+/// "half.polygons" and "half.holes" beside the partial "half.partial".
+std::vector<std::string> side_paths(const std::string& path);
 
-/// Adds the settled polygons, which are taken out of it, in a file beside it, and it.
+/// Adds what is finished, which is taken out of it, in files beside it, and it.
 void add_partial(OutputSet& outputs, const std::string& path, PartialFile partial);
 
 /// Throws BadInput.
@@ -68,7 +69,7 @@ PartialFile read_partial(const std::string& path);
 /// Calls take(bytes) with all of the file, some at a time. Throws BadInput when it is not as it was written; Cancelled.
 void for_each_piece(const SideFile& file, const std::function<void(std::string_view bytes)>& take);
 
-/// A file that is written, and what is known of it in the end.
+/// A file that is written, and what is known of it in the end. There is none where nothing is.
 class SideOutput {
  public:
   SideOutput(OutputSet& outputs, SideFile::Kind kind, const std::string& path);
@@ -76,7 +77,8 @@ class SideOutput {
   SideFile finish(std::uint64_t items);
 
  private:
-  OutputFile& file_;
+  OutputSet& outputs_;
+  OutputFile* file_ = nullptr;
   SideFile about_;
 };
 

@@ -21,6 +21,7 @@ void cut(const apps_test::Folder& folder, double alpha, std::uint64_t tile_size)
   stream.radius.alpha = std::string(std::string_view(rbpa::app::ShortestText(alpha)));
   stream.outputs = {folder.path("t.npy"), folder.path("p.geojson"), folder.path("p.wkt")};
   stream.tile_size = std::to_string(tile_size);
+  stream.stats = folder.path("s.json");
   stream.tasks = folder.path("tasks");
   stream.run.quiet = true;
   rbpa::app::run_stream(stream);
@@ -71,6 +72,8 @@ void run_line(const std::string& line) {
       merge.outputs.push_back(words[i]);
     } else if (words[i] == "--threads") {
       tile.run.threads = words[++i];
+    } else if (words[i] == "--stats") {
+      merge.stats = words[++i];
     } else if (words[i] == "--memory") {
       merge.memory = words[++i];
     } else if (words[i] != "-q") {
@@ -92,8 +95,10 @@ std::vector<std::string> partials_of_tiles(const std::string& tasks) {
   return partials;
 }
 
-void merge(const std::vector<std::string>& partials, const std::vector<std::string>& outputs) {
+void merge(const std::vector<std::string>& partials, const std::vector<std::string>& outputs,
+           const std::optional<std::string>& stats) {
   rbpa::app::MergeArguments arguments;
+  arguments.stats = stats;
   arguments.partials = partials;
   arguments.outputs = outputs;
   arguments.quiet = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace tasks_test {
 
-/// Cuts "p.f64xy" of the folder for t.npy, p.geojson and p.wkt, into its folder "tasks".
+/// Cuts "p.f64xy" of the folder for t.npy, p.geojson, p.wkt and s.json, into its folder "tasks".
 void cut(const apps_test::Folder& folder, double alpha, std::uint64_t tile_size);
 
 /// The lines of each list, in the order of the lists.
@@ -24,7 +25,8 @@ void run_line(const std::string& line);
 /// The files of level 1, and what the last line writes.
 std::vector<std::string> partials_of_tiles(const std::string& tasks);
 
-/// `rbpa merge PARTIALS -o OUT ...`.
-void merge(const std::vector<std::string>& partials, const std::vector<std::string>& outputs);
+/// `rbpa merge PARTIALS -o OUT ... --stats FILE`.
+void merge(const std::vector<std::string>& partials, const std::vector<std::string>& outputs,
+           const std::optional<std::string>& stats = std::nullopt);
 
 }  // namespace tasks_test
