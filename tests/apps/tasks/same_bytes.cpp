@@ -50,10 +50,11 @@ void check(const Points& points, double alpha, std::uint64_t tile_size, rbpa_tes
 }
 
 /// Points with holes and islands in many tiles.
-Points some_points(std::uint64_t seed) {
+Points some_points(std::uint64_t seed, unsigned size) {
   rbpa_test::Random random(seed);
   Points points;
-  for (int i = 0; i < 4000; ++i) points.push_back({double(random.below(60)), double(random.below(60))});
+  for (unsigned i = 0; i < size * size * 3 / 2; ++i)
+    points.push_back({double(random.below(size)), double(random.below(size))});
   return points;
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("points that the project did not make") {
 
 TEST_CASE("there are as many lists as merges take, and every task of a list needs those before it only") {
   const Folder folder;
-  folder.file("p.f64xy", stream_test::raw(some_points(1)));
+  folder.file("p.f64xy", stream_test::raw(some_points(1, 50)));
   cut(folder, 0.75, 12);
   const auto lists = lists_in(folder.path("tasks"));
   REQUIRE(lists.size() == 4);  // hundreds of tiles, sixteen to a merge
@@ -122,8 +123,8 @@ TEST_CASE("there are as many lists as merges take, and every task of a list need
 TEST_CASE("partials merged in any groups and any order: one file, to the byte") {
   rbpa_test::Random random(33);
   const Folder folder;
-  const Made wanted = wanted_of(folder, some_points(2), 0.75);
-  cut(folder, 0.75, 150);
+  const Made wanted = wanted_of(folder, some_points(2, 100), 0.75);
+  cut(folder, 0.75, 500);
   const auto lists = lists_in(folder.path("tasks"));
   for (const std::string& line : lists.front()) run_line(line);
   const std::vector<std::string> tiles = partials_of_tiles(folder.path("tasks"));
