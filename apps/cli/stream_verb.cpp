@@ -154,11 +154,11 @@ void write_tasks(const StreamRequest& request, const std::string& program) {
     lists = write_lists(request, options, scratch, manifest);
   });
   if (request.quiet) return;
-  say("rbpa", counted(result.counts.points, "point") + " in " + counted(result.tiles, "tile") + ", " +
-                  counted(lists.tasks, "task") + " in " + counted(lists.levels.size(), "list") + " -> " + folder);
   OutputFile out("-");
   out.write(how_to_run(folder));
   out.finish();
+  say("rbpa", counted(result.counts.points, "point") + " in " + counted(result.tiles, "tile") + ", " +
+                  counted(lists.tasks, "task") + " in " + counted(lists.levels.size(), "list") + " -> " + folder);
 }
 
 }  // namespace
