@@ -241,3 +241,14 @@ TEST_CASE("a task says what it has done, and --stats of the last has the counts 
     CHECK(want.at(key) == got.at(key));
   CHECK(folder.rbpa("merge " + all + " -o - --output-format wkt -q").out == folder.content("q.wkt"));
 }
+
+TEST_CASE("the only tile of a run in the place of another's is found by its points") {
+  const Folder folder;
+  folder.file("p.xy", points(54));
+  folder.file("q.xy", points(54, 399));
+  for (const char* name : {"p", "q"})
+    REQUIRE(folder.rbpa(std::string("stream ") + name + ".xy --alpha 90 -o w.wkt -q --tasks " + name).code == 0);
+  folder.file("p/tiles/000000.tile", folder.content("q/tiles/000000.tile"));
+  REQUIRE(folder.rbpa("tile p/tiles/000000.tile -o a.partial -q").code == 0);
+  has(said(folder, "merge a.partial -o w.wkt", 3), "found 399 points in the partials, expected the 400 of the run");
+}

@@ -168,3 +168,8 @@ TEST_CASE("one tile, and points without a triangle") {
   check({{0, 0}, {1, 0}, {0, 1}}, 1, 100, random);
   check({{0, 0}, {9, 0}, {0, 9}, {0, 0}}, 1, 1, random);
 }
+
+TEST_CASE("files of triangles that are read in several pieces") {
+  rbpa_test::Random random(35);
+  check(some_points(3, 240), 1.0, 200'000, random);  // more than a megabyte
+}
