@@ -28,7 +28,8 @@ struct RowsState {
 
 class TriangleRows {
  public:
-  /// Of so many points, so that a file is about so many bytes at most.
+  /// Of so many points, so that a file is about so many bytes at most, as long as what waits to be written to all files
+  /// takes a quarter of that at most.
   TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes);
 
   /// Goes on where the files had come to. Throws Failure when they are not as they were.
@@ -54,7 +55,8 @@ class TriangleRows {
 
   const Scratch& scratch_;
   bool short_;
-  std::uint64_t width_;  // indices of a bucket
+  std::uint64_t width_;       // indices of a bucket
+  std::size_t most_waiting_;  // bytes of a bucket, a whole number of rows
   std::vector<Bucket> buckets_;
 };
 
