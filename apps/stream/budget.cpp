@@ -9,8 +9,9 @@
 namespace rbpa::app {
 namespace {
 
-/// Rims, buckets and blocks that are read ahead, beside tiles.
-std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 8; }
+/// What there is beside tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for triangles that wait
+/// to be written to their files, and as much for what is open between tiles.
+std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
 
 }  // namespace
 
@@ -46,9 +47,9 @@ void return_free_pages() {
 #endif
 }
 
-std::uint64_t memory_for(std::uint64_t tile_points) {
-  const std::uint64_t tile = tile_points * bytes_of_tile_point;
-  return std::max(least_memory, (program_bytes + tile) * 8 / 7 + (program_bytes + tile) / 16);
+std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
+  const std::uint64_t used = program_bytes + tile_points * bytes_of_tile_point * std::max(threads, 1U);
+  return std::max(least_memory, used * 16 / 13 + used / 16);
 }
 
 }  // namespace rbpa::app

@@ -16,6 +16,7 @@
 #include "io/interrupt.h"
 #include "rbpa/core/error.h"
 #include "stream/compute_state.h"
+#include "stream/compute_tile.h"
 #include "stream/cut_tiles.h"
 #include "stream/pass_progress.h"
 #include "stream/tile_file.h"
@@ -25,8 +26,6 @@ namespace rbpa::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Region region_of(const Box& box) { return {box.low.x, box.low.y, box.high.x, box.high.y}; }
 
 /// How many parts of the tree are done with each tile, in their order, that was the last of them.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
@@ -141,11 +140,7 @@ class Computation {
   IndexedPoints read(std::uint32_t tile) const {
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
     if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
-    IndexedPoints points;
-    points.points.reserve(reader.summary().points);
-    points.indices.reserve(reader.summary().points);
-    while (reader.next(points)) stop_if_interrupted();
-    return points;
+    return read_tile(reader);
   }
 
   bool wants_triangles() const { return request_.wants(StreamFormat::npy) || request_.wants(StreamFormat::ply); }
@@ -153,14 +148,11 @@ class Computation {
   PartialAndItems compute(std::uint32_t tile) {
     stop_if_interrupted();
     const IndexedPoints points = points_of(tile);
-    PartialOptions options{.threads = budget_.workers > 1 ? 1 : request_.threads};
-    options.progress = [](const Progress&) { return !interrupted(); };
-    const Region region = region_of(manifest_.tree.box(tile));
-    const RegionPoints given{points.points, points.indices};
-    if (!wants_triangles()) return {partial(region, given, request_.alpha, options), {}};
-    PartialAndItems made = partial_and_items(region, given, request_.alpha, options);
+    const TileWork work{request_.alpha, budget_.workers > 1 ? 1 : request_.threads, wants_triangles()};
+    PartialAndItems made = compute_tile(manifest_.tree.box(tile), points, work);
     for (const StreamTarget& target : request_.targets)
-      if (target.format == StreamFormat::ply) write_tile_mesh(target.path, tile, points, made.owned.triangles);
+      if (target.format == StreamFormat::ply)
+        write_tile_mesh(tile_mesh_path(target.path, tile), points, made.owned.triangles);
     return made;
   }
 
@@ -183,15 +175,12 @@ class Computation {
     if (is_time_to_save(position)) save_progress(position + 1);
   }
 
-  /// What need not wait goes to files, also where it is not asked for: it would only grow.
+  /// It goes to files, or nowhere where it is not asked for: it would only grow.
   void keep_finished(Partial& partial) {
-    const std::vector<CornerPolygon> polygons = take_settled(partial);
-    // What is kept of holes in their place takes less than so many corners.
-    constexpr std::size_t many_corners = 256;
-    const std::vector<TakenHoles> holes = take_holes(partial, many_corners);
+    const Finished finished = take_finished(partial);
     if (!request_.wants_polygons()) return;
-    polygons_.add(polygons);
-    polygons_.add(holes);
+    polygons_.add(finished.polygons);
+    polygons_.add(finished.holes);
   }
 
   /// So often that it takes a small part of the time.

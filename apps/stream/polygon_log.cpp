@@ -8,6 +8,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "stream/polygon_record.h"
 #include "stream/sorted_records.h"
 
 namespace rbpa::app {
@@ -15,34 +16,11 @@ namespace {
 
 constexpr std::size_t read_ahead = std::size_t{1} << 20U;
 
-/// What decides the order of polygons, and of the holes of one: the first two points of a ring.
-struct RingKey {
-  Point first, second;
-  friend auto operator<=>(const RingKey&, const RingKey&) = default;
-};
-
 /// That of a hole among those of all polygons.
 struct HoleKey {
   RingKey polygon, hole;
   friend auto operator<=>(const HoleKey&, const HoleKey&) = default;
 };
-
-/// Before the rings of a polygon that are with it, each of which is the number of its points and these.
-struct PolygonHead {
-  std::uint64_t size;   // of the rings with their numbers
-  std::uint64_t taken;  // holes that are in the other file
-  PolygonFacts facts;
-};
-static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
-
-/// Before the points of a hole, or without points before the key of the polygon that has holes of this name.
-struct HoleHead {
-  std::uint64_t points;
-  ComponentName name;
-};
-static_assert(sizeof(HoleHead) == 32 && std::is_trivially_copyable_v<HoleHead>);
-
-RingKey key_of(const CornerRing& ring) { return {ring[0].at, ring[1].at}; }
 
 template <typename T>
 T taken_from(std::string_view& bytes) {
@@ -50,11 +28,6 @@ T taken_from(std::string_view& bytes) {
   std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof value);
   bytes.remove_prefix(sizeof value);
   return value;
-}
-
-template <typename T>
-std::string_view bytes_of(const T& value) {
-  return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
 /// A file of records to be read in order and here and there.
@@ -230,6 +203,13 @@ class PolygonsInOrder {
 
 }  // namespace
 
+Finished take_finished(Partial& partial) {
+  // What is kept of holes in their place takes less than so many corners.
+  constexpr std::size_t many_corners = 256;
+  std::vector<CornerPolygon> polygons = take_settled(partial);
+  return {std::move(polygons), take_holes(partial, many_corners)};
+}
+
 PolygonLog::PolygonLog(const Scratch& scratch)
     : scratch_(scratch), polygons_(scratch.polygons()), holes_(scratch.holes()) {}
 
@@ -238,35 +218,15 @@ void PolygonLog::resume(const LogState& state) {
   holes_.resume(state.holes);
 }
 
-void PolygonLog::add(const CornerPolygon& polygon) {
-  std::uint64_t corners = polygon.shell.size();
-  for (const CornerRing& hole : polygon.holes) corners += hole.size();
-  const std::uint64_t rings = polygon.holes.size() + 1;
-  polygons_.append(PolygonHead{rings * sizeof(std::uint64_t) + corners * sizeof(Point),
-                               polygon.taken_holes,
-                               {polygon.area, polygon.perimeter, rings - 1 + polygon.taken_holes, polygon.points}});
-  const auto append_ring = [&](const CornerRing& ring) {
-    polygons_.append(std::uint64_t{ring.size()});
-    for (const Corner& corner : ring) polygons_.append(corner.at);
-  };
-  append_ring(polygon.shell);
-  for (const CornerRing& hole : polygon.holes) append_ring(hole);
-  for (const ComponentName& name : polygon.names) {
-    holes_.append(HoleHead{0, name});
-    holes_.append(key_of(polygon.shell));
-  }
-}
-
 void PolygonLog::add(std::span<const CornerPolygon> polygons) {
-  for (const CornerPolygon& polygon : polygons) add(polygon);
+  for (const CornerPolygon& polygon : polygons)
+    put_record(
+        polygon, [&](std::string_view bytes) { polygons_.append(bytes); },
+        [&](std::string_view bytes) { holes_.append(bytes); });
 }
 
 void PolygonLog::add(std::span<const TakenHoles> holes) {
-  for (const TakenHoles& taken : holes)
-    for (const CornerRing& hole : taken.holes) {
-      holes_.append(HoleHead{hole.size(), taken.component});
-      for (const Corner& corner : hole) holes_.append(corner.at);
-    }
+  for (const TakenHoles& taken : holes) put_record(taken, [&](std::string_view bytes) { holes_.append(bytes); });
 }
 
 LogState PolygonLog::flush() { return {polygons_.flush(), holes_.flush()}; }

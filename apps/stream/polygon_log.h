@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/gis/polygon_writers.h"
 #include "rbpa/partial/partial.h"
@@ -14,6 +16,14 @@
 #include "stream/scratch.h"
 
 namespace rbpa::app {
+
+/// What need not wait for other tiles.
+struct Finished {
+  std::vector<CornerPolygon> polygons;
+  std::vector<TakenHoles> holes;
+};
+/// It is no more in `partial`.
+Finished take_finished(Partial& partial);
 
 /// How far the files have come.
 struct LogState {
@@ -29,6 +39,9 @@ class PolygonLog {
   void add(std::span<const CornerPolygon> polygons);
   /// Holes of polygons that will be added, with the names of these.
   void add(std::span<const TakenHoles> holes);
+  /// Some bytes of records (polygon_record.h).
+  void add_polygon_records(std::string_view bytes) { polygons_.append(bytes); }
+  void add_hole_records(std::string_view bytes) { holes_.append(bytes); }
   /// All that was added is in the files.
   LogState flush();
 
@@ -36,8 +49,6 @@ class PolygonLog {
   void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:
-  void add(const CornerPolygon& polygon);
-
   const Scratch& scratch_;
   RecordLog polygons_, holes_;
 };

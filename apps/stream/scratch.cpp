@@ -85,6 +85,7 @@ Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.h
 }
 
 void Scratch::make(const StreamRequest& request) {
+  const std::string option = request.tasks ? "--tasks" : "--scratch";
   std::error_code error;
   is_new_ = fs::create_directory(folder_, error);
   if (error || !fs::is_directory(folder_))
@@ -101,10 +102,10 @@ void Scratch::make(const StreamRequest& request) {
     };
     const fs::directory_iterator entries(folder_);
     if (std::any_of(begin(entries), end(entries), is_other))
-      throw WrongUsage("--scratch: found other files in " + folder_ + ", expected an empty folder, or none");
+      throw WrongUsage(option + ": found other files in " + folder_ + ", expected an empty folder, or none");
   }
   if (has_run_ && !request.resume)
-    throw WrongUsage("--scratch: found a run in " + folder_ +
+    throw WrongUsage(option + ": found a run in " + folder_ +
                      ", expected --resume to go on with it, or another folder");
   lock_ = locked(folder_ + lock_name);
   if (lock_ < 0) throw Failure(folder_ + ": found another run at work in it, expected none");

@@ -17,6 +17,12 @@ namespace {
 
 std::string text_of(double alpha) { return std::string(std::string_view(rbpa::app::ShortestText(alpha))); }
 
+}  // namespace
+
+std::string raw(std::span<const rbpa::Point> points) {
+  return {reinterpret_cast<const char*>(points.data()), points.size_bytes()};
+}
+
 Made take(const Folder& folder) {
   Made made{folder.content("t.npy"), folder.content("p.geojson"), folder.content("p.wkt")};
   const std::string stats = folder.content("s.json");
@@ -27,12 +33,6 @@ Made take(const Folder& folder) {
   }
   for (const char* name : {"t.npy", "p.geojson", "p.wkt", "s.json"}) std::filesystem::remove(folder.path(name));
   return made;
-}
-
-}  // namespace
-
-std::string raw(std::span<const rbpa::Point> points) {
-  return {reinterpret_cast<const char*>(points.data()), points.size_bytes()};
 }
 
 Made wanted(const Folder& folder, const std::string& file, double alpha) {

@@ -20,6 +20,9 @@ struct Made {
 /// Pairs of float64.
 std::string raw(std::span<const rbpa::Point> points);
 
+/// The files t.npy, p.geojson, p.wkt and s.json (of --stats) of the folder, which go.
+Made take(const apps_test::Folder& folder);
+
 /// What `rbpa mesh` and `rbpa shape` make of a file in the folder.
 Made wanted(const apps_test::Folder& folder, const std::string& file, double alpha);
 
