@@ -12,10 +12,9 @@ IndexedPoints read_tile(TileReader& reader) {
   return points;
 }
 
-PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, const TileWork& work) {
+PartialAndItems compute_tile(const Region& region, const IndexedPoints& points, const TileWork& work) {
   PartialOptions options{.threads = work.threads};
   options.progress = [](const Progress&) { return !interrupted(); };
-  const Region region{box.low.x, box.low.y, box.high.x, box.high.y};
   const RegionPoints given{points.points, points.indices};
   if (!work.wants_triangles) return {partial(region, given, work.alpha, options), {}};
   return partial_and_items(region, given, work.alpha, options);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "rbpa/partial/partial.h"
-#include "stream/box.h"
 #include "stream/pack_block.h"
 #include "stream/tile_file.h"
 
@@ -23,6 +22,6 @@ struct TileWork {
 };
 
 /// Throws Cancelled, and InvalidInput as partial() does.
-PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, const TileWork& work);
+PartialAndItems compute_tile(const Region& region, const IndexedPoints& points, const TileWork& work);
 
 }  // namespace rbpa::app

@@ -11,6 +11,7 @@
 #include "io/number.h"
 #include "stream/input_blocks.h"
 #include "stream/pass_progress.h"
+#include "stream/reach.h"
 #include "stream/refuse_dense.h"
 #include "stream/scratch_file.h"
 #include "stream/tile_file.h"
@@ -19,10 +20,10 @@ namespace rbpa::app {
 namespace {
 
 /// The part of a tile in which a point matters for no other.
-Box inside_of(const Box& box, double reach) {
+Region inside_of(const Region& box, double reach) {
   const auto low = [&](double at) { return std::isinf(at) ? at : above(above(at, reach), 0); };
   const auto high = [&](double at) { return std::isinf(at) ? at : below(below(at, reach), 0); };
-  return {{low(box.low.x), low(box.low.y)}, {high(box.high.x), high(box.high.y)}};
+  return {low(box.x0), low(box.y0), high(box.x1), high(box.y1)};
 }
 
 class Cutter {
@@ -95,7 +96,7 @@ class Cutter {
   double reach_;
   std::size_t most_waiting_, waiting_ = 0;
   std::vector<TileWriter> writers_;
-  std::vector<Box> inside_;
+  std::vector<Region> inside_;
   std::uint32_t last_ = 0;  // most points are near the one before
   std::optional<std::uint32_t> wanted_ = std::nullopt;
 };
@@ -159,8 +160,8 @@ class SmallerCutter {
   }
 
   /// Some of what the tile owns, evenly.
-  std::vector<Point> sample_of(std::uint32_t tile, Box& extent) const {
-    const Box box = manifest_.tree.box(tile);
+  std::vector<Point> sample_of(std::uint32_t tile, Region& extent) const {
+    const Region box = manifest_.tree.box(tile);
     const std::uint64_t step = manifest_.tiles[tile].owned / sample_size + 1;
     TileReader reader(scratch_.tile(tile), box, request_.alpha);
     std::vector<Point> sample;
@@ -170,9 +171,11 @@ class SmallerCutter {
       stop_if_interrupted();
       for (const Point& p : block.points) {
         if (!box.contains(p)) continue;
-        if (count == 0) extent = {p, p};
-        extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)};
-        extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)};
+        if (count == 0) extent = {p.x, p.y, p.x, p.y};
+        extent.x0 = std::min(extent.x0, p.x);
+        extent.y0 = std::min(extent.y0, p.y);
+        extent.x1 = std::max(extent.x1, p.x);
+        extent.y1 = std::max(extent.y1, p.y);
         if (count++ % step == 0) sample.push_back(p);
       }
     }
@@ -180,7 +183,7 @@ class SmallerCutter {
   }
 
   /// How many points of the file are within reach of where the tile's own are.
-  std::uint64_t count_near(std::uint32_t tile, const Box& extent) const {
+  std::uint64_t count_near(std::uint32_t tile, const Region& extent) const {
     const double reach = reach_of(request_.alpha);
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
     std::uint64_t count = 0;
@@ -188,8 +191,8 @@ class SmallerCutter {
     for (; reader.next(block); block.clear()) {
       stop_if_interrupted();
       for (const Point& p : block.points)
-        if (above(p.x, reach) >= extent.low.x && below(p.x, reach) <= extent.high.x &&
-            above(p.y, reach) >= extent.low.y && below(p.y, reach) <= extent.high.y)
+        if (above(p.x, reach) >= extent.x0 && below(p.x, reach) <= extent.x1 && above(p.y, reach) >= extent.y0 &&
+            below(p.y, reach) <= extent.y1)
           ++count;
     }
     return count;
@@ -206,16 +209,16 @@ class SmallerCutter {
 
   /// False when it cannot be cut.
   bool cut(std::uint32_t tile) {
-    Box extent;
+    Region extent;
     std::vector<Point> sample = sample_of(tile, extent);
     const TileSummary& summary = manifest_.tiles[tile];
     const std::optional<Line> line = middle_of(sample);
     // What is around a part of so small a box is around all of it.
-    const double size = std::max(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
+    const double size = std::max(extent.x1 - extent.x0, extent.y1 - extent.y0);
     const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
     if (hopeless && summary.points > budget_.tile_points) {
       const std::uint64_t near = count_near(tile, extent);
-      if (near > budget_.tile_points) refuse_dense({extent.low, near}, request_, budget_);
+      if (near > budget_.tile_points) refuse_dense({{extent.x0, extent.y0}, near}, request_, budget_);
       return false;  // most are around a box that is larger than it need be: a cut leaves them in one half
     }
     if (!line) return false;  // one point, however often: it has to be a tile
@@ -225,7 +228,7 @@ class SmallerCutter {
 
   void split(std::uint32_t tile, const Line& line) {
     TileTree tree = manifest_.tree;
-    const Box before = tree.box(tile);
+    const Region before = tree.box(tile);
     const std::uint32_t other = tree.cut(tile, line.kind, line.at);
     const double reach = reach_of(request_.alpha);
     const bool x = line.kind == TileTree::Part::Kind::cut_x;

@@ -38,35 +38,34 @@ class Planner {
   double below_or_same(double at) const { return std::isinf(at) ? at : at - limits_.reach; }
   double above_or_same(double at) const { return std::isinf(at) ? at : at + limits_.reach; }
 
-  double near(const Cell& cell, const Box& box) const {
-    return static_cast<double>(cell.count) * share(cell.column, box.low.x, box.high.x) *
-           share(cell.row, box.low.y, box.high.y);
+  double near(const Cell& cell, const Region& box) const {
+    return static_cast<double>(cell.count) * share(cell.column, box.x0, box.x1) * share(cell.row, box.y0, box.y1);
   }
 
   /// Where the cells are.
-  Box extent_of(std::span<const Cell> cells) const {
+  Region extent_of(std::span<const Cell> cells) const {
     Cell least = cells.front(), greatest = cells.front();
     for (const Cell& cell : cells) {
       least = {std::min(least.column, cell.column), std::min(least.row, cell.row), 0};
       greatest = {std::max(greatest.column, cell.column), std::max(greatest.row, cell.row), 0};
     }
-    return {{begin(least.column), begin(least.row)}, {begin(greatest.column + 1), begin(greatest.row + 1)}};
+    return {begin(least.column), begin(least.row), begin(greatest.column + 1), begin(greatest.row + 1)};
   }
 
   /// Whatever part of the extent a tile is, it has these points around it: then there is no use in cutting.
-  void refuse_dense(const Box& extent, std::span<const Cell> owned, std::span<const Cell> around) const {
-    const double wide = extent.high.x - extent.low.x, high = extent.high.y - extent.low.y;
+  void refuse_dense(const Region& extent, std::span<const Cell> owned, std::span<const Cell> around) const {
+    const double wide = extent.x1 - extent.x0, high = extent.y1 - extent.y0;
     const double left = limits_.reach - std::max(wide, high);
     if (!(left >= 0)) return;
     std::uint64_t points = 0;
     const auto count = [&](const Cell& cell) {
-      if (begin(cell.column) >= extent.low.x - left && begin(cell.column + 1) <= extent.high.x + left &&
-          begin(cell.row) >= extent.low.y - left && begin(cell.row + 1) <= extent.high.y + left)
+      if (begin(cell.column) >= extent.x0 - left && begin(cell.column + 1) <= extent.x1 + left &&
+          begin(cell.row) >= extent.y0 - left && begin(cell.row + 1) <= extent.y1 + left)
         points += cell.count;
     };
     std::for_each(owned.begin(), owned.end(), count);
     std::for_each(around.begin(), around.end(), count);
-    if (points > limits_.points) throw TooDense{extent.low, points};
+    if (points > limits_.points) throw TooDense{{extent.x0, extent.y0}, points};
   }
 
   /// The line between columns, or rows, that has half of the points on either side, as far as there is one.
@@ -92,7 +91,7 @@ class Planner {
 
   void divide(std::uint32_t tile, std::vector<Cell> owned, std::vector<Cell> around) {
     stop_if_interrupted();
-    const Box box = tree_.box(tile);
+    const Region box = tree_.box(tile);
     std::erase_if(around, [&](const Cell& cell) { return near(cell, box) == 0; });
     std::uint64_t count = 0;
     for (const Cell& cell : owned) count += cell.count;
@@ -100,9 +99,9 @@ class Planner {
     for (const Cell& cell : around) all += near(cell, box);
     const bool fits = count <= limits_.owned && all <= 0.9 * static_cast<double>(limits_.points);
     if (fits) return keep(all);
-    const Box extent = extent_of(owned);
+    const Region extent = extent_of(owned);
     if (all > static_cast<double>(limits_.points)) refuse_dense(extent, owned, around);
-    bool x = extent.high.x - extent.low.x >= extent.high.y - extent.low.y;
+    bool x = extent.x1 - extent.x0 >= extent.y1 - extent.y0;
     std::optional<double> line = middle(owned, x, count);
     if (!line) line = middle(owned, x = !x, count);
     if (!line || !std::isfinite(*line)) return keep(all);  // to be cut when it is known where its points lie

@@ -16,6 +16,7 @@
 #include "stream/manifest.h"
 #include "stream/pass_progress.h"
 #include "stream/plan_tiles.h"
+#include "stream/reach.h"
 #include "stream/refuse_dense.h"
 #include "stream/room_on_disk.h"
 #include "stream/tile_file.h"

@@ -27,11 +27,11 @@ struct Header {
 };
 static_assert(sizeof(Header) == 96);
 
-std::string bytes_of(const Box& box, double alpha, const TileSummary& summary) {
+std::string bytes_of(const Region& box, double alpha, const TileSummary& summary) {
   Header header{{},
                 version,
                 0,
-                {box.low.x, box.low.y, box.high.x, box.high.y},
+                {box.x0, box.y0, box.x1, box.y1},
                 alpha,
                 summary.points,
                 summary.owned,
@@ -56,7 +56,7 @@ struct Frame {
 
 }  // namespace
 
-TileWriter::TileWriter(std::string path, const Box& box, double alpha)
+TileWriter::TileWriter(std::string path, const Region& box, double alpha)
     : path_(std::move(path)), box_(box), alpha_(alpha) {}
 
 void TileWriter::resume(const TileSummary& summary) {
@@ -104,14 +104,14 @@ TileHeader read_tile_header(const std::string& path) {
   Header header{};
   char* bytes = reinterpret_cast<char*>(&header);
   if (ScratchFile(path, ScratchFile::Mode::read).read(bytes, sizeof header) < sizeof header) damaged(path);
-  const TileHeader found{{{header.box[0], header.box[1]}, {header.box[2], header.box[3]}},
+  const TileHeader found{{header.box[0], header.box[1], header.box[2], header.box[3]},
                          header.alpha,
                          {header.points, header.owned, header.bytes, header.blocks, header.of_blocks}};
   if (bytes_of(found.box, found.alpha, found.summary) != std::string_view(bytes, sizeof header)) damaged(path);
   return found;
 }
 
-TileReader::TileReader(const std::string& path, const Box& box, double alpha) : path_(path) {
+TileReader::TileReader(const std::string& path, const Region& box, double alpha) : path_(path) {
   if (access(path.c_str(), F_OK) != 0) damaged();
   file_ = std::make_unique<ScratchFile>(path, ScratchFile::Mode::read);
   Header header{};

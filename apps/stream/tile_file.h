@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "rbpa/core/point.h"
-#include "stream/box.h"
+#include "rbpa/partial/region.h"
 #include "stream/pack_block.h"
 #include "stream/scratch_file.h"
 
@@ -36,7 +36,7 @@ struct TileSummary {
 /// Appends blocks to the file at `path`, which is open only while that is done.
 class TileWriter {
  public:
-  TileWriter(std::string path, const Box& box, double alpha);
+  TileWriter(std::string path, const Region& box, double alpha);
 
   /// Keeps the point. Requires: the index is larger than all before.
   void add(const Point& p, std::uint64_t index, bool owned) {
@@ -56,7 +56,7 @@ class TileWriter {
 
  private:
   std::string path_;
-  Box box_;
+  Region box_;
   double alpha_;
   TileSummary summary_ = {};
   IndexedPoints waiting_ = {};
@@ -66,7 +66,7 @@ class TileWriter {
 
 /// What the first bytes of a file say.
 struct TileHeader {
-  Box box;
+  Region box;
   double alpha;
   TileSummary summary;
 };
@@ -77,7 +77,7 @@ TileHeader read_tile_header(const std::string& path);
 class TileReader {
  public:
   /// Throws Damaged when the file is not there or is not of this box and alpha; Failure.
-  TileReader(const std::string& path, const Box& box, double alpha);
+  TileReader(const std::string& path, const Region& box, double alpha);
   ~TileReader();
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;

@@ -7,11 +7,11 @@ namespace rbpa::app {
 namespace {
 
 /// The two parts of a box.
-std::pair<Box, Box> halves(const Box& box, const TileTree::Part& part) {
-  std::pair<Box, Box> both{box, box};
+std::pair<Region, Region> halves(const Region& box, const TileTree::Part& part) {
+  std::pair<Region, Region> both{box, box};
   const bool x = part.kind == TileTree::Part::Kind::cut_x;
-  (x ? both.first.high.x : both.first.high.y) = part.line;
-  (x ? both.second.low.x : both.second.low.y) = part.line;
+  (x ? both.first.x1 : both.first.y1) = part.line;
+  (x ? both.second.x0 : both.second.y0) = part.line;
   return both;
 }
 
@@ -22,7 +22,7 @@ TileTree::TileTree(std::vector<Part> parts) : parts_(std::move(parts)) {
   const auto count = static_cast<std::size_t>(std::count_if(parts_.begin(), parts_.end(), is_tile));
   boxes_.resize(count);
   part_of_.resize(count);
-  std::vector<std::pair<std::uint32_t, Box>> waiting = {{0, Box{}}};
+  std::vector<std::pair<std::uint32_t, Region>> waiting = {{0, Region{}}};
   while (!waiting.empty()) {
     const auto [at, box] = waiting.back();
     waiting.pop_back();

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "rbpa/core/point.h"
-#include "stream/box.h"
+#include "rbpa/partial/region.h"
+#include "stream/reach.h"
 
 namespace rbpa::app {
 
@@ -23,7 +24,7 @@ class TileTree {
   };
 
   /// One tile, number 0.
-  TileTree() : parts_{Part{}}, boxes_{Box{}} {}
+  TileTree() : parts_{Part{}}, boxes_{Region{}} {}
   /// Of parts as parts() has them. Requires that they are.
   explicit TileTree(std::vector<Part> parts);
 
@@ -31,7 +32,7 @@ class TileTree {
   std::uint32_t cut(std::uint32_t tile, Part::Kind kind, double line);
 
   std::size_t tiles() const { return boxes_.size(); }
-  const Box& box(std::uint32_t tile) const { return boxes_[tile]; }
+  const Region& box(std::uint32_t tile) const { return boxes_[tile]; }
   const std::vector<Part>& parts() const { return parts_; }  ///< the first is the plane
 
   /// The numbers of all tiles, neighbours near each other: all of a part before what follows it.
@@ -66,7 +67,7 @@ class TileTree {
   }
 
   std::vector<Part> parts_;
-  std::vector<Box> boxes_;                    // of each tile
+  std::vector<Region> boxes_;                 // of each tile
   std::vector<std::uint32_t> part_of_ = {0};  // of each tile
 };
 

@@ -16,6 +16,7 @@
 
 using namespace rbpa::app;
 using rbpa::Point;
+using rbpa::Region;
 
 namespace {
 
@@ -84,9 +85,9 @@ TEST_CASE("every point is in one tile, and is told to every tile near it") {
       const Point p{coordinate(), coordinate()};
       const std::uint32_t tile = tree.tile_of(p);
       const bool x = random.below(2) == 0;
-      const Box box = tree.box(tile);
+      const Region box = tree.box(tile);
       const double line = x ? p.x : p.y;
-      if (line > (x ? box.low.x : box.low.y))
+      if (line > (x ? box.x0 : box.y0))
         tree.cut(tile, x ? TileTree::Part::Kind::cut_x : TileTree::Part::Kind::cut_y, line);
     }
     const TileTree again(tree.parts());
@@ -105,13 +106,13 @@ TEST_CASE("every point is in one tile, and is told to every tile near it") {
       std::sort(near.begin(), near.end());
       CHECK(std::adjacent_find(near.begin(), near.end()) == near.end());
       for (std::uint32_t tile = 0; tile < tree.tiles(); ++tile) {
-        const Box& box = tree.box(tile);
+        const Region& box = tree.box(tile);
         CHECK((tree.tile_of(p) == tile) == box.contains(p));
         // In long double the sum of these is exact, or so nearly that it decides nothing here.
         using Long = long double;
-        const bool is_near = Long(p.x) + reach >= box.low.x && Long(p.x) - reach <= box.high.x &&
-                             Long(p.y) + reach >= box.low.y && Long(p.y) - reach <= box.high.y;
-        if (is_near && !(Long(p.x) - reach == box.high.x || Long(p.y) - reach == box.high.y))
+        const bool is_near = Long(p.x) + reach >= box.x0 && Long(p.x) - reach <= box.x1 &&
+                             Long(p.y) + reach >= box.y0 && Long(p.y) - reach <= box.y1;
+        if (is_near && !(Long(p.x) - reach == box.x1 || Long(p.y) - reach == box.y1))
           CHECK(std::binary_search(near.begin(), near.end(), tile));
       }
     }
@@ -162,7 +163,7 @@ TEST_CASE("by the counts, tiles are as small as they have to be and not much sma
 TEST_CASE("a file of a tile is what was written, or damaged") {
   const apps_test::Folder folder;
   const std::string path = folder.path("t.tile");
-  const Box box{{0, -INFINITY}, {INFINITY, 50}};
+  const Region box{0, -INFINITY, INFINITY, 50};
   rbpa_test::Random random(5);
   IndexedPoints points;
   TileWriter writer(path, box, 2);
@@ -173,7 +174,7 @@ TEST_CASE("a file of a tile is what was written, or damaged") {
     if (i % 7000 == 0) writer.flush();
   }
   const TileSummary summary = writer.finish();
-  const auto read = [&](const Box& of, double alpha) {
+  const auto read = [&](const Region& of, double alpha) {
     TileReader reader(path, of, alpha);
     CHECK(reader.summary() == summary);
     IndexedPoints found;
@@ -182,7 +183,7 @@ TEST_CASE("a file of a tile is what was written, or damaged") {
   };
   CHECK(read(box, 2).points == points.points);
   CHECK(read(box, 2).indices == points.indices);
-  CHECK_THROWS_AS(read(Box{}, 2), Damaged);
+  CHECK_THROWS_AS(read(Region{}, 2), Damaged);
   CHECK_THROWS_AS(read(box, 3), Damaged);
 
   const std::string whole = folder.content("t.tile");

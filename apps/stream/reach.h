@@ -1,21 +1,10 @@
-// What: a part of the plane with sides along the axes.
+// What: distances to the sides of regions, rounded so that no point is missing.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
-#include "rbpa/core/point.h"
-
 namespace rbpa::app {
-
-/// Of its sides the lower belong to it, and the upper do not; any may be infinite.
-struct Box {
-  Point low = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  Point high = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-
-  bool contains(const Point& p) const { return low.x <= p.x && p.x < high.x && low.y <= p.y && p.y < high.y; }
-  friend bool operator==(const Box&, const Box&) = default;
-};
 
 /// At most a − b, and by little; at least a + b.
 inline double below(double a, double b) {
