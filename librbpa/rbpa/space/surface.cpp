@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -15,7 +16,6 @@
 namespace rbpa {
 namespace {
 
-using space::find_free_arcs;
 using space::FreeArc;
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -84,6 +84,17 @@ Triangle from_least(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return b < c ? Triangle{b, c, a} : Triangle{c, a, b};
 }
 
+std::vector<FreeArc> arcs_of(const Sites& sites, double radius, const SurfaceOptions& options) {
+  Threads threads(sites.points.size() < 1000 ? 1 : options.threads);  // few are done before another thread has woken
+  std::function<void(std::size_t)> found;
+  if (options.progress)
+    found = [&](std::size_t arcs) {
+      // Three arcs for two triangles.
+      if (!options.progress({arcs / 3 * 2, sites.points.size()})) throw Cancelled();
+    };
+  return space::find_free_arcs(sites.points, radius, threads, found);
+}
+
 /// Calls visit(triangle, corner) for both triangles of an arc, by input indices; the arc is on the side across from the corner.
 template <typename Visit>
 void for_both(const FreeArc& arc, const Sites& sites, Visit visit) {
@@ -125,16 +136,17 @@ void assemble(const std::vector<FreeArc>& arcs, const Sites& sites, Keep keep, S
 
 }  // namespace
 
-Surface exposed_triangles(std::span<const Point3> points, double radius) {
+Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options) {
   check(points, radius);
   Surface surface;
   const Sites sites = sites_of(points, surface);
   assemble(
-      find_free_arcs(sites.points, radius), sites, [](auto, auto, auto) { return true; }, surface);
+      arcs_of(sites, radius, options), sites, [](auto, auto, auto) { return true; }, surface);
   return surface;
 }
 
-Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius) {
+Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
+                const SurfaceOptions& options) {
   check(points, radius);
   check_normals(points, normals);
   Surface surface;
@@ -146,7 +158,7 @@ Surface surface(std::span<const Point3> points, std::span<const Point3> normals,
         if (normal.sign_along(normals[sites.order[i]]) <= 0) return false;
     return true;
   };
-  assemble(find_free_arcs(sites.points, radius), sites, agrees, surface);
+  assemble(arcs_of(sites, radius, options), sites, agrees, surface);
   return surface;
 }
 

@@ -262,6 +262,34 @@ TEST_CASE("points on a torus have a closed surface of genus 1") {
   CHECK(is_closed(exposed));
 }
 
+TEST_CASE("any number of threads, the same bytes; a run can be watched and cancelled") {
+  Random random(85);
+  const Points3 points = space_set(SpaceKind::noisy_sphere, 2500, random);
+  const Points3 normals = points;  // from the centre
+  std::size_t calls = 0, last = 0;
+  const auto watch = [&](const rbpa::Progress& p) {
+    ++calls;
+    CHECK(p.triangles >= last);
+    CHECK(p.points == points.size());
+    last = p.triangles;
+    return true;
+  };
+  const Surface one = exposed_triangles(points, 0.2, {.threads = 1, .progress = watch});
+  CHECK(calls > 20);
+  CHECK(last == one.triangles.size());
+  const Surface agreeing = rbpa::surface(points, normals, 0.2, {.threads = 1});
+  CHECK(agreeing.triangles.size() > 1000);
+  for (const unsigned threads : {2u, 5u, 0u}) {
+    const Surface several = exposed_triangles(points, 0.2, {.threads = threads});
+    CHECK(several.triangles == one.triangles);
+    CHECK(several.neighbors == one.neighbors);
+    CHECK(rbpa::surface(points, normals, 0.2, {.threads = threads}).neighbors == agreeing.neighbors);
+  }
+  for (const unsigned threads : {1u, 2u})
+    CHECK_THROWS_AS(exposed_triangles(points, 0.2, {.threads = threads, .progress = [](auto) { return false; }}),
+                    rbpa::Cancelled);
+}
+
 TEST_CASE("what is no input is refused by name; few points and far points are an answer") {
   constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
