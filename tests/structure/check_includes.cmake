@@ -39,7 +39,8 @@ set(arrows
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa/partial>rbpa rbpa/partial>rbpa/core rbpa/partial>rbpa/predicate rbpa/partial>rbpa/run rbpa/partial>rbpa/shape
   rbpa/partial>meshops/core rbpa/partial>meshops/topology
-  rbpa/space>rbpa/core rbpa/space>rbpa/run rbpa/space/pivot>rbpa/parallel rbpa/space>rbpa/space/pivot rbpa/space>rbpa/space/predicate
+  rbpa/space>rbpa/core rbpa/space>rbpa/run rbpa/space>meshops/core rbpa/space>meshops/patch
+  rbpa/space/pivot>rbpa/parallel rbpa/space>rbpa/space/pivot rbpa/space>rbpa/space/predicate
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate

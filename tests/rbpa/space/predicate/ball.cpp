@@ -139,6 +139,50 @@ TEST_CASE(
   CHECK(balls > 1000);
 }
 
+TEST_CASE("no filter decides wrongly: points on the sphere but for their rounding") {
+  // Of triangles as they come; much smaller than the ball; slivers; and as large as the ball allows, but for a few doubles.
+  enum { any, small, sliver, just, shapes };
+  using Long = rbpa::space::Vector3<long double>;
+  Random random(64);
+  int inside = 0, outside = 0;
+  for (int shape = 0; shape < shapes; ++shape)
+    for (int trial = 0; trial < 4000; ++trial) {
+      const auto near = [&](const Point3& p, double size) {
+        return Point3{p.x + size * random.between(-1, 1), p.y + size * random.between(-1, 1),
+                      p.z + size * random.between(-1, 1)};
+      };
+      const double size = shape == small ? 0x1p-9 : 1;
+      const Point3 a = near({}, 1), b = near(a, size);
+      const Point3 c =
+          shape == sliver ? near({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}, 0x1p-20) : near(a, size);
+      const Long u = rbpa::space::from<long double>(a, b), v = rbpa::space::from<long double>(a, c), n = cross(u, v);
+      const Long vn = cross(v, n), nu = cross(n, u);
+      const long double uu = dot(u, u), vv = dot(v, v), nn = dot(n, n);
+      Long o = {(uu * vn.x + vv * nu.x) / (2 * nn), (uu * vn.y + vv * nu.y) / (2 * nn),
+                (uu * vn.z + vv * nu.z) / (2 * nn)};
+      double radius = static_cast<double>(std::sqrt(dot(o, o)));
+      radius *= shape == just ? 1 + std::ldexp(random.integer(0, 64), random.integer(-52, -48)) : random.between(1, 3);
+      const long double height = std::sqrt(std::max(static_cast<long double>(radius) * radius - dot(o, o), 0.0L) / nn);
+      o = {o.x + height * n.x, o.y + height * n.y, o.z + height * n.z};
+      const Long d = rbpa::space::from<long double>({}, near({}, 1));
+      const long double out = radius / std::sqrt(dot(d, d));
+      const Point3 q = {double(a.x + o.x + out * d.x), double(a.y + o.y + out * d.y), double(a.z + o.z + out * d.z)};
+      const Ball<double> ball(a, b, c, radius);
+      CHECK(ball.rests() == (rbpa::space::exact::compare_circumradius(a, b, c, radius) <= 0));
+      if (!ball.rests()) continue;
+      const bool expected = rbpa::space::in_ball_exactly(a, b, c, radius, q);
+      if (ball.contains(q) != expected) FAIL_CHECK(shape);
+      ++(expected ? inside : outside);
+      // And a fourth point in the plane but for its rounding.
+      const double s = random.between(-2, 2), t = random.between(-2, 2);
+      const Point3 level = {double(a.x + s * u.x + t * v.x), double(a.y + s * u.y + t * v.y),
+                            double(a.z + s * u.z + t * v.z)};
+      CHECK(ball.side_of_plane(level) == rbpa::space::exact::orientation(a, b, c, level));
+    }
+  CHECK(inside > 4000);
+  CHECK(outside > 4000);
+}
+
 TEST_CASE("on a circle the perturbation is that of the plane, whichever way the plane lies") {
   const Points3 circle = {{5, 0, 0},  {4, 3, 0},  {3, 4, 0},  {0, 5, 0}, {-3, 4, 0},
                           {-4, 3, 0}, {-5, 0, 0}, {0, -5, 0}, {3, -4, 0}};
