@@ -24,9 +24,8 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
 
   std::size_t end = start;
   Ball<Real> ball = beginning;
-  // Of the points met so far that hold the ball at the beginning, the one that does so farthest from there.
-  std::size_t reach = none;
-  Ball<Real> reach_end;
+  std::size_t reach =
+      none;  // of the points met so far that hold the ball at the beginning, the one that does so farthest
   while (true) {
     const std::size_t q = holder(ball, end);
     if (q == none) return end;
@@ -34,11 +33,10 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
     const Ball<Real> next = leaving(q);
     if (!next.rests()) return none;  // it never lets go
     if (beginning.contains(points_[q])) {
-      // Either it holds the ball from the beginning to the end of the stretch, and on: farther than `reach`. Or from the end
-      // on, and past the beginning.
-      if (reach != none && (!reach_end.contains(points_[q]) || next.contains(points_[reach]))) return none;
+      // Either it holds the ball from the beginning to the end of the stretch and on, farther than `reach`; or it does so from
+      // the end on, past the beginning, or together with `reach` all around.
+      if (reach != none && next.contains(points_[reach])) return none;
       reach = q;
-      reach_end = next;
     }
     end = q;
     ball = next;

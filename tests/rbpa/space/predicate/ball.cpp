@@ -104,6 +104,7 @@ TEST_CASE_TEMPLATE("a ball says what rational numbers say", Real, double, long d
       if (!expected.rests) continue;
       just += expected.height == 0;
       const int side = expected.side(d);
+      CHECK(rbpa::space::exact::side_of_ball(s[0], s[1], s[2], radius, s[3]) == side);
       if (side != 0)
         CHECK(ball.contains(s[3]) == (side > 0));
       else if (above != 0)
