@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "io/interrupt.h"
 #include "rbpa/core/error.h"
 #include "stream/compute_state.h"
+#include "stream/compute_tile.h"
 #include "stream/cut_tiles.h"
 #include "stream/pass_progress.h"
 #include "stream/tile_file.h"
@@ -24,8 +26,6 @@ namespace rbpa::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Region region_of(const Box& box) { return {box.low.x, box.low.y, box.high.x, box.high.y}; }
 
 /// How many parts of the tree are done with each tile, in their order, that was the last of them.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
@@ -86,8 +86,7 @@ class Computation {
     try {
       while (const std::optional<std::size_t> position = take()) {
         PartialAndItems made = compute(order_[*position]);
-        if (!wait_for_turn(*position)) return;
-        commit(*position, std::move(made));
+        if (!hand_in(*position, std::move(made))) return;
       }
     } catch (...) {
       const std::lock_guard lock(mutex_);
@@ -101,9 +100,29 @@ class Computation {
     if (failure_ || next_ == order_.size()) return std::nullopt;
     return next_++;
   }
-  bool wait_for_turn(std::size_t position) {
+
+  /// Whoever has the next tile, and those that follow it, commits them all; others go on with further tiles meanwhile.
+  /// Returns false when a run has failed.
+  bool hand_in(std::size_t position, PartialAndItems made) {
+    // What a small tile has made is a small part of what computing one takes.
+    const bool is_small = manifest_.tiles[order_[position]].points <= budget_.tile_points / 8;
     std::unique_lock lock(mutex_);
-    turned_.wait(lock, [&] { return failure_ || state_.tiles_done == position; });
+    turned_.wait(lock, [&] {
+      return failure_ || state_.tiles_done == position || (is_small && ready_.size() < budget_.workers);
+    });
+    if (failure_) return false;
+    ready_.emplace(position, std::move(made));
+    if (is_committing_) return true;
+    is_committing_ = true;
+    while (!failure_ && !ready_.empty() && ready_.begin()->first == state_.tiles_done) {
+      auto next = ready_.extract(ready_.begin());
+      lock.unlock();
+      commit(next.key(), std::move(next.mapped()));
+      lock.lock();
+      ++state_.tiles_done;
+      turned_.notify_all();
+    }
+    is_committing_ = false;
     return !failure_;
   }
 
@@ -121,22 +140,19 @@ class Computation {
   IndexedPoints read(std::uint32_t tile) const {
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
     if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
-    IndexedPoints points;
-    points.points.reserve(reader.summary().points);
-    points.indices.reserve(reader.summary().points);
-    while (reader.next(points)) stop_if_interrupted();
-    return points;
+    return read_tile(reader);
   }
+
+  bool wants_triangles() const { return request_.wants(StreamFormat::npy) || request_.wants(StreamFormat::ply); }
 
   PartialAndItems compute(std::uint32_t tile) {
     stop_if_interrupted();
     const IndexedPoints points = points_of(tile);
-    PartialOptions options{.threads = budget_.workers > 1 ? 1 : request_.threads};
-    options.progress = [](const Progress&) { return !interrupted(); };
-    PartialAndItems made = partial_and_items(region_of(manifest_.tree.box(tile)), {points.points, points.indices},
-                                             request_.alpha, options);
+    const TileWork work{request_.alpha, budget_.workers > 1 ? 1 : request_.threads, wants_triangles()};
+    PartialAndItems made = compute_tile(manifest_.tree.box(tile), points, work);
     for (const StreamTarget& target : request_.targets)
-      if (target.format == StreamFormat::ply) write_tile_mesh(target.path, tile, points, made.owned.triangles);
+      if (target.format == StreamFormat::ply)
+        write_tile_mesh(tile_mesh_path(target.path, tile), points, made.owned.triangles);
     return made;
   }
 
@@ -151,23 +167,20 @@ class Computation {
       state_.open.pop_back();
       Partial& first = state_.open.back();
       first = merge(std::move(first), std::move(second));
+      keep_finished(first);
     }
-    keep_settled(state_.open.back());
+    if (ends_[position] == 0) keep_finished(state_.open.back());
     state_.points_done += manifest_.tiles[order_[position]].owned;
     progress_.at(state_.points_done, state_.points_done);
-    std::unique_lock lock(mutex_);
-    if (is_time_to_save(position)) {
-      lock.unlock();
-      save_progress(position + 1);
-      lock.lock();
-    }
-    state_.tiles_done = position + 1;
-    turned_.notify_all();
+    if (is_time_to_save(position)) save_progress(position + 1);
   }
 
-  void keep_settled(Partial& partial) {
-    const std::vector<CornerPolygon> polygons = take_settled(partial);
-    if (request_.wants_polygons()) polygons_.add(polygons);
+  /// It goes to files, or nowhere where it is not asked for: it would only grow.
+  void keep_finished(Partial& partial) {
+    const Finished finished = take_finished(partial);
+    if (!request_.wants_polygons()) return;
+    polygons_.add(finished.polygons);
+    polygons_.add(finished.holes);
   }
 
   /// So often that it takes a small part of the time.
@@ -201,10 +214,13 @@ class Computation {
   std::size_t begun_ = 0, cleared_ = 0;
   Clock::time_point saved_ = Clock::now();
   Clock::duration time_of_save_{0};
-  ComputeState state_ = {};  // of who has the turn; tiles_done of the mutex as well
+  ComputeState state_ = {};  // of who commits; tiles_done of the mutex as well
   std::mutex cutting_, mutex_;
   std::condition_variable turned_;
-  std::size_t next_ = 0;  // of the mutex
+  // Of the mutex:
+  std::size_t next_ = 0;
+  std::map<std::size_t, PartialAndItems> ready_ = {};  // computed, by position
+  bool is_committing_ = false;
   std::exception_ptr failure_ = nullptr;
   PassProgress progress_;
 };
