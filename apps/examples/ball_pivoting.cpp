@@ -1,5 +1,6 @@
 // Ball pivoting in space, after Bernardini, Mittleman, Rushmeier, Silva and Taubin (1999), as a policy of the advancing
-// front: points with normals on a torus become a closed surface of genus 1. Copy and change it.
+// front: points with normals on a torus become a closed surface of genus 1. Copy and change it. It decides with rounded
+// numbers; rbpa::surface() decides exactly, and has the same triangles where no decision is close.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 
 #include "meshops/front/engine.h"
 #include "meshops/topology/report.h"
+#include "rbpa/space/surface.h"
 
 using meshops::Front;
 using meshops::Halfedge;
@@ -127,6 +129,21 @@ std::vector<Sample> torus(double distance) {
   return samples;
 }
 
+/// The triangles of the mesh, each from its smallest site on, in order.
+std::vector<std::array<Site, 3>> triangles(const OpenMesh::TriMesh_ArrayKernelT<>& mesh,
+                                           const std::vector<Site>& site) {
+  std::vector<std::array<Site, 3>> found;
+  for (const meshops::Face f : mesh.faces()) {
+    auto corner = mesh.cfv_ccwbegin(f);
+    std::array<Site, 3> t;
+    for (Site& s : t) s = site[static_cast<std::size_t>((corner++)->idx())];
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    found.push_back(t);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
 int main() {
   const double distance = 0.07;
   const std::vector<Sample> samples = torus(distance);
@@ -146,4 +163,12 @@ int main() {
   std::cout << samples.size() << " points, " << topology.faces << " triangles, " << topology.components
             << " component, " << topology.boundary_curves << " boundary curves, genus " << *topology.genus << ", "
             << refusals.count << " proposals refused\n";
+
+  std::vector<rbpa::Point3> points, normals;
+  for (const Sample& s : samples) {
+    points.push_back({s.point[0], s.point[1], s.point[2]});
+    normals.push_back({s.normal[0], s.normal[1], s.normal[2]});
+  }
+  const bool same = triangles(mesh, site) == rbpa::surface(points, normals, 1.2 * distance).triangles;
+  std::cout << (same ? "the same triangles as rbpa::surface()\n" : "other triangles than rbpa::surface()\n");
 }

@@ -39,6 +39,11 @@ set(arrows
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa/partial>rbpa rbpa/partial>rbpa/core rbpa/partial>rbpa/predicate rbpa/partial>rbpa/run rbpa/partial>rbpa/shape
   rbpa/partial>meshops/core rbpa/partial>meshops/topology
+  rbpa/space>rbpa/core rbpa/space>rbpa/run rbpa/space>meshops/core rbpa/space>meshops/patch
+  rbpa/space/pivot>rbpa/parallel rbpa/space>rbpa/space/pivot rbpa/space>rbpa/space/predicate
+  rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
+  rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
+  rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
 
   # Programs: folders of ours first, then what each uses of the libraries.
@@ -60,10 +65,10 @@ set(arrows
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
   cli>rbpa cli>rbpa/filtration cli>rbpa/shape
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
-  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology)
+  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile)/")
+set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(pivot|predicate|search))/")
 
 set(checked 0)
 set(bad "")

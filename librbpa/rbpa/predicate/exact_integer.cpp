@@ -1,16 +1,11 @@
 #include "rbpa/predicate/exact_integer.h"
 
-#include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
-#include <cstdint>
 #include <initializer_list>
-#include <limits>
+
+#include "rbpa/predicate/integer_scale.h"
 
 namespace rbpa::exact_integer {
 namespace {
-
-using Integer = boost::multiprecision::cpp_int;
 
 struct Vector {
   Integer x, y;
@@ -19,38 +14,23 @@ struct Vector {
 Integer dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 Integer cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
 
-/// Turns doubles into integers by one power of two for all of them, so that homogeneous expressions keep their sign.
+/// Turns points, and a length, into integers.
 class Scale {
  public:
   Scale(std::initializer_list<Point> points, double length = 0) {
     for (const Point& p : points) {
-      include(p.x);
-      include(p.y);
+      scale_.include(p.x);
+      scale_.include(p.y);
     }
-    include(length);
+    scale_.include(length);
   }
 
-  Integer operator()(double value) const {
-    if (value == 0) return 0;
-    int exponent;
-    const double fraction = std::frexp(value, &exponent);
-    Integer mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    return mantissa << static_cast<unsigned>(exponent - 53 - unit_);
-  }
+  Integer operator()(double value) const { return scale_(value); }
 
-  Vector from(const Point& a, const Point& b) const {
-    return {(*this)(b.x) - (*this)(a.x), (*this)(b.y) - (*this)(a.y)};
-  }
+  Vector from(const Point& a, const Point& b) const { return {scale_(b.x) - scale_(a.x), scale_(b.y) - scale_(a.y)}; }
 
  private:
-  void include(double value) {
-    if (value == 0) return;
-    int exponent;
-    std::frexp(value, &exponent);
-    unit_ = std::min(unit_, exponent - 53);
-  }
-
-  int unit_ = std::numeric_limits<int>::max();
+  IntegerScale scale_;
 };
 
 }  // namespace

@@ -1,0 +1,20 @@
+// What: a point of space, in the coordinates the user gave.
+#pragma once
+
+#include <cmath>
+#include <compare>
+
+namespace rbpa {
+
+/// A point of space, or a vector; any finite value. The order is lexicographic, x before y before z, and −0 equals +0.
+struct Point3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  friend constexpr bool operator==(const Point3&, const Point3&) = default;
+  friend constexpr auto operator<=>(const Point3&, const Point3&) = default;
+};
+
+inline bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+}  // namespace rbpa

@@ -1,0 +1,39 @@
+// What: doubles as integers, all multiplied by one power of two.
+// Law:  exact; an expression that is homogeneous in all of them keeps its sign.
+// Cost: grows with the span of the exponents.
+#pragma once
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace rbpa {
+
+using Integer = boost::multiprecision::cpp_int;
+
+class IntegerScale {
+ public:
+  /// Before the first number is asked for.
+  void include(double value) {
+    if (value == 0) return;
+    int exponent;
+    std::frexp(value, &exponent);
+    unit_ = std::min(unit_, exponent - 53);
+  }
+
+  /// Requires: the value was included.
+  Integer operator()(double value) const {
+    if (value == 0) return 0;
+    int exponent;
+    const double fraction = std::frexp(value, &exponent);
+    Integer mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+    return mantissa << static_cast<unsigned>(exponent - 53 - unit_);
+  }
+
+ private:
+  int unit_ = std::numeric_limits<int>::max();
+};
+
+}  // namespace rbpa

@@ -1,0 +1,95 @@
+#include "rbpa/space/predicate/exact.h"
+
+#include <initializer_list>
+
+#include "rbpa/predicate/integer_scale.h"
+
+namespace rbpa::space::exact {
+namespace {
+
+struct Vector {
+  Integer x, y, z;
+};
+
+Integer dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+Vector cross(const Vector& u, const Vector& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
+
+/// Turns points, and a length, into integers.
+class Scale {
+ public:
+  Scale(std::initializer_list<Point3> points, double length = 0) {
+    for (const Point3& p : points) {
+      scale_.include(p.x);
+      scale_.include(p.y);
+      scale_.include(p.z);
+    }
+    scale_.include(length);
+  }
+
+  Integer operator()(double value) const { return scale_(value); }
+  Vector operator()(const Point3& p) const { return {scale_(p.x), scale_(p.y), scale_(p.z)}; }
+
+ private:
+  IntegerScale scale_;
+};
+
+/// A triangle with its corner a at the origin.
+struct Corners {
+  Corners(const Scale& scale, const Point3& a, const Point3& b, const Point3& c)
+      : origin(scale(a)), u(scale(b) - origin), v(scale(c) - origin), n(cross(u, v)) {}
+
+  Vector origin, u, v;
+  Vector n;  ///< normal, of the length of twice the area
+};
+
+/// 4 radius² n² − u² v² (u − v)²: not negative when the circumradius is at most the radius.
+Integer clearance(const Corners& t, const Integer& radius) {
+  const Vector w = t.u - t.v;
+  return 4 * radius * radius * dot(t.n, t.n) - dot(t.u, t.u) * dot(t.v, t.v) * dot(w, w);
+}
+
+}  // namespace
+
+int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const Scale scale{a, b, c, d};
+  const Corners t(scale, a, b, c);
+  return dot(t.n, scale(d) - t.origin).sign();
+}
+
+int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, double radius) {
+  const Scale scale({a, b, c}, radius);
+  return -clearance(Corners(scale, a, b, c), scale(radius)).sign();
+}
+
+int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q) {
+  const Scale scale({a, b, c, q}, radius);
+  const Corners t(scale, a, b, c);
+  const Vector d = scale(q) - t.origin;
+  // The power of q is (A − B √D) / n², docs/surface.md.
+  const Vector vn = cross(t.v, t.n), nu = cross(t.n, t.u);
+  const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v);
+  const Integer A = dot(t.n, t.n) * dot(d, d) - uu * dot(vn, d) - vv * dot(nu, d), B = dot(t.n, d);
+  const int sign_a = A.sign(), sign_b = B.sign();
+  if (sign_b == 0) return -sign_a;
+  const Integer D = clearance(t, scale(radius));
+  if (D == 0) return -sign_a;
+  if (sign_a != sign_b) return sign_a == 0 ? sign_b : -sign_a;
+  const Integer squares = A * A - B * B * D;
+  return -sign_a * squares.sign();
+}
+
+int normal_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& normal) {
+  const Scale scale{a, b, c}, own{normal};  // the sign does not change with the length of the normal
+  return dot(Corners(scale, a, b, c).n, own(normal)).sign();
+}
+
+int compare_normals(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
+                    const Point3& f) {
+  const Scale scale{a, b, c, d, e, f};
+  return dot(Corners(scale, a, b, c).n, Corners(scale, d, e, f).n).sign();
+}
+
+}  // namespace rbpa::space::exact

@@ -1,0 +1,28 @@
+// What: the signs behind every decision in space, in integers of any length: the last stage of each predicate.
+// Law:  each is the sign that its comment names, for all finite doubles.
+// Cost: microseconds, growing with the span of the exponents.
+#pragma once
+
+#include "rbpa/core/point3.h"
+
+namespace rbpa::space::exact {
+
+/// Sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
+int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+
+/// Sign of (circumradius of (a, b, c)) − radius; that of points on a line is infinite.
+int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, double radius);
+
+/// The side of q with respect to the ball that touches a, b, c, with its centre on the positive side of them: 1 when q is
+/// inside, −1 when outside, 0 when it touches too.
+/// Requires: the circumradius of (a, b, c) is at most the radius.
+int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
+
+/// Sign of (b − a) × (c − a) · normal.
+int normal_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& normal);
+
+/// Sign of (b − a) × (c − a) · (e − d) × (f − d).
+int compare_normals(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
+                    const Point3& f);
+
+}  // namespace rbpa::space::exact

@@ -1,0 +1,112 @@
+#include "rbpa/space/surface_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "meshops/core/contract.h"
+#include "meshops/patch/assembler.h"
+#include "rbpa/core/error.h"
+#include "rbpa/run/input.h"
+
+namespace rbpa {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The triangles as one patch, on sites that are their corners yet: corner k of triangle t is 3t + k.
+meshops::Patch patch_of(const Surface& surface) {
+  meshops::Patch patch;
+  const auto& triangles = surface.triangles;
+  const std::size_t count = triangles.size();
+  if (surface.neighbors.size() != count)
+    throw meshops::ContractViolation("surface_mesh: neighbours of other triangles");
+  patch.triangles.resize(count);
+  patch.across.resize(count);
+  for (std::size_t t = 0; t < count; ++t)
+    for (std::size_t side = 0; side < 3; ++side) {
+      patch.triangles[t][side] = static_cast<meshops::Site>(3 * t + side);
+      // From corner `side` to the next, which is across from the one after.
+      const std::uint32_t other = surface.neighbors[t][(side + 2) % 3];
+      int& across = patch.across[t][side];
+      across = meshops::Patch::nothing;
+      if (other == Surface::none) continue;
+      for (std::size_t j = 0; j < 3 && other < count; ++j)
+        if (surface.neighbors[other][(j + 2) % 3] == t && triangles[other][j] == triangles[t][(side + 1) % 3] &&
+            triangles[other][(j + 1) % 3] == triangles[t][side])
+          across = static_cast<int>(3 * other + j);
+      if (across == meshops::Patch::nothing)
+        throw meshops::ContractViolation("surface_mesh: triangle " + std::to_string(t) +
+                                         " has a neighbour that does not know it");
+    }
+  return patch;
+}
+
+/// Of each corner, the least corner of its fan.
+std::vector<std::uint32_t> fans_of(const meshops::Patch& patch) {
+  std::vector<std::uint32_t> least(3 * patch.triangles.size());
+  std::iota(least.begin(), least.end(), std::uint32_t{0});
+  const auto root = [&](std::uint32_t i) {
+    while (least[i] != i) i = least[i] = least[least[i]];
+    return i;
+  };
+  const auto join = [&](std::uint32_t i, std::uint32_t j) {
+    i = root(i), j = root(j);
+    least[std::max(i, j)] = std::min(i, j);
+  };
+  for (std::uint32_t side = 0; side < least.size(); ++side) {
+    const int across = patch.across[side / 3][side % 3];
+    if (across < 0) continue;
+    const auto other = static_cast<std::uint32_t>(across);
+    const auto end = [](std::uint32_t s) { return s - s % 3 + (s % 3 + 1) % 3; };  // the corner at which side s ends
+    join(side, end(other));
+    join(end(side), other);
+  }
+  for (std::uint32_t i = 0; i < least.size(); ++i) least[i] = root(i);
+  return least;
+}
+
+}  // namespace
+
+SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface) {
+  if (surface.triangles.size() > max_points)
+    throw InvalidInput(std::to_string(surface.triangles.size()) + " triangles, expected at most " +
+                       std::to_string(max_points) + ", whose halfedges can be numbered in int");
+  for (const Triangle& t : surface.triangles)
+    for (const std::uint32_t i : t)
+      if (i >= points.size())
+        throw meshops::ContractViolation("surface_mesh: corner " + std::to_string(i) + " of " +
+                                         std::to_string(points.size()) + " points");
+  meshops::Patch patch = patch_of(surface);
+  const std::vector<std::uint32_t> fan = fans_of(patch);
+
+  // A fan is a site for the assembler, so that each has one: numbered by points, fans of one point as their triangles are.
+  const auto point_of = [&](std::uint32_t corner) { return surface.triangles[corner / 3][corner % 3]; };
+  std::vector<std::uint32_t> fans;
+  for (std::uint32_t corner = 0; corner < fan.size(); ++corner)
+    if (fan[corner] == corner) fans.push_back(corner);
+  std::sort(fans.begin(), fans.end(), [&](std::uint32_t f, std::uint32_t g) {
+    return point_of(f) != point_of(g) ? point_of(f) < point_of(g) : f < g;
+  });
+  std::vector<meshops::Site> site(fan.size());
+  for (std::size_t i = 0; i < fans.size(); ++i) site[fans[i]] = static_cast<meshops::Site>(i);
+  for (auto& corners : patch.triangles)
+    for (meshops::Site& corner : corners) corner = site[fan[corner]];
+
+  SurfaceMesh result;
+  meshops::PatchAssembler assembler(result.mesh, fans.size());
+  assembler.lay(patch);
+  result.input_index = std::move(assembler).join().finish();
+  for (std::size_t v = 0; v < result.input_index.size(); ++v) {
+    const std::uint32_t index = point_of(fans[result.input_index[v]]);
+    const Point3& p = points[index];
+    result.mesh.set_point(Mesh::VertexHandle(static_cast<int>(v)), {p.x, p.y, p.z});
+    result.input_index[v] = index;
+  }
+  return result;
+}
+
+}  // namespace rbpa

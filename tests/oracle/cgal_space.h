@@ -1,0 +1,28 @@
+// What: the exposed triangles as CGAL says: its Delaunay triangulation in space, with the closed alpha complex by exact
+//       radii; and its own Fixed alpha shape.
+// Law:  shares nothing with the library: the definition by the complex, not by balls.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/point3.h"
+#include "support/triangle.h"
+
+namespace rbpa_test {
+
+/// E_r, and how its triangles are glued: canonical triangles by the lowest input indices; of each, neighbour k is the one
+/// across from corner k.
+struct ExposedByCgal {
+  std::vector<Triangle> triangles, neighbors;
+};
+
+/// Of the closed alpha complex in the Delaunay triangulation. Requires: finite points.
+ExposedByCgal exposed_by_delaunay(std::span<const rbpa::Point3> points, double radius);
+
+/// The exposed triangles that Fixed_alpha_shape_3 calls regular (once, oriented outward) and singular (twice).
+std::vector<Triangle> exposed_by_alpha_shape(std::span<const rbpa::Point3> points, double radius);
+
+}  // namespace rbpa_test

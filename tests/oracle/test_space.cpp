@@ -1,0 +1,158 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "oracle/arguments.h"
+#include "oracle/cgal_space.h"
+#include "rbpa/space/surface.h"
+#include "support/data_folder.h"
+#include "support/space_sets.h"
+
+using namespace rbpa_test;
+using rbpa::Point3;
+using rbpa::Surface;
+
+namespace {
+
+void check(const Points3& points, double radius) {
+  const Surface actual = rbpa::exposed_triangles(points, radius);
+  const ExposedByCgal expected = exposed_by_delaunay(points, radius);
+  CHECK(difference(expected.triangles, actual.triangles) == "");
+  CHECK(expected.neighbors == actual.neighbors);
+}
+
+/// For people: the points and the radius as doubles that read back.
+std::string text(const Points3& points, double radius) {
+  std::ostringstream out;
+  out << std::hexfloat << "radius " << radius << ", points";
+  for (const Point3& p : points) out << " {" << p.x << ", " << p.y << ", " << p.z << "}";
+  return out.str();
+}
+
+struct Scan {
+  std::string name;
+  Points3 points, normals;
+};
+
+/// The .xyz files of the larger collection with `smallest` to `largest` points; none where there is none.
+std::vector<Scan> scans(std::size_t smallest, std::size_t largest) {
+  std::vector<Scan> found;
+  if (!std::filesystem::is_directory(further_data())) return found;
+  for (const auto& entry : std::filesystem::directory_iterator(further_data())) {
+    if (entry.path().extension() != ".xyz") continue;
+    Scan scan{entry.path().stem().string(), {}, {}};
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream numbers(line);
+      Point3 p, n;
+      if (!(numbers >> p.x >> p.y >> p.z)) throw std::runtime_error(entry.path().string() + ": " + line);
+      scan.points.push_back(p);
+      if (numbers >> n.x >> n.y >> n.z) scan.normals.push_back(n);
+    }
+    if (scan.points.size() >= smallest && scan.points.size() <= largest) found.push_back(std::move(scan));
+  }
+  std::sort(found.begin(), found.end(), [](const Scan& s, const Scan& t) { return s.name < t.name; });
+  return found;
+}
+
+/// About the distance of neighbours: the median over some points of that to the nearest.
+double spacing(const Points3& points) {
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < points.size(); i += points.size() / 60 + 1) {
+    double least = INFINITY;
+    for (const Point3& q : points)
+      if (q != points[i]) least = std::min(least, std::hypot(q.x - points[i].x, q.y - points[i].y, q.z - points[i].z));
+    nearest.push_back(least);
+  }
+  std::nth_element(nearest.begin(), nearest.begin() + static_cast<long>(nearest.size() / 2), nearest.end());
+  return nearest[nearest.size() / 2];
+}
+
+Points3 on_sphere(std::size_t count, double noise, std::uint64_t seed) {
+  Random random(seed);
+  Points3 points;
+  while (points.size() < count) {
+    const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const double size = std::hypot(p.x, p.y, p.z), out = (1 + noise * random.between(-1, 1)) / size;
+    if (size > 0.1 && size < 1) points.push_back({out * p.x, out * p.y, out * p.z});
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("small sets of every kind: the exposed triangles and their pivots are CGAL's alpha complex") {
+  const std::uint64_t trials = argument("count", 2000) / space_kinds;
+  std::size_t triangles = 0, compared = 0;
+  for (int k = 0; k < space_kinds; ++k) {
+    Random random(100 + static_cast<std::uint64_t>(k));
+    CAPTURE(name(static_cast<SpaceKind>(k)));
+    for (std::uint64_t trial = 0; trial < trials; ++trial) {
+      const Points3 points = space_set(static_cast<SpaceKind>(k), 1 + random.below(24), random);
+      const double radius = space_radius(points, random);
+      const Surface actual = rbpa::exposed_triangles(points, radius);
+      const ExposedByCgal expected = exposed_by_delaunay(points, radius);
+      if (actual.triangles != expected.triangles || actual.neighbors != expected.neighbors)
+        FAIL_CHECK(text(points, radius));
+      triangles += expected.triangles.size();
+      if (trial % 8 != 0) continue;
+      const auto shape = exposed_by_alpha_shape(points, radius);
+      if (shape.empty()) continue;  // of points of a plane it has none
+      ++compared;
+      if (actual.triangles != shape) FAIL_CHECK(text(points, radius));
+    }
+  }
+  CHECK(triangles > 10 * trials);
+  CHECK(compared > trials / 4);
+}
+
+TEST_CASE("integer grids at exactly critical radii") {
+  for (const int columns : {3, 5}) {
+    Points3 points;
+    for (int x = 0; x < columns; ++x)
+      for (int y = 0; y < columns; ++y)
+        for (int z = 0; z < columns; ++z) points.push_back({2.0 * x, 4.0 * y, 4.0 * z});  // diagonals of 6
+    for (const double radius : {1.0, 2.0, 2.5, 3.0, 4.0}) check(points, radius);
+    Random random(5);
+    random.shuffle(points);
+    points.resize(points.size() * 2 / 3);
+    for (const double radius : {1.0, 2.0, std::sqrt(5), 3.0, 4.5, 6.0, 20.0}) check(points, radius);
+  }
+}
+
+TEST_CASE("spheres, smooth and noisy, from below the spacing to many times it") {
+  const std::size_t count = argument("points", 400);
+  const double pitch = std::sqrt(4 * 3.14159 / static_cast<double>(count));
+  for (const double noise : {0.0, 0.1 * pitch, pitch, 2 * pitch})
+    for (const double radii : {0.4, 0.7, 1.0, 2.0, 5.0, 12.0}) check(on_sphere(count, noise, 9), radii * pitch);
+}
+
+TEST_CASE("scans and models of others") {
+  for (const Scan& scan : scans(argument("smallest", 0), argument("largest", 1000))) {
+    CAPTURE(scan.name);
+    const double pitch = spacing(scan.points);
+    for (const double radii : {0.8, 1.5, 3.0}) {
+      CAPTURE(radii);
+      check(scan.points, radii * pitch);
+    }
+  }
+}
+
+TEST_CASE("the oracles see what is wrong") {
+  const Points3 points = on_sphere(50, 0, 3);
+  const Surface exposed = rbpa::exposed_triangles(points, 0.5);
+  REQUIRE(exposed.triangles.size() > 50);
+  auto wrong = exposed.triangles;
+  std::swap(wrong.back()[1], wrong.back()[2]);
+  CHECK(difference(exposed_by_delaunay(points, 0.5).triangles, canonical(wrong)) != "");
+  CHECK(exposed_by_alpha_shape(points, 0.5) == exposed.triangles);
+  CHECK(exposed_by_alpha_shape(points, 0.5) != canonical(wrong));
+  CHECK(exposed_by_delaunay(points, 0.4).triangles != exposed.triangles);
+}

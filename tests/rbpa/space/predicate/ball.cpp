@@ -1,0 +1,250 @@
+#include "rbpa/space/predicate/ball.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "oracle/rational.h"
+#include "rbpa/predicate/predicates.h"
+#include "rbpa/space/predicate/normal_sign.h"
+#include "rbpa/space/search/scale.h"
+#include "support/space_sets.h"
+
+using namespace rbpa_test;
+using rbpa::Point3;
+using rbpa::space::Ball;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+struct Vector {
+  Rational x, y, z;
+};
+Vector from(const Point3& a, const Point3& b) {
+  return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y), rational(b.z) - rational(a.z)};
+}
+Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+/// The determinant of the three as rows.
+Rational det(const Vector& u, const Vector& v, const Vector& w) {
+  return u.x * (v.y * w.z - v.z * w.y) - u.y * (v.x * w.z - v.z * w.x) + u.z * (v.x * w.y - v.y * w.x);
+}
+int sign(const Rational& r) { return r.sign(); }
+
+/// The ball as textbooks have it: the circumcentre solves 2u·x = u², 2v·x = v², n·x = 0, and the centre is h normals above.
+struct RationalBall {
+  RationalBall(const Point3& a, const Point3& b, const Point3& c, double radius)
+      : u(from(a, b)), v(from(a, c)), n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x} {
+    const Rational all = 2 * dot(n, n);
+    if (all == 0) return;
+    // By Cramer's rule: right sides in the place of a column.
+    const Rational p = dot(u, u), q = dot(v, v);
+    centre.x = det({p, u.y, u.z}, {q, v.y, v.z}, {0, n.y, n.z}) / all;
+    centre.y = det({u.x, p, u.z}, {v.x, q, v.z}, {n.x, 0, n.z}) / all;
+    centre.z = det({u.x, u.y, p}, {v.x, v.y, q}, {n.x, n.y, 0}) / all;
+    height = (rational(radius) * rational(radius) - dot(centre, centre)) / dot(n, n);
+    rests = height >= 0;
+  }
+  /// 1 inside, −1 outside, 0 where the ball touches d, which is relative to a.
+  int side(const Vector& d) const {
+    // |d|² − 2 centre · d − 2 √height (n · d)
+    const Rational plain = dot(d, d) - 2 * dot(centre, d), factor = 2 * dot(n, d);
+    const Rational squares = plain * plain - factor * factor * height;
+    if (sign(plain) != sign(factor)) return sign(plain) != 0 ? -sign(plain) : height == 0 ? 0 : sign(factor);
+    return -sign(plain) * sign(squares);
+  }
+
+  Vector u, v, n, centre{};
+  Rational height;  // in normals, squared
+  bool rests = false;
+};
+
+template <typename Real>
+bool fits(const Points3& points, double radius) {
+  return !std::is_same_v<Real, double> || rbpa::space::scale_to_double(points, radius) == 0;
+}
+
+bool on_integers(SpaceKind kind) {
+  return kind == SpaceKind::grid || kind == SpaceKind::cospherical || kind == SpaceKind::plane_grid;
+}
+
+/// Four different ones, and a radius that the first three decide, or that is a tie with the fourth.
+bool draw(SpaceKind kind, Random& random, Points3& s, double& radius) {
+  s = space_set(kind, 4 + random.below(3), random);
+  radius = space_radius(s, random);
+  static constexpr std::array ties = {0.5, 1.0, 1.5, 2.5, 3.0, 5.0, 9.0};
+  if (on_integers(kind) && random.chance(0.7)) radius = ties[random.below(ties.size())];
+  std::sort(s.begin(), s.end());
+  s.erase(std::unique(s.begin(), s.end()), s.end());
+  random.shuffle(s);
+  return s.size() >= 4;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("a ball says what rational numbers say", Real, double, long double) {
+  Random random(61);
+  int touching = 0, level = 0, just = 0;
+  for (int k = 0; k < space_kinds; ++k) {
+    const auto kind = static_cast<SpaceKind>(k);
+    CAPTURE(name(kind));
+    for (int trial = 0; trial < (on_integers(kind) ? 6000 : 600); ++trial) {
+      Points3 s;
+      double radius;
+      if (!draw(kind, random, s, radius) || !fits<Real>(s, radius)) continue;
+      const RationalBall expected(s[0], s[1], s[2], radius);
+      const Ball<Real> ball(s[0], s[1], s[2], radius);
+      REQUIRE(ball.rests() == expected.rests);
+      const Vector d = from(s[0], s[3]);
+      const int above = sign(dot(expected.n, d));
+      CHECK(ball.side_of_plane(s[3]) == above);
+      if (!expected.rests) continue;
+      just += expected.height == 0;
+      const int side = expected.side(d);
+      CHECK(rbpa::space::exact::side_of_ball(s[0], s[1], s[2], radius, s[3]) == side);
+      if (side != 0)
+        CHECK(ball.contains(s[3]) == (side > 0));
+      else if (above != 0)
+        CHECK(ball.contains(s[3]) == (above > 0));  // what grows takes what is above
+      touching += side == 0 && above != 0;
+      level += side == 0 && above == 0;
+    }
+  }
+  CHECK(touching > 20);
+  CHECK(level > 100);
+  CHECK(just > 20);
+}
+
+TEST_CASE(
+    "a ball is the same from whichever corner it is seen, and has the other side of the plane where the corners turn "
+    "back") {
+  Random random(62);
+  int balls = 0;
+  for (int k = 0; k < space_kinds; ++k)
+    for (int trial = 0; trial < 400; ++trial) {
+      Points3 s;
+      double radius;
+      if (!draw(static_cast<SpaceKind>(k), random, s, radius)) continue;
+      using Wide = Ball<long double>;
+      const Wide ball(s[0], s[1], s[2], radius), turned(s[1], s[2], s[0], radius);
+      REQUIRE(ball.rests() == turned.rests());
+      if (!ball.rests()) continue;
+      ++balls;
+      CHECK(ball.contains(s[3]) == turned.contains(s[3]));
+      const Wide back(s[1], s[0], s[2], radius);
+      CHECK(ball.side_of_plane(s[3]) == -back.side_of_plane(s[3]));
+    }
+  CHECK(balls > 1000);
+}
+
+TEST_CASE("no filter decides wrongly: points on the sphere but for their rounding") {
+  // Of triangles as they come; much smaller than the ball; slivers; and as large as the ball allows, but for a few doubles.
+  enum { any, small, sliver, just, shapes };
+  using Long = rbpa::space::Vector3<long double>;
+  Random random(64);
+  int inside = 0, outside = 0;
+  for (int shape = 0; shape < shapes; ++shape)
+    for (int trial = 0; trial < 4000; ++trial) {
+      const auto near = [&](const Point3& p, double size) {
+        return Point3{p.x + size * random.between(-1, 1), p.y + size * random.between(-1, 1),
+                      p.z + size * random.between(-1, 1)};
+      };
+      const double size = shape == small ? 0x1p-9 : 1;
+      const Point3 a = near({}, 1), b = near(a, size);
+      const Point3 c =
+          shape == sliver ? near({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}, 0x1p-20) : near(a, size);
+      const Long u = rbpa::space::from<long double>(a, b), v = rbpa::space::from<long double>(a, c), n = cross(u, v);
+      const Long vn = cross(v, n), nu = cross(n, u);
+      const long double uu = dot(u, u), vv = dot(v, v), nn = dot(n, n);
+      Long o = {(uu * vn.x + vv * nu.x) / (2 * nn), (uu * vn.y + vv * nu.y) / (2 * nn),
+                (uu * vn.z + vv * nu.z) / (2 * nn)};
+      double radius = static_cast<double>(std::sqrt(dot(o, o)));
+      radius *= shape == just ? 1 + std::ldexp(random.integer(0, 64), random.integer(-52, -48)) : random.between(1, 3);
+      const long double height = std::sqrt(std::max(static_cast<long double>(radius) * radius - dot(o, o), 0.0L) / nn);
+      o = {o.x + height * n.x, o.y + height * n.y, o.z + height * n.z};
+      const Long d = rbpa::space::from<long double>({}, near({}, 1));
+      const long double out = radius / std::sqrt(dot(d, d));
+      const Point3 q = {double(a.x + o.x + out * d.x), double(a.y + o.y + out * d.y), double(a.z + o.z + out * d.z)};
+      const Ball<double> ball(a, b, c, radius);
+      CHECK(ball.rests() == (rbpa::space::exact::compare_circumradius(a, b, c, radius) <= 0));
+      if (!ball.rests()) continue;
+      const bool expected = rbpa::space::in_ball_exactly(a, b, c, radius, q);
+      if (ball.contains(q) != expected) FAIL_CHECK(shape);
+      ++(expected ? inside : outside);
+      // And a fourth point in the plane but for its rounding.
+      const double s = random.between(-2, 2), t = random.between(-2, 2);
+      const Point3 level = {double(a.x + s * u.x + t * v.x), double(a.y + s * u.y + t * v.y),
+                            double(a.z + s * u.z + t * v.z)};
+      CHECK(ball.side_of_plane(level) == rbpa::space::exact::orientation(a, b, c, level));
+    }
+  CHECK(inside > 4000);
+  CHECK(outside > 4000);
+}
+
+TEST_CASE("on a circle the perturbation is that of the plane, whichever way the plane lies") {
+  const Points3 circle = {{5, 0, 0},  {4, 3, 0},  {3, 4, 0},  {0, 5, 0}, {-3, 4, 0},
+                          {-4, 3, 0}, {-5, 0, 0}, {0, -5, 0}, {3, -4, 0}};
+  const auto flat = [](const Point3& p) { return rbpa::Point{p.x, p.y}; };
+  const auto standing = [](const Point3& p) { return Point3{p.x, 7, p.y}; };  // keeps the lexicographic order
+  int inside = 0;
+  for (const Point3& a : circle)
+    for (const Point3& b : circle)
+      for (const Point3& c : circle)
+        for (const Point3& q : circle) {
+          if (a == b || a == c || b == c || q == a || q == b || q == c) continue;
+          using Plane = rbpa::Predicates<double>;
+          const bool left = Plane::orientation(flat(a), flat(b), flat(c)) > 0;
+          const bool expected =
+              Plane::in_perturbed_circle(flat(left ? a : b), flat(left ? b : a), flat(c), flat(q)) > 0;
+          inside += expected;
+          for (const double radius : {5.0, 6.0}) {
+            CHECK(Ball<double>(a, b, c, radius).contains(q) == expected);
+            CHECK(Ball<long double>(standing(a), standing(b), standing(c), radius).contains(standing(q)) == expected);
+          }
+        }
+  CHECK(inside > 500);
+}
+
+TEST_CASE("a ball of exactly the circumradius rests; one a double smaller does not") {
+  const Point3 a{3, 4, 0}, b{-4, 3, 0}, c{0, -5, 0};
+  CHECK(Ball<double>(a, b, c, 5).rests());
+  CHECK(!Ball<double>(a, b, c, std::nextafter(5, 0)).rests());
+  CHECK(!Ball<double>({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, 1e9).rests());  // on a line
+}
+
+TEST_CASE("points and a radius that a power of two brings into the range of double are told by it") {
+  using rbpa::space::scale_to_double;
+  CHECK(scale_to_double(Points3{}, 1) == 0);
+  CHECK(scale_to_double(Points3{{0, 0, 0}, {1, -2, 3}}, 0.1) == 0);
+  const Points3 far = {{0x1p900, 0, 0}, {0, -0x1.8p901, 1 * 0x1p880}};
+  const auto down = scale_to_double(far, 0x1p890);
+  REQUIRE(down);
+  CHECK(std::ldexp(0x1p880, *down) >= 0x1p-98);
+  CHECK(std::ldexp(0x1.8p901, *down) < 0x1p150);
+  CHECK(scale_to_double(Points3{{0x1p-900, 0, 0}}, 0x1p-890) > 700);
+  CHECK(!scale_to_double(Points3{{0x1p-200, 0, 0}, {0x1p200, 0, 0}}, 1));
+  CHECK(!scale_to_double(Points3{{1, 0, 0}}, 0x1p300));
+  CHECK(scale_to_double(Points3{{0x1p-1074, 0, 0}}, 0x1p-1070) == 1074 - 150);
+}
+
+TEST_CASE("a triangle's normal says what rational numbers say") {
+  Random random(63);
+  int none = 0;
+  for (int k = 0; k < space_kinds; ++k)
+    for (int trial = 0; trial < 400; ++trial) {
+      Points3 s = space_set(static_cast<SpaceKind>(k), 4, random);
+      if (s.size() < 4) continue;
+      Point3 m = random.chance(0.5) ? s[3] : random_normals(1, random).front();
+      if (random.chance(0.2)) m = {m.x * 0x1p-1000, m.y * 0x1p-1060, m.z * 0x1p-1020};
+      const Vector u = from(s[0], s[1]), v = from(s[0], s[2]), w{rational(m.x), rational(m.y), rational(m.z)};
+      const int expected = sign(det(u, v, w));
+      none += expected == 0;
+      CHECK(rbpa::space::TriangleNormal(s[0], s[1], s[2]).sign_along(m) == expected);
+    }
+  CHECK(none > 300);
+}
+
+TEST_SUITE_END();
