@@ -1,6 +1,7 @@
 #include "io/gis/poly_polygons.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -51,10 +52,11 @@ class PolyReader {
     return parsed.value;
   }
   std::size_t whole(const std::string& what, std::size_t greatest) {
+    std::string_view ahead = rest_;
+    const std::string_view word = take_word(ahead);
     const double value = number(what);
-    if (!(value >= 0 && value <= static_cast<double>(greatest)) ||
-        value != static_cast<double>(static_cast<std::size_t>(value)))
-      refuse(std::string(ShortestText(value)), what + ": a whole number from 0 to " + std::to_string(greatest));
+    if (!(value >= 0 && value <= static_cast<double>(greatest)) || value != std::floor(value))
+      refuse(in_quotes(word), what + ": a whole number from 0 to " + std::to_string(greatest));
     return static_cast<std::size_t>(value);
   }
   /// No file has more things than bytes.

@@ -105,8 +105,8 @@ void check_number(const Outline& outline, double size, double said) {
   constexpr double of_unit = 0.4330127018922193;  // √3 / 4, the area of a triangle of sides 1
   const double triangles = twice.rounded(-1) / (of_unit * size * size);
   if (!(triangles <= max_triangles))
-    throw InvalidInput("size: found " + text(said) + ", at which about " + text(triangles) +
-                       " triangles would be made, expected one of at most " + text(max_triangles));
+    throw InvalidInput("size: found " + text(said) + ", at which more than " + text(max_triangles) +
+                       " triangles would be made, expected a larger one");
 }
 
 /// Lengths are squared: coordinates that are far too large or small for that are multiplied by a power of two for a while,
