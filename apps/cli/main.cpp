@@ -1,6 +1,7 @@
 // The program `rbpa`: what its command line takes, and what its exit codes mean.
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -10,12 +11,15 @@
 #include "cli/alpha_verb.h"
 #include "cli/fill_verb.h"
 #include "cli/info_verb.h"
+#include "cli/merge_verb.h"
 #include "cli/mesh_verb.h"
 #include "cli/report_verb.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
 #include "cli/shared_options.h"
+#include "cli/stream_arguments.h"
 #include "cli/stream_verb.h"
+#include "cli/tile_verb.h"
 #include "io/descriptor.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -187,6 +191,11 @@ void add_stream(CLI::App& app, StreamArguments& arguments) {
   verb.add_option("--tile-size", arguments.tile_size, "Points of a tile, at most; by default as many as memory allows")
       ->type_name("S");
   add_switch(verb, "--keep-tiles", arguments.keep_tiles, "Leave the files of tiles in --scratch");
+  verb.add_option(
+          "--tasks", arguments.tasks,
+          "Cut only, and write to this folder, new or empty, the lists of commands (rbpa tile, rbpa merge) that do "
+          "the rest, on any machines that see it; --memory is for each of them")
+      ->type_name("DIR");
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
@@ -240,6 +249,52 @@ void add_fill(CLI::App& app, FillArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_tile(CLI::App& app, TileArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("tile", "A task of rbpa stream --tasks: what one tile contributes to the whole");
+  verb.add_option("TILE", arguments.tile, "File of the tile, in its folder")->required();
+  verb.add_option("-o,--output", arguments.outputs,
+                  "File to write, by its ending: " + std::string(tile_formats) + "; may be given once of each kind")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Example:\n"
+      "  rbpa tile tasks/tiles/000012.tile -o 12.partial -o 12.npy\n\n"
+      "What is finished is in files beside the partial, 12.polygons and 12.holes. Triangles have the indices of the\n"
+      "whole input. A task that is run again writes the same.\n" +
+      std::string(exit_codes));
+}
+
+void add_merge(CLI::App& app, MergeArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("merge", "A task of rbpa stream --tasks: partials become one, or the whole");
+  verb.add_option("PARTIALS", arguments.partials, "Partials of rbpa tile or rbpa merge, any number in any order")
+      ->required();
+  verb.add_option("-o,--output", arguments.outputs,
+                  "File to write, by its ending: " + std::string(merge_formats) + "; - is standard output")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
+      ->type_name("NAME");
+  verb.add_option("--memory", arguments.memory, "Memory for what is put in order at the end, such as 500M or 4G")
+      ->type_name("SIZE")
+      ->capture_default_str();
+  verb.add_option(
+          "--scratch", arguments.scratch,
+          "Folder for what does not fit into memory at the end, new or empty; by default one beside the first OUT")
+      ->type_name("DIR");
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa merge 0.partial 1.partial 2.partial -o half.partial\n"
+      "  rbpa merge half.partial other.partial -o footprint.geojson -o triangles.npy\n\n"
+      "Of all tiles it writes what rbpa shape and rbpa mesh write of all points, to the byte. The order of the "
+      "partials\n"
+      "changes nothing, but neighbours should be merged first: less is open between them.\n" +
+      std::string(exit_codes));
+}
+
 /// "rbpa mesh", or "rbpa" where no verb was given.
 std::string asked_for(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
@@ -248,7 +303,8 @@ std::string asked_for(const CLI::App& app) {
 
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
-  if (app.get_subcommands().empty()) return found + "mesh, alpha, shape, stream, info or report (see rbpa --help)";
+  if (app.get_subcommands().empty())
+    return found + "mesh, alpha, shape, fill, stream, tile, merge, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -279,6 +335,8 @@ int main(int argc, char** argv) {
   MeshArguments mesh;
   ShapeArguments shape;
   StreamArguments stream;
+  TileArguments tile;
+  MergeArguments merge;
   InfoArguments info;
   AlphaArguments alpha;
   ReportArguments report_page;
@@ -287,7 +345,12 @@ int main(int argc, char** argv) {
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_fill(app, fill);
+  // Tasks call the program as it was called.
+  if (argc > 0 && std::string_view(argv[0]).find('/') != std::string_view::npos)
+    stream.program = std::filesystem::absolute(argv[0]).lexically_normal().string();
   add_stream(app, stream);
+  add_tile(app, tile);
+  add_merge(app, merge);
   add_info(app, info);
   add_report(app, report_page);
   add_manual(app, std::string("rbpa ") + RBPA_VERSION);
@@ -308,6 +371,8 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("shape")) return run(program, [&] { run_shape(shape); });
   if (app.got_subcommand("fill")) return run(program, [&] { run_fill(fill); });
   if (app.got_subcommand("stream")) return run(program, [&] { run_stream(stream); });
+  if (app.got_subcommand("tile")) return run(program, [&] { run_tile(tile); });
+  if (app.got_subcommand("merge")) return run(program, [&] { run_merge(merge); });
   if (app.got_subcommand("report")) return run(program, [&] { run_report(report_page); });
   return run(program, [&] { run_info(info); });
 }

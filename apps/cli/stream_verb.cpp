@@ -2,45 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <thread>
 
-#include "cli/arguments.h"
-#include "cli/stats.h"
+#include "cli/stream_arguments.h"
+#include "cli/stream_report.h"
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/message.h"
-#include "io/number.h"
 #include "io/output_file.h"
 #include "io/progress_line.h"
 #include "io/same_file.h"
 #include "io/whole_number.h"
-#include "stream/budget.h"
 #include "stream/run_stream.h"
+#include "tasks/write_lists.h"
 
 namespace rbpa::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A number of bytes, with K, M, G or T behind it for powers of 1024.
-std::uint64_t parse_memory(const std::string& text) {
-  constexpr std::string_view units = "KMGT";
-  std::string digits = text;
-  unsigned shift = 0;
-  if (!digits.empty() && units.find(static_cast<char>(std::toupper(digits.back()))) != std::string_view::npos) {
-    shift = 10 * static_cast<unsigned>(units.find(static_cast<char>(std::toupper(digits.back()))) + 1);
-    digits.pop_back();
-  }
-  const ParsedNumber number = parse_whole_number(digits);
-  const double bytes = std::ldexp(number.value, static_cast<int>(shift));
-  if (number.fault != NumberFault::none || !(bytes >= static_cast<double>(least_memory)) || bytes > 0x1p60)
-    throw WrongUsage("--memory: found " + in_quotes(text) + ", expected a size from " +
-                     std::to_string(least_memory >> 20U) + "M on, such as 500M or 1G");
-  return static_cast<std::uint64_t>(bytes);
-}
 
 double parse_finite_alpha(const RadiusArguments& arguments) {
   const std::string text = arguments.alpha.value_or("");
@@ -114,32 +95,19 @@ std::string text_of(const PointArguments& arguments) {
   return text;
 }
 
-std::optional<StreamFormat> stream_format(std::string_view name) {
-  if (const auto shape = shape_format(name)) {
-    if (*shape == ShapeFormat::geojson) return StreamFormat::geojson;
-    if (*shape == ShapeFormat::wkt) return StreamFormat::wkt;
-  }
-  if (const auto mesh = output_format(name)) {
-    if (*mesh == OutputFormat::npy) return StreamFormat::npy;
-    if (*mesh == OutputFormat::ply) return StreamFormat::ply;
-  }
-  return std::nullopt;
-}
-
-StreamTarget parse_target(const std::string& path, const std::optional<std::string>& otherwise) {
-  if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
-  std::optional<StreamFormat> format = path == "-" ? std::nullopt : stream_format(ending(path));
-  if (!format && otherwise) format = stream_format(*otherwise);
-  if (!format && otherwise) refuse_name("--output-format", *otherwise, stream_formats);
-  if (!format && path == "-") throw WrongUsage("-o -: found no --output-format, expected geojson, wkt or npy");
-  if (!format) refuse_ending(path, stream_formats, "--output-format");
-  if (*format == StreamFormat::ply) {
-    const std::size_t star = path.rfind('*');
-    if (star == std::string::npos || path.find('/', star) != std::string::npos)
-      throw WrongUsage(
-          path + ": found a mesh of all tiles, expected a name with a '*' for the number of the tile: 'tiles/*.ply'");
-  }
-  return {path, *format};
+/// The folder of the tasks is the scratch, and a task has a processor unless another number is said.
+void ask_for_tasks(const StreamArguments& arguments, StreamRequest& request) {
+  if (arguments.tasks->empty()) throw WrongUsage("--tasks: found an empty name, expected a folder");
+  if (arguments.scratch)
+    throw WrongUsage("--scratch: found it and --tasks, expected one of them: tiles are in the folder of the tasks");
+  if (arguments.keep_tiles) throw WrongUsage("--keep-tiles: found it and --tasks, expected one of them: tiles stay");
+  if (arguments.output_format)
+    throw WrongUsage("--output-format: found it and --tasks, expected an OUT whose ending says its format");
+  if (std::find(arguments.outputs.begin(), arguments.outputs.end(), "-") != arguments.outputs.end())
+    throw WrongUsage("-o: found -, standard output, and --tasks, expected a file: another process writes it");
+  request.tasks = true;
+  request.scratch = arguments.tasks;
+  if (!arguments.run.threads) request.threads = 1;
 }
 
 StreamRequest parse_request(const StreamArguments& arguments) {
@@ -154,15 +122,16 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
   if (arguments.tile_size) request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = 1}, "points");
+  if (arguments.tasks) ask_for_tasks(arguments, request);
   if (arguments.scratch && arguments.scratch->empty())
     throw WrongUsage("--scratch: found an empty name, expected a folder");
   for (const auto& [given, option] : {std::pair{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}})
-    if (given && !arguments.scratch)
+    if (given && !request.scratch)
       throw WrongUsage(std::string(option) + ": found no --scratch, expected the folder where tiles are");
   if (arguments.outputs.empty() && !arguments.stats)
     throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   for (const std::string& path : arguments.outputs)
-    request.targets.push_back(parse_target(path, arguments.output_format));
+    request.targets.push_back(parse_stream_target(path, arguments.output_format));
   request.sources = parse_sources(arguments);
   request.options = text_of(arguments);
   return request;
@@ -175,56 +144,21 @@ void require_different_files(const StreamRequest& request) {
   for (const PointSource& source : request.sources) require_different(files, source.path, "points");
 }
 
-void add_stats(OutputSet& outputs, const StreamRequest& request, const StreamResult& result) {
-  const PartialCounts& counts = result.counts;
-  Stats stats{.points = counts.points,
-              .distinct = counts.points - counts.duplicates,
-              .threads = request.threads,
-              .alpha = request.alpha,
-              .alpha_rule = "given",
-              .isolated = counts.isolated};
-  stats.counts = ComplexCounts{};
-  stats.counts->triangles = counts.triangles;
-  stats.counts->points_covered = counts.vertices;
-  stats.counts->edges = counts.edges;
-  stats.counts->boundary_curves = counts.boundary_curves;
-  stats.counts->solid_components = counts.solid_components;
-  stats.counts->components = counts.components;
-  stats.counts->holes = counts.holes();
-  stats.method = "stream";
-  if (request.wants_polygons()) {
-    stats.polygons = result.polygons;
-    stats.of_polygons = {.holes = result.holes, .area = result.area, .perimeter = result.perimeter};
-  }
-  stats.read_seconds = result.count_seconds + result.cut_seconds;
-  stats.build_seconds = result.compute_seconds;
-  stats.write_seconds = result.write_seconds;
-  OutputFile& file = outputs.add(*request.stats);
-  write_stats(file, stats);
-  file.finish();
-}
-
-void say_result(const StreamRequest& request, const StreamResult& result) {
-  if (result.caution) say("rbpa", *result.caution);
-  const PartialCounts& counts = result.counts;
-  if (counts.triangles == 0) {
-    const std::uint64_t distinct = counts.points - counts.duplicates;
-    say("rbpa",
-        "the complex is empty: " + (distinct < 3 ? "fewer than three distinct points (" + std::to_string(distinct) + ")"
-                                                 : "no triangle has circumradius <= " +
-                                                       std::string(std::string_view(ShortestText(request.alpha)))));
-  }
+void write_tasks(const StreamRequest& request, const std::string& program) {
+  const TaskOptions options{.program = program, .threads = request.threads};
+  require_lines(request, options);
+  TaskLists lists;
+  std::string folder;
+  const StreamResult result = prepare_tasks(request, [&](const Scratch& scratch, const Manifest& manifest) {
+    folder = scratch.folder();
+    lists = write_lists(request, options, scratch, manifest);
+  });
   if (request.quiet) return;
-  std::string text = counted(counts.points, "point");
-  if (counts.duplicates > 0) text += " (" + counted(counts.duplicates, "duplicate") + ")";
-  text += " in " + counted(result.tiles, "tile") + ", " + counted(counts.triangles, "triangle") + ", " +
-          std::to_string(counts.isolated) + " isolated";
-  if (request.wants_polygons()) {
-    char area[32];
-    std::snprintf(area, sizeof area, "%.6g", result.area);
-    text += ", " + counted(result.polygons, "polygon") + " with " + counted(result.holes, "hole") + ", area " + area;
-  }
-  say("rbpa", text + list_of(request.targets));
+  OutputFile out("-");
+  out.write(how_to_run(folder));
+  out.finish();
+  say("rbpa", counted(result.counts.points, "point") + " in " + counted(result.tiles, "tile") + ", " +
+                  counted(lists.tasks, "task") + " in " + counted(lists.levels.size(), "list") + " -> " + folder);
 }
 
 }  // namespace
@@ -232,11 +166,12 @@ void say_result(const StreamRequest& request, const StreamResult& result) {
 void run_stream(const StreamArguments& arguments) {
   const StreamRequest request = parse_request(arguments);
   require_different_files(request);
+  if (request.tasks) return write_tasks(request, arguments.program);
   OutputSet outputs;
   const StreamResult result = run_stream(request, outputs, [&](const StreamResult& done) {
-    if (request.stats) add_stats(outputs, request, done);
+    if (request.stats) add_stream_stats(outputs, request, done);
   });
-  say_result(request, result);
+  say_stream_result(request, result);
 }
 
 }  // namespace rbpa::app

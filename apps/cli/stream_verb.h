@@ -21,12 +21,12 @@ struct StreamArguments : PointArguments {
   std::string memory = "1G";
   std::optional<std::string> tile_size;
   std::optional<std::string> scratch;
+  std::optional<std::string> tasks;
+  std::string program = "rbpa";  ///< as it was called
   bool keep_tiles = false;
   bool resume = false;
   RunArguments run;
 };
-
-constexpr std::string_view stream_formats = "geojson, json, wkt, npy, or ply where the name has a '*'";
 
 /// Throws what run() of exit_code.h turns into an exit code.
 void run_stream(const StreamArguments& arguments);

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace rbpa::app {
 namespace {
 
-/// Rims, buckets and blocks that are read ahead, beside tiles.
-std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 8; }
+/// What there is beside tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for triangles that wait
+/// to be written to their files, and as much for what is open between tiles.
+std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
 
 }  // namespace
 
@@ -24,9 +29,21 @@ Budget divide(std::uint64_t memory, unsigned threads) {
   return budget;
 }
 
-std::uint64_t memory_for(std::uint64_t tile_points) {
-  const std::uint64_t tile = tile_points * bytes_of_tile_point;
-  return std::max(least_memory, (program_bytes + tile) * 8 / 7 + (program_bytes + tile) / 16);
+void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]] unsigned workers) {
+#ifdef __GLIBC__
+  // Arrays from this size on are mapped by themselves, and go when they are freed. Of the rest each thread, the one that
+  // reads included, may keep twice as much: together a sixteenth of the memory. More than the last bound gains nothing.
+  const std::uint64_t share = memory / 32 / (workers + 1);
+  const auto size =
+      static_cast<int>(std::clamp<std::uint64_t>(share, std::uint64_t{1} << 17U, std::uint64_t{1} << 23U));
+  mallopt(M_MMAP_THRESHOLD, size);
+  mallopt(M_TRIM_THRESHOLD, 2 * size);
+#endif
+}
+
+std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
+  const std::uint64_t used = program_bytes + tile_points * bytes_of_tile_point * std::max(threads, 1U);
+  return std::max(least_memory, used * 16 / 13 + used / 16);
 }
 
 }  // namespace rbpa::app

@@ -24,7 +24,11 @@ struct Budget {
 /// Requires at least least_memory.
 Budget divide(std::uint64_t memory, unsigned threads);
 
-/// The memory with which a tile of so many points would do.
-std::uint64_t memory_for(std::uint64_t tile_points);
+/// Makes the allocator give back to the system what is freed, but for a small part of `memory`. Left to itself it keeps what
+/// the largest arrays took, for each thread: several times what is in use. Of the whole process.
+void return_freed_memory(std::uint64_t memory, unsigned workers);
+
+/// The memory with which a tile of so many points would do, by so many threads.
+std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads);
 
 }  // namespace rbpa::app

@@ -52,7 +52,8 @@ void save(const ComputeState& state, const Scratch& scratch) {
                      {"open", state.open.size()},
                      {"rows", state.rows.rows},
                      {"sums", state.rows.sums},
-                     {"polygons", {state.polygons.bytes, state.polygons.polygons, state.polygons.checksum}}};
+                     {"polygons", {state.polygons.polygons.bytes, state.polygons.polygons.checksum}},
+                     {"holes", {state.polygons.holes.bytes, state.polygons.holes.checksum}}};
   replace_content(scratch.progress(), json.dump() + "\n");
   if (state.generation > 0) unlink(scratch.partials(state.generation - 1).c_str());
 }
@@ -67,8 +68,8 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
                        .points_done = json.at("points_done")};
     state.open = read_partials(scratch.partials(state.generation), json.at("open"));
     state.rows = {json.at("rows"), json.at("sums")};
-    const Json& polygons = json.at("polygons");
-    state.polygons = {polygons.at(0), polygons.at(1), polygons.at(2)};
+    const auto log = [&](const char* name) { return RecordState{json.at(name).at(0), json.at(name).at(1)}; };
+    state.polygons = {log("polygons"), log("holes")};
     return state;
   } catch (const std::exception& error) {
     throw Failure(scratch.progress() + ": found no progress of rbpa stream (" + std::string(error.what()) +

@@ -15,6 +15,7 @@
 #include "io/interrupt.h"
 #include "rbpa/core/error.h"
 #include "stream/compute_state.h"
+#include "stream/compute_tile.h"
 #include "stream/cut_tiles.h"
 #include "stream/pass_progress.h"
 #include "stream/tile_file.h"
@@ -24,8 +25,6 @@ namespace rbpa::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Region region_of(const Box& box) { return {box.low.x, box.low.y, box.high.x, box.high.y}; }
 
 /// How many parts of the tree are done with each tile, in their order, that was the last of them.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
@@ -121,22 +120,17 @@ class Computation {
   IndexedPoints read(std::uint32_t tile) const {
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
     if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
-    IndexedPoints points;
-    points.points.reserve(reader.summary().points);
-    points.indices.reserve(reader.summary().points);
-    while (reader.next(points)) stop_if_interrupted();
-    return points;
+    return read_tile(reader);
   }
 
   PartialAndItems compute(std::uint32_t tile) {
     stop_if_interrupted();
     const IndexedPoints points = points_of(tile);
-    PartialOptions options{.threads = budget_.workers > 1 ? 1 : request_.threads};
-    options.progress = [](const Progress&) { return !interrupted(); };
-    PartialAndItems made = partial_and_items(region_of(manifest_.tree.box(tile)), {points.points, points.indices},
-                                             request_.alpha, options);
+    PartialAndItems made =
+        compute_tile(manifest_.tree.box(tile), points, request_.alpha, budget_.workers > 1 ? 1 : request_.threads);
     for (const StreamTarget& target : request_.targets)
-      if (target.format == StreamFormat::ply) write_tile_mesh(target.path, tile, points, made.owned.triangles);
+      if (target.format == StreamFormat::ply)
+        write_tile_mesh(tile_mesh_path(target.path, tile), points, made.owned.triangles);
     return made;
   }
 
@@ -151,8 +145,9 @@ class Computation {
       state_.open.pop_back();
       Partial& first = state_.open.back();
       first = merge(std::move(first), std::move(second));
+      keep_finished(first);
     }
-    keep_settled(state_.open.back());
+    if (ends_[position] == 0) keep_finished(state_.open.back());
     state_.points_done += manifest_.tiles[order_[position]].owned;
     progress_.at(state_.points_done, state_.points_done);
     std::unique_lock lock(mutex_);
@@ -165,9 +160,12 @@ class Computation {
     turned_.notify_all();
   }
 
-  void keep_settled(Partial& partial) {
-    const std::vector<CornerPolygon> polygons = take_settled(partial);
-    if (request_.wants_polygons()) polygons_.add(polygons);
+  /// It goes to files, or nowhere where it is not asked for: it would only grow.
+  void keep_finished(Partial& partial) {
+    const Finished finished = take_finished(partial);
+    if (!request_.wants_polygons()) return;
+    polygons_.add(finished.polygons);
+    polygons_.add(finished.holes);
   }
 
   /// So often that it takes a small part of the time.

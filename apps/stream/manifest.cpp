@@ -53,9 +53,9 @@ std::vector<TileSummary> tiles_of(const Json& json) {
 Json json_of(const Question& question) {
   Json inputs = Json::array();
   for (const InputFile& file : question.inputs) inputs.push_back({file.path, file.size, file.changed});
-  return {{"inputs", inputs},           {"options", question.options},     {"alpha", question.alpha},
-          {"memory", question.memory},  {"tile_size", question.tile_size}, {"keep_tiles", question.keep_tiles},
-          {"targets", question.targets}};
+  return {{"inputs", inputs},          {"options", question.options},     {"alpha", question.alpha},
+          {"memory", question.memory}, {"tile_size", question.tile_size}, {"keep_tiles", question.keep_tiles},
+          {"tasks", question.tasks},   {"targets", question.targets}};
 }
 
 /// Throws WrongUsage "--resume: found X, expected Y as the run in FOLDER has".
@@ -90,7 +90,8 @@ Question question_of(const StreamRequest& request) {
                     .alpha = request.alpha,
                     .memory = request.memory,
                     .tile_size = request.tile_size.value_or(0),
-                    .keep_tiles = request.keep_tiles};
+                    .keep_tiles = request.keep_tiles,
+                    .tasks = request.tasks};
   for (const PointSource& source : request.sources) {
     struct stat status {};
     if (stat(source.path.c_str(), &status) != 0)
@@ -101,6 +102,14 @@ Question question_of(const StreamRequest& request) {
   }
   for (const StreamTarget& target : request.targets) question.targets.push_back(absolute(target.path));
   return question;
+}
+
+std::uint64_t id_of(const Manifest& manifest) {
+  // FNV-1a.
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : json_of(manifest.question).dump() + json_of(manifest.tree).dump())
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
 }
 
 void save(const Manifest& manifest, const Scratch& scratch) {

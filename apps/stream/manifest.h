@@ -30,7 +30,7 @@ struct Question {
   std::string options = {};  ///< how they are read
   double alpha = 0;
   std::uint64_t memory = 0, tile_size = 0;
-  bool keep_tiles = false;
+  bool keep_tiles = false, tasks = false;
   std::vector<std::string> targets = {};
 };
 
@@ -56,6 +56,9 @@ struct Manifest {
   std::uint64_t next_index = 0;
   std::vector<TileSummary> tiles = {};  ///< by their numbers
 };
+
+/// A number that runs share only when they ask the same of the same files and cut these into the same tiles.
+std::uint64_t id_of(const Manifest& manifest);
 
 void save(const Manifest& manifest, const Scratch& scratch);
 

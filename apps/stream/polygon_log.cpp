@@ -2,305 +2,244 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
-#include <queue>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "stream/scratch_file.h"
+#include "stream/polygon_record.h"
+#include "stream/sorted_records.h"
 
 namespace rbpa::app {
 namespace {
 
-constexpr std::size_t buffer_bytes = std::size_t{1} << 20U;
-/// A longer record stays in the log and is read when it is its turn.
-constexpr std::uint64_t most_carried = std::uint64_t{1} << 16U;
+constexpr std::size_t read_ahead = std::size_t{1} << 20U;
 
-/// Before the rings of a polygon, each of which is the number of its points and these.
-struct RecordHead {
-  std::uint64_t size;  // of the record without this number
-  PolygonFacts facts;
-};
-static_assert(sizeof(RecordHead) == 40 && std::is_trivially_copyable_v<RecordHead>);
-
-/// What decides the order: the first two points of the shell.
-struct Key {
-  Point first, second;
-  friend auto operator<=>(const Key&, const Key&) = default;
-};
-/// The shell follows the head.
-constexpr std::size_t key_begin = sizeof(RecordHead) + sizeof(std::uint64_t);
-
-/// The bytes of a file from somewhere on, with some of them ahead.
-class Cursor {
- public:
-  Cursor(const ScratchFile& file, const std::string& path, std::uint64_t at, std::size_t ahead = buffer_bytes)
-      : file_(file), path_(path), at_(at), end_(file.size()), ahead_(ahead) {}
-
-  bool at_end() const { return at_ == end_ && used_ == buffer_.size(); }
-  /// The next bytes, until the next call.
-  std::string_view take(std::uint64_t size) {
-    if (buffer_.size() - used_ < size) {
-      buffer_.erase(0, used_);
-      used_ = 0;
-      const std::size_t before = buffer_.size();
-      if (size - before > end_ - at_) throw Failure(path_ + ": found a file that was cut off, expected polygons");
-      buffer_.resize(before + std::min<std::uint64_t>(end_ - at_, std::max<std::uint64_t>(size - before, ahead_)));
-      if (file_.read_at(at_, buffer_.data() + before, buffer_.size() - before) < buffer_.size() - before)
-        throw Failure(path_ + ": found a file that was cut off, expected polygons");
-      at_ += buffer_.size() - before;
-    }
-    const std::string_view bytes = std::string_view(buffer_).substr(used_, size);
-    used_ += size;
-    checksum_ = checksum_of(bytes, checksum_);
-    return bytes;
-  }
-  template <typename T>
-  T take() {
-    T value;
-    std::memcpy(static_cast<void*>(&value), take(sizeof value).data(), sizeof value);
-    return value;
-  }
-  std::uint32_t checksum() const { return checksum_; }  ///< of all that was taken
-
- private:
-  const ScratchFile& file_;
-  const std::string& path_;
-  std::uint64_t at_, end_;  // of the file, behind the buffer
-  std::size_t ahead_, used_ = 0;
-  std::string buffer_ = {};
-  std::uint32_t checksum_ = 0;
+/// That of a hole among those of all polygons.
+struct HoleKey {
+  RingKey polygon, hole;
+  friend auto operator<=>(const HoleKey&, const HoleKey&) = default;
 };
 
-/// Gives the polygon of the record at `at` to the sink.
-void show(const ScratchFile& file, const std::string& path, std::uint64_t at, PolygonSink& sink) {
-  Cursor cursor(file, path, at, most_carried);
-  const RecordHead head = cursor.take<RecordHead>();
-  sink.begin(head.facts);
-  std::vector<Point> ring;
-  for (std::uint64_t i = 0; i <= head.facts.holes; ++i) {
-    stop_if_interrupted();
-    ring.resize(cursor.take<std::uint64_t>());
-    const std::string_view bytes = cursor.take(ring.size() * sizeof(Point));
-    std::memcpy(static_cast<void*>(ring.data()), bytes.data(), bytes.size());
-    sink.ring(ring);
-  }
-  sink.end();
+template <typename T>
+T taken_from(std::string_view& bytes) {
+  T value;
+  std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof value);
+  bytes.remove_prefix(sizeof value);
+  return value;
 }
 
-/// The same of a record in memory.
-void show(std::string_view record, PolygonSink& sink) {
-  RecordHead head;
-  std::memcpy(static_cast<void*>(&head), record.data(), sizeof head);
-  record.remove_prefix(sizeof head);
-  sink.begin(head.facts);
-  std::vector<Point> ring;
-  for (std::uint64_t i = 0; i <= head.facts.holes; ++i) {
-    std::uint64_t count = 0;
-    std::memcpy(&count, record.data(), sizeof count);
-    ring.resize(count);
-    std::memcpy(static_cast<void*>(ring.data()), record.data() + sizeof count, count * sizeof(Point));
-    record.remove_prefix(sizeof count + count * sizeof(Point));
-    sink.ring(ring);
-  }
-  sink.end();
-}
-
-/// A polygon on its way into order: its record, or where that is in the log.
-struct Entry {
-  Key key;
-  std::uint64_t begin;  // in the log, or in the bytes that are carried
-  std::uint64_t size;   // of the record that is carried; 0: it is in the log
-};
-
-/// As many as fit into memory.
-class Run {
- public:
-  void carry(const Key& key, std::string_view record) {
-    entries_.push_back({key, bytes_.size(), record.size()});
-    bytes_ += record;
-  }
-  void refer(const Key& key, std::uint64_t at) { entries_.push_back({key, at, 0}); }
-
-  bool is_empty() const { return entries_.empty(); }
-  std::uint64_t memory() const { return bytes_.size() + entries_.size() * sizeof(Entry); }
-  void sort() {
-    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
-  }
-  const std::vector<Entry>& entries() const { return entries_; }
-  /// Empty where it is not carried.
-  std::string_view record(const Entry& entry) const {
-    if (entry.size == 0) return {};
-    return std::string_view(bytes_).substr(entry.begin, entry.size);
-  }
-  void clear() {
-    entries_.clear();
-    bytes_.clear();
-  }
-
- private:
-  std::vector<Entry> entries_;
-  std::string bytes_;
-};
-
-/// Each entry, followed by the record where it is carried.
-void write_run(const Run& run, const std::string& path) {
-  ScratchFile file(path, ScratchFile::Mode::write);
-  std::string bytes;
-  for (const Entry& entry : run.entries()) {
-    bytes.append(reinterpret_cast<const char*>(&entry), sizeof entry);
-    bytes += run.record(entry);
-    if (bytes.size() < buffer_bytes) continue;
-    file.write(bytes);
-    bytes.clear();
-  }
-  file.write(bytes);
-}
-
-/// A run in a file, and where it is.
-struct StoredRun {
-  StoredRun(const std::string& at, std::size_t ahead)
-      : path(at), file(at, ScratchFile::Mode::read), cursor(file, path, 0, ahead) {}
+/// A file of records to be read in order and here and there.
+struct RecordFile {
+  explicit RecordFile(const std::string& at) : path(at), file(at, ScratchFile::Mode::read) {}
+  /// `size` bytes at a place.
+  RecordReader reader(std::uint64_t at, std::size_t ahead = long_record) const { return {file, path, at, ahead}; }
 
   std::string path;
   ScratchFile file;
-  Cursor cursor;
-  Entry entry = {};
 };
 
-class Order {
- public:
-  Order(const Scratch& scratch, std::uint64_t memory)
-      : scratch_(scratch), path_(scratch.polygons()), log_(path_, ScratchFile::Mode::read), memory_(memory) {}
+/// Reads on to the end of a record of which there is a beginning. Too long a one is left with the beginning.
+void take_rest(RecordReader& from, std::uint64_t size, std::string& record) {
+  const bool all = size <= long_record;
+  for (std::uint64_t left = size - record.size(), some = 0; left > 0; left -= some) {
+    stop_if_interrupted();
+    some = std::min(left, long_record);
+    const std::string_view bytes = from.take(some);
+    if (all) record += bytes;
+  }
+}
 
-  /// Returns the checksum of the log.
-  std::uint32_t read() {
-    Cursor cursor(log_, path_, 0);
-    for (std::uint64_t at = 0; !cursor.at_end();) {
-      stop_if_interrupted();
-      std::string record(cursor.take(key_begin + sizeof(Key)));
-      RecordHead head;
-      std::memcpy(static_cast<void*>(&head), record.data(), sizeof head);
-      Key key;
-      std::memcpy(static_cast<void*>(&key), record.data() + key_begin, sizeof key);
-      const bool carried = head.size <= most_carried;
-      for (std::uint64_t left = head.size + sizeof head.size - record.size(), some = 0; left > 0; left -= some) {
-        some = std::min<std::uint64_t>(left, most_carried);
-        const std::string_view bytes = cursor.take(some);
-        if (carried) record += bytes;
-      }
-      if (!run_.is_empty() && run_.memory() > memory_ / 4) keep();
-      carried ? run_.carry(key, record) : run_.refer(key, at);
-      at += head.size + sizeof head.size;
+void require_same(bool is_so, const std::string& path, const char* what, const Scratch& scratch) {
+  if (!is_so)
+    throw Failure(path + ": found other " + what + " than were written; remove " + scratch.folder() +
+                  " and begin anew");
+}
+
+/// The holes that were taken, by polygon and in order.
+class HolesInOrder {
+ public:
+  HolesInOrder(const RecordLog& log, const Scratch& scratch, RunFiles& runs, std::uint64_t memory)
+      : file_(log.path()), sorted_(runs, memory) {
+    SortedRecords<ComponentName> names(runs, memory), holes(runs, memory);
+    require_same(read(names, holes) == log.state().checksum, log.path(), "holes", scratch);
+    names.begin();
+    holes.begin();
+    for (; !holes.at_end(); holes.next()) {
+      while (!names.at_end() && names.key() < holes.key()) names.next();
+      require_same(!names.at_end() && names.key() == holes.key(), log.path(), "holes", scratch);
+      std::string_view polygon = names.record();
+      const auto of = taken_from<RingKey>(polygon);
+      if (holes.is_elsewhere())
+        sorted_.add_place({of, file_.reader(holes.place()).take<RingKey>()}, holes.place());
+      else
+        sorted_.add({of, key_of(holes.record())}, holes.record());
     }
-    return cursor.checksum();
+    sorted_.begin();
   }
 
-  void show_all(PolygonSink& sink) {
-    if (!stored_.empty()) {
-      keep();
-      run_ = Run();
-      return merge(sink);
+  /// Gives the next hole of the polygon to the sink if it comes before another. Returns whether it does.
+  bool show_next(const RingKey& polygon, const RingKey* before, PolygonSink& sink) {
+    if (sorted_.at_end() || sorted_.key().polygon != polygon) return false;
+    if (before != nullptr && !(sorted_.key().hole < *before)) return false;
+    if (sorted_.is_elsewhere()) {
+      const auto size = file_.reader(sorted_.place() - sizeof(HoleHead)).take<HoleHead>().points * sizeof(Point);
+      RecordReader reader = file_.reader(sorted_.place());
+      show(reader.take(size), sink);
+    } else {
+      show(sorted_.record(), sink);
     }
-    run_.sort();
-    for (const Entry& entry : run_.entries())
-      entry.size == 0 ? show(log_, path_, entry.begin, sink) : show(run_.record(entry), sink);
+    sorted_.next();
+    return true;
   }
 
  private:
-  void keep() {
-    run_.sort();
-    stored_.push_back(scratch_.sorted_polygons(stored_.size()));
-    write_run(run_, stored_.back());
-    run_.clear();
+  static RingKey key_of(std::string_view points) { return taken_from<RingKey>(points); }
+
+  void show(std::string_view bytes, PolygonSink& sink) {
+    ring_.resize(bytes.size() / sizeof(Point));
+    std::memcpy(static_cast<void*>(ring_.data()), bytes.data(), bytes.size());
+    sink.ring(ring_);
   }
 
-  void merge(PolygonSink& sink) {
-    std::vector<std::unique_ptr<StoredRun>> runs;
-    using Head = std::pair<Key, std::size_t>;
-    std::priority_queue<Head, std::vector<Head>, std::greater<>> heads;
-    const auto advance = [&](std::size_t i) {
-      if (runs[i]->cursor.at_end()) return;
-      runs[i]->entry = runs[i]->cursor.take<Entry>();
-      heads.emplace(runs[i]->entry.key, i);
-    };
-    const std::size_t ahead = std::clamp<std::uint64_t>(memory_ / stored_.size() / 2, 4096, buffer_bytes);
-    for (std::size_t i = 0; i < stored_.size(); ++i) {
-      runs.push_back(std::make_unique<StoredRun>(stored_[i], ahead));
-      advance(i);
+  /// Returns the checksum of the file.
+  std::uint32_t read(SortedRecords<ComponentName>& names, SortedRecords<ComponentName>& holes) const {
+    RecordReader reader = file_.reader(0, read_ahead);
+    std::string record;
+    for (std::uint64_t at = 0; !reader.at_end();) {
+      const auto head = reader.take<HoleHead>();
+      at += sizeof head;
+      const std::uint64_t size = head.points == 0 ? sizeof(RingKey) : head.points * sizeof(Point);
+      record.clear();
+      take_rest(reader, size, record);
+      if (head.points == 0)
+        names.add(head.name, record);
+      else
+        record.empty() ? holes.add_place(head.name, at) : holes.add(head.name, record);
+      at += size;
     }
-    while (!heads.empty()) {
+    return reader.checksum();
+  }
+
+  RecordFile file_;
+  SortedRecords<HoleKey> sorted_;
+  std::vector<Point> ring_ = {};
+};
+
+class PolygonsInOrder {
+ public:
+  PolygonsInOrder(const RecordLog& log, const Scratch& scratch, RunFiles& runs, std::uint64_t memory)
+      : scratch_(scratch), file_(log.path()), sorted_(runs, memory) {
+    require_same(read() == log.state().checksum, log.path(), "polygons", scratch);
+    sorted_.begin();
+  }
+
+  void show(HolesInOrder* holes, PolygonSink& sink) {
+    for (; !sorted_.at_end(); sorted_.next()) {
       stop_if_interrupted();
-      const std::size_t i = heads.top().second;
-      heads.pop();
-      const Entry& entry = runs[i]->entry;
-      entry.size == 0 ? show(log_, path_, entry.begin, sink) : show(runs[i]->cursor.take(entry.size), sink);
-      advance(i);
+      if (sorted_.is_elsewhere()) {
+        RecordReader reader = file_.reader(sorted_.place());
+        show_one([&](std::uint64_t size) { return reader.take(size); }, holes, sink);
+      } else {
+        std::string_view record = sorted_.record();
+        const auto take = [&](std::uint64_t size) {
+          const std::string_view bytes = record.substr(0, size);
+          record.remove_prefix(size);
+          return bytes;
+        };
+        show_one(take, holes, sink);
+      }
     }
+  }
+
+ private:
+  /// Returns the checksum of the file.
+  std::uint32_t read() {
+    RecordReader reader = file_.reader(0, read_ahead);
+    std::string record;
+    for (std::uint64_t at = 0; !reader.at_end();) {
+      constexpr std::size_t ring_size = sizeof(std::uint64_t);  // the shell follows the head
+      record = reader.take(sizeof(PolygonHead) + ring_size + sizeof(RingKey));
+      std::string_view beginning = record;
+      const std::uint64_t size = sizeof(PolygonHead) + taken_from<PolygonHead>(beginning).size;
+      beginning.remove_prefix(ring_size);
+      const auto key = taken_from<RingKey>(beginning);
+      take_rest(reader, size, record);
+      size <= long_record ? sorted_.add(key, record) : sorted_.add_place(key, at);
+      at += size;
+    }
+    return reader.checksum();
+  }
+
+  /// take(size) gives the next bytes of the record.
+  template <typename Take>
+  void show_one(Take take, HolesInOrder* holes, PolygonSink& sink) {
+    std::string_view bytes = take(sizeof(PolygonHead));
+    const auto head = taken_from<PolygonHead>(bytes);
+    sink.begin(head.facts);
+    const RingKey polygon = sorted_.key();
+    std::uint64_t taken = 0;
+    for (std::uint64_t i = 0; i <= head.facts.holes - head.taken; ++i) {
+      stop_if_interrupted();
+      bytes = take(sizeof(std::uint64_t));
+      ring_.resize(taken_from<std::uint64_t>(bytes));
+      bytes = take(ring_.size() * sizeof(Point));
+      std::memcpy(static_cast<void*>(ring_.data()), bytes.data(), bytes.size());
+      const RingKey key = {ring_[0], ring_[1]};
+      while (i > 0 && taken < head.taken && holes->show_next(polygon, &key, sink)) ++taken;
+      sink.ring(ring_);
+    }
+    while (taken < head.taken && holes->show_next(polygon, nullptr, sink)) ++taken;
+    require_same(taken == head.taken, file_.path, "polygons", scratch_);
+    sink.end();
   }
 
   const Scratch& scratch_;
-  std::string path_;
-  ScratchFile log_;
-  std::uint64_t memory_;
-  Run run_ = {};
-  std::vector<std::string> stored_ = {};
+  RecordFile file_;
+  SortedRecords<RingKey> sorted_;
+  std::vector<Point> ring_ = {};
 };
 
 }  // namespace
 
+Finished take_finished(Partial& partial) {
+  // What is kept of holes in their place takes less than so many corners.
+  constexpr std::size_t many_corners = 256;
+  std::vector<CornerPolygon> polygons = take_settled(partial);
+  return {std::move(polygons), take_holes(partial, many_corners)};
+}
+
+PolygonLog::PolygonLog(const Scratch& scratch)
+    : scratch_(scratch), polygons_(scratch.polygons()), holes_(scratch.holes()) {}
+
 void PolygonLog::resume(const LogState& state) {
-  state_ = state;
-  ScratchFile file(scratch_.polygons(), ScratchFile::Mode::append);
-  if (file.size() < state.bytes)
-    throw Failure(scratch_.polygons() + ": found less than was written; remove " + scratch_.folder() +
-                  " and begin anew");
-  file.cut(state.bytes);
-}
-
-template <typename T>
-void PolygonLog::append(const T& value) {
-  waiting_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  if (waiting_.size() >= buffer_bytes) flush();
-}
-
-void PolygonLog::append(const CornerPolygon& polygon) {
-  std::uint64_t corners = polygon.shell.size();
-  for (const CornerRing& hole : polygon.holes) corners += hole.size();
-  const std::uint64_t rings = polygon.holes.size() + 1;
-  append(RecordHead{sizeof(PolygonFacts) + rings * sizeof(std::uint64_t) + corners * sizeof(Point),
-                    {polygon.area, polygon.perimeter, rings - 1, polygon.points}});
-  const auto append_ring = [&](const CornerRing& ring) {
-    append(std::uint64_t{ring.size()});
-    for (const Corner& corner : ring) append(corner.at);
-  };
-  append_ring(polygon.shell);
-  for (const CornerRing& hole : polygon.holes) append_ring(hole);
+  polygons_.resume(state.polygons);
+  holes_.resume(state.holes);
 }
 
 void PolygonLog::add(std::span<const CornerPolygon> polygons) {
-  for (const CornerPolygon& polygon : polygons) append(polygon);
-  state_.polygons += polygons.size();
+  for (const CornerPolygon& polygon : polygons)
+    put_record(
+        polygon, [&](std::string_view bytes) { polygons_.append(bytes); },
+        [&](std::string_view bytes) { holes_.append(bytes); });
 }
 
-LogState PolygonLog::flush() {
-  if (!waiting_.empty()) ScratchFile(scratch_.polygons(), ScratchFile::Mode::append).write(waiting_);
-  state_.bytes += waiting_.size();
-  state_.checksum = checksum_of(waiting_, state_.checksum);
-  waiting_.clear();
-  return state_;
+void PolygonLog::add(std::span<const TakenHoles> holes) {
+  for (const TakenHoles& taken : holes) put_record(taken, [&](std::string_view bytes) { holes_.append(bytes); });
 }
+
+LogState PolygonLog::flush() { return {polygons_.flush(), holes_.flush()}; }
 
 void PolygonLog::sorted(std::uint64_t memory, PolygonSink& sink) const {
-  if (state_.bytes > 0) {
-    Order order(scratch_, memory);
-    if (order.read() != state_.checksum)
-      throw Failure(scratch_.polygons() + ": found other polygons than were written; remove " + scratch_.folder() +
-                    " and begin anew");
-    order.show_all(sink);
+  if (polygons_.state().bytes > 0) {
+    RunFiles runs(scratch_);
+    // Three orders are made at a time, of names, of holes by name and by polygon; then there are the last and that of
+    // polygons.
+    const bool any = holes_.state().bytes > 0;
+    std::unique_ptr<HolesInOrder> holes;
+    if (any) holes = std::make_unique<HolesInOrder>(holes_, scratch_, runs, memory / 3);
+    PolygonsInOrder(polygons_, scratch_, runs, any ? memory / 3 : memory).show(holes.get(), sink);
   }
   sink.finish();
 }

@@ -14,7 +14,7 @@ void refuse_dense(const TooDense& dense, const StreamRequest& request, const Bud
   throw Failure("--memory " + megabytes(request.memory) + ": found " + counted(dense.points, "point") +
                 " within 2 alpha = " + text(2 * request.alpha) + " of each other near (" + text(dense.where.x) + ", " +
                 text(dense.where.y) + "), expected at most " + std::to_string(budget.tile_points) + "; --memory " +
-                megabytes(memory_for(dense.points + dense.points / 4) * budget.workers) +
+                megabytes(memory_for(dense.points + dense.points / 4, request.threads)) +
                 " would do, or a smaller alpha");
 }
 

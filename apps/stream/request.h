@@ -31,6 +31,7 @@ struct StreamRequest {
   std::optional<std::string> scratch = std::nullopt;      ///< the folder; none: beside the first target
   bool keep_tiles = false;
   bool resume = false;
+  bool tasks = false;    ///< the points are cut, and the scratch is for those who do the rest
   unsigned threads = 1;  ///< at most so many work
   bool quiet = false;
   bool shows_progress = false;

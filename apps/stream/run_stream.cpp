@@ -1,18 +1,13 @@
 #include "stream/run_stream.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <set>
 #include <utility>
 
 #include "io/failure.h"
-#include "io/gis/geojson_crs.h"
-#include "io/gis/polygon_writers.h"
 #include "io/interrupt.h"
 #include "io/message.h"
-#include "io/npy_header.h"
 #include "stream/budget.h"
 #include "stream/cell_counts.h"
 #include "stream/compute_tiles.h"
@@ -23,53 +18,13 @@
 #include "stream/plan_tiles.h"
 #include "stream/refuse_dense.h"
 #include "stream/room_on_disk.h"
+#include "stream/tile_file.h"
+#include "stream/write_targets.h"
 
 namespace rbpa::app {
 namespace {
 
 using Pass = Manifest::Pass;
-
-/// Adds what numbers lose by rounding.
-class LongSum {
- public:
-  void add(double value) {
-    const double sum = sum_ + value;
-    lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
-    sum_ = sum;
-  }
-  double value() const { return sum_ + lost_; }
-
- private:
-  double sum_ = 0, lost_ = 0;
-};
-
-/// Adds up what goes to a writer.
-class Adding final : public PolygonSink {
- public:
-  explicit Adding(PolygonSink& to) : to_(to) {}
-  void begin(const PolygonFacts& facts) override {
-    ++polygons_;
-    holes_ += facts.holes;
-    area_.add(facts.area);
-    perimeter_.add(facts.perimeter);
-    to_.begin(facts);
-  }
-  void ring(std::span<const Point> points) override { to_.ring(points); }
-  void end() override { to_.end(); }
-  void finish() override { to_.finish(); }
-
-  void tell(StreamResult& result) const {
-    result.polygons = polygons_;
-    result.holes = holes_;
-    result.area = area_.value();
-    result.perimeter = perimeter_.value();
-  }
-
- private:
-  PolygonSink& to_;
-  std::uint64_t polygons_ = 0, holes_ = 0;
-  LongSum area_ = {}, perimeter_ = {};
-};
 
 class Run {
  public:
@@ -77,11 +32,7 @@ class Run {
       : request_(request), outputs_(outputs), question_(question_of(request)), scratch_(request) {}
 
   StreamResult run(const std::function<void(const StreamResult&)>& before_names) {
-    begin();
-    if (manifest_.pass == Pass::count) count();
-    result_.count_seconds = lap();
-    if (manifest_.pass == Pass::cut) cut();
-    result_.cut_seconds = lap();
+    prepare();
     compute();
     result_.compute_seconds = lap();
     write();
@@ -92,7 +43,28 @@ class Run {
     return result_;
   }
 
+  StreamResult run_tasks(const std::function<void(const Scratch&, const Manifest&)>& hand_over) {
+    if (prepare()) repair();
+    hand_over(scratch_, manifest_);
+    result_.counts.points = manifest_.points;
+    result_.tiles = manifest_.tiles.size();
+    return result_;
+  }
+
  private:
+  /// True when all was done before.
+  bool prepare() {
+    begin();
+    return_freed_memory(request_.memory, budget_.workers);
+    const bool is_done = manifest_.pass == Pass::compute;
+    if (manifest_.pass == Pass::count) count();
+    result_.count_seconds = lap();
+    if (manifest_.pass == Pass::cut) cut();
+    cut_smaller(request_, budget_, scratch_, manifest_);
+    result_.cut_seconds = lap();
+    return is_done;
+  }
+
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
@@ -100,7 +72,7 @@ class Run {
 
   void begin() {
     manifest_.question = question_;
-    budget_ = divide(request_.memory, request_.threads);
+    budget_ = divide(request_.memory, request_.tasks ? 1 : request_.threads);
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
     manifest_ = load_manifest(scratch_, question_);
@@ -154,9 +126,9 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Small tiles are computed fastest, as long as there is not much around them.
+  /// Small tiles are computed fastest, as long as there is not much around them. A task is a process, and worth a second.
   TilePlan plan_for(const CellCounts& counts) const {
-    constexpr std::uint64_t small = 1U << 17U;
+    const std::uint64_t small = request_.tasks ? 1U << 20U : 1U << 17U;
     TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),
                       reach_of(request_.alpha)};
     while (true) {
@@ -180,8 +152,21 @@ class Run {
     save(manifest_, scratch_);
   }
 
+  /// Makes the files of tiles again that were damaged since the run before.
+  void repair() {
+    for (std::uint32_t tile = 0; tile < manifest_.tiles.size(); ++tile) {
+      try {
+        TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
+        if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
+        for (IndexedPoints block; reader.next(block); block.clear()) stop_if_interrupted();
+      } catch (const Damaged&) {
+        cut_again(request_, budget_, scratch_, manifest_, tile);
+        save(manifest_, scratch_);
+      }
+    }
+  }
+
   void compute() {
-    cut_smaller(request_, budget_, scratch_, manifest_);
     rows_.emplace(scratch_, manifest_.points, budget_.sort_bytes / 2);
     polygons_.emplace(scratch_);
     result_.counts = compute_tiles(request_, budget_, scratch_, manifest_, *rows_, *polygons_).counts;
@@ -190,37 +175,8 @@ class Run {
 
   void write() {
     const ProgressLine line("rbpa", request_.shows_progress, "4/4 writing");
-    for (const StreamTarget& target : request_.targets) {
-      stop_if_interrupted();
-      if (target.format == StreamFormat::ply) continue;  // with each tile
-      OutputFile& file = outputs_.add(target.path);
-      target.format == StreamFormat::npy ? write_rows(file, target.path) : write_polygons(file, target.format);
-      file.finish();
-    }
-  }
-
-  void write_rows(OutputFile& file, const std::string& path) {
-    const std::uint64_t rows = result_.counts.triangles;
-    require_room_for_output(path, rows * (rows_->are_short() ? 12 : 24));
-    file.write(npy_header(rows_->are_short() ? "<u4" : "<u8", rows, ", 3"));
-    rows_->sorted(budget_.sort_bytes, [&](std::string_view bytes) { file.write(bytes); });
-  }
-
-  void write_polygons(OutputFile& file, StreamFormat format) {
-    if (format == StreamFormat::wkt) {
-      WktWriter writer(file);
-      return write_polygons(writer);
-    }
-    GeojsonWriter writer(file, manifest_.crs);
-    write_polygons(writer);
-    const std::array<Point, 2> corners = {manifest_.least, manifest_.greatest};
-    const Shape box{corners, {}, {}, manifest_.crs, manifest_.degrees};
-    if (const std::optional<std::string> why = geojson_caution(box)) result_.caution = file.name() + ": " + *why;
-  }
-  void write_polygons(PolygonSink& writer) {
-    Adding adding(writer);
-    polygons_->sorted(budget_.sort_bytes, adding);
-    adding.tell(result_);
+    const PointsFacts facts{manifest_.least, manifest_.greatest, manifest_.crs, manifest_.degrees};
+    write_targets(request_, facts, *rows_, *polygons_, budget_.sort_bytes, outputs_, result_);
   }
 
   const StreamRequest& request_;
@@ -237,6 +193,12 @@ class Run {
 };
 
 }  // namespace
+
+StreamResult prepare_tasks(const StreamRequest& request,
+                           const std::function<void(const Scratch&, const Manifest&)>& hand_over) {
+  OutputSet none;
+  return Run(request, none).run_tasks(hand_over);
+}
 
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names) {

@@ -11,7 +11,9 @@
 
 #include "io/output_file.h"
 #include "rbpa/partial/partial.h"
+#include "stream/manifest.h"
 #include "stream/request.h"
+#include "stream/scratch.h"
 
 namespace rbpa::app {
 
@@ -29,5 +31,11 @@ struct StreamResult {
 /// the scratch goes. Throws BadInput, WrongUsage, Failure, Cancelled.
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
+
+/// Counts and cuts into the scratch, which is named and stays; hand_over() says there what is to be done with the tiles. Of the
+/// result points, tiles and seconds are known. A scratch that was cut before is looked through, and tiles that are damaged
+/// are made again. Throws as run_stream() does.
+StreamResult prepare_tasks(const StreamRequest& request,
+                           const std::function<void(const Scratch&, const Manifest&)>& hand_over);
 
 }  // namespace rbpa::app

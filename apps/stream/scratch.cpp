@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "/lock";
 constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
-constexpr const char* files[] = {"manifest.json", "manifest.json.new", "progress.json", "progress.json.new",
-                                 "polygons"};
+constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
+                                 "progress.json.new", "polygons",          "holes"};
 constexpr const char* created_name = "created";  // the folder is ours, and goes with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
 
@@ -85,6 +85,7 @@ Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.h
 }
 
 void Scratch::make(const StreamRequest& request) {
+  const std::string option = request.tasks ? "--tasks" : "--scratch";
   std::error_code error;
   is_new_ = fs::create_directory(folder_, error);
   if (error || !fs::is_directory(folder_))
@@ -101,10 +102,10 @@ void Scratch::make(const StreamRequest& request) {
     };
     const fs::directory_iterator entries(folder_);
     if (std::any_of(begin(entries), end(entries), is_other))
-      throw WrongUsage("--scratch: found other files in " + folder_ + ", expected an empty folder, or none");
+      throw WrongUsage(option + ": found other files in " + folder_ + ", expected an empty folder, or none");
   }
   if (has_run_ && !request.resume)
-    throw WrongUsage("--scratch: found a run in " + folder_ +
+    throw WrongUsage(option + ": found a run in " + folder_ +
                      ", expected --resume to go on with it, or another folder");
   lock_ = locked(folder_ + lock_name);
   if (lock_ < 0) throw Failure(folder_ + ": found another run at work in it, expected none");
@@ -122,7 +123,7 @@ Scratch::~Scratch() {
 std::string Scratch::tile(std::uint32_t number) const { return numbered(folder_, "tiles", number) + ".tile"; }
 std::string Scratch::rows(std::size_t bucket) const { return numbered(folder_, "triangles", bucket); }
 std::string Scratch::partials(std::uint64_t generation) const { return numbered(folder_, "partials", generation); }
-std::string Scratch::sorted_polygons(std::size_t run) const { return numbered(folder_, "runs", run); }
+std::string Scratch::sorted_run(std::size_t number) const { return numbered(folder_, "runs", number); }
 
 std::uint64_t Scratch::free_bytes() const {
   struct statvfs status {};
@@ -166,6 +167,7 @@ void Scratch::clear_rows() const {
     fs::create_directory(folder_ + "/" + part, error);
   }
   fs::remove(polygons(), error);
+  fs::remove(holes(), error);
 }
 
 }  // namespace rbpa::app

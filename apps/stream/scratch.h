@@ -27,7 +27,8 @@ class Scratch {
   std::string rows(std::size_t bucket) const;
   std::string partials(std::uint64_t generation) const;
   std::string polygons() const { return folder_ + "/polygons"; }
-  std::string sorted_polygons(std::size_t run) const;
+  std::string holes() const { return folder_ + "/holes"; }
+  std::string sorted_run(std::size_t number) const;
   const std::string& folder() const { return folder_; }
   /// Whether the files of an earlier run are there.
   bool has_run() const { return has_run_; }

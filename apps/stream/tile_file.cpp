@@ -50,6 +50,10 @@ struct Frame {
   std::uint32_t size, checksum;
 };
 
+[[noreturn]] void damaged(const std::string& path) {
+  throw Damaged(path + ": found a file that was truncated or changed, expected the tile as it was written");
+}
+
 }  // namespace
 
 TileWriter::TileWriter(std::string path, const Box& box, double alpha)
@@ -95,6 +99,18 @@ TileSummary TileWriter::finish() {
   return summary_;
 }
 
+TileHeader read_tile_header(const std::string& path) {
+  if (access(path.c_str(), F_OK) != 0) throw Damaged(path + ": found no file, expected that of a tile");
+  Header header{};
+  char* bytes = reinterpret_cast<char*>(&header);
+  if (ScratchFile(path, ScratchFile::Mode::read).read(bytes, sizeof header) < sizeof header) damaged(path);
+  const TileHeader found{{{header.box[0], header.box[1]}, {header.box[2], header.box[3]}},
+                         header.alpha,
+                         {header.points, header.owned, header.bytes, header.blocks, header.of_blocks}};
+  if (bytes_of(found.box, found.alpha, found.summary) != std::string_view(bytes, sizeof header)) damaged(path);
+  return found;
+}
+
 TileReader::TileReader(const std::string& path, const Box& box, double alpha) : path_(path) {
   if (access(path.c_str(), F_OK) != 0) damaged();
   file_ = std::make_unique<ScratchFile>(path, ScratchFile::Mode::read);
@@ -131,8 +147,6 @@ void TileReader::read(char* to, std::size_t size) {
   if (file_->read(to, size) < size) damaged();
 }
 
-void TileReader::damaged() const {
-  throw Damaged(path_ + ": found a file that was truncated or changed, expected the tile as it was written");
-}
+void TileReader::damaged() const { app::damaged(path_); }
 
 }  // namespace rbpa::app

@@ -64,6 +64,15 @@ class TileWriter {
   bool begun_ = false;
 };
 
+/// What the first bytes of a file say.
+struct TileHeader {
+  Box box;
+  double alpha;
+  TileSummary summary;
+};
+/// Throws Damaged when there are none of a tile; Failure.
+TileHeader read_tile_header(const std::string& path);
+
 /// Reads a file block by block.
 class TileReader {
  public:

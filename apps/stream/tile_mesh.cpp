@@ -17,8 +17,7 @@ std::string tile_mesh_path(const std::string& pattern, std::uint32_t tile) {
   return path.replace(path.rfind('*'), 1, number);
 }
 
-void write_tile_mesh(const std::string& pattern, std::uint32_t tile, const IndexedPoints& points,
-                     std::span<const TriangleRow> triangles) {
+void write_tile_mesh(const std::string& path, const IndexedPoints& points, std::span<const TriangleRow> triangles) {
   std::vector<std::uint64_t> used;
   for (const TriangleRow& triangle : triangles) used.insert(used.end(), triangle.begin(), triangle.end());
   std::sort(used.begin(), used.end());
@@ -34,7 +33,7 @@ void write_tile_mesh(const std::string& pattern, std::uint32_t tile, const Index
     for (std::size_t k = 0; k < 3; ++k) face[k] = static_cast<std::uint32_t>(place(used, triangle[k]));
   }
   OutputSet outputs;
-  OutputFile& file = outputs.add(tile_mesh_path(pattern, tile));
+  OutputFile& file = outputs.add(path);
   write_triangles(file, OutputFormat::ply, {vertices, faces, {}, {}});
   file.finish();
   outputs.publish();

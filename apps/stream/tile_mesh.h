@@ -15,7 +15,6 @@ std::string tile_mesh_path(const std::string& pattern, std::uint32_t tile);
 
 /// PLY with the points that the triangles use, in the order of their indices. Requires: these are among `points`. Throws
 /// Failure, Cancelled.
-void write_tile_mesh(const std::string& pattern, std::uint32_t tile, const IndexedPoints& points,
-                     std::span<const TriangleRow> triangles);
+void write_tile_mesh(const std::string& path, const IndexedPoints& points, std::span<const TriangleRow> triangles);
 
 }  // namespace rbpa::app

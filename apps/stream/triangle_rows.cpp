@@ -123,15 +123,20 @@ class BucketSort {
 
 }  // namespace
 
+bool have_short_indices(std::uint64_t points) { return points <= std::numeric_limits<std::uint32_t>::max(); }
+
 std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), rows.end(), std::uint64_t{0}); }
 
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
-    : scratch_(scratch), short_(points <= std::numeric_limits<std::uint32_t>::max()) {
+    : scratch_(scratch), short_(have_short_indices(points)) {
   // There are at most two triangles a point, and of points in random order three times as many with small indices.
   const std::uint64_t bytes = 2 * points * row_bytes();
-  constexpr std::uint64_t most_files = 4096;
+  constexpr std::uint64_t most_files = 4096, least_waiting = 24 * 64;
+  const std::uint64_t all_waiting = file_bytes / 4;
   const std::uint64_t files =
-      std::clamp<std::uint64_t>(2 * bytes / std::max<std::uint64_t>(file_bytes, 1) + 1, 1, most_files);
+      std::clamp<std::uint64_t>(2 * bytes / std::max<std::uint64_t>(file_bytes, 1) + 1, 1,
+                                std::clamp<std::uint64_t>(all_waiting / least_waiting, 1, most_files));
+  most_waiting_ = std::clamp<std::uint64_t>(all_waiting / files / 24 * 24, least_waiting, buffer_bytes);
   width_ = std::max<std::uint64_t>((points + files - 1) / files, 1);
   buckets_.resize((points + width_ - 1) / width_);
 }
@@ -162,7 +167,7 @@ void TriangleRows::add(std::span<const TriangleRow> triangles) {
     }
     bucket.sum += number_of(row);
     ++bucket.rows;
-    if (bucket.waiting.size() >= buffer_bytes) write(static_cast<std::size_t>(&bucket - buckets_.data()));
+    if (bucket.waiting.size() >= most_waiting_) write(static_cast<std::size_t>(&bucket - buckets_.data()));
   }
 }
 

@@ -16,6 +16,9 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
+/// Whether indices of so many points take 4 bytes, not 8.
+bool have_short_indices(std::uint64_t points);
+
 /// How far the files have come.
 struct RowsState {
   std::vector<std::uint64_t> rows = {};  ///< of each file
@@ -25,7 +28,8 @@ struct RowsState {
 
 class TriangleRows {
  public:
-  /// Of so many points, so that a file is about so many bytes at most.
+  /// Of so many points, so that a file is about so many bytes at most, as long as what waits to be written to all files
+  /// takes a quarter of that at most.
   TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes);
 
   /// Goes on where the files had come to. Throws Failure when they are not as they were.
@@ -35,7 +39,6 @@ class TriangleRows {
   /// All that was added is in the files.
   RowsState flush();
 
-  /// Whether indices take 4 bytes, not 8.
   bool are_short() const { return short_; }
   /// Calls write(bytes) with all rows in order, as they lie in memory of a little-endian machine. With about so many bytes
   /// of memory; throws Failure when a file is not as it was written.
@@ -52,7 +55,8 @@ class TriangleRows {
 
   const Scratch& scratch_;
   bool short_;
-  std::uint64_t width_;  // indices of a bucket
+  std::uint64_t width_;       // indices of a bucket
+  std::size_t most_waiting_;  // bytes of a bucket, a whole number of rows
   std::vector<Bucket> buckets_;
 };
 

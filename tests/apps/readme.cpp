@@ -1,4 +1,4 @@
-// What README.md, docs/which_alpha.md and docs/fill.md show under a command is what the command prints.
+// What README.md and docs/which_alpha.md, tasks.md and fill.md show under a command is what the command prints.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -65,6 +65,25 @@ TEST_SUITE("readme") {
       CHECK(outcome.code == 0);
       CHECK(outcome.out + outcome.err == command.output);
       CHECK(!command.output.empty());
+    }
+  }
+
+  TEST_CASE("so it is with tasks, which make runs") {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("tests"));
+    std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
+    const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
+    const std::vector<Shown> commands = commands_in(read_file((root / "docs/tasks.md").string()));
+    REQUIRE(commands.size() == 2);
+    for (const Shown& command : commands) {
+      CAPTURE(command.arguments);
+      const Outcome outcome =
+          command.program == "rbpa" ? folder.rbpa(command.arguments) : folder.run(command.program, command.arguments);
+      CHECK(outcome.code == 0);
+      std::string output = outcome.out + outcome.err;
+      for (std::size_t at; (at = output.find(folder.path(""))) != std::string::npos;)
+        output.replace(at, folder.path("").size(), "/data/");
+      CHECK(output == command.output);
     }
   }
 }

@@ -53,7 +53,8 @@ set(arrows
   io/ogr>io io/ogr>io/gis io/points>io/ogr cli>io/ogr
   io>meshops/core io>meshops/topology io>rbpa/core
   io/blocks>io io/blocks>io/points io/blocks>io/las io/blocks>io/table
-  stream>io stream>io/blocks stream>io/gis stream>io/points stream>rbpa/core stream>rbpa/partial cli>stream
+  stream>io stream>io/blocks stream>io/gis stream>io/points stream>rbpa/core stream>rbpa/partial stream>rbpa/shape cli>stream
+  tasks>io tasks>stream tasks>rbpa/core tasks>rbpa/partial cli>tasks
   report>io report>rbpa/filtration
   picture>meshops/front picture>rbpa picture>rbpa/core picture>rbpa/filtration picture>rbpa/shape
   triangulation>rbpa triangulation>rbpa/shape

@@ -21,13 +21,14 @@ class MESHOPS_API Cancelled : public std::runtime_error {
 
 namespace detail {
 
-/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and asks now and then.
-class Steps {
+/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and asks now and then whether to go on.
+template <typename Ended>
+class StepsUntil {
  public:
-  /// Keeps a reference.
-  explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
+  /// Keeps a reference. Empty: nothing is asked.
+  explicit StepsUntil(const GoOn& go_on) : go_on_(go_on) {}
 
-  /// So many more steps. Throws Cancelled.
+  /// So many more steps. Throws Ended.
   void operator()(std::size_t steps = 1) {
     if (left_ <= steps) return ask();
     left_ -= steps;
@@ -36,13 +37,15 @@ class Steps {
  private:
   void ask() {
     left_ = interval;
-    if (go_on_ && !go_on_()) throw Cancelled();
+    if (go_on_ && !go_on_()) throw Ended();
   }
 
   static constexpr std::size_t interval = 16384;
   const GoOn& go_on_;
   std::size_t left_ = interval;
 };
+
+using Steps = StepsUntil<Cancelled>;
 
 }  // namespace detail
 }  // namespace meshops

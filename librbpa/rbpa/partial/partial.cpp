@@ -45,13 +45,13 @@ std::vector<CornerPolygon> take_settled(Partial& partial) {
   return settled;
 }
 
-std::vector<TakenHoles> take_holes(Partial& partial) {
+std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners) {
   PartialState& state = partial.state();
   std::vector<TakenHoles> taken;
   std::uint32_t next = 0;
   for (const SharedTriangle& triangle : state.shared) {
     if (triangle.component != next) continue;  // they are numbered by their first
-    std::vector<CornerRing> holes = holes_out_of(state.open[next++], triangle.corners);
+    std::vector<CornerRing> holes = holes_out_of(state.open[next++], triangle.corners, min_corners);
     if (!holes.empty()) taken.push_back({.component = triangle.corners, .holes = std::move(holes)});
   }
   return taken;

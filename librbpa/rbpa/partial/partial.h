@@ -122,8 +122,9 @@ struct TakenHoles {
 };
 
 /// The holes of components that are not finished, which are no more in `partial`: a component that is everywhere may have more
-/// of them than fit into memory. By component; those without holes are left out.
-RBPA_API std::vector<TakenHoles> take_holes(Partial& partial);
+/// of them than fit into memory. By component; those whose holes have fewer corners than `min_corners` together keep them, as
+/// what stays of holes in their place takes as much as about 100 corners.
+RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
 
 struct WholeComplex {
   PartialCounts counts;

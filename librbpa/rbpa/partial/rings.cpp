@@ -88,8 +88,15 @@ CornerPolygon polygon_of(OpenComponent&& component) {
   return polygon;
 }
 
-std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name) {
+std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners) {
+  const auto corners = [](auto ring, auto last) {
+    std::size_t count = 0;
+    for (; ring != last; ++ring) count += ring->size();
+    return count;
+  };
+  if (corners(component.rings.begin(), component.rings.end()) < min_corners) return {};
   const auto first = std::partition(component.rings.begin(), component.rings.end(), is_shell);
+  if (corners(first, component.rings.end()) < min_corners) return {};
   std::vector<CornerRing> holes(std::make_move_iterator(first), std::make_move_iterator(component.rings.end()));
   component.rings.erase(first, component.rings.end());
   if (holes.empty()) return holes;

@@ -1,6 +1,7 @@
 // What: boundary curves of an open component to rings, and the rings of a finished one to its polygon.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "rbpa/partial/partial.h"
@@ -19,8 +20,8 @@ bool ring_before(const CornerRing& a, const CornerRing& b);
 /// Throws: InvalidInput when the rings are not those of a component.
 CornerPolygon polygon_of(OpenComponent&& component);
 
-/// Takes the holes out, if any, in order, and remembers what has to be known of them under that name.
-std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name);
+/// Takes the holes out, in order, if they have so many corners, and remembers what has to be known of them under that name.
+std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
 
 /// Of holes taken out of two components that are one.
 void add_taken(OpenComponent& to, OpenComponent&& from);

@@ -58,17 +58,28 @@ void measure(Polygon& polygon, std::span<const Point> points) {
   polygon.perimeter = boundary.perimeter();
 }
 
+struct RunningTotals::Sums {
+  std::size_t holes = 0;
+  LengthSum area = {}, perimeter = {};
+};
+
+RunningTotals::RunningTotals() : sums_(std::make_unique<Sums>()) {}
+RunningTotals::~RunningTotals() = default;
+
+void RunningTotals::add(std::size_t holes, double area, double perimeter) {
+  sums_->holes += holes;
+  sums_->area.add(area);
+  sums_->perimeter.add(perimeter);
+}
+
+PolygonTotals RunningTotals::totals() const {
+  return {.holes = sums_->holes, .area = sums_->area.rounded(), .perimeter = sums_->perimeter.rounded()};
+}
+
 PolygonTotals total(std::span<const Polygon> polygons) {
-  PolygonTotals totals;
-  LengthSum area, perimeter;
-  for (const Polygon& polygon : polygons) {
-    totals.holes += polygon.holes.size();
-    area.add(polygon.area);
-    perimeter.add(polygon.perimeter);
-  }
-  totals.area = area.rounded();
-  totals.perimeter = perimeter.rounded();
-  return totals;
+  RunningTotals sums;
+  for (const Polygon& polygon : polygons) sums.add(polygon.holes.size(), polygon.area, polygon.perimeter);
+  return sums.totals();
 }
 
 }  // namespace rbpa

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -63,5 +64,22 @@ struct PolygonTotals {
 };
 
 RBPA_API PolygonTotals total(std::span<const Polygon> polygons);
+
+/// The same of polygons that are not in memory together.
+class RBPA_API RunningTotals {
+ public:
+  RunningTotals();
+  ~RunningTotals();
+  RunningTotals(const RunningTotals&) = delete;
+  RunningTotals& operator=(const RunningTotals&) = delete;
+
+  /// Requires: an area and a perimeter that are not negative; they may be infinite.
+  void add(std::size_t holes, double area, double perimeter);
+  PolygonTotals totals() const;
+
+ private:
+  struct Sums;
+  std::unique_ptr<Sums> sums_;
+};
 
 }  // namespace rbpa

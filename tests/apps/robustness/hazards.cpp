@@ -93,8 +93,12 @@ class Scene {
   void clear() const {
     folder_.file("corner.xy", apps_test::corner);
     REQUIRE(folder_.rbpa("info corner.xy --stats corner.json").code == 0);
-    fs::remove(folder_.path("corner.xy"));
     fs::remove(folder_.path("corner.json"));
+    if (run_.name == "stream") {  // that leaves more, which the next of its kind clears
+      REQUIRE(folder_.rbpa("stream corner.xy --alpha 9 -o corner.npy -q").code == 0);
+      fs::remove(folder_.path("corner.npy"));
+    }
+    fs::remove(folder_.path("corner.xy"));
   }
 
   Run run_;
@@ -214,8 +218,11 @@ TEST_SUITE("robustness") {
       disk.clear();
       CHECK((ending == Ending{0, 0} || ending == Ending{1, 0}));
       // What is printed goes to the disk as well, and so does what is said of it.
-      if (ending.code == 1 && !scene.said().empty())
-        CHECK(scene.said().find(": cannot write: No space left on device\n") != std::string::npos);
+      const std::string said = scene.said();
+      const bool before =
+          scene.run().name == "stream" && said.find(" free on its disk, expected ") != std::string::npos;
+      if (ending.code == 1 && !said.empty() && !before)
+        CHECK(said.find(": cannot write: No space left on device\n") != std::string::npos);
       scene.check(ending, reference, false);
     });
   }

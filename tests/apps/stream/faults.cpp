@@ -301,17 +301,26 @@ TEST_CASE("a run takes no more memory than it may") {
   MESSAGE("SKIPPED: sanitizers take memory for themselves");
 #else
   const Folder folder;
-  make_input(folder, robustness::moments > 8 ? 6'000'000 : 1'000'000);
-  for (const char* memory : {"64M", "128M"}) {
+  const bool nightly = robustness::moments > 8;
+  make_input(folder, nightly ? 6'000'000 : 1'000'000);
+  const auto check = [&](const std::string& memory, const std::string& alpha, const std::string& threads) {
     CAPTURE(memory);
+    CAPTURE(alpha);
+    CAPTURE(threads);
     REQUIRE(folder
-                .rbpa(std::string("stream a.f64xy b.f64xy --alpha 0.9 --memory ") + memory +
+                .rbpa("stream a.f64xy b.f64xy --alpha " + alpha + " --memory " + memory + " --threads " + threads +
                       " -o t.npy -o p.geojson -q --stats s.json")
                 .code == 0);
     const std::string stats = folder.content("s.json");
     const std::size_t at = stats.find("\"peak_bytes\": ");
     REQUIRE(at != std::string::npos);
     CHECK(std::stoull(stats.substr(at + 14)) < std::stoull(memory) << 20U);
-  }
+  };
+  for (const char* memory : {"64M", "128M"}) check(memory, "0.9", "2");
+  if (!nightly) return;
+  // Polygons that are everywhere, with hundreds of thousands of holes; and all that is around tiles.
+  for (const char* alpha : {"0.2", "0.4", "0.5", "8"})
+    for (const char* threads : {"1", "4"})
+      for (const char* memory : {"64M", "128M"}) check(memory, alpha, threads);
 #endif
 }

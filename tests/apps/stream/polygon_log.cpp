@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "io/failure.h"
@@ -50,7 +52,7 @@ void give(PolygonSink& sink, const std::vector<CornerPolygon>& polygons) {
 
 }  // namespace
 
-TEST_CASE("polygons of any size, with any memory, after any stop") {
+TEST_CASE("polygons of any size, some of their holes before them, with any memory, after any stop") {
   rbpa_test::Random random(1);
   const auto ring = [&](std::size_t corners) {
     rbpa::CornerRing made;
@@ -58,14 +60,38 @@ TEST_CASE("polygons of any size, with any memory, after any stop") {
       made.push_back({i, {double(random.below(1'000'000)), double(random.below(1'000'000))}});
     return made;
   };
-  std::vector<CornerPolygon> polygons;
-  for (int i = 0; i < 3000; ++i) {
-    const bool is_large = i % 300 == 7;  // some stay in the log until it is their turn
+  const auto ring_before = [](const rbpa::CornerRing& a, const rbpa::CornerRing& b) {
+    return std::pair(a[0].at, a[1].at) < std::pair(b[0].at, b[1].at);
+  };
+  std::vector<CornerPolygon> polygons, added;
+  std::vector<rbpa::TakenHoles> taken;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const bool is_large = i % 300 == 7;  // some stay in their file until it is their turn
     CornerPolygon& polygon = polygons.emplace_back(CornerPolygon{
         .shell = ring(is_large ? 9000 : 3 + random.below(9)), .area = double(i), .perimeter = 0.5, .points = 7});
-    for (std::size_t hole = random.below(4); hole > 0; --hole)
-      polygon.holes.push_back(ring(3 + random.below(is_large ? 5000 : 5)));
+    for (std::size_t hole = i == 1500 ? 2000 : random.below(4); hole > 0; --hole)
+      polygon.holes.push_back(ring(3 + random.below(is_large ? 9000 : 5)));
+    std::sort(polygon.holes.begin(), polygon.holes.end(), ring_before);
+
+    CornerPolygon& rest = added.emplace_back(polygon);
+    rest.holes.clear();
+    for (const rbpa::CornerRing& hole : polygon.holes) {
+      const std::uint64_t name = random.below(i % 2 == 0 ? 4 : 1);
+      if (name == 0) {
+        rest.holes.push_back(hole);
+        continue;
+      }
+      const rbpa::ComponentName names = {random.below(2), name, i};
+      taken.push_back({names, {hole}});
+      ++rest.taken_holes;
+      rest.names.push_back(names);
+    }
+    std::sort(rest.names.begin(), rest.names.end());
+    rest.names.erase(std::unique(rest.names.begin(), rest.names.end()), rest.names.end());
   }
+  CHECK(taken.size() > 1000);
+  for (std::size_t i = taken.size(); i > 1; --i) std::swap(taken[i - 1], taken[random.below(i)]);
+
   const apps_test::Folder folder;
   StreamRequest request;
   request.scratch = folder.path("s");
@@ -73,14 +99,17 @@ TEST_CASE("polygons of any size, with any memory, after any stop") {
   LogState state;
   {
     PolygonLog log(scratch);
-    log.add(std::span(polygons).first(2000));
+    log.add(std::span(taken).first(700));
+    log.add(std::span(added).first(2000));
     state = log.flush();
-    log.add(polygons);  // and killed
+    log.add(taken);  // and killed
+    log.add(added);
     log.flush();
   }
   PolygonLog log(scratch);
   log.resume(state);
-  log.add(std::span(polygons).subspan(2000));
+  log.add(std::span(taken).subspan(700));
+  log.add(std::span(added).subspan(2000));
   log.flush();
 
   std::sort(polygons.begin(), polygons.end(), rbpa::comes_before);
@@ -91,11 +120,35 @@ TEST_CASE("polygons of any size, with any memory, after any stop") {
     Taking found;
     log.sorted(memory, found);
     CHECK(found.numbers == expected.numbers);
+    CHECK(std::filesystem::is_empty(folder.path("s/runs")));
   }
 
-  std::string bytes = folder.content("s/polygons");
-  bytes[bytes.size() - 3] = char(bytes[bytes.size() - 3] ^ 1);
-  replace_content(scratch.polygons(), bytes);
-  Taking found;
-  CHECK_THROWS_AS(log.sorted(1'000'000, found), Failure);
+  for (const std::string& path : {scratch.polygons(), scratch.holes()}) {
+    const std::string whole = scratch_content(path);
+    std::string bytes = whole;
+    bytes[bytes.size() - 3] = char(bytes[bytes.size() - 3] ^ 1);
+    replace_content(path, bytes);
+    Taking found;
+    CHECK_THROWS_AS(log.sorted(1'000'000, found), Failure);
+    replace_content(path, whole);
+  }
+}
+
+TEST_CASE("a hole of no polygon, and a polygon without a hole that was taken, are said") {
+  const rbpa::CornerRing ring = {{0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}};
+  const std::vector<rbpa::TakenHoles> taken = {{{1, 2, 3}, {ring}}};
+  for (const bool is_named : {false, true}) {
+    const apps_test::Folder folder;
+    StreamRequest request;
+    request.scratch = folder.path("s");
+    const Scratch scratch(request);
+    PolygonLog log(scratch);
+    CornerPolygon polygon{.shell = ring, .taken_holes = is_named ? 2U : 1U};
+    if (is_named) polygon.names = {{1, 2, 3}};
+    log.add(taken);
+    log.add(std::span(&polygon, 1));
+    log.flush();
+    Taking found;
+    CHECK_THROWS_AS(log.sorted(1'000'000, found), Failure);
+  }
 }

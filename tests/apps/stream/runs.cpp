@@ -17,16 +17,22 @@ namespace {
 
 std::string text_of(double alpha) { return std::string(std::string_view(rbpa::app::ShortestText(alpha))); }
 
-Made take(const Folder& folder) {
-  Made made{folder.content("t.npy"), folder.content("p.geojson"), folder.content("p.wkt")};
-  for (const char* name : {"t.npy", "p.geojson", "p.wkt"}) std::filesystem::remove(folder.path(name));
-  return made;
-}
-
 }  // namespace
 
 std::string raw(std::span<const rbpa::Point> points) {
   return {reinterpret_cast<const char*>(points.data()), points.size_bytes()};
+}
+
+Made take(const Folder& folder) {
+  Made made{folder.content("t.npy"), folder.content("p.geojson"), folder.content("p.wkt")};
+  const std::string stats = folder.content("s.json");
+  for (const char* key : {"\"polygons\": ", "\"area\": ", "\"perimeter\": "}) {
+    const std::size_t at = stats.find(key);
+    REQUIRE(at != std::string::npos);
+    made.totals += stats.substr(at, stats.find('\n', at) + 1 - at);
+  }
+  for (const char* name : {"t.npy", "p.geojson", "p.wkt", "s.json"}) std::filesystem::remove(folder.path(name));
+  return made;
 }
 
 Made wanted(const Folder& folder, const std::string& file, double alpha) {
@@ -40,6 +46,7 @@ Made wanted(const Folder& folder, const std::string& file, double alpha) {
   shape.points = folder.path(file);
   shape.radius.alpha = text_of(alpha);
   shape.outputs = {folder.path("p.geojson"), folder.path("p.wkt")};
+  shape.stats = folder.path("s.json");
   shape.run.quiet = true;
   rbpa::app::run_shape(shape);
   return take(folder);
@@ -53,6 +60,7 @@ Made streamed(const Folder& folder, const std::vector<std::string>& files, doubl
   stream.outputs = {folder.path("t.npy"), folder.path("p.geojson"), folder.path("p.wkt")};
   stream.memory = std::to_string(how.memory);
   if (how.tile_size > 0) stream.tile_size = std::to_string(how.tile_size);
+  stream.stats = folder.path("s.json");
   stream.run.quiet = true;
   stream.run.threads = std::to_string(how.threads);
   rbpa::app::run_stream(stream);

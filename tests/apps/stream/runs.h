@@ -11,14 +11,17 @@
 
 namespace stream_test {
 
-/// The bytes of both kinds of targets.
+/// The bytes of both kinds of targets, and what the run says of all polygons: their number, area and perimeter.
 struct Made {
-  std::string triangles, polygons, text;
+  std::string triangles, polygons, text, totals = {};
   friend bool operator==(const Made&, const Made&) = default;
 };
 
 /// Pairs of float64.
 std::string raw(std::span<const rbpa::Point> points);
+
+/// The files t.npy, p.geojson, p.wkt and s.json (of --stats) of the folder, which go.
+Made take(const apps_test::Folder& folder);
 
 /// What `rbpa mesh` and `rbpa shape` make of a file in the folder.
 Made wanted(const apps_test::Folder& folder, const std::string& file, double alpha);

@@ -84,6 +84,14 @@ TEST_CASE("one dense cell, far and few points, empty tiles, a ring around everyt
   check_all_tiles(ring, 2.5, {3, 40});
 }
 
+TEST_CASE("one polygon that is everywhere, with thousands of holes") {
+  rbpa_test::Random random(8);
+  Points points;
+  for (int i = 0; i < 40'000; ++i)
+    points.push_back({double(random.below(1U << 24U)) / (1U << 24U), double(random.below(1U << 24U)) / (1U << 24U)});
+  check_all_tiles(points, 0.0048, {400, 3000});
+}
+
 TEST_CASE("coordinates at both ends of the doubles, and both zeros") {
   Points points;
   for (const double scale : {0x1p-1060, 1.0, 0x1p1000})

@@ -46,6 +46,12 @@ bool says(const std::string& text, const char* part) {
 
 const Regions halves{{-infinity, -infinity, 10, infinity}, {10, -infinity, infinity, infinity}};
 
+std::size_t corners_of(const rbpa::TakenHoles& taken) {
+  std::size_t corners = 0;
+  for (const rbpa::CornerRing& hole : taken.holes) corners += hole.size();
+  return corners;
+}
+
 }  // namespace
 
 TEST_CASE("a thousand random trees of merges: the same bytes") {
@@ -144,10 +150,19 @@ TEST_CASE("holes taken at any time are those of the polygons that have their nam
       taken.insert(taken.end(), now.begin(), now.end());
       CHECK(rbpa::take_holes(from).empty());
     };
+    const auto take_many = [&](Partial& from) {
+      constexpr std::size_t many = 7;
+      const std::vector<rbpa::TakenHoles> now = rbpa::take_holes(from, many);
+      for (const rbpa::TakenHoles& some : now) CHECK(corners_of(some) >= many);
+      Partial copy = from;
+      for (const rbpa::TakenHoles& some : rbpa::take_holes(copy)) CHECK(corners_of(some) < many);
+      taken.insert(taken.end(), now.begin(), now.end());
+    };
     while (parts.size() > 1) {
       Partial last = std::move(parts.back());
       parts.pop_back();
       Partial& with = parts[random.below(parts.size())];
+      if (random.chance(0.3)) take_many(last);
       if (random.chance(0.5)) take(last);
       with = rbpa::merge(std::move(with), std::move(last));
       if (random.chance(0.5)) take(with);

@@ -1,0 +1,101 @@
+#include "cli/merge_verb.h"
+
+#include <algorithm>
+
+#include "cli/stats.h"
+#include "cli/stream_arguments.h"
+#include "cli/stream_report.h"
+#include "io/failure.h"
+#include "io/formats.h"
+#include "io/message.h"
+#include "io/output_file.h"
+#include "io/progress_line.h"
+#include "io/same_file.h"
+#include "tasks/merge_task.h"
+
+namespace rbpa::app {
+namespace {
+
+StreamRequest parse_request(const MergeArguments& arguments) {
+  StreamRequest request{.memory = parse_memory(arguments.memory),
+                        .scratch = arguments.scratch,
+                        .quiet = arguments.quiet,
+                        .shows_progress = !arguments.quiet && !written_to_terminal(arguments.outputs),
+                        .stats = arguments.stats};
+  if (arguments.scratch && arguments.scratch->empty())
+    throw WrongUsage("--scratch: found an empty name, expected a folder");
+  if (arguments.outputs.empty() && !arguments.stats)
+    throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  for (const std::string& path : arguments.outputs) {
+    if (ending(path) == "partial") continue;
+    if (ending(path) == "ply")
+      throw WrongUsage(path + ": found a mesh, expected geojson, wkt or npy: rbpa tile writes the mesh of a tile");
+    request.targets.push_back(parse_stream_target(path, arguments.output_format));
+  }
+  const bool any_partial = request.targets.size() < arguments.outputs.size();
+  if (any_partial && arguments.outputs.size() > 1)
+    throw WrongUsage("-o: found a partial and " + counted(arguments.outputs.size() - 1, "other file") +
+                     ", expected one partial, or the files of the whole run");
+  return request;
+}
+
+void require_different_files(const MergeArguments& arguments, bool is_partial) {
+  std::vector<std::string> files = arguments.outputs;
+  if (is_partial)
+    for (const std::string& path : side_paths(arguments.outputs.front())) files.push_back(path);
+  if (arguments.stats) files.push_back(*arguments.stats);
+  for (const std::string& path : arguments.partials) require_different(files, path, "a partial");
+}
+
+void merge_to_partial(const MergeArguments& arguments) {
+  OutputSet outputs;
+  Stopwatch watch;
+  PartialFile merged = merge_files(arguments.partials);
+  const PartialCounts counts = merged.partial.counts();
+  const std::uint64_t tiles = merged.tiles.size(), of = merged.run.tiles;
+  Stats stats{.points = counts.points,
+              .distinct = counts.points - counts.duplicates,
+              .alpha = merged.run.alpha,
+              .alpha_rule = "given",
+              .isolated = counts.isolated};
+  stats.build_seconds = watch.lap();
+  const std::string& path = arguments.outputs.front();
+  add_partial(outputs, path, std::move(merged));
+  stats.write_seconds = watch.lap();
+  if (arguments.stats) {
+    OutputFile& file = outputs.add(*arguments.stats);
+    write_stats(file, stats);
+    file.finish();
+  }
+  outputs.publish();
+  if (!arguments.quiet)
+    say("rbpa", counted(arguments.partials.size(), "partial") + " of " + std::to_string(tiles) + " of " +
+                    counted(of, "tile") + ", " + counted(counts.points, "point") + " -> " + path);
+}
+
+void merge_to_targets(const MergeArguments& arguments, StreamRequest request) {
+  OutputSet outputs;
+  Stopwatch watch;
+  PartialFile whole = merge_files(arguments.partials);
+  const double seconds = watch.lap();
+  request.alpha = whole.run.alpha;
+  const StreamResult result = finish_run(request, std::move(whole), outputs, [&](const StreamResult& done) {
+    StreamResult timed = done;
+    timed.compute_seconds = seconds;
+    timed.write_seconds = watch.lap();
+    if (request.stats) add_stream_stats(outputs, request, timed);
+  });
+  say_stream_result(request, result);
+}
+
+}  // namespace
+
+void run_merge(const MergeArguments& arguments) {
+  const StreamRequest request = parse_request(arguments);
+  const bool is_partial = !arguments.outputs.empty() && request.targets.empty();
+  require_different_files(arguments, is_partial);
+  const ProgressLine line("rbpa", request.shows_progress, "merging");
+  is_partial ? merge_to_partial(arguments) : merge_to_targets(arguments, request);
+}
+
+}  // namespace rbpa::app

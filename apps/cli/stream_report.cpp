@@ -1,0 +1,67 @@
+#include "cli/stream_report.h"
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "cli/arguments.h"
+#include "cli/stats.h"
+#include "io/failure.h"
+#include "io/message.h"
+#include "io/number.h"
+
+namespace rbpa::app {
+
+void add_stream_stats(OutputSet& outputs, const StreamRequest& request, const StreamResult& result) {
+  const PartialCounts& counts = result.counts;
+  Stats stats{.points = counts.points,
+              .distinct = counts.points - counts.duplicates,
+              .threads = request.threads,
+              .alpha = request.alpha,
+              .alpha_rule = "given",
+              .isolated = counts.isolated};
+  stats.counts = ComplexCounts{};
+  stats.counts->triangles = counts.triangles;
+  stats.counts->points_covered = counts.vertices;
+  stats.counts->edges = counts.edges;
+  stats.counts->boundary_curves = counts.boundary_curves;
+  stats.counts->solid_components = counts.solid_components;
+  stats.counts->components = counts.components;
+  stats.counts->holes = counts.holes();
+  stats.method = "stream";
+  if (request.wants_polygons()) {
+    stats.polygons = result.polygons;
+    stats.of_polygons = {.holes = result.holes, .area = result.area, .perimeter = result.perimeter};
+  }
+  stats.read_seconds = result.count_seconds + result.cut_seconds;
+  stats.build_seconds = result.compute_seconds;
+  stats.write_seconds = result.write_seconds;
+  OutputFile& file = outputs.add(*request.stats);
+  write_stats(file, stats);
+  file.finish();
+}
+
+void say_stream_result(const StreamRequest& request, const StreamResult& result) {
+  if (result.caution) say("rbpa", *result.caution);
+  const PartialCounts& counts = result.counts;
+  if (counts.triangles == 0) {
+    const std::uint64_t distinct = counts.points - counts.duplicates;
+    say("rbpa",
+        "the complex is empty: " + (distinct < 3 ? "fewer than three distinct points (" + std::to_string(distinct) + ")"
+                                                 : "no triangle has circumradius <= " +
+                                                       std::string(std::string_view(ShortestText(request.alpha)))));
+  }
+  if (request.quiet) return;
+  std::string text = counted(counts.points, "point");
+  if (counts.duplicates > 0) text += " (" + counted(counts.duplicates, "duplicate") + ")";
+  text += " in " + counted(result.tiles, "tile") + ", " + counted(counts.triangles, "triangle") + ", " +
+          std::to_string(counts.isolated) + " isolated";
+  if (request.wants_polygons()) {
+    char area[32];
+    std::snprintf(area, sizeof area, "%.6g", result.area);
+    text += ", " + counted(result.polygons, "polygon") + " with " + counted(result.holes, "hole") + ", area " + area;
+  }
+  say("rbpa", text + list_of(request.targets));
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,22 @@
+// What: one tile: its points out of its file, and what it contributes to the complex.
+// Law:  a function of the file.
+// Cost: that of triangulating its points; memory as these, some hundred bytes each (budget.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "rbpa/partial/partial.h"
+#include "stream/box.h"
+#include "stream/pack_block.h"
+#include "stream/tile_file.h"
+
+namespace rbpa::app {
+
+/// All points of the file. Throws Damaged, Failure, Cancelled.
+IndexedPoints read_tile(TileReader& reader);
+
+/// By so many threads at most. Throws Cancelled, and InvalidInput as partial() does.
+PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, double alpha, unsigned threads);
+
+}  // namespace rbpa::app

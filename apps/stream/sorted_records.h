@@ -1,0 +1,187 @@
+// What: records in the order of their keys, however few of them fit into memory.
+// Cost: each record is written and read once where they do not fit together, and once more for each factor of most_merged
+//       beyond that; memory as said, and the longest record.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <queue>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "io/interrupt.h"
+#include "stream/record_log.h"
+#include "stream/scratch.h"
+
+namespace rbpa::app {
+
+/// Names for files of runs, none twice.
+class RunFiles {
+ public:
+  explicit RunFiles(const Scratch& scratch) : scratch_(scratch) {}
+  std::string next() { return scratch_.sorted_run(number_++); }
+
+ private:
+  const Scratch& scratch_;
+  std::size_t number_ = 0;
+};
+
+/// Records are added; then begin(), and each of them is the current one until next(), in order.
+template <typename Key>
+class SortedRecords {
+ public:
+  /// With about so many bytes of memory.
+  SortedRecords(RunFiles& files, std::uint64_t memory) : files_(files), memory_(memory) {}
+
+  /// A record that is not empty.
+  void add(const Key& key, std::string_view record) {
+    make_room();
+    entries_.push_back({key, bytes_.size(), record.size()});
+    bytes_ += record;
+  }
+  /// A record that stays where it is.
+  void add_place(const Key& key, std::uint64_t place) {
+    make_room();
+    entries_.push_back({key, place, 0});
+  }
+
+  /// Throws Failure, Cancelled, here as elsewhere.
+  void begin() {
+    if (levels_.empty()) {
+      sort();
+      return;
+    }
+    if (!entries_.empty()) keep();
+    std::vector<std::string> paths;
+    for (const std::vector<std::string>& level : levels_) paths.insert(paths.end(), level.begin(), level.end());
+    merge_ = std::make_unique<Merge>(paths, memory_);
+  }
+  bool at_end() const { return merge_ ? merge_->at_end() : current_ == entries_.size(); }
+  // Requires: not at the end.
+  const Key& key() const { return entry().key; }
+  /// Whether the record is elsewhere, and where.
+  bool is_elsewhere() const { return entry().size == 0; }
+  std::uint64_t place() const { return entry().begin; }
+  /// Until next().
+  std::string_view record() const {
+    return merge_ ? merge_->record() : std::string_view(bytes_).substr(entry().begin, entry().size);
+  }
+  void next() { merge_ ? merge_->next() : void(++current_); }
+
+ private:
+  static_assert(std::is_trivially_copyable_v<Key>);
+  static constexpr std::size_t most_merged = 64;  // files that are open at a time, of a level
+
+  struct Entry {
+    Key key;
+    std::uint64_t begin;  // in the bytes, or elsewhere
+    std::uint64_t size;   // 0: it is elsewhere
+  };
+
+  /// A run in a file, which goes with this.
+  struct StoredRun {
+    StoredRun(const std::string& at, std::size_t ahead)
+        : path(at), file(at, ScratchFile::Mode::read), reader(file, path, 0, ahead) {}
+    ~StoredRun() { unlink(path.c_str()); }
+    StoredRun(const StoredRun&) = delete;
+    StoredRun& operator=(const StoredRun&) = delete;
+
+    std::string path;
+    ScratchFile file;
+    RecordReader reader;
+    Entry entry = {};
+  };
+
+  class Merge {
+   public:
+    Merge(const std::vector<std::string>& paths, std::uint64_t memory) {
+      const std::size_t ahead = std::clamp<std::uint64_t>(memory / paths.size() / 2, 4096, std::uint64_t{1} << 20U);
+      for (const std::string& path : paths) {
+        runs_.push_back(std::make_unique<StoredRun>(path, ahead));
+        advance(runs_.size() - 1);
+      }
+      show();
+    }
+    bool at_end() const { return heads_.empty(); }
+    const Entry& entry() const { return runs_[heads_.top().second]->entry; }
+    std::string_view record() const { return record_; }
+    void next() {
+      stop_if_interrupted();
+      const std::size_t i = heads_.top().second;
+      heads_.pop();
+      advance(i);
+      show();
+    }
+
+   private:
+    void advance(std::size_t i) {
+      if (runs_[i]->reader.at_end()) return;
+      runs_[i]->entry = runs_[i]->reader.template take<Entry>();
+      heads_.emplace(runs_[i]->entry.key, i);
+    }
+    void show() {
+      if (!at_end()) record_ = runs_[heads_.top().second]->reader.take(entry().size);
+    }
+
+    using Head = std::pair<Key, std::size_t>;
+    std::vector<std::unique_ptr<StoredRun>> runs_ = {};
+    std::priority_queue<Head, std::vector<Head>, std::greater<>> heads_ = {};
+    std::string_view record_ = {};
+  };
+
+  const Entry& entry() const { return merge_ ? merge_->entry() : entries_[current_]; }
+
+  void make_room() {
+    if (bytes_.size() + entries_.size() * sizeof(Entry) > memory_ / 4) keep();
+  }
+  void sort() {
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  }
+  /// What is in memory becomes a file.
+  void keep() {
+    sort();
+    const std::string path = files_.next();
+    {
+      RecordLog file(path);
+      for (const Entry& entry : entries_) {
+        file.append(entry);
+        if (entry.size > 0) file.append(std::string_view(bytes_).substr(entry.begin, entry.size));
+      }
+      file.flush();
+    }
+    entries_ = {};
+    bytes_ = {};
+    keep(path, 0);
+  }
+  /// Many files of a level become one of the next.
+  void keep(const std::string& path, std::size_t level) {
+    if (levels_.size() == level) levels_.emplace_back();
+    levels_[level].push_back(path);
+    if (levels_[level].size() < most_merged) return;
+    const std::string all = files_.next();
+    {
+      RecordLog file(all);
+      for (Merge merge(levels_[level], memory_); !merge.at_end(); merge.next()) {
+        file.append(merge.entry());
+        file.append(merge.record());
+      }
+      file.flush();
+    }
+    levels_[level].clear();
+    keep(all, level + 1);
+  }
+
+  RunFiles& files_;
+  std::uint64_t memory_;
+  std::vector<Entry> entries_ = {};
+  std::string bytes_ = {};
+  std::size_t current_ = 0;
+  std::vector<std::vector<std::string>> levels_ = {};  // files of runs
+  std::unique_ptr<Merge> merge_ = nullptr;
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,87 @@
+#include "stream/write_targets.h"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/gis/geojson_crs.h"
+#include "io/gis/polygon_writers.h"
+#include "io/interrupt.h"
+#include "io/npy_header.h"
+#include "rbpa/shape/polygons.h"
+#include "stream/room_on_disk.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Adds up what goes to a writer.
+class Adding final : public PolygonSink {
+ public:
+  explicit Adding(PolygonSink& to) : to_(to) {}
+  void begin(const PolygonFacts& facts) override {
+    ++polygons_;
+    sums_.add(facts.holes, facts.area, facts.perimeter);
+    to_.begin(facts);
+  }
+  void ring(std::span<const Point> points) override { to_.ring(points); }
+  void end() override { to_.end(); }
+  void finish() override { to_.finish(); }
+
+  void tell(StreamResult& result) const {
+    result.polygons = polygons_;
+    const PolygonTotals totals = sums_.totals();
+    result.holes = totals.holes;
+    result.area = totals.area;
+    result.perimeter = totals.perimeter;
+  }
+
+ private:
+  PolygonSink& to_;
+  std::uint64_t polygons_ = 0;
+  RunningTotals sums_ = {};
+};
+
+void write_rows(OutputFile& file, const std::string& path, const TriangleRows& rows, std::uint64_t count,
+                std::uint64_t sort_bytes) {
+  require_room_for_output(path, count * (rows.are_short() ? 12 : 24));
+  file.write(npy_header(rows.are_short() ? "<u4" : "<u8", count, ", 3"));
+  rows.sorted(sort_bytes, [&](std::string_view bytes) { file.write(bytes); });
+}
+
+void write_polygons(PolygonSink& writer, const PolygonLog& polygons, std::uint64_t sort_bytes, StreamResult& result) {
+  Adding adding(writer);
+  polygons.sorted(sort_bytes, adding);
+  adding.tell(result);
+}
+
+void write_polygons(OutputFile& file, StreamFormat format, const PointsFacts& facts, const PolygonLog& polygons,
+                    std::uint64_t sort_bytes, StreamResult& result) {
+  if (format == StreamFormat::wkt) {
+    WktWriter writer(file);
+    return write_polygons(writer, polygons, sort_bytes, result);
+  }
+  GeojsonWriter writer(file, facts.crs);
+  write_polygons(writer, polygons, sort_bytes, result);
+  const std::array<Point, 2> corners = {facts.least, facts.greatest};
+  const Shape box{corners, {}, {}, facts.crs, facts.degrees};
+  if (const std::optional<std::string> why = geojson_caution(box)) result.caution = file.name() + ": " + *why;
+}
+
+}  // namespace
+
+void write_targets(const StreamRequest& request, const PointsFacts& facts, const TriangleRows& rows,
+                   const PolygonLog& polygons, std::uint64_t sort_bytes, OutputSet& outputs, StreamResult& result) {
+  for (const StreamTarget& target : request.targets) {
+    stop_if_interrupted();
+    if (target.format == StreamFormat::ply) continue;
+    OutputFile& file = outputs.add(target.path);
+    if (target.format == StreamFormat::npy)
+      write_rows(file, target.path, rows, result.counts.triangles, sort_bytes);
+    else
+      write_polygons(file, target.format, facts, polygons, sort_bytes, result);
+    file.finish();
+  }
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,30 @@
+// What: the last pass: triangles and polygons in order, into the files that are asked for.
+// Law:  the bytes of `rbpa mesh` and `rbpa shape`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "io/crs.h"
+#include "io/output_file.h"
+#include "rbpa/core/point.h"
+#include "stream/polygon_log.h"
+#include "stream/request.h"
+#include "stream/run_stream.h"
+#include "stream/triangle_rows.h"
+
+namespace rbpa::app {
+
+/// What is known of all points.
+struct PointsFacts {
+  Point least = {}, greatest = {};
+  std::optional<Crs> crs = std::nullopt;
+  bool degrees = false;
+};
+
+/// Adds the targets to `outputs`, whole but for their names; those of single tiles are left out. Of the result the counts are
+/// there, and what is known of polygons comes. Throws Failure, Cancelled.
+void write_targets(const StreamRequest& request, const PointsFacts& facts, const TriangleRows& rows,
+                   const PolygonLog& polygons, std::uint64_t sort_bytes, OutputSet& outputs, StreamResult& result);
+
+}  // namespace rbpa::app

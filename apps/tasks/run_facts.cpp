@@ -1,0 +1,67 @@
+#include "tasks/run_facts.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "io/failure.h"
+#include "stream/scratch_file.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* format = "run of rbpa stream --tasks";
+constexpr int version = 1;
+
+}  // namespace
+
+RunFacts facts_of(const Manifest& manifest) {
+  char id[17];
+  std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(id_of(manifest)));
+  return {.id = id,
+          .alpha = manifest.question.alpha,
+          .points = manifest.points,
+          .tiles = manifest.tiles.size(),
+          .of_points = {manifest.least, manifest.greatest, manifest.crs, manifest.degrees}};
+}
+
+Json json_of(const RunFacts& run) {
+  const PointsFacts& points = run.of_points;
+  return {{"id", run.id},
+          {"alpha", run.alpha},
+          {"points", run.points},
+          {"tiles", run.tiles},
+          {"box", {points.least.x, points.least.y, points.greatest.x, points.greatest.y}},
+          {"crs", points.crs ? Json({points.crs->authority, points.crs->code, points.crs->degrees}) : Json()},
+          {"degrees", points.degrees}};
+}
+
+RunFacts run_facts_of(const Json& json) {
+  RunFacts run{.id = json.at("id"), .alpha = json.at("alpha"), .points = json.at("points"), .tiles = json.at("tiles")};
+  const Json& box = json.at("box");
+  run.of_points.least = {box.at(0), box.at(1)};
+  run.of_points.greatest = {box.at(2), box.at(3)};
+  if (const Json& crs = json.at("crs"); !crs.is_null()) run.of_points.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
+  run.of_points.degrees = json.at("degrees");
+  return run;
+}
+
+void save(const RunFacts& run, const std::string& path) {
+  replace_content(path, Json({{"format", format}, {"version", version}, {"run", json_of(run)}}).dump() + "\n");
+}
+
+RunFacts load_run_facts(const std::string& path) {
+  const std::string text = scratch_content(path);
+  const std::string expected = "the one that rbpa stream --tasks writes beside the folder of the tiles";
+  if (text.empty()) bad_input(path, "no file, or an empty one", expected);
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != format) bad_input(path, "a file of another kind", expected);
+    if (json.at("version") != version) bad_input(path, "version " + json.at("version").dump(), std::to_string(version));
+    return run_facts_of(json.at("run"));
+  } catch (const nlohmann::json::exception& error) {
+    bad_input(path, "a file that was changed (" + shown(error.what()) + ")", expected);
+  }
+}
+
+}  // namespace rbpa::app
