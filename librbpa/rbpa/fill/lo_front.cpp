@@ -62,8 +62,8 @@ LoFront::LoFront(std::vector<Point> places, std::span<const FrontEdge> edges, co
       given_faces_(edges.size()),
       field_(field),
       tree_(box_of(edges, places_)),
-      least_clearance_(std::max(0.1 * std::min(shortest(edges, places_), field.least()),
-                                std::ldexp(tree_.least_side(), -20))),
+      least_clearance_(
+          std::max(0.1 * std::min(shortest(edges, places_), field.least()), std::ldexp(tree_.least_side(), -20))),
       retreats_left_(edges.size()) {
   for (const FrontEdge& edge : edges) tree_.insert(edge, places_[edge.from], places_[edge.to]);
 }
