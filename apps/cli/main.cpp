@@ -221,8 +221,9 @@ void add_fill(CLI::App& app, FillArguments& arguments) {
                   "greatest")
       ->type_name("H")
       ->required();
-  verb.add_option("--size-at", arguments.size_at,
-                  "Text with x, y and a size on each line: edges are no longer there, and grow from there on")
+  verb.add_option(
+          "--size-at", arguments.size_at,
+          "Text with x, y and a size on each line: about the length of edges at that place, from which they grow")
       ->type_name("FILE");
   verb.add_option("--grade", arguments.grade,
                   "How much sizes grow for each unit of distance: from those of --size-at (0.25 by default), and from "
@@ -241,8 +242,7 @@ void add_fill(CLI::App& app, FillArguments& arguments) {
       "  rbpa fill lake.geojson --size 0.01 -o lake.ply -o lake.png\n"
       "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
       "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
-      "  rbpa shape points.xy --alpha plateau -o - --output-format wkt | rbpa fill - --format wkt --size 1 -o "
-      "fill.obj\n\n"
+      "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
       "Polygons that cross or touch themselves or each other are refused, and the place is named.\n"
       "Vertices of a mesh file are those of POLYGON in its order, then those on edges that were cut, then those "
       "inside.\n" +
