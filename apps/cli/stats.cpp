@@ -55,10 +55,13 @@ void write_stats(OutputFile& file, const Stats& stats) {
     report["points_inside"] = stats.fill->inside;
     report["retreats"] = stats.fill->retreats;
   }
+  if (stats.tiles) report["tiles"] = *stats.tiles;
   report["seconds"] = {{"read", stats.read_seconds},
                        {"choose", or_null(stats.choose_seconds)},
                        {"build", or_null(stats.build_seconds)},
                        {"write", or_null(stats.write_seconds)}};
+  if (stats.count_seconds) report["seconds"]["count"] = *stats.count_seconds;
+  if (stats.cut_seconds) report["seconds"]["cut"] = *stats.cut_seconds;
   report["peak_bytes"] = peak_bytes();
   file.write(report.dump(2) + "\n");
 }

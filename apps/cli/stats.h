@@ -33,8 +33,11 @@ struct Stats {
   /// Keys for polygons are in the report only where a verb makes them.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};
-  std::optional<FillStats> fill = std::nullopt;  ///< keys only of `rbpa fill`
+  std::optional<FillStats> fill = std::nullopt;     ///< keys only of `rbpa fill`
+  std::optional<std::size_t> tiles = std::nullopt;  ///< key only where points were cut into tiles
   double read_seconds = 0;
+  /// Of the two passes over the input that reading is; keys only where there are such.
+  std::optional<double> count_seconds = std::nullopt, cut_seconds = std::nullopt;
   std::optional<double> choose_seconds = std::nullopt;  ///< of the run that an alpha that is not given takes
   std::optional<double> build_seconds = std::nullopt;
   std::optional<double> write_seconds = std::nullopt;

@@ -33,7 +33,12 @@ void add_stream_stats(OutputSet& outputs, const StreamRequest& request, const St
     stats.polygons = result.polygons;
     stats.of_polygons = {.holes = result.holes, .area = result.area, .perimeter = result.perimeter};
   }
+  stats.tiles = result.tiles;
   stats.read_seconds = result.count_seconds + result.cut_seconds;
+  if (result.count_seconds > 0) {  // not by a merge of tasks
+    stats.count_seconds = result.count_seconds;
+    stats.cut_seconds = result.cut_seconds;
+  }
   stats.build_seconds = result.compute_seconds;
   stats.write_seconds = result.write_seconds;
   OutputFile& file = outputs.add(*request.stats);

@@ -41,6 +41,12 @@ void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]]
 #endif
 }
 
+void return_free_pages() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
   const std::uint64_t used = program_bytes + tile_points * bytes_of_tile_point * std::max(threads, 1U);
   return std::max(least_memory, used * 16 / 13 + used / 16);

@@ -28,6 +28,9 @@ Budget divide(std::uint64_t memory, unsigned threads);
 /// the largest arrays took, for each thread: several times what is in use. Of the whole process.
 void return_freed_memory(std::uint64_t memory, unsigned workers);
 
+/// Gives back what is free between what is in use, which the allocator keeps otherwise. Cost: a pass over all free memory.
+void return_free_pages();
+
 /// The memory with which a tile of so many points would do, by so many threads.
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads);
 

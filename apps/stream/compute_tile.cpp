@@ -12,11 +12,13 @@ IndexedPoints read_tile(TileReader& reader) {
   return points;
 }
 
-PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, double alpha, unsigned threads) {
-  PartialOptions options{.threads = threads};
+PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, const TileWork& work) {
+  PartialOptions options{.threads = work.threads};
   options.progress = [](const Progress&) { return !interrupted(); };
   const Region region{box.low.x, box.low.y, box.high.x, box.high.y};
-  return partial_and_items(region, {points.points, points.indices}, alpha, options);
+  const RegionPoints given{points.points, points.indices};
+  if (!work.wants_triangles) return {partial(region, given, work.alpha, options), {}};
+  return partial_and_items(region, given, work.alpha, options);
 }
 
 }  // namespace rbpa::app

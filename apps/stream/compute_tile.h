@@ -16,7 +16,13 @@ namespace rbpa::app {
 /// All points of the file. Throws Damaged, Failure, Cancelled.
 IndexedPoints read_tile(TileReader& reader);
 
-/// By so many threads at most. Throws Cancelled, and InvalidInput as partial() does.
-PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, double alpha, unsigned threads);
+struct TileWork {
+  double alpha;
+  unsigned threads;      ///< at most
+  bool wants_triangles;  ///< else PartialAndItems::owned stays empty
+};
+
+/// Throws Cancelled, and InvalidInput as partial() does.
+PartialAndItems compute_tile(const Box& box, const IndexedPoints& points, const TileWork& work);
 
 }  // namespace rbpa::app

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -85,8 +86,7 @@ class Computation {
     try {
       while (const std::optional<std::size_t> position = take()) {
         PartialAndItems made = compute(order_[*position]);
-        if (!wait_for_turn(*position)) return;
-        commit(*position, std::move(made));
+        if (!hand_in(*position, std::move(made))) return;
       }
     } catch (...) {
       const std::lock_guard lock(mutex_);
@@ -100,9 +100,29 @@ class Computation {
     if (failure_ || next_ == order_.size()) return std::nullopt;
     return next_++;
   }
-  bool wait_for_turn(std::size_t position) {
+
+  /// Whoever has the next tile, and those that follow it, commits them all; others go on with further tiles meanwhile.
+  /// Returns false when a run has failed.
+  bool hand_in(std::size_t position, PartialAndItems made) {
+    // What a small tile has made is a small part of what computing one takes.
+    const bool is_small = manifest_.tiles[order_[position]].points <= budget_.tile_points / 8;
     std::unique_lock lock(mutex_);
-    turned_.wait(lock, [&] { return failure_ || state_.tiles_done == position; });
+    turned_.wait(lock, [&] {
+      return failure_ || state_.tiles_done == position || (is_small && ready_.size() < budget_.workers);
+    });
+    if (failure_) return false;
+    ready_.emplace(position, std::move(made));
+    if (is_committing_) return true;
+    is_committing_ = true;
+    while (!failure_ && !ready_.empty() && ready_.begin()->first == state_.tiles_done) {
+      auto next = ready_.extract(ready_.begin());
+      lock.unlock();
+      commit(next.key(), std::move(next.mapped()));
+      lock.lock();
+      ++state_.tiles_done;
+      turned_.notify_all();
+    }
+    is_committing_ = false;
     return !failure_;
   }
 
@@ -123,11 +143,13 @@ class Computation {
     return read_tile(reader);
   }
 
+  bool wants_triangles() const { return request_.wants(StreamFormat::npy) || request_.wants(StreamFormat::ply); }
+
   PartialAndItems compute(std::uint32_t tile) {
     stop_if_interrupted();
     const IndexedPoints points = points_of(tile);
-    PartialAndItems made =
-        compute_tile(manifest_.tree.box(tile), points, request_.alpha, budget_.workers > 1 ? 1 : request_.threads);
+    const TileWork work{request_.alpha, budget_.workers > 1 ? 1 : request_.threads, wants_triangles()};
+    PartialAndItems made = compute_tile(manifest_.tree.box(tile), points, work);
     for (const StreamTarget& target : request_.targets)
       if (target.format == StreamFormat::ply)
         write_tile_mesh(tile_mesh_path(target.path, tile), points, made.owned.triangles);
@@ -150,14 +172,7 @@ class Computation {
     if (ends_[position] == 0) keep_finished(state_.open.back());
     state_.points_done += manifest_.tiles[order_[position]].owned;
     progress_.at(state_.points_done, state_.points_done);
-    std::unique_lock lock(mutex_);
-    if (is_time_to_save(position)) {
-      lock.unlock();
-      save_progress(position + 1);
-      lock.lock();
-    }
-    state_.tiles_done = position + 1;
-    turned_.notify_all();
+    if (is_time_to_save(position)) save_progress(position + 1);
   }
 
   /// It goes to files, or nowhere where it is not asked for: it would only grow.
@@ -199,10 +214,13 @@ class Computation {
   std::size_t begun_ = 0, cleared_ = 0;
   Clock::time_point saved_ = Clock::now();
   Clock::duration time_of_save_{0};
-  ComputeState state_ = {};  // of who has the turn; tiles_done of the mutex as well
+  ComputeState state_ = {};  // of who commits; tiles_done of the mutex as well
   std::mutex cutting_, mutex_;
   std::condition_variable turned_;
-  std::size_t next_ = 0;  // of the mutex
+  // Of the mutex:
+  std::size_t next_ = 0;
+  std::map<std::size_t, PartialAndItems> ready_ = {};  // computed, by position
+  bool is_committing_ = false;
   std::exception_ptr failure_ = nullptr;
   PassProgress progress_;
 };

@@ -61,6 +61,7 @@ class Run {
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
     cut_smaller(request_, budget_, scratch_, manifest_);
+    return_free_pages();  // of the points that waited for their tiles
     result_.cut_seconds = lap();
     return is_done;
   }

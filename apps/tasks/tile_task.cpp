@@ -79,7 +79,8 @@ TileDone run_tile(const TileRequest& request, OutputSet& outputs) {
     TileDone done{.number = number, .alpha = run.alpha, .around = header.summary.points - header.summary.owned};
     done.read_seconds = lap();
 
-    PartialAndItems made = compute_tile(header.box, points, run.alpha, request.threads);
+    const TileWork work{run.alpha, request.threads, request.mesh || request.triangles};
+    PartialAndItems made = compute_tile(header.box, points, work);
     done.counts = made.partial.counts();
     PartialFile partial{.run = run, .tiles = TileSet(number), .partial = std::move(made.partial)};
     done.compute_seconds = lap();

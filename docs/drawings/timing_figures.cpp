@@ -1,5 +1,6 @@
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "drawings/caption.h"
 #include "drawings/figures.h"
@@ -110,12 +111,40 @@ std::string performance_density() {
       {"time a point", "widest cluster / narrowest cluster", thousands, seconds, curves_of(all, looks, nanosecond)});
 }
 
+std::string bytes(double value) { return with_unit(value, "B"); }
+
+/// Curves whose values are no times.
+std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks) { return curves_of(all, looks, 1); }
+
+std::string scale_merge() {
+  static constexpr std::array looks{Look{"measured", "measured", colour::curve},
+                                    Look{"model", "by the model, from other ground", colour::touched, true}};
+  const Measured few = read_measured("scale_merge_100.csv"), many = read_measured("scale_merge_10000.csv");
+  return two_charts("Bytes of a Partial against how many tiles are merged in it", many,
+                    {"(a) of 100 tiles", "tiles", thousands, bytes, curves_of(few, looks)},
+                    {"(b) of 10,000 tiles", "tiles", thousands, bytes, curves_of(many, looks)});
+}
+
+/// Memory and disk of a run, from its first tenth of a second on.
+std::string scale_run() {
+  static constexpr std::array looks{Look{"resident", "resident memory", colour::curve},
+                                    Look{"memory", "--memory", colour::touched, true},
+                                    Look{"scratch", "files in the scratch", colour::inner}};
+  Measured all = read_measured("scale_run.csv");
+  std::erase_if(all.rows, [](const std::vector<double>& row) { return row[0] < 0.1; });
+  return one_chart("Memory and disk of a run of rbpa stream over time", all,
+                   {"bytes", "seconds since the beginning", plain, bytes, curves_of(all, looks)});
+}
+
 }  // namespace
 
 std::span<const Figure> timing_figures() {
-  static constexpr std::array figures = {
-      Figure{"paper_6_timing", paper_6_timing}, Figure{"performance_scaling", performance_scaling},
-      Figure{"performance_alpha", performance_alpha}, Figure{"performance_density", performance_density}};
+  static constexpr std::array figures = {Figure{"paper_6_timing", paper_6_timing},
+                                         Figure{"performance_scaling", performance_scaling},
+                                         Figure{"performance_alpha", performance_alpha},
+                                         Figure{"performance_density", performance_density},
+                                         Figure{"scale_merge", scale_merge},
+                                         Figure{"scale_run", scale_run}};
   return figures;
 }
 

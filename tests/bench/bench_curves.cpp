@@ -3,7 +3,6 @@
 // whole or not at all, which draw_figures draws; nanoseconds a point, medians.
 //   bench_curves [--runs=N] [--points=N] [--threads=1,2] FOLDER      5 runs of each; 1,000,000 points, up to 16 times as many
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -37,12 +36,9 @@ class CurveFile {
         columns_(std::move(columns)),
         runs_(runs),
         x_is_points_(x == "points") {
-    const std::chrono::year_month_day today(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
-    char date[16];
-    std::snprintf(date, sizeof date, "%d-%02u-%02u", int(today.year()), unsigned(today.month()), unsigned(today.day()));
-    text_ = "# " + std::string(date) + "; " + processor() + "; " + memory() + "; " + compiler() + " " +
-            compiler_flags() + "; medians of " + std::to_string(runs) + " runs\n# " + what + "\n" + x +
-            (x_is_points_ ? "" : ",points") + ",triangles";
+    text_ = "# " + today() + "; " + processor() + "; " + memory() + "; " + compiler() + " " + compiler_flags() +
+            "; medians of " + std::to_string(runs) + " runs\n# " + what + "\n" + x + (x_is_points_ ? "" : ",points") +
+            ",triangles";
     for (const Column& column : columns_) text_ += "," + column.name;
     text_ += "\n";
   }

@@ -3,7 +3,6 @@
 //   bench_timing [--runs=N] [--points=N] > docs/figures/paper_6_timing.csv      5 runs of each, up to 1,000,000 points
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <span>
 #include <vector>
@@ -42,10 +41,8 @@ int runs_for(std::size_t points, int runs) {
 }
 
 void print_head(int runs) {
-  const std::chrono::year_month_day today(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
-  std::printf("# %d-%02u-%02u; %s; %s; %s %s; one thread, median of %d runs or more\n", int(today.year()),
-              unsigned(today.month()), unsigned(today.day()), processor().c_str(), memory().c_str(), compiler().c_str(),
-              compiler_flags().c_str(), runs);
+  std::printf("# %s; %s; %s; %s %s; one thread, median of %d runs or more\n", today().c_str(), processor().c_str(),
+              memory().c_str(), compiler().c_str(), compiler_flags().c_str(), runs);
   std::printf("# uniform points, alpha = %g mean spacings; seconds from points in memory to the mesh\n", alpha);
   std::printf("points,triangles,hrbpa,hrbpa_small_leaves,rbpa,paper,paper_hrbpa\n");
 }

@@ -3,6 +3,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 
@@ -41,5 +42,12 @@ std::string compiler() {
 }
 
 std::string compiler_flags() { return RBPA_BENCH_FLAGS; }
+
+std::string today() {
+  const std::chrono::year_month_day day(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  char date[16];
+  std::snprintf(date, sizeof date, "%d-%02u-%02u", int(day.year()), unsigned(day.month()), unsigned(day.day()));
+  return date;
+}
 
 }  // namespace rbpa_bench

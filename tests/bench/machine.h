@@ -11,4 +11,7 @@ std::string system();     ///< kernel and architecture
 std::string compiler();
 std::string compiler_flags();
 
+/// In UTC: "2026-11-22".
+std::string today();
+
 }  // namespace rbpa_bench

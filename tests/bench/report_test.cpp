@@ -1,24 +1,13 @@
 #include <doctest/doctest.h>
-#include <stdio.h>
-#include <sys/wait.h>
 
 #include <string>
 
+#include "bench/program_output.h"
+
+using rbpa_bench::Report;
+using rbpa_bench::run;
+
 namespace {
-
-struct Report {
-  int code;
-  std::string text;  ///< standard output and standard error
-};
-
-Report run(const std::string& program, const std::string& arguments) {
-  FILE* const pipe = popen(("'" + program + "' " + arguments + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string text;
-  char part[4096];
-  for (std::size_t size; (size = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, size);
-  return {WEXITSTATUS(pclose(pipe)), text};
-}
 
 Report report(const std::string& arguments) { return run(RBPA_BENCH_REPORT, arguments); }
 

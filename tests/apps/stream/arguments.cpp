@@ -42,6 +42,9 @@ TEST_CASE("a run says what it has made, and leaves nothing else") {
   CHECK(stats.at("edges") == 5);
   CHECK(stats.at("holes") == 0);
   CHECK(stats.at("polygons") == 1);
+  CHECK(stats.at("tiles") == 1);
+  const auto& seconds = stats.at("seconds");
+  CHECK(seconds.at("count").get<double>() + seconds.at("cut").get<double>() == seconds.at("read").get<double>());
   CHECK(folder.rbpa("stream a.xy --alpha 1 -o - --output-format wkt -q").out ==
         "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)))\n");
   CHECK(folder.rbpa("stream a.xy --alpha 1 -o /dev/null --output-format npy -q").code == 0);
