@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "meshops/core/live.h"
 #include "meshops/stellar/flip.h"
 #include "rbpa/fill/shape_quality.h"
 #include "rbpa/predicate/predicates.h"
@@ -61,7 +60,7 @@ void flip_all(Mesh& mesh, const std::function<void()>& ask) {
   for (std::size_t steps = 0; !queue.empty(); ++steps) {
     if (steps % 4096 == 0) ask();
     const meshops::Edge e = queue.pop();
-    if (!meshops::is_live(mesh, e) || !is_illegal(mesh, e)) continue;
+    if (!is_illegal(mesh, e)) continue;
     meshops::flip(mesh, e);
     for (const unsigned side : {0U, 1U}) {
       const meshops::Halfedge h = mesh.halfedge_handle(e, side);
@@ -113,7 +112,6 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
     if (i % 1024 == 0) ask();
     const meshops::Vertex v(static_cast<int>(i));
-    if (!meshops::is_live(mesh, v)) continue;
     ring_of(mesh, v, ring);
     const Point p = at(mesh, v), goal = wanted(p, ring, field);
     const double before = least_quality(p, ring);

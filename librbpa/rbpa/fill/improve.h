@@ -1,4 +1,4 @@
-// What:   a triangulation made better: inner points move, inner edges flip, and edges much too long or too short go.
+// What:   a triangulation made better: inner points move, and inner edges flip.
 // Law:    every triangle stays counter-clockwise, which is decided exactly, and the boundary stays; at the end the
 //         triangulation is the constrained Delaunay triangulation of its points, but for points on one circle.
 // Cost:   linear in practice; flips are quadratic at worst.
@@ -14,8 +14,8 @@
 
 namespace rbpa {
 
-/// Vertices from number `fixed` on are inner ones, and may move; vertices may come and go: those that go are marked deleted.
-/// Requires: the mesh has status of every kind. Calls `ask` now and then, which may throw.
+/// Vertices from number `fixed` on are inner ones, and may move. Calls `ask` now and then, which may throw.
+/// Requires: triangles that are counter-clockwise and do not overlap, z = 0.
 void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::function<void()>& ask);
 
 }  // namespace rbpa
