@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "cli/alpha_verb.h"
+#include "cli/fill_verb.h"
 #include "cli/info_verb.h"
 #include "cli/merge_verb.h"
 #include "cli/mesh_verb.h"
 #include "cli/report_verb.h"
 #include "cli/run_options.h"
 #include "cli/shape_verb.h"
+#include "cli/shared_options.h"
 #include "cli/stream_arguments.h"
 #include "cli/stream_verb.h"
 #include "cli/tile_verb.h"
@@ -30,111 +32,6 @@ namespace rbpa::app {
 namespace {
 
 constexpr const char* program = "rbpa";
-
-/// Present or not: nothing like --quiet=7.
-CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, const std::string& what) {
-  return verb.add_flag(names, flag, what)->disable_flag_override();
-}
-
-template <typename Arguments>
-void add_format_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("--format", arguments.format,
-                  "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
-                      (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
-      ->type_name("NAME");
-  verb.add_option(
-          "--columns", arguments.columns,
-          "Columns of text that are x and y: numbers from 1, or header names; by default as the header says, else 1,2")
-      ->type_name("X,Y");
-  add_switch(verb, "--skip-invalid", arguments.skip_invalid,
-             "Leave out lines of text that are no point, and say how many");
-  verb.add_option("--where", arguments.where,
-                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
-      ->type_name("CONDITION");
-  add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
-  verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
-      ->type_name("CRS");
-  if (has_gdal())
-    verb.add_option("--layer", arguments.layer, "Layer of a file that GDAL reads, where there are several")
-        ->type_name("NAME");
-  add_switch(verb, "--shift-longitude", arguments.shift_longitude,
-             "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
-  verb.add_option("--foreground", arguments.pixels.foreground,
-                  "Pixels of an image that are points: dark or light; by default what its border mostly is not")
-      ->type_name("NAME");
-  verb.add_option("--threshold", arguments.pixels.threshold,
-                  "Share of white from which on a pixel is light; 0.5 by default")
-      ->type_name("T");
-  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
-}
-
-template <typename Arguments>
-void add_point_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
-  add_format_options(verb, arguments);
-}
-
-void add_method_options(CLI::App& verb, MethodArguments& arguments) {
-  verb.add_option("--method", arguments.method,
-                  "rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the same")
-      ->type_name("NAME")
-      ->capture_default_str();
-  verb.add_option("--leaf-capacity", arguments.leaf_capacity,
-                  "Points that a leaf of the quadtree may hold, from whose smallest leaf hrbpa takes the first radius")
-      ->type_name("K");
-}
-
-void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
-  verb.add_option(
-          "--cover", cover,
-          "Share of the points that min and auto are to cover, such as 0.99, so that outliers decide nothing; auto "
-          "then leaves out small components as well; 1 by default")
-      ->type_name("SHARE");
-}
-
-template <typename Arguments>
-void add_alpha_options(CLI::App& verb, Arguments& arguments) {
-  RadiusArguments& radius = arguments.radius;
-  verb.add_option(
-          "--alpha", radius.alpha,
-          "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
-          "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
-          "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
-      ->type_name("R|plateau|auto|min|inf");
-  verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
-      ->type_name("A");
-  verb.add_option("--alpha-inverse", radius.inverse,
-                  "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
-      ->type_name("A");
-  verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
-      ->type_name("K");
-  add_cover_option(verb, radius.cover);
-  verb.callback([&radius] {
-    const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
-    const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
-    if (given == 0)
-      refuse("found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
-    if (given > 1) refuse("found several of --alpha, --alpha-squared and --alpha-inverse, expected one");
-  });
-}
-
-template <typename Arguments>
-void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view formats) {
-  verb.add_option("-o,--output", arguments.outputs,
-                  "File to write, by its ending: " + std::string(formats) +
-                      "; - is standard output; may be given several times")
-      ->type_name("OUT")
-      ->allow_extra_args(false);
-  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
-      ->type_name("NAME");
-}
-
-void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& quiet) {
-  verb.add_option("--threads", arguments.threads,
-                  "Threads for the triangulation, at most; all processors by default; the result is the same")
-      ->type_name("N");
-  add_switch(verb, "-q,--quiet", arguments.quiet, quiet);
-}
 
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
@@ -313,6 +210,45 @@ void add_stream(CLI::App& app, StreamArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_fill(CLI::App& app, FillArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("fill", "Polygons with holes as triangles of a wanted size");
+  verb.add_option("POLYGON", arguments.polygons, "File of polygons, .gz or not, or - for standard input")->required();
+  verb.add_option("--format", arguments.format,
+                  "Format of POLYGON, where its ending does not say: " + std::string(polygon_formats))
+      ->type_name("NAME");
+  verb.add_option("--size", arguments.size,
+                  "Length that edges are to have, required, in units of the polygons; where others ask for less, the "
+                  "greatest")
+      ->type_name("H")
+      ->required();
+  verb.add_option(
+          "--size-at", arguments.size_at,
+          "Text with x, y and a size on each line: about the length of edges at that place, from which they grow")
+      ->type_name("FILE");
+  verb.add_option("--grade", arguments.grade,
+                  "How much sizes grow for each unit of distance: from those of --size-at (0.25 by default), and from "
+                  "the polygons' own edges, which without this ask for nothing")
+      ->type_name("G");
+  add_switch(verb, "--keep-boundary", arguments.keep_boundary,
+             "Leave the edges of the polygons whole; by default those that are longer than the size are cut");
+  add_output_options(verb, arguments, output_formats);
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa fill lake.geojson --size 0.01 -o lake.ply -o lake.png\n"
+      "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
+      "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
+      "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
+      "Polygons that cross or touch themselves or each other are refused, and the place is named.\n"
+      "Vertices of a mesh file are those of POLYGON in its order, then those on edges that were cut, then those "
+      "inside.\n" +
+      std::string(exit_codes));
+}
+
 void add_tile(CLI::App& app, TileArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("tile", "A task of rbpa stream --tasks: what one tile contributes to the whole");
   verb.add_option("TILE", arguments.tile, "File of the tile, in its folder")->required();
@@ -368,7 +304,7 @@ std::string asked_for(const CLI::App& app) {
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
   if (app.get_subcommands().empty())
-    return found + "mesh, alpha, shape, stream, tile, merge, info or report (see rbpa --help)";
+    return found + "mesh, alpha, shape, fill, stream, tile, merge, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -404,9 +340,11 @@ int main(int argc, char** argv) {
   InfoArguments info;
   AlphaArguments alpha;
   ReportArguments report_page;
+  FillArguments fill;
   add_mesh(app, mesh);
   add_alpha(app, alpha);
   add_shape(app, shape);
+  add_fill(app, fill);
   // Tasks call the program as it was called.
   if (argc > 0 && std::string_view(argv[0]).find('/') != std::string_view::npos)
     stream.program = std::filesystem::absolute(argv[0]).lexically_normal().string();
@@ -431,6 +369,7 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("mesh")) return run(program, [&] { run_mesh(mesh); });
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
   if (app.got_subcommand("shape")) return run(program, [&] { run_shape(shape); });
+  if (app.got_subcommand("fill")) return run(program, [&] { run_fill(fill); });
   if (app.got_subcommand("stream")) return run(program, [&] { run_stream(stream); });
   if (app.got_subcommand("tile")) return run(program, [&] { run_tile(tile); });
   if (app.got_subcommand("merge")) return run(program, [&] { run_merge(merge); });

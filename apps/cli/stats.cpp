@@ -50,6 +50,11 @@ void write_stats(OutputFile& file, const Stats& stats) {
     report["area"] = stats.of_polygons.area;  // beyond the range of double: null
     report["perimeter"] = stats.of_polygons.perimeter;
   }
+  if (stats.fill) {
+    report["points_on_boundary"] = stats.fill->on_boundary;
+    report["points_inside"] = stats.fill->inside;
+    report["retreats"] = stats.fill->retreats;
+  }
   if (stats.tiles) report["tiles"] = *stats.tiles;
   report["seconds"] = {{"read", stats.read_seconds},
                        {"choose", or_null(stats.choose_seconds)},

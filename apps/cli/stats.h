@@ -12,6 +12,13 @@
 
 namespace rbpa::app {
 
+/// Of polygons that were filled.
+struct FillStats {
+  std::size_t on_boundary = 0;  ///< points that were put on edges
+  std::size_t inside = 0;       ///< points that were put inside
+  std::size_t retreats = 0;     ///< of the front
+};
+
 struct Stats {
   std::size_t points = 0;
   std::size_t distinct = 0;
@@ -26,6 +33,7 @@ struct Stats {
   /// Keys for polygons are in the report only where a verb makes them.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};
+  std::optional<FillStats> fill = std::nullopt;     ///< keys only of `rbpa fill`
   std::optional<std::size_t> tiles = std::nullopt;  ///< key only where points were cut into tiles
   double read_seconds = 0;
   /// Of the two passes over the input that reading is; keys only where there are such.

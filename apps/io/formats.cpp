@@ -86,6 +86,14 @@ std::optional<LevelFormat> level_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<PolygonFormat> polygon_format(std::string_view name) {
+  constexpr std::pair<std::string_view, PolygonFormat> known[] = {
+      {"geojson", PolygonFormat::geojson},  {"json", PolygonFormat::geojson},   {"geojsonl", PolygonFormat::geojson},
+      {"geojsons", PolygonFormat::geojson}, {"ndjson", PolygonFormat::geojson}, {"wkt", PolygonFormat::wkt},
+      {"ewkt", PolygonFormat::wkt},         {"poly", PolygonFormat::poly}};
+  return find(known, name);
+}
+
 std::string_view ending(std::string_view path) {
   path.remove_prefix(path.rfind('/') + 1);
   const std::size_t dot = path.rfind('.');

@@ -14,6 +14,7 @@ enum class PolylineFormat { obj, json };
 enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, vtu, svg, png };
 enum class ShapeFormat { geojson, wkt, ewkt, csv, gpkg, fgb, shp, svg, png };
 enum class LevelFormat { csv, json };
+enum class PolygonFormat { geojson, wkt, poly };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<PointFormat> point_format(std::string_view name);
@@ -22,6 +23,7 @@ std::optional<PolylineFormat> polyline_format(std::string_view name);
 std::optional<OutputFormat> output_format(std::string_view name);
 std::optional<ShapeFormat> shape_format(std::string_view name);
 std::optional<LevelFormat> level_format(std::string_view name);
+std::optional<PolygonFormat> polygon_format(std::string_view name);
 
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);
@@ -43,6 +45,7 @@ constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
 constexpr std::string_view shape_formats = "geojson, json, wkt, ewkt, csv, svg, png";
+constexpr std::string_view polygon_formats = "geojson, json, wkt, ewkt, poly";
 constexpr std::string_view isolated_formats = "geojson, json, wkt, ewkt, csv";
 
 }  // namespace rbpa::app

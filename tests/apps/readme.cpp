@@ -1,4 +1,4 @@
-// What README.md, docs/which_alpha.md and docs/tasks.md show under a command is what the command prints.
+// What README.md and docs/which_alpha.md, tasks.md and fill.md show under a command is what the command prints.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -53,6 +53,9 @@ TEST_SUITE("readme") {
     std::vector<Shown> commands = commands_in(read_file((root / "docs/which_alpha.md").string()));
     CHECK(of_readme.size() >= 8);
     CHECK(commands.size() == 2);
+    const std::vector<Shown> of_fill = commands_in(read_file((root / "docs/fill.md").string()));
+    CHECK(of_fill.size() == 5);
+    commands.insert(commands.end(), of_fill.begin(), of_fill.end());
     commands.insert(commands.end(), of_readme.begin(), of_readme.end());
     for (const Shown& command : commands) {
       CAPTURE(command.arguments);

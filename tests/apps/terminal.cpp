@@ -79,6 +79,10 @@ TEST_SUITE("terminal") {
     CHECK(contains(mesh, "choosing alpha, "));
     CHECK(contains(mesh, "writing, "));
     CHECK(contains(seen_of_rbpa({"shape", points, "--alpha", "9", "-o", folder.path("s.wkt")}), "polygons, "));
+    const std::string square = folder.file("p.wkt", "POLYGON ((0 0, 9 0, 9 9, 0 9))");
+    const std::string fill = seen_of_rbpa({"fill", square, "--size", "0.05", "-o", folder.path("f.off")});
+    for (const char* part : {"reading, ", "filling, ", " triangles, ", "writing, "}) CHECK(contains(fill, part));
+    CHECK(seen_of_rbpa({"fill", square, "--size", "1", "-q", "-o", folder.path("f.off")}).empty());
     const std::string info = seen_of_rbpa({"info", points});
     CHECK(contains(info, "sorting 22.5 k points, "));
     CHECK(info.ends_with(gone));

@@ -17,6 +17,9 @@ set(arrows
   rbpa/paper>rbpa/core rbpa/paper>rbpa/predicate rbpa/paper>rbpa/run rbpa/paper>meshops/front rbpa/paper>meshops/patch
   rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate
   rbpa/shape>meshops/core rbpa/shape>meshops/front rbpa/shape>meshops/topology
+  rbpa/fill>rbpa/core rbpa/fill>rbpa/predicate rbpa/fill>rbpa/search rbpa/fill>rbpa/run rbpa/fill>rbpa/shape
+  rbpa/fill>meshops/core rbpa/fill>meshops/front rbpa/fill>meshops/patch rbpa/fill>meshops/stellar
+  rbpa/fill>meshops/topology
   rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search
   rbpa/run>rbpa
   rbpa/run>meshops/core rbpa/run>meshops/front rbpa/run>meshops/patch
@@ -63,7 +66,7 @@ set(arrows
   program>meshops/topology program>rbpa/core
   python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
-  cli>rbpa cli>rbpa/filtration cli>rbpa/shape
+  cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
 

@@ -38,22 +38,37 @@ const char* GeoJsonGeometry::close(std::vector<Point>& points) {
     coordinates_ = 0;
   } else if (depth_ == open_ + 1) {
     ends_.push_back(points.size());
+  } else if (depth_ == open_ + 2) {
+    lists_.push_back(ends_.size());
   }
   --open_;
   return nullptr;
 }
 
-bool GeoJsonGeometry::finish(const GeoJsonKind& kind, std::vector<Point>& points) const {
+bool GeoJsonGeometry::finish(const GeoJsonKind& kind, std::vector<Point>& points,
+                             std::vector<Polygon>* polygons) const {
   if (depth_ != 0 && depth_ != kind.depth) return false;
   if (!kind.rings) return true;
-  std::size_t begin = first_, kept = first_;
+  std::size_t begin = first_, kept = first_, ring = 0;
+  std::vector<std::size_t> kept_ends;
   for (std::size_t end : ends_) {
     const std::size_t next = end;
     if (end > begin + 1 && points[end - 1] == points[begin]) --end;
     for (; begin < end; ++begin) points[kept++] = points[begin];
     begin = next;
+    kept_ends.push_back(kept);
   }
   points.resize(kept);
+  if (polygons == nullptr) return true;
+  std::size_t at = first_;
+  for (const std::size_t last : lists_) {
+    if (ring == last) continue;
+    Polygon& polygon = polygons->emplace_back();
+    for (bool is_shell = true; ring < last; ++ring, is_shell = false) {
+      Ring& made = is_shell ? polygon.shell : polygon.holes.emplace_back();
+      for (; at < kept_ends[ring]; ++at) made.points.push_back(static_cast<std::uint32_t>(at));
+    }
+  }
   return true;
 }
 

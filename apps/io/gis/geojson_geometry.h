@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rbpa/core/point.h"
+#include "rbpa/shape/polygons.h"
 
 namespace rbpa::app {
 
@@ -31,8 +32,9 @@ class GeoJsonGeometry {
   const char* add(double coordinate);
   const char* close(std::vector<Point>& points);
 
-  /// Takes the points at which rings close away. False when positions lay in other brackets than the kind has.
-  bool finish(const GeoJsonKind& kind, std::vector<Point>& points) const;
+  /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
+  /// positions lay in other brackets than the kind has.
+  bool finish(const GeoJsonKind& kind, std::vector<Point>& points, std::vector<Polygon>* polygons = nullptr) const;
 
  private:
   std::size_t first_;
@@ -40,7 +42,8 @@ class GeoJsonGeometry {
   int depth_ = 0;                // of the positions so far; 0: none
   std::size_t coordinates_ = 0;  // in the position that is not at its end
   std::array<double, 2> position_{};
-  std::vector<std::size_t> ends_ = {};  // of the innermost lists of positions, as counts of all points
+  std::vector<std::size_t> ends_ = {};   // of the innermost lists of positions, as counts of all points
+  std::vector<std::size_t> lists_ = {};  // of these, as counts of ends
 };
 
 }  // namespace rbpa::app

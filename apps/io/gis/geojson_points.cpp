@@ -52,8 +52,14 @@ Slot slot_of(const std::string& key) {
 /// The events of a parser as points. Objects may say what they are behind what is in them.
 class Events {
  public:
-  Events(std::string_view text, const std::string& name, bool vertices)
-      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), name_(name), vertices_(vertices) {}
+  /// With `polygons` these are taken, and nothing else.
+  Events(std::string_view text, const std::string& name, bool vertices, std::vector<Polygon>* polygons = nullptr)
+      : begin_(text.data()),
+        at_(begin_),
+        end_(begin_ + text.size()),
+        name_(name),
+        vertices_(vertices),
+        polygons_(polygons) {}
 
   PointFile read() {
     if (at_end()) refuse("nothing but blanks", "GeoJSON");
@@ -221,9 +227,10 @@ class Events {
              "one of GeoJSON, such as FeatureCollection or MultiPoint");
     }
     if (!frame.geometry) refuse("a " + frame.type + " without coordinates", "some");
-    if (!vertices_ && !kind->points)
+    if (polygons_ != nullptr && !kind->rings) refuse("a " + frame.type, "Polygon or MultiPolygon");
+    if (polygons_ == nullptr && !vertices_ && !kind->points)
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
-    if (!frame.geometry->finish(*kind, file_.points))
+    if (!frame.geometry->finish(*kind, file_.points, polygons_))
       refuse("coordinates of another depth", std::to_string(kind->depth) + " brackets, as a " + frame.type + " has");
   }
 
@@ -241,6 +248,7 @@ class Events {
   const char* end_;
   const std::string& name_;
   bool vertices_;
+  std::vector<Polygon>* polygons_;
   PointFile file_ = {};
   std::vector<Frame> frames_ = {};
   std::size_t skipped_ = 0;  // brackets that are open around what is of no interest
@@ -252,12 +260,23 @@ class Events {
   std::size_t events_ = 0;
 };
 
+/// What some editors put before the text.
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return text;
+}
+
 }  // namespace
 
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  return Events(text, name, vertices).read();
+  return Events(without_mark(text), name, vertices).read();
+}
+
+PolygonFile read_geojson_polygons(std::string_view text, const std::string& name) {
+  PolygonFile file;
+  file.vertices = Events(without_mark(text), name, true, &file.polygons).read();
+  return file;
 }
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: points from GeoJSON (RFC 7946, and the "crs" of its draft), one text or a sequence of them, one a line or so.
+// What: points, or polygons, from GeoJSON (RFC 7946, and the "crs" of its draft), one text or a sequence of them, one a line or so.
 // Law:  a coordinate is the double nearest to its decimal text, -0 included.
 // Cost: one pass, and no more memory than the points.
 #pragma once
@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/gis/polygon_file.h"
 #include "io/point_file.h"
 
 namespace rbpa::app {
@@ -14,5 +15,8 @@ namespace rbpa::app {
 /// once. Without "crs" they are longitudes and latitudes of WGS 84. Features without a geometry are counted in a remark.
 /// Throws BadInput naming the line.
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices);
+
+/// The polygons of Polygon and MultiPolygon; anything else that has coordinates is refused.
+PolygonFile read_geojson_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

@@ -128,6 +128,7 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
     return expect_sign(')');
   }
   const Kind& kind = *std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
+  if (polygons_ != nullptr && !kind.rings) throw WktFault{begin.data(), name, "POLYGON or MULTIPOLYGON"};
   if (name == "POINT") {
     expect_sign('(');
     take_position(points);
@@ -141,17 +142,23 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
 
 /// As many brackets around each other as the kind has; the innermost are lines, or rings, which end where they begin.
 void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
-  if (brackets == 1) {
-    const std::size_t first = points.size();
-    take_list(points);
-    if (rings && points.size() > first + 1 && points.back() == points[first]) points.pop_back();
-    return;
-  }
+  if (brackets == 1) return rings ? take_ring(points) : take_list(points);
   if (take_empty()) return;
+  if (brackets == 2 && polygons_ != nullptr) polygons_->emplace_back();
   expect_sign('(');
   do take_lists(points, brackets - 1, rings);
   while (take_sign(','));
   expect_sign(')');
+}
+
+void WktGeometries::take_ring(std::vector<Point>& points) {
+  const std::size_t first = points.size();
+  take_list(points);
+  if (points.size() > first + 1 && points.back() == points[first]) points.pop_back();
+  if (polygons_ == nullptr) return;
+  Polygon& polygon = polygons_->back();
+  Ring& ring = polygon.shell.points.empty() ? polygon.shell : polygon.holes.emplace_back();
+  for (std::size_t i = first; i < points.size(); ++i) ring.points.push_back(static_cast<std::uint32_t>(i));
 }
 
 bool WktGeometries::take_empty() {

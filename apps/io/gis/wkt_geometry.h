@@ -10,6 +10,7 @@
 
 #include "io/crs.h"
 #include "rbpa/core/point.h"
+#include "rbpa/shape/polygons.h"
 
 namespace rbpa::app {
 
@@ -26,6 +27,9 @@ class WktGeometries {
   /// Of other geometries than POINT and MULTIPOINT the vertices count as points, if so wanted; the point at which a ring
   /// closes counts once.
   WktGeometries(std::string_view text, bool vertices) : text_(text), vertices_(vertices) {}
+  /// Polygons and what is made of them: these are appended to `polygons`, and other geometries are refused.
+  WktGeometries(std::string_view text, std::vector<Polygon>& polygons)
+      : text_(text), vertices_(true), polygons_(&polygons) {}
 
   /// Appends the points of the next geometry; false when there is none. Throws WktFault.
   bool next(std::vector<Point>& points);
@@ -37,6 +41,7 @@ class WktGeometries {
   void take_srid();
   void take_geometry(std::vector<Point>& points, int depth);
   void take_lists(std::vector<Point>& points, int brackets, bool rings);
+  void take_ring(std::vector<Point>& points);
   void take_list(std::vector<Point>& points);
   bool take_empty();
   void take_position(std::vector<Point>& points);
@@ -48,6 +53,7 @@ class WktGeometries {
 
   std::string_view text_;
   bool vertices_;
+  std::vector<Polygon>* polygons_ = nullptr;
   std::optional<Crs> crs_ = std::nullopt;
 };
 

@@ -7,9 +7,10 @@
 
 namespace rbpa::app {
 
-PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices) {
+namespace {
+
+PointFile read_all(WktGeometries& geometries, std::string_view text, const std::string& name) {
   PointFile file;
-  WktGeometries geometries(text, vertices);
   try {
     for (std::size_t i = 0; geometries.next(file.points); ++i)
       if (i % 16384 == 0) stop_if_interrupted();
@@ -18,6 +19,20 @@ PointFile read_wkt_points(std::string_view text, const std::string& name, bool v
     bad_input(at_line(name, before + 1), fault.found, fault.expected);
   }
   file.crs = geometries.crs();
+  return file;
+}
+
+}  // namespace
+
+PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices) {
+  WktGeometries geometries(text, vertices);
+  return read_all(geometries, text, name);
+}
+
+PolygonFile read_wkt_polygons(std::string_view text, const std::string& name) {
+  PolygonFile file;
+  WktGeometries geometries(text, file.polygons);
+  file.vertices = read_all(geometries, text, name);
   return file;
 }
 

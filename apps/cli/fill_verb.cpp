@@ -1,0 +1,209 @@
+#include "cli/fill_verb.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "cli/arguments.h"
+#include "cli/stats.h"
+#include "io/failure.h"
+#include "io/gis/read_polygons.h"
+#include "io/gis/read_sizes.h"
+#include "io/interrupt.h"
+#include "io/message.h"
+#include "io/number.h"
+#include "io/output_file.h"
+#include "io/progress_line.h"
+#include "io/same_file.h"
+#include "io/write_triangles.h"
+#include "picture/png.h"
+#include "picture/svg.h"
+#include "rbpa/core/error.h"
+#include "rbpa/fill/fill.h"
+#include "triangulation/counts.h"
+
+namespace rbpa::app {
+namespace {
+
+double parse_positive(const std::string& option, const std::string& text, const std::string& what) {
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::none || !(number.value > 0))
+    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected " + what + ": a number above 0");
+  return number.value;
+}
+
+/// What the command line asks for.
+struct Request {
+  std::string path;
+  PolygonFormat format;
+  double size;
+  std::optional<std::string> size_at;
+  std::optional<double> grade;
+  std::vector<Target> targets;
+  int width;
+};
+
+PolygonFormat parse_format(const std::string& path, const std::optional<std::string>& format) {
+  if (path.empty()) throw WrongUsage("POLYGON: found an empty name, expected a path or -");
+  if (format) {
+    const std::optional<PolygonFormat> known = polygon_format(*format);
+    if (!known) refuse_name("--format", *format, polygon_formats);
+    return *known;
+  }
+  if (path == "-") throw WrongUsage("-: found no --format, expected one of " + std::string(polygon_formats));
+  const std::optional<PolygonFormat> known = polygon_format(input_ending(path));
+  if (!known) refuse_input(path, polygon_formats, "--format");
+  return *known;
+}
+
+Request parse(const FillArguments& arguments) {
+  Request request{.path = arguments.polygons,
+                  .format = parse_format(arguments.polygons, arguments.format),
+                  .size = parse_positive("--size", arguments.size, "a length in units of the polygons"),
+                  .size_at = arguments.size_at,
+                  .grade = {},
+                  .targets = {},
+                  .width = parse_width(arguments.width)};
+  if (arguments.grade)
+    request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
+  request.targets = parse_targets(arguments.outputs, arguments.output_format, given({arguments.stats}),
+                                  arguments.polygons, Complex::solid);
+  if (request.size_at) {
+    if (*request.size_at == "-" && request.path == "-")
+      throw WrongUsage("--size-at -: found POLYGON on standard input as well, expected one of them in a file");
+    std::vector<std::string> files = given({arguments.stats});
+    for (const Target& target : request.targets) files.push_back(target.path);
+    require_different(files, *request.size_at, "sizes");
+  }
+  return request;
+}
+
+/// A line that counts triangles, and hears Ctrl-C.
+class FillProgress {
+ public:
+  explicit FillProgress(bool wanted) : line_("rbpa", wanted, "filling") {}
+
+  std::function<bool(const Progress&)> watch() {
+    return [this](const Progress& progress) {
+      triangles_ = progress.triangles;
+      if (!begun_ && progress.triangles > 0) {
+        begun_ = true;
+        line_.say([this](double seconds) {
+          const auto done = static_cast<double>(triangles_.load());
+          const std::string text = short_number(done) + " triangles";
+          return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
+        });
+      }
+      return !interrupted();
+    };
+  }
+
+ private:
+  std::atomic<std::size_t> triangles_ = 0;
+  bool begun_ = false;
+  ProgressLine line_;
+};
+
+PolygonFile read(const Request& request, bool quiet) {
+  std::optional<ProgressLine> line(std::in_place, "rbpa", !quiet && !read_from_terminal(request.path), "reading");
+  PolygonFile file = read_polygons(request.path, request.format);
+  line.reset();
+  const std::string name = request.path == "-" ? "standard input" : request.path;
+  for (const std::string& remark : file.vertices.remarks)
+    if (!quiet) say("rbpa", name + ": " + remark);
+  return file;
+}
+
+Filling make(const Request& request, const PolygonFile& file, std::span<const SizeAt> sizes,
+             const FillArguments& arguments) {
+  FillProgress progress(!arguments.quiet);
+  try {
+    return fill(file.vertices.points, file.polygons,
+                {.size = request.size,
+                 .grade = request.grade,
+                 .sizes = sizes,
+                 .keep_boundary = arguments.keep_boundary,
+                 .progress = progress.watch()});
+  } catch (const InvalidInput& e) {
+    throw BadInput((request.path == "-" ? "standard input" : request.path) + ": " + e.what());
+  }
+}
+
+/// What pictures and counts are made of.
+Triangulation arrays_of(const Filling& filling) {
+  Triangulation arrays{.triangles = filling.triangles,
+                       .neighbors = filling.neighbors,
+                       .boundary = {},
+                       .isolated = {},
+                       .duplicates = {},
+                       .distinct = filling.points.size(),
+                       .edges = {},
+                       .points = {}};
+  for (std::size_t i = 0; i < filling.points.size(); ++i)
+    if (filling.mesh.is_isolated(Mesh::VertexHandle(static_cast<int>(i))))
+      arrays.isolated.push_back(static_cast<std::uint32_t>(i));
+  return arrays;
+}
+
+void write_targets(OutputSet& outputs, const Request& request, const Filling& filling, const Triangulation& arrays,
+                   bool quiet, const std::vector<std::string>& names) {
+  const ProgressLine line("rbpa", !quiet && !written_to_terminal(names), "writing");
+  for (const Target& target : request.targets) {
+    stop_if_interrupted();
+    OutputFile& file = outputs.add(target.path);
+    if (target.format == OutputFormat::svg || target.format == OutputFormat::png) {
+      const Drawing drawing = drawing_of(filling.points, arrays, Complex::solid);
+      const Scene scene = place(drawing, request.width);
+      target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+    } else {
+      write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}});
+    }
+    file.finish();
+  }
+}
+
+}  // namespace
+
+void run_fill(const FillArguments& arguments) {
+  const Request request = parse(arguments);
+  Stopwatch watch;
+  const PolygonFile file = read(request, arguments.quiet);
+  std::vector<SizeAt> sizes;
+  if (request.size_at) sizes = read_sizes(*request.size_at);
+  Stats stats{.points = file.vertices.points.size(), .read_seconds = watch.lap()};
+  const Filling filling = make(request, file, sizes, arguments);
+  const Triangulation arrays = arrays_of(filling);
+  stats.build_seconds = watch.lap();
+
+  OutputSet outputs;
+  write_targets(outputs, request, filling, arrays, arguments.quiet, arguments.outputs);
+  stats.write_seconds = watch.lap();
+  const PolygonTotals totals = total(filling.polygons);
+  if (arguments.stats) {
+    stats.distinct = filling.points.size();
+    stats.isolated = arrays.isolated.size();
+    stats.counts = count(arrays, Complex::solid);
+    stats.method = "fill";
+    stats.polygons = filling.polygons.size();
+    stats.of_polygons = totals;
+    stats.fill = FillStats{.on_boundary = filling.boundary_points - file.vertices.points.size(),
+                           .inside = filling.points.size() - filling.boundary_points,
+                           .retreats = filling.retreats};
+    OutputFile& report = outputs.add(*arguments.stats);
+    write_stats(report, stats);
+    report.finish();
+  }
+  outputs.publish();
+
+  if (filling.triangles.empty()) say("rbpa", "there is no triangle: there is no polygon");
+  if (arguments.quiet) return;
+  char area[32];
+  std::snprintf(area, sizeof area, "%.6g", totals.area);
+  say("rbpa", counted(filling.polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", area " +
+                  area + ", " + counted(filling.triangles.size(), "triangle") + " on " +
+                  counted(filling.points.size(), "point") + list_of(request.targets));
+}
+
+}  // namespace rbpa::app

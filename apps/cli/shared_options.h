@@ -1,0 +1,122 @@
+// What: the options that several verbs have, as the command line declares them: help, manual page and completions say the same.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/alpha_choice.h"
+#include "cli/method.h"
+#include "cli/run_options.h"
+#include "io/formats.h"
+#include "io/ogr/ogr.h"
+
+namespace rbpa::app {
+
+/// Present or not: nothing like --quiet=7.
+inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, const std::string& what) {
+  return verb.add_flag(names, flag, what)->disable_flag_override();
+}
+
+template <typename Arguments>
+void add_format_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("--format", arguments.format,
+                  "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
+                      (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
+      ->type_name("NAME");
+  verb.add_option(
+          "--columns", arguments.columns,
+          "Columns of text that are x and y: numbers from 1, or header names; by default as the header says, else 1,2")
+      ->type_name("X,Y");
+  add_switch(verb, "--skip-invalid", arguments.skip_invalid,
+             "Leave out lines of text that are no point, and say how many");
+  verb.add_option("--where", arguments.where,
+                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
+      ->type_name("CONDITION");
+  add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
+  verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
+      ->type_name("CRS");
+  if (has_gdal())
+    verb.add_option("--layer", arguments.layer, "Layer of a file that GDAL reads, where there are several")
+        ->type_name("NAME");
+  add_switch(verb, "--shift-longitude", arguments.shift_longitude,
+             "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
+  verb.add_option("--foreground", arguments.pixels.foreground,
+                  "Pixels of an image that are points: dark or light; by default what its border mostly is not")
+      ->type_name("NAME");
+  verb.add_option("--threshold", arguments.pixels.threshold,
+                  "Share of white from which on a pixel is light; 0.5 by default")
+      ->type_name("T");
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+}
+
+template <typename Arguments>
+void add_point_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("POINTS", arguments.points, "File of points, .gz or not, or - for standard input")->required();
+  add_format_options(verb, arguments);
+}
+
+inline void add_method_options(CLI::App& verb, MethodArguments& arguments) {
+  verb.add_option("--method", arguments.method,
+                  "rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the same")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--leaf-capacity", arguments.leaf_capacity,
+                  "Points that a leaf of the quadtree may hold, from whose smallest leaf hrbpa takes the first radius")
+      ->type_name("K");
+}
+
+inline void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
+  verb.add_option(
+          "--cover", cover,
+          "Share of the points that min and auto are to cover, such as 0.99, so that outliers decide nothing; auto "
+          "then leaves out small components as well; 1 by default")
+      ->type_name("SHARE");
+}
+
+template <typename Arguments>
+void add_alpha_options(CLI::App& verb, Arguments& arguments) {
+  RadiusArguments& radius = arguments.radius;
+  verb.add_option(
+          "--alpha", radius.alpha,
+          "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
+          "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
+          "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
+      ->type_name("R|plateau|auto|min|inf");
+  verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
+      ->type_name("A");
+  verb.add_option("--alpha-inverse", radius.inverse,
+                  "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
+      ->type_name("A");
+  verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
+      ->type_name("K");
+  add_cover_option(verb, radius.cover);
+  verb.callback([&radius] {
+    const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
+    const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
+    if (given == 0)
+      refuse("found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
+    if (given > 1) refuse("found several of --alpha, --alpha-squared and --alpha-inverse, expected one");
+  });
+}
+
+template <typename Arguments>
+void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view formats) {
+  verb.add_option("-o,--output", arguments.outputs,
+                  "File to write, by its ending: " + std::string(formats) +
+                      "; - is standard output; may be given several times")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
+      ->type_name("NAME");
+}
+
+inline void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& quiet) {
+  verb.add_option("--threads", arguments.threads,
+                  "Threads for the triangulation, at most; all processors by default; the result is the same")
+      ->type_name("N");
+  add_switch(verb, "-q,--quiet", arguments.quiet, quiet);
+}
+
+}  // namespace rbpa::app

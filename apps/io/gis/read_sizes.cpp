@@ -1,0 +1,56 @@
+#include "io/gis/read_sizes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/failure.h"
+#include "io/gunzip.h"
+#include "io/input_bytes.h"
+#include "io/lines.h"
+#include "io/number.h"
+
+namespace rbpa::app {
+namespace {
+
+/// The words of a line; those behind the third are in the last.
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view separators = " \t,;";
+  std::vector<std::string_view> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(separators), line.size()));
+    if (line.empty()) return words;
+    const std::size_t size = std::min(line.find_first_of(separators), line.size());
+    words.push_back(line.substr(0, size));
+    line.remove_prefix(size);
+  }
+}
+
+}  // namespace
+
+std::vector<SizeAt> read_sizes(const std::string& path) {
+  InputBytes input(path, "a file of sizes");
+  if (is_gzip(input.bytes())) input.gunzip();
+  std::vector<SizeAt> sizes;
+  Lines lines(input.bytes());
+  for (bool is_first = true; lines.next_with_content(); is_first = false) {
+    const std::vector<std::string_view> words = words_of(lines.line());
+    const std::string where = at_line(input.name(), lines.number());
+    if (words.size() != 3) bad_input(where, counted(words.size(), "value"), "three: x, y and size");
+    std::array<double, 3> value{};
+    bool is_header = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ParsedNumber number = parse_whole_number(words[i]);
+      is_header = is_header || (is_first && number.fault == NumberFault::not_a_number);
+      if (number.fault != NumberFault::none && !is_header)
+        bad_input(where, in_quotes(words[i]), expected_instead(number.fault));
+      value[i] = number.value;
+    }
+    if (is_header) continue;
+    if (!(value[2] > 0)) bad_input(where, "the size " + std::string(words[2]), "one above 0");
+    sizes.push_back({{value[0], value[1]}, value[2]});
+  }
+  if (sizes.empty()) bad_input(input.name(), "no size", "lines of x, y and size");
+  return sizes;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,359 @@
+#include "rbpa/fill/fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "meshops/front/engine.h"
+#include "meshops/topology/build_mesh.h"
+#include "rbpa/core/error.h"
+#include "rbpa/fill/improve.h"
+#include "rbpa/fill/lo_front.h"
+#include "rbpa/fill/outline.h"
+#include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/size_field.h"
+#include "rbpa/run/input.h"
+#include "rbpa/run/monitor.h"
+#include "rbpa/shape/measure.h"
+
+namespace rbpa {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Where a ring of the input is: the shell of a polygon, or one of its holes.
+struct Role {
+  std::size_t polygon;
+  std::optional<std::size_t> hole;
+};
+
+std::string name_of(const Role& role) {
+  const std::string polygon = "polygon " + std::to_string(role.polygon);
+  return role.hole ? "hole " + std::to_string(*role.hole) + " of " + polygon : "the shell of " + polygon;
+}
+
+void check_positive(const std::string& what, double value) {
+  if (!(value > 0) || std::isinf(value))
+    throw InvalidInput(what + ": found " + text(value) + ", expected a finite number above 0");
+}
+
+void check_sizes(const FillOptions& options) {
+  check_positive("size", options.size);
+  if (options.grade) check_positive("grade", *options.grade);
+  for (std::size_t i = 0; i < options.sizes.size(); ++i) {
+    const std::string which = "size " + std::to_string(i) + " of sizes at points";
+    check_positive(which, options.sizes[i].size);
+    if (!is_finite(options.sizes[i].at))
+      throw InvalidInput(which + ": found it at " + place_of(options.sizes[i].at) + ", expected finite coordinates");
+  }
+}
+
+/// The rings of all polygons, and what is known of them.
+class Rings {
+ public:
+  /// Throws InvalidInput when they are not those of polygons.
+  Rings(std::span<const Point> points, std::span<const Polygon> polygons, const std::function<bool()>& go_on)
+      : points_(points) {
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+      add(polygons[p].shell, {p, std::nullopt});
+      for (std::size_t h = 0; h < polygons[p].holes.size(); ++h) add(polygons[p].holes[h], {p, h});
+    }
+    const RingName name = [&](std::size_t ring) { return name_of(roles_[ring]); };
+    check_points(points, rings_, name);
+    NestedRings nested = nest_rings(points, rings_, name, go_on);
+    if (nested.meet) throw InvalidInput(nested.meet->why + "; expected rings that do not meet");
+    places_ = std::move(nested.place);
+    for (std::size_t r = 0; r < rings_.size(); ++r) check_role(r);
+  }
+
+  std::span<const Ring> rings() const { return rings_; }
+  std::span<const RingPlace> places() const { return places_; }
+  const Role& role(std::size_t ring) const { return roles_[ring]; }
+
+ private:
+  void add(const Ring& ring, const Role& role) {
+    rings_.push_back(ring);
+    roles_.push_back(role);
+  }
+  void check_role(std::size_t r) const {
+    const Role& role = roles_[r];
+    const RingPlace& place = places_[r];
+    const std::string around = place.inside ? "in " + name_of(roles_[*place.inside]) : "in no ring";
+    const std::string found = name_of(role) + " at " + place_of(points_[rings_[r].points[0]]) + ": found it " + around;
+    const bool in_own_shell =
+        place.inside && !roles_[*place.inside].hole && roles_[*place.inside].polygon == role.polygon;
+    if (role.hole && !in_own_shell) throw InvalidInput(found + ", expected it in the shell of its polygon");
+    const bool is_outside = !place.inside || roles_[*place.inside].hole;
+    if (!role.hole && !is_outside) throw InvalidInput(found + ", expected it outside of other polygons, or in a hole");
+  }
+
+  std::span<const Point> points_;
+  std::vector<Ring> rings_;
+  std::vector<Role> roles_;
+  std::vector<RingPlace> places_;
+};
+
+/// Of so many triangles no mesh is made.
+constexpr double max_triangles = 500e6;
+
+/// `size` is as the outline is scaled.
+void check_number(const Outline& outline, double size, double said) {
+  ExactSum twice;
+  for (const OutlineRing& ring : outline.rings) add_twice_area(twice, {ring.sites}, outline.places);
+  constexpr double of_unit = 0.4330127018922193;  // √3 / 4, the area of a triangle of sides 1
+  const double triangles = twice.rounded(-1) / (of_unit * size * size);
+  if (!(triangles <= max_triangles))
+    throw InvalidInput("size: found " + text(said) + ", at which more than " + text(max_triangles) +
+                       " triangles would be made, expected a larger one");
+}
+
+/// Lengths are squared: coordinates that are far too large or small for that are multiplied by a power of two for a while,
+/// which changes none of their bits.
+class Scale {
+ public:
+  /// Throws InvalidInput when it would change some.
+  explicit Scale(Outline& outline) {
+    double largest = 0;
+    for (const Point& p : outline.places) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    constexpr int comfortable = 300;
+    exponent_ = std::abs(std::ilogb(largest)) > comfortable ? std::ilogb(largest) : 0;
+    for (Point& p : outline.places) {
+      const Point scaled{in(p.x), in(p.y)};
+      if (out(scaled) != p)
+        throw InvalidInput("coordinates: found " + place_of(p) + " beside a coordinate of " + text(largest) +
+                           ", expected them closer in magnitude");
+      p = scaled;
+    }
+  }
+
+  double in(double value) const { return std::scalbn(value, -exponent_); }
+  Point out(const Point& p) const { return {std::scalbn(p.x, exponent_), std::scalbn(p.y, exponent_)}; }
+  FillOptions in(FillOptions options, std::vector<SizeAt>& sizes) const {
+    constexpr double huge = 0x1p400;  // whatever is larger means the same
+    for (SizeAt& size : sizes) size = {{in(size.at.x), in(size.at.y)}, std::min(in(size.size), huge)};
+    options.size = std::min(in(options.size), huge);
+    options.sizes = sizes;
+    return options;
+  }
+
+ private:
+  int exponent_;
+};
+
+SizeField field_of(const Outline& outline, const FillOptions& options) {
+  std::vector<SizeAt> sources(options.sizes.begin(), options.sizes.end());
+  if (options.grade)
+    for (const OutlineRing& ring : outline.rings)
+      for (std::size_t i = 0; i < ring.sites.size(); ++i) {
+        const Point& a = outline.places[ring.sites[i]];
+        const Point& b = outline.places[ring.sites[(i + 1) % ring.sites.size()]];
+        const double dx = b.x - a.x, dy = b.y - a.y;
+        const double length = std::sqrt(dx * dx + dy * dy);
+        if (length > 0) sources.push_back({{a.x + dx / 2, a.y + dy / 2}, length});
+      }
+  return {options.size, options.grade.value_or(FillOptions::default_grade), std::move(sources)};
+}
+
+/// Behind every edge of the boundary lies a triangle of a cone over its ring: so all boundary is a front, and nothing is
+/// attached to its other side.
+meshops::PolygonSoup cones_over(const Outline& outline) {
+  meshops::PolygonSoup soup{.points = outline.places.size() + outline.rings.size(), .corners = {}};
+  for (std::size_t r = 0; r < outline.rings.size(); ++r) {
+    const std::vector<Site>& ring = outline.rings[r].sites;
+    const auto tip = static_cast<Site>(outline.places.size() + r);
+    for (std::size_t i = 0; i < ring.size(); ++i) soup.add_face(Triangle{ring[(i + 1) % ring.size()], ring[i], tip});
+  }
+  return soup;
+}
+
+/// Triangles on places: those of the outline first.
+struct Pieces {
+  std::vector<Point> places;
+  std::vector<Triangle> triangles = {};
+  std::size_t retreats = 0;
+};
+
+class Told : public Monitor {
+ public:
+  Told(LoFront& policy, const std::function<bool(const Progress&)>& progress, std::size_t points)
+      : Monitor(progress, points), policy_(policy) {}
+  void attached(const Front& front, Halfedge h, const meshops::InsertedTriangle& triangle) {
+    policy_.attached(front, triangle);
+    Monitor::attached(front, h, triangle);
+  }
+  void detached(const Front&, const meshops::DetachedTriangle& triangle) { policy_.detached(triangle); }
+
+ private:
+  LoFront& policy_;
+};
+
+Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options) {
+  Mesh mesh;
+  mesh.request_vertex_status();
+  mesh.request_halfedge_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  meshops::build_mesh(mesh, cones_over(outline));
+  const std::size_t outside = mesh.n_faces();
+  std::vector<FrontEdge> edges;
+  for (const OutlineRing& ring : outline.rings)
+    for (std::size_t i = 0; i < ring.sites.size(); ++i)
+      edges.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
+  std::vector<Point> places = outline.places;
+  places.resize(mesh.n_vertices());
+
+  Front front(mesh);
+  LoFront policy(std::move(places), edges, field);
+  meshops::advance(front, policy, Told(policy, options.progress, outline.places.size()));
+  Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats()};
+  for (std::size_t i = 0; i < mesh.n_halfedges(); ++i)
+    meshops::require(!front.is_boundary(Halfedge(static_cast<int>(i))), "fill: the front has not closed");
+  meshops::for_each_face(mesh, [&](meshops::Face f) {
+    if (static_cast<std::size_t>(f.idx()) < outside) return;
+    const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
+    pieces.triangles.push_back({front.from_site(h), front.to_site(h), front.to_site(next)});
+  });
+  return pieces;
+}
+
+/// Places that no triangle has go, those of the outline excepted.
+void drop_unused(Pieces& pieces, std::size_t outline) {
+  constexpr std::uint32_t unused = TriangleArrays::none;
+  std::vector<std::uint32_t> number(pieces.places.size(), unused);
+  for (std::size_t i = 0; i < outline; ++i) number[i] = static_cast<std::uint32_t>(i);
+  for (const Triangle& triangle : pieces.triangles)
+    for (const std::uint32_t s : triangle) number[s] = s;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] == unused) continue;
+    pieces.places[kept] = pieces.places[i];
+    number[i] = static_cast<std::uint32_t>(kept++);
+  }
+  pieces.places.resize(kept);
+  for (Triangle& triangle : pieces.triangles)
+    for (std::uint32_t& s : triangle) s = number[s];
+}
+
+meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t points) {
+  meshops::PolygonSoup soup{.points = points, .corners = {}};
+  for (const Triangle& triangle : triangles) soup.add_face(triangle);
+  return soup;
+}
+
+void place(Mesh& mesh, std::span<const Point> places) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    mesh.set_point(meshops::Vertex(static_cast<int>(i)), {places[i].x, places[i].y, 0});
+}
+
+/// The same triangles on places that are better, or others.
+void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, const FillOptions& options) {
+  Mesh mesh;
+  mesh.request_vertex_status();
+  mesh.request_halfedge_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
+  place(mesh, pieces.places);
+  const std::function<void()> ask = asking(options.progress, outline, pieces.triangles.size());
+  improve(mesh, outline, field, [&] {
+    if (ask) ask();
+  });
+  pieces.triangles.clear();
+  pieces.places.resize(mesh.n_vertices());
+  for (std::size_t i = outline; i < pieces.places.size(); ++i) {
+    const auto& p = mesh.point(meshops::Vertex(static_cast<int>(i)));
+    pieces.places[i] = {p[0], p[1]};
+  }
+  meshops::for_each_face(mesh, [&](meshops::Face f) {
+    const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
+    const auto number = [](meshops::Vertex v) { return static_cast<std::uint32_t>(v.idx()); };
+    pieces.triangles.push_back(
+        {number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)), number(mesh.to_vertex_handle(next))});
+  });
+  drop_unused(pieces, outline);
+}
+
+/// The numbers under which the places are among the points of the result.
+std::vector<std::uint32_t> numbers_of(const Outline& outline, const Pieces& pieces, std::size_t input) {
+  std::vector<std::uint32_t> number = outline.input;
+  for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)
+    number.push_back(static_cast<std::uint32_t>(input + i - outline.input.size()));
+  return number;
+}
+
+void link(Filling& filling) {
+  meshops::build_mesh(filling.mesh, soup_of(filling.triangles, filling.points.size()));
+  place(filling.mesh, filling.points);
+  const Mesh& mesh = filling.mesh;
+  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
+    const Halfedge first = mesh.halfedge_handle(meshops::Face(static_cast<int>(t)));
+    const auto beyond = [&](Halfedge h) {
+      const meshops::Face f = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+      return f.is_valid() ? static_cast<std::uint32_t>(f.idx()) : TriangleArrays::none;
+    };
+    filling.neighbors.push_back(
+        {beyond(mesh.next_halfedge_handle(first)), beyond(mesh.prev_halfedge_handle(first)), beyond(first)});
+  }
+}
+
+std::vector<Polygon> polygons_of(const Outline& outline, const Rings& rings, std::span<const std::uint32_t> number,
+                                 std::span<const Polygon> input, std::span<const Point> points) {
+  std::vector<Polygon> polygons(input.size());
+  for (std::size_t p = 0; p < input.size(); ++p) polygons[p].holes.resize(input[p].holes.size());
+  for (const OutlineRing& ring : outline.rings) {
+    const auto [polygon, hole] = rings.role(ring.input);
+    Ring& cut = hole ? polygons[polygon].holes[*hole] : polygons[polygon].shell;
+    for (const Site s : ring.sites) cut.points.push_back(number[s]);
+  }
+  for (Polygon& polygon : polygons) measure(polygon, points);
+  return polygons;
+}
+
+}  // namespace
+
+Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& said) {
+  check_sizes(said);
+  const std::function<void()> ask = asking(said.progress, points.size());
+  const std::function<bool()> go_on = [&] {
+    if (ask) ask();
+    return true;
+  };
+  const Rings rings(points, polygons, go_on);
+  Filling filling;
+  filling.points.assign(points.begin(), points.end());
+  filling.boundary_points = points.size();
+  if (rings.rings().empty()) {
+    link(filling);
+    return filling;
+  }
+  Outline outline = outline_of(points, rings.rings(), rings.places());
+  const Scale scale(outline);
+  std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
+  const FillOptions options = scale.in(said, sizes);
+  check_number(outline, options.size, said.size);
+  const SizeField field = field_of(outline, options);
+  if (!options.keep_boundary) cut(outline, field, go_on);
+
+  Pieces pieces = advance_from(outline, field, options);
+  drop_unused(pieces, outline.places.size());
+  make_better(pieces, outline.places.size(), field, options);
+
+  const std::vector<std::uint32_t> number = numbers_of(outline, pieces, points.size());
+  for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)
+    filling.points.push_back(scale.out(pieces.places[i]));
+  filling.boundary_points = points.size() + outline.places.size() - outline.input.size();
+  filling.retreats = pieces.retreats;
+  for (const Triangle& triangle : pieces.triangles) {
+    Triangle named{number[triangle[0]], number[triangle[1]], number[triangle[2]]};
+    std::rotate(named.begin(), std::min_element(named.begin(), named.end()), named.end());
+    filling.triangles.push_back(named);
+  }
+  std::sort(filling.triangles.begin(), filling.triangles.end());
+  link(filling);
+  filling.polygons = polygons_of(outline, rings, number, polygons, filling.points);
+  return filling;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,75 @@
+// What:   polygons with holes as triangles of a wanted size, by an advancing front.
+// Law:    the triangles cover the polygons, meet in whole edges, and have the polygons' boundary for theirs: all decisions
+//         are exact, so that this holds for any polygons that do not touch themselves. The same triangles come whichever
+//         way round rings go, wherever they begin and in whatever order they are.
+// Cost:   about linear in the triangles, n log n in the boundary.
+// Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
+//         generation method revisited (1994); docs/fill.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/core/api.h"
+#include "rbpa/core/mesh.h"
+#include "rbpa/core/point.h"
+#include "rbpa/core/progress.h"
+#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/shape/polygons.h"
+
+namespace rbpa {
+
+/// Edges near `at` are to be no longer than about `size`.
+struct SizeAt {
+  Point at;
+  double size;
+};
+
+struct FillOptions {
+  /// The length that edges are to have, in units of the points; the greatest, where the others below ask for less.
+  double size = 0;
+  /// Edges of the boundary that are shorter than `size` ask for triangles of their own length, which grow by so much for
+  /// each unit of distance. Absent: they ask for nothing.
+  std::optional<double> grade = std::nullopt;
+  /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is `grade`, or
+  /// default_grade. It is the greatest function of slope g that exceeds no given value.
+  std::span<const SizeAt> sizes = {};
+  /// Leaves the boundary as it is. Otherwise edges that are longer than the target are cut.
+  bool keep_boundary = false;
+  /// Called every few milliseconds with the triangles so far; returning false cancels the run. Empty: never called.
+  std::function<bool(const Progress&)> progress = {};
+
+  static constexpr double default_grade = 0.25;
+};
+
+struct Filling {
+  /// Those of the input, each under its index, whether used or not; then those on edges that were cut; then those inside.
+  std::vector<Point> points;
+  std::size_t boundary_points = 0;  ///< the points before this number are of the input, or on edges that were cut
+  /// Counter-clockwise, the smallest index first, in lexicographic order.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none.
+  std::vector<std::array<std::uint32_t, 3>> neighbors;
+  /// The same as a mesh: vertex v stands on point v, face f is triangle f; z = 0. Points that were not used are isolated.
+  Mesh mesh;
+  /// The polygons with the points that were put on their edges; areas are exact sums, rounded once.
+  std::vector<Polygon> polygons;
+  /// How often the front had to retreat.
+  std::size_t retreats = 0;
+
+  operator TriangleArrays() const { return {triangles, neighbors}; }
+};
+
+/// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, and polygons may lie in
+/// holes of others. A point on an edge that is cut is the double nearest to where it should be.
+/// Throws: InvalidInput that names the place: coordinates that are not finite; rings of fewer than three points, of no
+///         area, that repeat a point, cross or touch; a hole outside of its shell; a size or grade that is no number above
+///         0. Cancelled.
+RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
+
+}  // namespace rbpa

@@ -1,0 +1,236 @@
+#include "rbpa/fill/lo_front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "rbpa/fill/shape_quality.h"
+#include "rbpa/predicate/predicates.h"
+
+namespace rbpa {
+namespace {
+
+/// A front point this near to the ideal one, in sides of the triangle, takes its place.
+constexpr double near_enough = 0.75;
+/// A new point is so far from the front, in sides of the triangle; where this is too much to ask, at least so far.
+constexpr double clearance = 0.5, tight_clearance = 0.35;
+/// A triangle of front points that is better is not bettered by a new point in a narrow place.
+constexpr double good = 0.6;
+/// One that is worse makes the front retreat.
+constexpr double bad = 0.25;
+
+int orientation(const Point& a, const Point& b, const Point& c) {
+  return Predicates<long double>::orientation(a, b, c);
+}
+
+double distance(const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+double distance(const Point& p, const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  const double along = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
+  const double share = std::clamp(along, 0.0, 1.0);
+  return distance(p, {a.x + share * dx, a.y + share * dy});
+}
+
+/// The inner parts of both segments have one point in common.
+bool cross(const Point& p, const Point& q, const Point& r, const Point& s) {
+  return orientation(p, q, r) * orientation(p, q, s) < 0 && orientation(r, s, p) * orientation(r, s, q) < 0;
+}
+
+std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
+
+double shortest(std::span<const FrontEdge> edges, const std::vector<Point>& places) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : edges) least = std::min(least, distance(places[from], places[to]));
+  return least;
+}
+
+Box box_of(std::span<const FrontEdge> edges, const std::vector<Point>& places) {
+  Box box{places[edges[0].from], places[edges[0].from]};
+  for (const auto& [from, to] : edges) box = common_box(box, {places[from], places[from]});
+  return box;
+}
+
+}  // namespace
+
+LoFront::LoFront(std::vector<Point> places, std::span<const FrontEdge> edges, const SizeField& field)
+    : places_(std::move(places)),
+      given_faces_(edges.size()),
+      field_(field),
+      tree_(box_of(edges, places_)),
+      least_clearance_(
+          std::max(0.1 * std::min(shortest(edges, places_), field.least()), std::ldexp(tree_.least_side(), -20))),
+      retreats_left_(edges.size()) {
+  for (const FrontEdge& edge : edges) tree_.insert(edge, places_[edge.from], places_[edge.to]);
+}
+
+double LoFront::key(const Front& front, Halfedge h) const {
+  return distance(places_[front.from_site(h)], places_[front.to_site(h)]);
+}
+
+LoFront::Task LoFront::task_of(Site from, Site to) const {
+  Task task{.a = places_[from], .b = places_[to], .from = from, .to = to, .length = 0, .side = 0, .ideal = {}};
+  task.length = distance(task.a, task.b);
+  // The size is asked for where the apex will be, about.
+  for (int turn = 0; turn < 2; ++turn) {
+    const Point& at = turn == 0 ? places_[from] : task.ideal;
+    task.side = std::clamp(field_.at(at), 0.6 * task.length, 1.6 * task.length);
+    task.ideal = apex_at(task, 1);
+  }
+  return task;
+}
+
+/// At the share of the height of the ideal triangle.
+Point LoFront::apex_at(const Task& task, double share) const {
+  const double dx = task.b.x - task.a.x, dy = task.b.y - task.a.y, half = task.length / 2;
+  const double height = std::sqrt(std::max(task.side * task.side - half * half, 0.0));
+  const double rise = task.length > 0 ? share * height / task.length : 0;
+  return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
+}
+
+/// Gathers what is within `reach` of edge and ideal apex.
+void LoFront::look_around(Task& task, double reach) const {
+  task.box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
+  task.box = {{task.box.low.x - reach, task.box.low.y - reach}, {task.box.high.x + reach, task.box.high.y + reach}};
+  task.near.clear();
+  task.candidates.clear();
+  tree_.for_each_near(task.box, [&](const FrontEdge& edge) {
+    const Point &p = places_[edge.from], &q = places_[edge.to];
+    if (std::max(p.x, q.x) < task.box.low.x || std::min(p.x, q.x) > task.box.high.x ||
+        std::max(p.y, q.y) < task.box.low.y || std::min(p.y, q.y) > task.box.high.y)
+      return;
+    task.near.push_back(edge);
+    for (const Site s : {edge.from, edge.to}) {
+      const Point& c = places_[s];
+      if (c.x >= task.box.low.x && c.x <= task.box.high.x && c.y >= task.box.low.y && c.y <= task.box.high.y)
+        task.candidates.push_back(s);
+    }
+  });
+  std::sort(task.candidates.begin(), task.candidates.end());
+  task.candidates.erase(std::unique(task.candidates.begin(), task.candidates.end()), task.candidates.end());
+  std::erase_if(task.candidates, [&](Site s) { return orientation(task.a, task.b, places_[s]) <= 0; });
+}
+
+/// Whether the triangle of the edge and an apex within the box, a site or a new point, is empty.
+bool LoFront::is_free(const Task& task, const Point& apex, std::optional<Site> site) const {
+  const Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {apex, apex});
+  const auto is_corner = [&](Site s) { return s == task.from || s == task.to || s == site; };
+  const auto covers = [&](const Point& p) {
+    return orientation(task.a, task.b, p) >= 0 && orientation(task.b, apex, p) >= 0 &&
+           orientation(apex, task.a, p) >= 0;
+  };
+  return std::none_of(task.near.begin(), task.near.end(), [&](const FrontEdge& edge) {
+    const Point &p = places_[edge.from], &q = places_[edge.to];
+    if (std::max(p.x, q.x) < box.low.x || std::min(p.x, q.x) > box.high.x || std::max(p.y, q.y) < box.low.y ||
+        std::min(p.y, q.y) > box.high.y)
+      return false;
+    // Each end of an edge begins another, so that one of them is enough.
+    if (!is_corner(edge.from) && covers(p)) return true;
+    if (cross(p, q, task.b, apex) || cross(p, q, task.a, apex)) return true;
+    // A new point might lie on an edge. A site does not: fronts do not touch themselves.
+    return !site && orientation(p, q, apex) == 0 && std::min(p, q) <= apex && apex <= std::max(p, q);
+  });
+}
+
+/// The nearest point of the front that can take the place of the ideal apex.
+std::optional<Site> LoFront::near_ideal(Task& task, double reach) const {
+  std::vector<std::pair<double, Site>> order;
+  for (const Site s : task.candidates)
+    if (const double far = distance(places_[s], task.ideal); far <= reach) order.emplace_back(far, s);
+  std::sort(order.begin(), order.end());
+  for (const auto& [far, s] : order)
+    if (is_free(task, places_[s], s)) return s;
+  return std::nullopt;
+}
+
+/// Of the points of the front in the box that which makes the best triangle.
+std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
+  std::vector<std::pair<double, Site>> order;
+  for (const Site s : task.candidates) order.emplace_back(-shape_quality(task.a, task.b, places_[s]), s);
+  std::sort(order.begin(), order.end());
+  for (const auto& [worse, s] : order)
+    if (is_free(task, places_[s], s)) return Choice{s, -worse};
+  return std::nullopt;
+}
+
+/// A new apex, if it is as clear of the front as that.
+std::optional<Point> LoFront::placed(const Task& task, double share, double wanted) const {
+  const Point apex = apex_at(task, share);
+  const double least = std::max(wanted * task.side, least_clearance_);
+  if (!is_finite(apex) || orientation(task.a, task.b, apex) <= 0) return std::nullopt;
+  for (const auto& [from, to] : task.near)
+    if (!(distance(apex, places_[from], places_[to]) >= least)) return std::nullopt;
+  if (!is_free(task, apex, std::nullopt)) return std::nullopt;
+  return apex;
+}
+
+meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
+  places_.resize(front.sites());
+  Task task = task_of(front.from_site(h), front.to_site(h));
+  const bool again = retreated_from_.contains(key_of(task.from, task.to));
+  look_around(task, task.side);
+  // Where the front has been before, it rather closes than that it does the same again.
+  if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
+  std::optional<Point> apex = placed(task, 1, clearance);
+  std::optional<Choice> best;
+  if (!apex) {
+    best = best_of(task);
+    for (const double share : {0.8, 0.6})
+      if (!apex && (!best || best->quality < good)) apex = placed(task, share, tight_clearance);
+  }
+  if (apex) {
+    places_.push_back(*apex);
+    return static_cast<Site>(front.sites());
+  }
+  for (double reach = std::max(2 * task.side, tree_.least_side()); !best; reach *= 2) {
+    look_around(task, reach);
+    best = best_of(task);
+    if (!best && tree_.is_within(task.box)) return std::nullopt;  // which cannot be
+  }
+  if (best->quality < bad && !again && retreats_left_ > 0) {
+    if (const auto face = behind(front, h)) {
+      retreated_from_.insert(key_of(task.from, task.to));
+      --retreats_left_;
+      ++retreated_;
+      return meshops::Proposal::detach(*face);
+    }
+  }
+  return best->apex;
+}
+
+/// A triangle that can go, behind the edge or behind its neighbours on the front.
+std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) const {
+  const meshops::Connectivity& mesh = front.mesh();
+  for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {
+    const meshops::Face face = mesh.face_handle(mesh.opposite_halfedge_handle(at));
+    if (static_cast<std::size_t>(face.idx()) >= given_faces_) return face;
+  }
+  return std::nullopt;
+}
+
+void LoFront::attached(const Front& front, const meshops::InsertedTriangle& triangle) {
+  places_.resize(front.sites());
+  for (const Halfedge side : triangle.side) {
+    const Site from = front.from_site(side), to = front.to_site(side);
+    if (front.mesh().is_boundary(front.mesh().opposite_halfedge_handle(side)))
+      tree_.insert({to, from}, places_[to], places_[from]);
+    else
+      tree_.erase({from, to}, places_[from], places_[to]);
+  }
+}
+
+void LoFront::detached(const meshops::DetachedTriangle& triangle) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Site from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
+    if (triangle.side[i].is_valid())
+      tree_.insert({from, to}, places_[from], places_[to]);
+    else
+      tree_.erase({to, from}, places_[to], places_[from]);
+  }
+}
+
+}  // namespace rbpa

@@ -1,0 +1,39 @@
+// What:   the boundary of what is to be filled, in an order that does not depend on how it was said.
+// Law:    a function of the polygons as a set of the plane, but for the numbers of input points.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "meshops/patch/site.h"
+#include "rbpa/core/point.h"
+#include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/size_field.h"
+
+namespace rbpa {
+
+struct OutlineRing {
+  std::vector<meshops::Site> sites;  ///< the polygon is on the left; the least of the corners first
+  std::size_t input = 0;             ///< the number of the ring among those of the input
+  bool is_reversed = false;          ///< against the input
+};
+
+struct Outline {
+  std::vector<Point> places;         ///< of each site: corners in lexicographic order, then what was put on edges
+  std::vector<std::uint32_t> input;  ///< of each corner the input point
+  std::vector<OutlineRing> rings;    ///< by their first sites
+};
+
+/// Requires: rings that do not meet, and what nest_rings() says of them.
+Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places);
+
+/// Puts points on edges, so that none is much longer than the field has it: an edge along which the field counts n of its
+/// lengths is cut into n pieces, n rounded. A point is rounded to doubles; an edge whose pieces would meet others by that
+/// stays whole.
+/// Throws: Cancelled. Cost: n log n in the pieces.
+void cut(Outline& outline, const SizeField& field, const std::function<bool()>& go_on);
+
+}  // namespace rbpa

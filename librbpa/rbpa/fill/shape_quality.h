@@ -1,0 +1,17 @@
+// What: how good a triangle is, from 0 to 1.
+#pragma once
+
+#include "rbpa/core/point.h"
+
+namespace rbpa {
+
+/// 1 for a triangle of equal sides, 0 for a flat one, negative for one that turns right; rounded.
+/// Source: Lo (1985): the area over the sum of the squared sides.
+inline double shape_quality(const Point& a, const Point& b, const Point& c) {
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;
+  const double squares = ux * ux + uy * uy + vx * vx + vy * vy + wx * wx + wy * wy;
+  constexpr double of_equal_sides = 3.4641016151377544;  // 2 √3
+  return squares > 0 ? of_equal_sides * (ux * vy - uy * vx) / squares : 0;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,38 @@
+// What:   the size that edges are to have, anywhere in the plane.
+// Law:    the greatest function that is at most `most` everywhere and at most sources[i].size at sources[i].at, and whose
+//         slope is at most `grade`.
+// Cost:   n log n to build; a question costs about the logarithm, and what of the sources is about as good as the best.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rbpa/fill/fill.h"
+
+namespace rbpa {
+
+class SizeField {
+ public:
+  SizeField(double most, double grade, std::vector<SizeAt> sources);
+
+  double at(const Point& p) const;
+
+  /// No value is less.
+  double least() const { return least_; }
+
+ private:
+  /// Sources of a range, in a tree whose node k has the children 2 k + 1 and 2 k + 2.
+  struct Node {
+    double left, right, bottom, top;
+    double least;
+  };
+  void build(std::size_t node, std::size_t first, std::size_t last);
+  void ask(std::size_t node, std::size_t first, std::size_t last, const Point& p, double& best) const;
+
+  static constexpr std::size_t leaf = 8;
+  double most_, grade_, least_;
+  std::vector<SizeAt> sources_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace rbpa

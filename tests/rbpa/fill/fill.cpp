@@ -1,0 +1,410 @@
+#include "rbpa/fill/fill.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fill/laws.h"
+#include "rbpa/core/error.h"
+#include "rbpa/triangulate.h"
+#include "support/data_folder.h"
+#include "support/exact.h"
+#include "support/generate_polygons.h"
+#include "support/random.h"
+#include "support/read_points.h"
+
+TEST_SUITE_BEGIN("fill");
+
+namespace {
+
+using rbpa::fill;
+using rbpa::Filling;
+using rbpa::FillOptions;
+using rbpa::Point;
+using rbpa::Polygon;
+using rbpa::Ring;
+using rbpa_test::Points;
+using rbpa_test::PolygonCase;
+
+/// Options that go round with the number: constant, graded from the boundary, at points, the boundary kept.
+struct Asked {
+  FillOptions options;
+  std::vector<rbpa::SizeAt> sizes = {};
+};
+Asked asked(const PolygonCase& polygon, std::size_t number) {
+  Asked asked{.options = {.size = polygon.size}};
+  if (number / 10 % 4 == 1) asked.options.grade = 0.3;
+  if (number / 10 % 4 == 2)
+    for (std::size_t i = 0; i < 3; ++i)
+      asked.sizes.push_back({polygon.points[(i * 7) % polygon.points.size()], polygon.size / 4});
+  asked.options.sizes = asked.sizes;
+  asked.options.keep_boundary = number / 10 % 4 == 3;
+  return asked;
+}
+
+/// Triangles as their places: the same whatever points are called.
+std::vector<std::array<Point, 3>> places_of(const Filling& filling) {
+  std::vector<std::array<Point, 3>> places;
+  for (const auto& [a, b, c] : filling.triangles) {
+    std::array<Point, 3> corner{filling.points[a], filling.points[b], filling.points[c]};
+    std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+    places.push_back(corner);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+Polygon square() { return {.shell = {{0, 1, 2, 3}}}; }
+
+std::string refusal(const Points& points, const std::vector<Polygon>& polygons,
+                    const FillOptions& options = {.size = 1}) {
+  try {
+    fill(points, polygons, options);
+  } catch (const rbpa::InvalidInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// The polygons of alpha shapes, one by one.
+struct AlphaShapes {
+  std::size_t filled = 0, touching = 0;
+  rbpa_test::FillQuality quality = {};
+
+  void fill_all(const Points& points, double alpha) {
+    const rbpa::Triangulation complex = rbpa::triangulate(points, alpha, {.neighbors = true});
+    for (const Polygon& polygon : rbpa::polygons(points, complex)) {
+      INFO(points.size(), " points, alpha ", alpha, ", polygon from point ", polygon.shell.points[0]);
+      std::map<std::uint32_t, int> passed;
+      for (const std::uint32_t i : polygon.shell.points) ++passed[i];
+      for (const Ring& hole : polygon.holes)
+        for (const std::uint32_t i : hole.points) ++passed[i];
+      const FillOptions options{.size = polygon.perimeter / 100, .grade = 0.5};
+      if (std::any_of(passed.begin(), passed.end(), [](const auto& p) { return p.second > 1; })) {
+        ++touching;
+        CHECK(refusal(points, {polygon}, options).find("are one place") != std::string::npos);
+        continue;
+      }
+      ++filled;
+      const Filling filling = fill(points, std::vector{polygon}, options);
+      const std::string wrong = rbpa_test::wrong_with_filling(filling, points, std::vector{polygon}, false);
+      CHECK_MESSAGE(wrong.empty(), wrong);
+      const rbpa_test::FillQuality one = rbpa_test::quality_of(filling, options, points, std::vector{polygon});
+      quality.edges += one.edges;
+      quality.edges_in_range += one.edges_in_range;
+      quality.triangles += one.triangles;
+      quality.with_20_degrees += one.with_20_degrees;
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("polygons are covered once by counter-clockwise triangles that meet in whole edges") {
+  std::size_t retreats = 0;
+  for (std::size_t number = 0; number < 200; ++number) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    INFO(polygon.name);
+    const Asked ask = asked(polygon, number);
+    const Filling filling = fill(polygon.points, polygon.polygons, ask.options);
+    retreats += filling.retreats;
+    const std::string wrong =
+        rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, ask.options.keep_boundary);
+    CHECK_MESSAGE(wrong.empty(), wrong);
+  }
+  CHECK(retreats > 0);  // else nothing was seen of them
+}
+
+TEST_CASE("where there is room, edges are as long as is wanted and angles are not small") {
+  for (std::size_t number = 0; number < 200; ++number) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    const Asked ask = asked(polygon, number);
+    if (!polygon.is_roomy || ask.options.keep_boundary) continue;
+    INFO(polygon.name);
+    const rbpa_test::FillQuality quality = rbpa_test::quality_of(fill(polygon.points, polygon.polygons, ask.options),
+                                                                 ask.options, polygon.points, polygon.polygons);
+    CHECK(double(quality.edges_in_range) >= 0.95 * double(quality.edges));
+    CHECK(double(quality.with_20_degrees) >= 0.99 * double(quality.triangles));
+  }
+}
+
+TEST_CASE("sizes grow from short edges, where a grade is given, and from points") {
+  std::vector<rbpa::SizeAt> sizes = {{{1.5, 0.5}, 0.01}, {{0.2, 0.8}, 0.05}};
+  for (std::size_t number = 7; number < 200; number += 50) {  // notched
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    for (const double grade : {0.2, 0.5}) {
+      INFO(polygon.name, ", grade ", grade);
+      const FillOptions options{.size = polygon.size, .grade = grade, .sizes = sizes};
+      const Filling filling = fill(polygon.points, polygon.polygons, options);
+      CHECK(rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, false) == "");
+      const rbpa_test::FillQuality quality = rbpa_test::quality_of(filling, options, polygon.points, polygon.polygons);
+      CHECK(double(quality.edges_in_range) >= 0.95 * double(quality.edges));
+      CHECK(double(quality.with_20_degrees) >= 0.99 * double(quality.triangles));
+      const Filling constant = fill(polygon.points, polygon.polygons, {.size = polygon.size});
+      CHECK(4 * constant.triangles.size() < 3 * filling.triangles.size());
+    }
+  }
+}
+
+TEST_CASE("no inner edge is illegal: the triangulation is the constrained Delaunay triangulation of its points") {
+  for (std::size_t number = 0; number < 40; ++number) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    INFO(polygon.name);
+    const Asked ask = asked(polygon, number);
+    const Filling filling = fill(polygon.points, polygon.polygons, ask.options);
+    std::size_t illegal = 0;
+    for (std::size_t t = 0; t < filling.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = filling.neighbors[t][k];
+        if (other == rbpa::TriangleArrays::none || other < t) continue;
+        const auto& across = filling.neighbors[other];
+        const std::size_t j = static_cast<std::size_t>(std::find(across.begin(), across.end(), t) - across.begin());
+        const auto& [a, b, c] = filling.triangles[t];
+        illegal += rbpa_test::exact::in_circle(filling.points[a], filling.points[b], filling.points[c],
+                                               filling.points[filling.triangles[other][j]]) > 0;
+      }
+    CHECK(illegal == 0);
+  }
+}
+
+TEST_CASE("the same triangles, wherever rings begin, whichever way they go and in whatever order they are") {
+  rbpa_test::Random random(7);
+  for (const std::size_t number : {0U, 1U, 2U, 3U, 4U, 5U, 7U, 8U, 18U, 28U, 38U, 9U}) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    INFO(polygon.name);
+    const Asked ask = asked(polygon, number);
+    const Filling first = fill(polygon.points, polygon.polygons, ask.options);
+    CHECK(fill(polygon.points, polygon.polygons, ask.options).triangles == first.triangles);
+    for (int turn = 0; turn < 3; ++turn) {
+      std::vector<std::uint32_t> name(polygon.points.size());
+      for (std::uint32_t i = 0; i < name.size(); ++i) name[i] = i;
+      random.shuffle(name);
+      Points points(name.size());
+      for (std::size_t i = 0; i < name.size(); ++i) points[name[i]] = polygon.points[i];
+      std::vector<Polygon> polygons = polygon.polygons;
+      const auto change = [&](Ring& ring) {
+        for (std::uint32_t& i : ring.points) i = name[i];
+        std::rotate(ring.points.begin(),
+                    ring.points.begin() + static_cast<std::ptrdiff_t>(random.below(ring.points.size())),
+                    ring.points.end());
+        if (random.chance(0.5)) std::reverse(ring.points.begin(), ring.points.end());
+      };
+      for (Polygon& one : polygons) {
+        change(one.shell);
+        for (Ring& hole : one.holes) change(hole);
+        random.shuffle(one.holes);
+      }
+      random.shuffle(polygons);
+      CHECK(places_of(fill(points, polygons, ask.options)) == places_of(first));
+    }
+  }
+}
+
+TEST_CASE("a power of two changes nothing but the scale") {
+  for (const std::size_t number : {0U, 4U, 7U}) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    INFO(polygon.name);
+    std::vector<rbpa::SizeAt> sizes = {{polygon.points[1], polygon.size / 3}};
+    const Filling plain = fill(polygon.points, polygon.polygons, {.size = polygon.size, .grade = 0.3, .sizes = sizes});
+    for (const int exponent : {40, -40, 900, -900}) {
+      Points points = polygon.points;
+      for (Point& p : points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+      const std::vector<rbpa::SizeAt> scaled = {{points[1], std::ldexp(sizes[0].size, exponent)}};
+      const Filling filling =
+          fill(points, polygon.polygons, {.size = std::ldexp(polygon.size, exponent), .grade = 0.3, .sizes = scaled});
+      CHECK(filling.triangles == plain.triangles);
+      CHECK(filling.points.size() == plain.points.size());
+    }
+  }
+}
+
+TEST_CASE("what is as small as the last place of its coordinates is filled") {
+  // A few representable numbers wide: nearly every new point falls on one that is there.
+  for (const double far : {1.0, 0x1p30, 0x1p52}) {
+    const double unit = far * 0x1p-52;
+    for (const double wide : {1.0, 2.0, 3.0, 8.0})
+      for (const double size : {0.3, 1.0, 2.5}) {
+        INFO(far, " ", wide, " ", size);
+        const Points points = {
+            {far, far}, {far + wide * unit, far}, {far + wide * unit, far + unit}, {far, far + 2 * unit}};
+        const Filling filling = fill(points, std::vector{square()}, {.size = size * unit});
+        const std::string wrong = rbpa_test::wrong_with_filling(filling, points, std::vector{square()}, false);
+        CHECK_MESSAGE(wrong.empty(), wrong);
+      }
+  }
+}
+
+TEST_CASE("an edge stays whole where its pieces, rounded, would meet others") {
+  rbpa_test::Random random(11);
+  std::size_t filled = 0, whole = 0;
+  for (int i = 0; i < 300; ++i) {
+    // Below a slanted edge of the shell lies one of a hole, some units in the last place away.
+    const Point a{0, random.between(1, 2)}, b{1, random.between(1, 2)};
+    const auto below = [&](double share) {
+      double y = a.y + share * (b.y - a.y);
+      for (int step = random.integer(1, 2); step > 0; --step) y = std::nextafter(y, 0);
+      return Point{share, y};
+    };
+    const Points points = {{0, 0}, {1, 0}, b, a, below(0.125), below(0.875), {0.5, 0.25}};
+    Polygon polygon = square();
+    polygon.holes.push_back({{4, 5, 6}});
+    if (refusal(points, {polygon}, {.size = 3}) != "") continue;  // they do meet
+    ++filled;
+    const Filling filling = fill(points, std::vector{polygon}, {.size = 0.07});
+    const std::string wrong = rbpa_test::wrong_with_filling(filling, points, std::vector{polygon}, false);
+    CHECK_MESSAGE(wrong.empty(), wrong);
+    const auto& hole = filling.polygons[0].holes[0].points;
+    const auto at = static_cast<std::size_t>(std::find(hole.begin(), hole.end(), 4U) - hole.begin());
+    whole += hole[(at + 1) % hole.size()] == 5 || hole[(at + hole.size() - 1) % hole.size()] == 5;
+  }
+  CHECK(filled > 100);
+  CHECK(whole > 3);
+  CHECK(whole < filled);
+}
+
+TEST_CASE("magnitudes far apart in one polygon") {
+  const Points points = {{0, 0}, {1e-200, 1e-210}, {1, 0}, {1, 1}, {1e-250, 0.5}, {-1e-250, 1e-220}};
+  const std::vector<Polygon> polygons = {{.shell = {{0, 1, 2, 3, 4, 5}}}};
+  const Filling filling = fill(points, polygons, {.size = 0.3});
+  CHECK(rbpa_test::wrong_with_filling(filling, points, polygons, false) == "");
+  Points larger = points;
+  for (Point& p : larger) p = {p.x * 0x1p700, p.y * 0x1p700};
+  CHECK(fill(larger, polygons, {.size = std::ldexp(0.3, 700)}).triangles == filling.triangles);
+  const Points too_far = {{5e-324, 0}, {1e300, 0}, {1e300, 1e300}, {0, 1e300}};
+  CHECK(refusal(too_far, {square()}, {.size = 1e299}).find("closer in magnitude") != std::string::npos);
+}
+
+TEST_CASE("triangles without new points, where the size is larger than all") {
+  for (const std::size_t number : {0U, 1U, 2U, 3U, 4U, 5U, 8U, 9U}) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    INFO(polygon.name);
+    const Filling filling = fill(polygon.points, polygon.polygons, {.size = 1e6, .keep_boundary = true});
+    CHECK(filling.boundary_points == polygon.points.size());
+    CHECK(rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, true) == "");
+  }
+  const Points triangle = {{0, 0}, {1, 0}, {0, 1}};
+  CHECK(fill(triangle, std::vector<Polygon>{{.shell = {{0, 1, 2}}}}, {.size = 5}).triangles.size() == 1);
+}
+
+TEST_CASE("points on no ring stay where they are, in no triangle") {
+  const Points points = {{0.5, 0.5}, {0, 0}, {1, 0}, {7, 7}, {1, 1}, {0, 1}};
+  const std::vector<Polygon> polygons = {{.shell = {{1, 2, 4, 5}}}};
+  const Filling filling = fill(points, polygons, {.size = 0.4});
+  CHECK(rbpa_test::wrong_with_filling(filling, points, polygons, false) == "");
+  for (const auto& triangle : filling.triangles)
+    for (const std::uint32_t i : triangle) CHECK((i != 0 && i != 3));
+  CHECK(fill(points, {}, {.size = 1}).triangles.empty());
+  CHECK(fill(points, {}, {.size = 1}).points == points);
+}
+
+TEST_CASE("the polygons of alpha shapes are filled, or touch themselves") {
+  AlphaShapes shapes;
+  for (const char* name : {"mol_2xhe_xy", "geo_usgs_quakes_week", "shape_concaveman_1k", "geo_us_zipcodes"}) {
+    const double alpha = std::string(name).starts_with("geo") ? 1.5 : std::string(name).starts_with("mol") ? 2 : 40;
+    shapes.fill_all(rbpa_test::read_points({name, {rbpa_test::bundled_data() / (std::string(name) + ".xy")}}), alpha);
+  }
+  CHECK(shapes.filled > 20);
+  CHECK(shapes.touching > 0);
+}
+
+TEST_CASE("how coasts and counties are filled, and two thousand generated polygons" * doctest::skip()) {
+  AlphaShapes shapes;
+  for (const rbpa_test::PointFile& file : rbpa_test::point_files(rbpa_test::further_data())) {
+    if (file.name != "geo_ne_50m_coastline" && file.name != "geo_us_counties_10m") continue;
+    for (const double alpha : {0.2, 0.5, 1.0, 2.0, 4.0, 8.0}) shapes.fill_all(read_points(file), alpha);
+  }
+  MESSAGE(shapes.filled << " filled, " << shapes.touching << " touch themselves; of " << shapes.quality.edges
+                        << " edges " << shapes.quality.edges_in_range << " in range, of " << shapes.quality.triangles
+                        << " triangles " << shapes.quality.with_20_degrees << " with 20 degrees");
+  for (std::size_t number = 200; number < 2200; ++number) {
+    const PolygonCase polygon = rbpa_test::polygon_case(number);
+    INFO(polygon.name);
+    const Asked ask = asked(polygon, number);
+    const Filling filling = fill(polygon.points, polygon.polygons, ask.options);
+    const std::string wrong =
+        rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, ask.options.keep_boundary);
+    CHECK_MESSAGE(wrong.empty(), wrong);
+  }
+}
+
+TEST_CASE("what is no polygon is refused, and the place is named") {
+  Points points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {3, 1}, {2, 3}};
+  Polygon with_hole = square();
+  with_hole.holes.push_back({{4, 5, 6}});
+  CHECK(refusal(points, {with_hole}) == "");
+  const auto moved = [&](std::size_t i, const Point& p) {
+    Points changed = points;
+    changed[i] = p;
+    return changed;
+  };
+  const auto names = [](const std::string& why, std::vector<std::string> parts) {
+    return std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
+      if (why.find(part) == std::string::npos) MESSAGE("\"" << why << "\" does not have " << part);
+      return why.find(part) != std::string::npos;
+    });
+  };
+  CHECK(names(refusal(moved(5, {5, 1}), {with_hole}),
+              {"crosses", "from vertex 0 (1, 1) to vertex 1 (5, 1) of hole 0 of polygon 0", "the shell of polygon 0"}));
+  CHECK(names(refusal(moved(5, {4, 1}), {with_hole}), {"touches", "vertex 1 (4, 1) of hole 0 of polygon 0"}));
+  CHECK(names(refusal(moved(5, {4, 0}), {with_hole}),
+              {"one place", "vertex 1 (4, 0) of the shell", "vertex 1 (4, 0) of hole 0"}));
+  CHECK(names(refusal(points, {{.shell = {{0, 1, 3, 2}}}}), {"crosses", "(4, 0)", "(0, 4)"}));
+  CHECK(names(refusal(points, {{.shell = {{0, 1, 2, 1}}}}), {"one place", "(4, 0)"}));
+  CHECK(names(refusal(points, {{.shell = {{0, 1}}}}), {"the shell of polygon 0", "found 2 points"}));
+  CHECK(names(refusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {square()}), {"the shell of polygon 0", "(0, 0)", "no area"}));
+  CHECK(names(refusal({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, {square()}), {"no area"}));
+  CHECK(names(refusal({{1, 1}, {1, 1}, {2, 1}, {1, 2}}, {square()}), {"one place", "(1, 1)"}));
+  CHECK(names(refusal(points, {{.shell = {{0, 1, 9}}}}), {"vertex 2 of the shell of polygon 0", "point 9"}));
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  CHECK(names(refusal(moved(6, {nan, 0}), {with_hole}), {"vertex 2 of hole 0 of polygon 0", "finite"}));
+  CHECK(names(refusal(moved(1, {infinity, 0}), {with_hole}), {"vertex 1 of the shell of polygon 0", "finite"}));
+  // Nested wrongly.
+  points.insert(points.end(), {{10, 10}, {11, 10}, {10, 11}, {1.9, 1.5}, {2.1, 1.5}, {2, 1.7}});
+  Polygon hole_outside = square();
+  hole_outside.holes.push_back({{7, 8, 9}});
+  CHECK(names(refusal(points, {hole_outside}), {"hole 0 of polygon 0", "(10, 10)", "in no ring"}));
+  Polygon hole_in_hole = with_hole;
+  hole_in_hole.holes.push_back({{10, 11, 12}});
+  CHECK(names(refusal(points, {hole_in_hole}), {"hole 1 of polygon 0", "in hole 0 of polygon 0"}));
+  CHECK(names(refusal(points, {square(), {.shell = {{10, 11, 12}}}}),
+              {"the shell of polygon 1", "in the shell of polygon 0"}));
+  CHECK(refusal(points, {with_hole, {.shell = {{10, 11, 12}}}}) == "");
+  Polygon hole_of_other{.shell = {{7, 8, 9}}, .holes = {{{10, 11, 12}}}};
+  CHECK(names(refusal(points, {square(), hole_of_other}), {"hole 0 of polygon 1", "in the shell of polygon 0"}));
+  // Sizes.
+  for (const double bad : {0.0, -1.0, nan, infinity}) {
+    CHECK(names(refusal(points, {square()}, {.size = bad}), {"size", "above 0"}));
+    CHECK(names(refusal(points, {square()}, {.size = 1, .grade = bad}), {"grade", "above 0"}));
+    const std::vector<rbpa::SizeAt> sizes = {{{0, 0}, 1}, {{0, 0}, bad}};
+    CHECK(names(refusal(points, {square()}, {.size = 1, .sizes = sizes}), {"size 1 of sizes", "above 0"}));
+  }
+  const std::vector<rbpa::SizeAt> nowhere = {{{nan, 0}, 1}};
+  CHECK(names(refusal(points, {square()}, {.size = 1, .sizes = nowhere}), {"size 0 of sizes", "finite"}));
+  CHECK(names(refusal(points, {square()}, {.size = 1e-9}), {"1e-09", "triangles"}));
+}
+
+TEST_CASE("a run that is watched can be cancelled, at any time") {
+  const PolygonCase polygon = rbpa_test::polygon_case(0);
+  std::size_t asked = 0, seen = 0;
+  const Filling whole = fill(polygon.points, polygon.polygons, {.size = 0.02, .progress = [&](const rbpa::Progress& p) {
+                                                                  ++asked;
+                                                                  seen = std::max(seen, p.triangles);
+                                                                  return true;
+                                                                }});
+  REQUIRE(asked > 3);
+  CHECK(seen > whole.triangles.size() / 2);
+  // How often it is asked depends on the clock.
+  for (std::size_t last = 1; last <= asked / 2; last += std::max(asked / 10, std::size_t{1})) {
+    std::size_t left = last;
+    CHECK_THROWS_AS(fill(polygon.points, polygon.polygons,
+                         {.size = 0.02, .progress = [&](const rbpa::Progress&) { return --left > 0; }}),
+                    rbpa::Cancelled);
+  }
+}
+
+TEST_SUITE_END();

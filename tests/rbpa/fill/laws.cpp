@@ -1,0 +1,201 @@
+#include "fill/laws.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "meshops/core/validate.h"
+#include "rbpa/shape/exact_sum.h"
+#include "support/exact.h"
+
+namespace rbpa_test {
+namespace {
+
+using rbpa::Point;
+using rbpa::Polygon;
+using rbpa::Ring;
+using Sides = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+template <typename Visit>
+void for_each_ring(std::span<const Polygon> polygons, Visit visit) {
+  for (const Polygon& polygon : polygons) {
+    visit(polygon.shell);
+    for (const Ring& hole : polygon.holes) visit(hole);
+  }
+}
+
+void add_twice(rbpa::ExactSum& sum, const Point& a, const Point& b) {
+  sum.add_product(a.x, b.y);
+  sum.add_product(-a.y, b.x);
+}
+
+double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// The ring with new points on its edges, `cut`, which may run the other way and begin elsewhere.
+std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const Point> points, std::size_t given,
+                            bool keeps) {
+  std::vector<std::uint32_t> corners;
+  for (const std::uint32_t i : cut.points)
+    if (i < given) corners.push_back(i);
+  std::vector<std::uint32_t> expected = input.points;
+  const auto least_first = [](std::vector<std::uint32_t>& ring) {
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  };
+  least_first(corners);
+  least_first(expected);
+  if (corners != expected) {
+    std::reverse(expected.begin(), expected.end());
+    least_first(expected);
+  }
+  if (corners != expected) return "a ring does not pass the points of the input in their order";
+  if (keeps && cut.points.size() != input.points.size()) return "an edge was cut that was to be kept";
+  // Round once, from corner to corner.
+  const std::size_t n = cut.points.size();
+  const std::size_t start = static_cast<std::size_t>(
+      std::find_if(cut.points.begin(), cut.points.end(), [&](std::uint32_t i) { return i < given; }) -
+      cut.points.begin());
+  for (std::size_t i = 0; i < n;) {
+    const Point& a = points[cut.points[(start + i) % n]];
+    std::size_t j = i + 1;
+    while (cut.points[(start + j) % n] >= given) ++j;
+    const Point& b = points[cut.points[(start + j) % n]];
+    const double far = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    for (std::size_t k = i + 1; k < j; ++k) {
+      const Point& p = points[cut.points[(start + k) % n]];
+      const double off = std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / distance(a, b);
+      if (!(off <= 4 * 0x1p-53 * far)) return "a point that was put on an edge is not on it";
+    }
+    i = j;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Point> points,
+                               std::span<const Polygon> polygons, bool keeps_boundary) {
+  const auto& triangles = filling.triangles;
+  if (!std::is_sorted(triangles.begin(), triangles.end())) return "triangles are out of order";
+  rbpa::ExactSum area, enclosed;
+  Sides open;
+  std::vector<bool> used(filling.points.size(), false);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    if (a > b || a > c) return "a triangle does not begin with its least point";
+    if (exact::orientation(filling.points[a], filling.points[b], filling.points[c]) <= 0)
+      return "triangle " + std::to_string(t) + " is not counter-clockwise";
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangles[t][k], to = triangles[t][(k + 1) % 3];
+      used[from] = true;
+      add_twice(area, filling.points[from], filling.points[to]);
+      if (filling.neighbors[t][(k + 2) % 3] == rbpa::TriangleArrays::none) open.insert({from, to});
+    }
+  }
+  require_linked(filling, filling.points.size());
+  if (const auto defects = meshops::validate(filling.mesh); !defects.empty()) return describe(defects.front());
+  if (filling.mesh.n_faces() != triangles.size() || filling.mesh.n_vertices() != filling.points.size())
+    return "the mesh has other elements than the arrays";
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    Triangle corners{};
+    std::size_t k = 0;
+    for (const auto v : filling.mesh.fv_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f))))
+      corners[k++] = static_cast<std::uint32_t>(v.idx());
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    if (corners != triangles[f]) return "a face of the mesh is not the triangle of its number";
+  }
+  for (std::size_t i = 0; i < filling.points.size(); ++i) {
+    const auto& p = filling.mesh.point(rbpa::Mesh::VertexHandle(static_cast<int>(i)));
+    if (Point{p[0], p[1]} != filling.points[i] || p[2] != 0) return "a vertex of the mesh is not where its point is";
+  }
+  if (!std::equal(points.begin(), points.end(), filling.points.begin())) return "a point of the input has moved";
+  for (std::size_t i = points.size(); i < used.size(); ++i)
+    if (!used[i]) return "a new point is in no triangle";
+
+  Sides edges;
+  std::size_t new_on_boundary = 0;
+  bool an_inner_one = false;
+  for_each_ring(filling.polygons, [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.points.size(); ++i) {
+      const std::uint32_t from = ring.points[i], to = ring.points[(i + 1) % ring.points.size()];
+      edges.insert({from, to});
+      add_twice(enclosed, filling.points[from], filling.points[to]);
+      new_on_boundary += from >= points.size();
+      an_inner_one = an_inner_one || from >= filling.boundary_points;
+    }
+  });
+  if (edges != open) return "the boundary of the triangles is not that of the polygons";
+  if (an_inner_one) return "an inner point is on a ring";
+  if (new_on_boundary != filling.boundary_points - points.size()) return "points on the boundary are miscounted";
+  if (area.digits() != enclosed.digits()) return "the areas of the triangles do not add up to that of the polygons";
+  if (filling.polygons.size() != polygons.size()) return "there are other polygons than in the input";
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Polygon &cut = filling.polygons[i], &input = polygons[i];
+    if (cut.holes.size() != input.holes.size()) return "there are other holes than in the input";
+    std::string wrong = wrong_with_ring(cut.shell, input.shell, filling.points, points.size(), keeps_boundary);
+    for (std::size_t h = 0; h < input.holes.size() && wrong.empty(); ++h)
+      wrong = wrong_with_ring(cut.holes[h], input.holes[h], filling.points, points.size(), keeps_boundary);
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+double wanted_size(const Point& p, const rbpa::FillOptions& options, std::span<const Point> points,
+                   std::span<const Polygon> polygons) {
+  const double grade = options.grade.value_or(rbpa::FillOptions::default_grade);
+  double wanted = options.size;
+  for (const rbpa::SizeAt& size : options.sizes) wanted = std::min(wanted, size.size + grade * distance(p, size.at));
+  if (options.grade)
+    for_each_ring(polygons, [&](const Ring& ring) {
+      for (std::size_t i = 0; i < ring.points.size(); ++i) {
+        const Point &a = points[ring.points[i]], &b = points[ring.points[(i + 1) % ring.points.size()]];
+        const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+        wanted = std::min(wanted, distance(a, b) + grade * distance(p, middle));
+      }
+    });
+  return wanted;
+}
+
+FillQuality quality_of(const rbpa::Filling& filling, const rbpa::FillOptions& options, std::span<const Point> points,
+                       std::span<const Polygon> polygons) {
+  const auto angle = [](const Point& at, const Point& from, const Point& to) {
+    const double ux = from.x - at.x, uy = from.y - at.y, vx = to.x - at.x, vy = to.y - at.y;
+    const double turn = std::atan2(ux * vy - uy * vx, ux * vx + uy * vy) * 180 / 3.14159265358979323846;
+    return turn < 0 ? turn + 360 : turn;
+  };
+  Points sharp;
+  for_each_ring(filling.polygons, [&](const Ring& ring) {
+    const std::size_t n = ring.points.size();
+    const auto at = [&](std::size_t i) { return filling.points[ring.points[i % n]]; };
+    for (std::size_t i = 0; i < n; ++i)
+      if (angle(at(i), at(i + 1), at(i + n - 1)) < 60) sharp.push_back(at(i));
+  });
+  FillQuality quality;
+  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
+    std::array<Point, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = filling.points[filling.triangles[t][k]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = filling.neighbors[t][(k + 2) % 3];
+      if (other != rbpa::TriangleArrays::none && other < t) continue;
+      const Point &a = corner[k], &b = corner[(k + 1) % 3];
+      const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+      const double share = distance(a, b) / wanted_size(middle, options, points, polygons);
+      ++quality.edges;
+      quality.edges_in_range += share >= 0.6 && share <= 1.6;
+    }
+    const auto is_near = [&](const Point& p) {
+      return std::any_of(corner.begin(), corner.end(),
+                         [&](const Point& c) { return distance(c, p) < 2 * options.size; });
+    };
+    if (std::any_of(sharp.begin(), sharp.end(), is_near)) continue;
+    double least = 180;
+    for (std::size_t k = 0; k < 3; ++k)
+      least = std::min(least, angle(corner[k], corner[(k + 1) % 3], corner[(k + 2) % 3]));
+    ++quality.triangles;
+    quality.with_20_degrees += least >= 20;
+  }
+  return quality;
+}
+
+}  // namespace rbpa_test

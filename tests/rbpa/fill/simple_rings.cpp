@@ -1,0 +1,155 @@
+#include "rbpa/fill/simple_rings.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rbpa/core/error.h"
+#include "rbpa/fill/polygons_of_rings.h"
+#include "support/generate_polygons.h"
+#include "support/random.h"
+
+TEST_SUITE_BEGIN("fill");
+
+namespace {
+
+using rbpa::Point;
+using rbpa::Polygon;
+using rbpa::Ring;
+
+/// Of integers, so that doubles are exact.
+int side(const Point& a, const Point& b, const Point& c) {
+  const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return (area > 0) - (area < 0);
+}
+
+bool is_on(const Point& p, const Point& a, const Point& b) {
+  return side(a, b, p) == 0 && std::min(a, b) <= p && p <= std::max(a, b);
+}
+
+bool have_common_point(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) || is_on(c, a, b) || is_on(d, a, b) ||
+         is_on(a, c, d) || is_on(b, c, d);
+}
+
+std::vector<Ring> rings_of(const rbpa_test::PolygonCase& made) {
+  std::vector<Ring> rings;
+  for (const Polygon& polygon : made.polygons) rings.push_back(polygon.shell);
+  return rings;
+}
+
+/// By all pairs of edges.
+bool meet(const std::vector<Point>& points, const std::vector<Ring>& rings) {
+  struct Edge {
+    Point a, b;
+    std::size_t ring, number;
+  };
+  std::vector<Edge> edges;
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    for (std::size_t i = 0; i < rings[r].points.size(); ++i)
+      edges.push_back({points[rings[r].points[i]], points[rings[r].points[(i + 1) % rings[r].points.size()]], r, i});
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (edges[i].a == edges[i].b) return true;
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      const Edge &e = edges[i], &f = edges[j];
+      const std::size_t n = rings[e.ring].points.size();
+      const bool f_follows = e.ring == f.ring && f.number == (e.number + 1) % n;
+      const bool e_follows = e.ring == f.ring && e.number == (f.number + 1) % n;
+      if (f_follows && e_follows) return true;
+      if (f_follows   ? is_on(f.b, e.a, e.b) || is_on(e.a, f.a, f.b)
+          : e_follows ? is_on(e.b, f.a, f.b) || is_on(f.a, e.a, e.b)
+                      : have_common_point(e.a, e.b, f.a, f.b))
+        return true;
+    }
+  }
+  return false;
+}
+
+/// By the parity of the edges above the first point of `inner`.
+bool is_inside(const std::vector<Point>& points, const Ring& inner, const Ring& outer) {
+  const Point& p = points[inner.points[0]];
+  bool inside = false;
+  for (std::size_t i = 0; i < outer.points.size(); ++i) {
+    const Point &a = points[outer.points[i]], &b = points[outer.points[(i + 1) % outer.points.size()]];
+    if ((a.x <= p.x) != (b.x <= p.x) && side(std::min(a, b), std::max(a, b), p) < 0) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace
+
+TEST_CASE("rings meet exactly where two edges do") {
+  rbpa_test::Random random(1);
+  std::size_t apart = 0;
+  const rbpa::RingName name = [](std::size_t ring) { return "ring " + std::to_string(ring); };
+  for (int i = 0; i < 6000; ++i) {
+    const int side_length = random.integer(2, 12);
+    const auto made = rbpa_test::random_rings(random, random.integer(1, 3), random.integer(3, 8), side_length);
+    const std::vector<Ring> rings = rings_of(made);
+    const rbpa::NestedRings nested = rbpa::nest_rings(made.points, rings, name);
+    INFO("number ", i, nested.meet ? ": " + nested.meet->why : "");
+    REQUIRE(nested.meet.has_value() == meet(made.points, rings));
+    if (nested.meet) continue;
+    ++apart;
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      std::size_t around = 0;
+      double area = 0;
+      for (std::size_t other = 0; other < rings.size(); ++other)
+        around += other != r && is_inside(made.points, rings[r], rings[other]);
+      for (std::size_t k = 0; k < rings[r].points.size(); ++k) {
+        const Point& a = made.points[rings[r].points[k]];
+        const Point& b = made.points[rings[r].points[(k + 1) % rings[r].points.size()]];
+        area += a.x * b.y - a.y * b.x;
+      }
+      CHECK(nested.place[r].depth == around);
+      CHECK(nested.place[r].is_counter_clockwise == (area > 0));
+      if (nested.place[r].inside) CHECK(is_inside(made.points, rings[r], rings[*nested.place[r].inside]));
+    }
+  }
+  CHECK(apart > 500);
+}
+
+TEST_CASE("of rings by even and odd depth are shells and holes, each in the smallest around it") {
+  std::vector<Point> points;
+  std::vector<Ring> rings;
+  const auto add = [&](double centre, double half, bool turned) {
+    Ring ring;
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      ring.points.push_back(static_cast<std::uint32_t>(points.size()));
+      points.push_back({centre + half * x, half * y});
+    }
+    if (turned) std::reverse(ring.points.begin(), ring.points.end());
+    rings.push_back(ring);
+  };
+  add(0, 1, true);    // an island
+  add(0, 10, true);   // a shell
+  add(0, 2, false);   // a hole in it
+  add(6, 1, false);   // another
+  add(20, 1, false);  // a shell beside
+  add(0, 0.5, true);  // a hole in the island
+  const std::vector<Polygon> polygons = rbpa::polygons_of_rings(points, rings);
+  REQUIRE(polygons.size() == 3);
+  CHECK(polygons[0].area == 3);
+  CHECK(polygons[1].area == 400 - 16 - 4);
+  CHECK(polygons[2].area == 4);
+  CHECK(polygons[1].holes.size() == 2);
+
+  const std::vector<Point> in_holes = {{1.5, 0}, {6, 0.5}, {0, 0.25}, {6.5, 0}};
+  CHECK(rbpa::polygons_of_rings(points, rings, in_holes).size() == 3);
+  const auto refused = [&](const std::vector<Point>& marks) {
+    try {
+      rbpa::polygons_of_rings(points, rings, marks);
+    } catch (const rbpa::InvalidInput& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(refused({{1.5, 0}, {0, 0.25}}).find("the ring through (5, -1)") != std::string::npos);
+  CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {0.75, 0}}).find("hole point 3 at (0.75, 0)") != std::string::npos);
+  CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {50, 0}}).find("hole point 3 at (50, 0)") != std::string::npos);
+}
+
+TEST_SUITE_END();
