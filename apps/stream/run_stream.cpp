@@ -39,8 +39,10 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
+    // A kill in between leaves no folder that nobody asked for; one that is asked for can be gone on with until all is there.
+    if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
-    scratch_.clear(request_.keep_tiles);
+    if (request_.scratch) scratch_.clear(request_.keep_tiles);
     return result_;
   }
 

@@ -1,12 +1,14 @@
 #include "stream/scratch.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
@@ -42,6 +44,13 @@ int locked(const std::string& path) {
   return -1;
 }
 
+/// Whether there may be a process with the number in the folder's name.
+bool is_alive(const fs::path& folder) {
+  const std::string number = folder.filename().string().substr(beginning.size());
+  const long id = std::strtol(number.c_str(), nullptr, 10);
+  return id <= 0 || kill(static_cast<pid_t>(id), 0) == 0 || errno != ESRCH;
+}
+
 /// Removes folders beside the targets whose runs are dead.
 void clear_dead(const std::string& beside) {
   std::error_code error;
@@ -51,7 +60,13 @@ void clear_dead(const std::string& beside) {
       found.push_back(entry.path());
   for (const fs::path& folder : found) {
     const std::string lock = folder.string() + lock_name;
-    if (access(lock.c_str(), F_OK) != 0) continue;  // about to be one
+    if (access(lock.c_str(), F_OK) != 0) {  // about to be one, or never more
+      if (!is_alive(folder)) {
+        fs::remove(folder / created_name, error);
+        fs::remove(folder, error);
+      }
+      continue;
+    }
     const int descriptor = open(lock.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
     if (descriptor >= 0) close(descriptor);

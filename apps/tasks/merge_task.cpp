@@ -170,8 +170,8 @@ StreamResult finish_run(const StreamRequest& request, PartialFile whole, OutputS
   polygons.flush();
   write_targets(request, whole.run.of_points, rows, polygons, budget.sort_bytes, outputs, result);
   before_names(result);
+  scratch.clear(false);  // before: a kill in between leaves nothing
   outputs.publish();
-  scratch.clear(false);
   return result;
 }
 
