@@ -43,6 +43,7 @@ set(arrows
   rbpa/partial>rbpa rbpa/partial>rbpa/core rbpa/partial>rbpa/predicate rbpa/partial>rbpa/run rbpa/partial>rbpa/shape
   rbpa/partial>meshops/core rbpa/partial>meshops/topology
   rbpa/space>rbpa/core rbpa/space>rbpa/run rbpa/space>meshops/core rbpa/space>meshops/patch
+  rbpa/space>rbpa/space/search
   rbpa/space/pivot>rbpa/parallel rbpa/space>rbpa/space/pivot rbpa/space>rbpa/space/predicate
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
@@ -68,7 +69,8 @@ set(arrows
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
   cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
-  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
+  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space
+  examples>meshops/core examples>meshops/patch)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
 set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(pivot|predicate|search))/")
