@@ -49,7 +49,7 @@ struct Surroundings {
 struct RingFinder::Workspace {
   Surroundings around;     // sites in the cells around one
   Surroundings near, far;  // of one site, what a ball there can touch or hold, as seen from it
-  std::vector<std::uint32_t> order, later;
+  std::vector<std::uint32_t> order;
   double share = 0.25;  // of the square of two radii, within which there are about as many as bound a region
 };
 
@@ -110,57 +110,49 @@ class RegionSearch {
   RegionSearch(const Cells& cells, RingFinder::Workspace& workspace) : cells_(cells), w_(workspace) {}
 
   bool find(Site v, Rings& found) {
-    const Surroundings& near = w_.near;
-    if (near.count < 2) return false;
-    sort_near();
-    const auto neighbor = [](const Surroundings& of, std::size_t i) {
-      return FreeRegion::Neighbor{
-          {of.x[i], of.y[i], of.z[i]}, of.square[i] / 2, static_cast<std::uint32_t>(of.number[i])};
-    };
-    std::size_t second = 1;
-    while (!region_.begin(cells_.radius(), neighbor(near, w_.order[0]), neighbor(near, w_.order[second])))
-      if (++second == std::min<std::size_t>(near.count, 8)) return false;
-    w_.later.clear();
+    const Surroundings &near = w_.near, &far = w_.far;
     const std::span<const Point3> sites = cells_.sites();
-    const auto take = [&](const FreeRegion::Neighbor& p) {
-      return region_.take(p, [&](std::uint32_t x, std::uint32_t y) {
-        return Ball<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p.number]);
-      });
+    const auto is_in_ball = [&](std::uint32_t x, std::uint32_t y, std::uint32_t p) {
+      return Ball<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p]);
     };
-    for (std::size_t i = 1; i < near.count && !region_.is_empty(); ++i) {
-      if (i == second) continue;
-      const FreeRegion::Outcome outcome = take(neighbor(near, w_.order[i]));
-      if (outcome == FreeRegion::Outcome::lost) return false;
-      if (outcome == FreeRegion::Outcome::inside) w_.later.push_back(w_.order[i]);
+    const auto take = [&](const Surroundings& of, std::size_t i) {
+      return region_.take({{of.x[i], of.y[i], of.z[i]}, of.square[i] / 2, static_cast<std::uint32_t>(of.number[i])},
+                          is_in_ball);
+    };
+    region_.begin(cells_.radius());
+    sort_near();
+    for (std::size_t i = 0; i < near.count && !region_.is_empty(); ++i)
+      if (!take(near, w_.order[i])) return false;
+    // Where a few corners tell how far anything reaches, all others at once; else those come first that are nearer.
+    const double whole = 4 * cells_.radius() * cells_.radius() * (1 + 0x1p-40);
+    for (double from = 0, to = w_.share * whole; from < whole && far.count != 0 && !region_.is_empty(); from = to) {
+      to = region_.tell_reach(reach_) ? whole : std::min(2 * to, whole);
+      if (!take_far(from, to, take)) return false;
     }
-    const Surroundings& far = w_.far;
-    const hn::CappedTag<double, 8> d;
-    if (far.count != 0) region_.tell_reach(reach_);
-    // What is beyond the last is never looked at.
-    for (std::size_t i = 0; i < far.count && !region_.is_empty(); i += hn::Lanes(d)) {
-      std::uint64_t reached = reached_of(i);
-      if (i + hn::Lanes(d) > far.count) reached &= (std::uint64_t{1} << (far.count - i)) - 1;
-      bool is_changed = false;
-      for (; reached != 0; reached &= reached - 1) {
-        const std::size_t n = i + static_cast<std::size_t>(std::countr_zero(reached));
-        const FreeRegion::Outcome outcome = take(neighbor(far, n));
-        if (outcome == FreeRegion::Outcome::lost) return false;
-        if (outcome == FreeRegion::Outcome::inside) w_.later.push_back(static_cast<std::uint32_t>(near.count + n));
-        is_changed = true;
-      }
-      if (is_changed) region_.tell_reach(reach_);
-    }
-    for (const std::uint32_t n : w_.later) {
-      if (region_.is_empty()) break;
-      const FreeRegion::Outcome outcome = take(n < near.count ? neighbor(near, n) : neighbor(far, n - near.count));
-      if (outcome != FreeRegion::Outcome::taken) return false;
-    }
+    if (!region_.finish(is_in_ball)) return false;
     region_.for_each_cycle([&](std::uint32_t site) { found.points.push_back(site); },
                            [&] { found.points.push_back(Rings::end_of_cycle); });
     return true;
   }
 
  private:
+  /// Those at distances whose squares are above `from` and at most `to`; what is beyond the last one is never looked at.
+  template <typename Take>
+  bool take_far(double from, double to, Take take) {
+    const hn::CappedTag<double, 8> d;
+    const Surroundings& far = w_.far;
+    for (std::size_t i = 0; i < far.count && !region_.is_empty(); i += hn::Lanes(d)) {
+      const auto square = hn::LoadU(d, &far.square[i]);
+      std::uint64_t wanted = bits_of(d, hn::And(square > hn::Set(d, from), square <= hn::Set(d, to)));
+      if (i + hn::Lanes(d) > far.count) wanted &= (std::uint64_t{1} << (far.count - i)) - 1;
+      if (wanted == 0 || (wanted &= reached_of(i)) == 0) continue;
+      for (; wanted != 0; wanted &= wanted - 1)
+        if (!take(far, i + static_cast<std::size_t>(std::countr_zero(wanted)))) return false;
+      region_.tell_reach(reach_);
+    }
+    return true;
+  }
+
   void sort_near() {
     const Surroundings& near = w_.near;
     w_.order.resize(near.count);
@@ -263,6 +255,7 @@ void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rin
   const std::span<const Point3> sites = cells.sites();
   const double whole = 4 * cells.radius() * cells.radius() * (1 + 0x1p-40);
   constexpr double wanted = 14;  // near points, of which about six bound a region
+  constexpr std::size_t few = 4;
   found.points.clear();
   found.first.clear();
   found.rolled = 0;
@@ -289,8 +282,13 @@ void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rin
       if (fits_double) {
         look_around(w.around, sites[v], whole, whole * w.share, w.near, w.far);
         const std::size_t all = w.near.count + w.far.count;
-        w.share = std::min(1.0, wanted / static_cast<double>(std::max<std::size_t>(all, 1)));
-        if (all == 0 || search.find(v, found)) continue;
+        while (w.near.count < std::min<std::size_t>(all, few)) {
+          w.share *= 4;
+          look_around(w.around, sites[v], whole, whole * w.share, w.near, w.far);
+        }
+        if (all == 0) continue;
+        w.share = std::min(1.0, wanted / static_cast<double>(all));
+        if (search.find(v, found)) continue;
         found.points.resize(start);
         roll_at<double>(cells, v, w, found);
       } else {

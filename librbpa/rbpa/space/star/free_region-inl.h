@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "rbpa/space/predicate/ball.h"
 #include "rbpa/vector/mask_bits-inl.h"
@@ -42,56 +43,64 @@ class FreeRegion {
     double power;
     std::uint32_t number;
   };
-  enum class Outcome { taken, inside, lost };
 
-  static constexpr std::size_t capacity = 64, max_neighbors = 256;
+  static constexpr std::size_t capacity = 64, max_neighbors = 256, max_waiting = 16;
   static constexpr double max_error = 1e-7;  // of centres, as a share of the radius
 
-  /// The sphere without the caps of two points, numbered 0 and 1 by this region; false where these do not overlap, or that is
-  /// not certain.
-  bool begin(double radius, const Neighbor& p, const Neighbor& q) {
+  /// The whole sphere.
+  void begin(double radius) {
     radius_ = radius;
     square_ = radius * radius;
-    count_ = 2;
-    neighbors_[0] = p;
-    neighbors_[1] = q;
+    count_ = waiting_ = 0;
     live_ = 0;
     top_ = 0;
-    const Rests both = rests(p, q);
-    if (!both.are_certain) return false;
-    const int a = add(0, 1, both.left, both.error), b = add(1, 0, both.right, both.error);
-    link(a, b);
-    link(b, a);
-    return cut_long_arc(a) && cut_long_arc(b);
+    has_begun_ = false;
   }
 
-  bool is_empty() const { return live_ == 0; }
-  std::size_t neighbors() const { return count_; }
+  /// Nothing is left, whatever is taken away.
+  bool is_empty() const { return has_begun_ && live_ == 0; }
 
-  /// Takes the cap of p away. `is_in_ball(x, y)` says exactly whether p is in the ball on (v, x, y), numbers of neighbours.
-  /// inside: the whole of its circle may be in the region, which is left as it was.
+  /// Takes the cap of p away. `is_in_ball(x, y, p)` says exactly whether p is in the ball on (v, x, y), of numbers.
+  /// Returns: false when the region is lost.
   template <typename IsInBall>
-  Outcome take(const Neighbor& p, IsInBall is_in_ball) {
-    if (count_ == max_neighbors) return Outcome::lost;
-    const double size = std::abs(p.at.x) + std::abs(p.at.y) + std::abs(p.at.z);
-    Signs signs = signs_of(p, size);
-    for (std::uint64_t left = signs.near; left != 0; left &= left - 1) {
-      const int k = std::countr_zero(left);
-      const auto i = static_cast<std::size_t>(k);
-      if (left_[i] == none) return Outcome::lost;
-      if (is_in_ball(neighbors_[about_[i]].number, neighbors_[static_cast<std::size_t>(left_[i])].number))
-        signs.dead |= std::uint64_t{1} << k;
+  bool take(const Neighbor& p, IsInBall is_in_ball) {
+    const Outcome outcome = cut(p, is_in_ball);
+    if (outcome != Outcome::inside) return outcome == Outcome::taken;
+    // Its circle is free as a whole, and so it stays unless another one crosses it.
+    for (std::size_t i = 0; i < waiting_; ++i) {
+      const Neighbor q = waits_[i];
+      const Rests both = rests(p, q);
+      if (both.cannot) continue;
+      waits_[i] = waits_[--waiting_];
+      const Outcome of_q = cut(q, is_in_ball);  // the region may have changed since q was tried
+      if (of_q == Outcome::lost) return false;
+      if (of_q == Outcome::taken) return take(p, is_in_ball);
+      if (!both.are_certain || !are_free(both) || count_ + 2 > max_neighbors) return false;
+      const auto number = static_cast<std::uint32_t>(count_);
+      neighbors_[count_++] = p;
+      neighbors_[count_++] = q;
+      const int a = add(number, static_cast<int>(number) + 1, both.left, both.error),
+                b = a == none ? none : add(number + 1, static_cast<int>(number), both.right, both.error);
+      if (b == none) return false;
+      link(a, b);
+      link(b, a);
+      has_begun_ = true;
+      return cut_long_arc(a) && cut_long_arc(b) && take_waiting(is_in_ball);
     }
-    const std::uint64_t dead = signs.dead;
-    std::uint64_t dead_after = 0;
-    if (dead != 0)
-      for (std::uint64_t left = live_; left != 0; left &= left - 1) {
-        const int k = std::countr_zero(left);
-        dead_after |= (dead >> next_[static_cast<std::size_t>(k)] & 1) << k;
-      }
-    const std::uint64_t bitten = live_ & ~dead & ~dead_after & signs.middle_on,
-                        spared = dead & dead_after & signs.far_side_on, crossed = dead ^ dead_after;
-    return cut(p, size, dead, dead_after, bitten, spared, crossed);
+    if (waiting_ == max_waiting) return false;
+    waits_[waiting_++] = p;
+    return true;
+  }
+
+  /// To be called when all have been taken: those whose circle was free are tried again, until none changes anything. What is
+  /// left of them crosses nothing, so that no triangle is at it.
+  template <typename IsInBall>
+  bool finish(IsInBall is_in_ball) {
+    for (std::size_t before = waiting_ + 1; waiting_ < before && waiting_ != 0 && !is_empty();) {
+      before = waiting_;
+      if (!take_waiting(is_in_ball)) return false;
+    }
+    return true;
   }
 
   /// How far p reaches into the region at most: p takes nothing away where c · p ≤ share · power of p for all corners c. For
@@ -100,9 +109,17 @@ class FreeRegion {
     std::array<double, capacity> x, y, z, share;
     std::size_t count = 0;
   };
-  void tell_reach(Reach& reach) const {
+  /// Returns: whether all shares are finite.
+  bool tell_reach(Reach& reach) const {
     reach.count = 0;
-    if (live_ == 0) return;
+    if (!has_begun_) {  // all of the sphere is there
+      reach.count = 1;
+      reach.x[0] = reach.y[0] = reach.z[0] = 0;
+      reach.share[0] = -std::numeric_limits<double>::infinity();
+      return false;
+    }
+    if (live_ == 0) return true;
+    bool is_told = true;
     const bool is_parted = covers_equator(sum_of_cycle(std::countr_zero(live_)));
     std::uint64_t left = live_;
     while (left != 0) {
@@ -126,7 +143,9 @@ class FreeRegion {
       const double share = is_parted && depth > slack * radius_ ? (depth / radius_) * (1 - slack)
                                                                 : -std::numeric_limits<double>::infinity();
       for (std::size_t n = first; n < reach.count; ++n) reach.share[n] = share;
+      is_told = is_told && std::isfinite(share);
     }
+    return is_told;
   }
 
   /// Calls visit(number) for the points about which the ball rolls, cycle by cycle, and end() after each cycle: from x to
@@ -154,11 +173,13 @@ class FreeRegion {
       1e-10;  // of a triangle and its ball: their squares, below which it is not certain
   static constexpr int none = -1;
 
+  enum class Outcome { taken, inside, lost };
+
   /// The two balls that rest on v, p and q: on (v, p, q) and on (v, q, p).
   struct Rests {
-    Vector left, right;
-    double error;
-    bool are_certain;
+    Vector left{}, right{};
+    double error = 0;
+    bool are_certain = false, cannot = false;  // for certain
   };
   struct Signs {
     std::uint64_t dead, near;              // corners in the ball, and those of which it is not certain
@@ -179,6 +200,7 @@ class FreeRegion {
     const double clearance = whole - pp * qq * dot(w, w);
     Rests both;
     both.are_certain = clearance > max_flatness * whole;
+    both.cannot = clearance < -max_flatness * pp * qq * square_;
     if (!both.are_certain) return both;
     const double inverse = 0.5 / nn, rise = std::sqrt(clearance) * inverse;
     const Vector to_p = cross(q.at, n), to_q = cross(n, p.at);
@@ -296,8 +318,38 @@ class FreeRegion {
     return {along / 2 + reach - p.power, along / 2 - reach - p.power, slack * 1e-2 * radius_ * size};
   }
 
-  Outcome cut(const Neighbor& p, double size, std::uint64_t dead, std::uint64_t dead_after, std::uint64_t bitten,
-              std::uint64_t spared, std::uint64_t crossed) {
+  /// Tries those again that wait.
+  template <typename IsInBall>
+  bool take_waiting(IsInBall is_in_ball) {
+    const std::size_t count = std::exchange(waiting_, 0);
+    const std::array<Neighbor, max_waiting> again = waits_;
+    for (std::size_t k = 0; k < count; ++k)
+      if (!take(again[k], is_in_ball)) return false;
+    return true;
+  }
+
+  template <typename IsInBall>
+  Outcome cut(const Neighbor& p, IsInBall is_in_ball) {
+    if (count_ == max_neighbors) return Outcome::lost;
+    const double size = std::abs(p.at.x) + std::abs(p.at.y) + std::abs(p.at.z);
+    const Signs signs = signs_of(p, size);
+    std::uint64_t dead = signs.dead;
+    for (std::uint64_t left = signs.near; left != 0; left &= left - 1) {
+      const int k = std::countr_zero(left);
+      const auto i = static_cast<std::size_t>(k);
+      if (left_[i] == none) return Outcome::lost;
+      if (is_in_ball(neighbors_[about_[i]].number, neighbors_[static_cast<std::size_t>(left_[i])].number, p.number))
+        dead |= std::uint64_t{1} << k;
+    }
+    std::uint64_t dead_after = 0;
+    if (dead != 0)
+      for (std::uint64_t left = live_; left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        dead_after |= (dead >> next_[static_cast<std::size_t>(k)] & 1) << k;
+      }
+    std::uint64_t bitten = live_ & ~dead & ~dead_after & signs.middle_on,
+                  spared = dead & dead_after & signs.far_side_on;
+    const std::uint64_t crossed = dead ^ dead_after;
     // Where p's direction is on an arc with free ends, or that away from it on one whose ends are held, the middle may differ.
     for (std::uint64_t left = bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
@@ -318,6 +370,7 @@ class FreeRegion {
     const std::uint64_t changed = bitten | spared | crossed;
     if (changed == 0) {
       if (!covers_circle(p)) return dead == 0 ? Outcome::inside : Outcome::lost;
+      if (dead != 0) neighbors_[count_++] = p;
       live_ &= ~dead;
       return Outcome::taken;
     }
@@ -356,7 +409,6 @@ class FreeRegion {
       if (enters) entries[entry_count++] = entry;
       if (leaves) exits[exit_count++] = exit;
     }
-    (void)dead_after;
     held_ = 0;
     if (entry_count != exit_count) return Outcome::lost;
     if (entry_count == 1) {
@@ -372,6 +424,16 @@ class FreeRegion {
     const double from = p.at.x * from_x_[i] + p.at.y * from_y_[i] + p.at.z * from_z_[i];
     const double to = p.at.x * to_x_[i] + p.at.y * to_y_[i] + p.at.z * to_z_[i];
     return std::min(sign * from, sign * to) > side_error_[i] * size;
+  }
+
+  /// Neither of the two centres is in a cap, for certain.
+  bool are_free(const Rests& both) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Neighbor& q = neighbors_[i];
+      const double error = both.error * 2 * std::sqrt(2 * q.power);  // Σ|qᵢ| is at most √3 |q|
+      if (dot(both.left, q.at) - q.power > -error || dot(both.right, q.at) - q.power > -error) return false;
+    }
+    return true;
   }
 
   /// Some point has a point of p's circle in its cap.
@@ -461,8 +523,10 @@ class FreeRegion {
   }
 
   double radius_ = 0, square_ = 0;
-  std::size_t count_ = 0;
-  std::array<Neighbor, max_neighbors> neighbors_;
+  std::size_t count_ = 0, waiting_ = 0;
+  bool has_begun_ = false;                         // there have been corners
+  std::array<Neighbor, max_neighbors> neighbors_;  // whose caps are away
+  std::array<Neighbor, max_waiting> waits_;        // whose circles are free as a whole
   std::uint64_t live_ = 0, held_ = 0;
   std::size_t top_ = 0;  // places below it have been used
   // Of each corner k: the ball rests on (v, about, left) there, or on no third point; and the arc from it, about the same.
