@@ -43,6 +43,8 @@ set(arrows
   rbpa/partial>rbpa rbpa/partial>rbpa/core rbpa/partial>rbpa/predicate rbpa/partial>rbpa/run rbpa/partial>rbpa/shape
   rbpa/partial>meshops/core rbpa/partial>meshops/topology
   rbpa/space>rbpa/core rbpa/space>rbpa/run rbpa/space>meshops/core rbpa/space>meshops/patch
+  rbpa/space>rbpa/shape rbpa/space>rbpa/space/levels rbpa/space>rbpa/space/search rbpa/space/levels>rbpa/core
+  rbpa/space/levels>rbpa/space rbpa/space/levels>rbpa/space/predicate rbpa/space/levels>rbpa/space/search
   rbpa/space/pivot>rbpa/parallel rbpa/space>rbpa/space/pivot rbpa/space>rbpa/space/predicate
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
@@ -71,7 +73,7 @@ set(arrows
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(pivot|predicate|search))/")
+set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(levels|pivot|predicate|search))/")
 
 set(checked 0)
 set(bad "")

@@ -1,15 +1,12 @@
 #include "rbpa/space/surface.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "rbpa/core/error.h"
-#include "rbpa/run/input.h"
+#include "rbpa/space/check_input.h"
 #include "rbpa/space/pivot/find_free_arcs.h"
 #include "rbpa/space/predicate/normal_sign.h"
 
@@ -18,29 +15,6 @@ namespace {
 
 using space::FreeArc;
 using Triangle = std::array<std::uint32_t, 3>;
-
-std::string at(const Point3& p) { return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")"; }
-
-void check(std::span<const Point3> points, double radius) {
-  if (!(radius > 0) || std::isinf(radius))
-    throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
-  if (points.size() >= Surface::none)
-    throw InvalidInput(std::to_string(points.size()) + " points, expected at most " +
-                       std::to_string(Surface::none - 1));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i]))
-      throw InvalidInput("point " + std::to_string(i) + " is " + at(points[i]) + ", expected finite coordinates");
-}
-
-void check_normals(std::span<const Point3> points, std::span<const Point3> normals) {
-  if (normals.size() != points.size())
-    throw InvalidInput(std::to_string(normals.size()) + " normals, expected one for each of " +
-                       std::to_string(points.size()) + " points");
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (!is_finite(normals[i]) || normals[i] == Point3{})
-      throw InvalidInput("normal " + std::to_string(i) + " is " + at(normals[i]) +
-                         ", expected finite coordinates, not all 0");
-}
 
 /// The input indices, equal points together, the lowest of them first.
 std::vector<std::uint32_t> sorted_by_point(std::span<const Point3> points) {
@@ -137,7 +111,8 @@ void assemble(const std::vector<FreeArc>& arcs, const Sites& sites, Keep keep, S
 }  // namespace
 
 Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options) {
-  check(points, radius);
+  space::check_radius(radius);
+  space::check_points(points);
   Surface surface;
   const Sites sites = sites_of(points, surface);
   assemble(
@@ -147,8 +122,9 @@ Surface exposed_triangles(std::span<const Point3> points, double radius, const S
 
 Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                 const SurfaceOptions& options) {
-  check(points, radius);
-  check_normals(points, normals);
+  space::check_radius(radius);
+  space::check_points(points);
+  space::check_normals(points, normals);
   Surface surface;
   const Sites sites = sites_of(points, surface);
   const auto agrees = [&](space::Site a, space::Site b, space::Site c) {
