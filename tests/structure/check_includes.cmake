@@ -49,6 +49,8 @@ set(arrows
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
+  rbpa/space/normals>rbpa/core rbpa/space/normals>rbpa/parallel rbpa/space/normals>rbpa/space
+  rbpa/space/normals>rbpa/space/search
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
 
   # Programs: folders of ours first, then what each uses of the libraries.
