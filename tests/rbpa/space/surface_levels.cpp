@@ -85,7 +85,7 @@ TEST_CASE("a radius takes nothing away, and glues nothing otherwise; the mesh is
   Random random(302);
   std::size_t more = 0;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 15; ++trial) {
+    for (int trial = 0; trial < 6; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       CAPTURE(trial);
       const Points3 points = space_set(static_cast<SpaceKind>(k), 40, random);
@@ -105,14 +105,14 @@ TEST_CASE("a radius takes nothing away, and glues nothing otherwise; the mesh is
       }
       CHECK(meshops::validate(rbpa::surface_mesh(points, all).mesh).empty());
     }
-  CHECK(more > 50);
+  CHECK(more > 20);
 }
 
 TEST_CASE("shuffled points have the same surface by several radii, with any number of threads") {
   Random random(303);
   std::size_t triangles = 0;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 6; ++trial) {
+    for (int trial = 0; trial < 3; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       Points3 points = space_set(static_cast<SpaceKind>(k), 40, random);
       const Radii radii = some_radii(points, random);
@@ -139,7 +139,7 @@ TEST_CASE("shuffled points have the same surface by several radii, with any numb
         CHECK(expected.levels[static_cast<std::size_t>(at - expected.triangles.begin())] == actual.levels[t]);
       }
     }
-  CHECK(triangles > 1000);
+  CHECK(triangles > 500);
 
   const Points3 sphere = space_set(SpaceKind::noisy_sphere, 2500, random);
   const Radii radii = {0.1, 0.2, 0.5};
