@@ -1,14 +1,13 @@
 #include "rbpa/space/surface.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "rbpa/core/error.h"
 #include "rbpa/parallel/in_order.h"
-#include "rbpa/run/input.h"
+#include "rbpa/space/check_input.h"
 #include "rbpa/space/predicate/normal_sign.h"
 #include "rbpa/space/search/cells.h"
 #include "rbpa/space/search/scale.h"
@@ -17,29 +16,6 @@
 
 namespace rbpa {
 namespace {
-
-std::string at(const Point3& p) { return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")"; }
-
-void check(std::span<const Point3> points, double radius) {
-  if (!(radius > 0) || std::isinf(radius))
-    throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
-  if (points.size() >= Surface::none)
-    throw InvalidInput(std::to_string(points.size()) + " points, expected at most " +
-                       std::to_string(Surface::none - 1));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i]))
-      throw InvalidInput("point " + std::to_string(i) + " is " + at(points[i]) + ", expected finite coordinates");
-}
-
-void check_normals(std::span<const Point3> points, std::span<const Point3> normals) {
-  if (normals.size() != points.size())
-    throw InvalidInput(std::to_string(normals.size()) + " normals, expected one for each of " +
-                       std::to_string(points.size()) + " points");
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (!is_finite(normals[i]) || normals[i] == Point3{})
-      throw InvalidInput("normal " + std::to_string(i) + " is " + at(normals[i]) +
-                         ", expected finite coordinates, not all 0");
-}
 
 /// Points multiplied by a power of two, where that brings them into the range of double.
 class Scaled {
@@ -175,7 +151,8 @@ Threads threads_for_sites(std::size_t points, unsigned wanted) { return Threads(
 }  // namespace
 
 Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options) {
-  check(points, radius);
+  space::check_radius(radius);
+  space::check_points(points);
   Threads threads = threads_for_sites(points.size(), options.threads);
   const Scaled scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
@@ -188,8 +165,9 @@ Surface exposed_triangles(std::span<const Point3> points, double radius, const S
 
 Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                 const SurfaceOptions& options) {
-  check(points, radius);
-  check_normals(points, normals);
+  space::check_radius(radius);
+  space::check_points(points);
+  space::check_normals(points, normals);
   Threads threads = threads_for_sites(points.size(), options.threads);
   const Scaled scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
