@@ -48,7 +48,7 @@ set(arrows
   rbpa/space/star>rbpa/core rbpa/space/star>rbpa/parallel rbpa/space/star>rbpa/vector rbpa/space/star>rbpa/space/pivot
   rbpa/space/star>rbpa/space/predicate rbpa/space/star>rbpa/space/search
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/search>rbpa/parallel
-  rbpa/space>rbpa/shape rbpa/space>rbpa/space/levels rbpa/space>rbpa/space/search rbpa/space/levels>rbpa/core
+  rbpa/space>rbpa/space/pivot rbpa/space>rbpa/shape rbpa/space>rbpa/space/levels rbpa/space>rbpa/space/search rbpa/space/levels>rbpa/core
   rbpa/space/levels>rbpa/space rbpa/space/levels>rbpa/space/predicate rbpa/space/levels>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
@@ -76,7 +76,8 @@ set(arrows
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
   cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
-  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
+  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space
+  examples>meshops/core examples>meshops/patch)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
 set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|vector|space/(levels|pivot|predicate|search|spacing|star))/")
