@@ -32,8 +32,7 @@ Distinct distinct(std::span<const Point3> points) {
   };
   std::vector<Numbered> sorted;
   sorted.reserve(points.size());
-  for (const Point3& p : points)  // −0 becomes 0, so that it does not matter which of equal points is taken
-    sorted.push_back({{p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<std::uint32_t>(sorted.size())});
+  for (const Point3& p : points) sorted.push_back({p, static_cast<std::uint32_t>(sorted.size())});
   std::sort(sorted.begin(), sorted.end(), [](const Numbered& p, const Numbered& q) { return p.at < q.at; });
   Distinct found;
   found.number.resize(points.size());
