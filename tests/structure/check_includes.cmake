@@ -52,7 +52,7 @@ set(arrows
   rbpa/space/levels>rbpa/space rbpa/space/levels>rbpa/space/predicate rbpa/space/levels>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
-  rbpa/space>rbpa/parallel rbpa/space>rbpa/space/normals rbpa/space>rbpa/space/spacing rbpa/space/spacing>rbpa/core
+  rbpa/space>rbpa/space/normals rbpa/space>rbpa/space/spacing rbpa/space/spacing>rbpa/core
   rbpa/space/normals>rbpa/core rbpa/space/normals>rbpa/parallel rbpa/space/normals>rbpa/space
   rbpa/space/normals>rbpa/space/search
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
