@@ -49,6 +49,7 @@ set(arrows
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
+  rbpa/space>rbpa/parallel rbpa/space>rbpa/space/normals rbpa/space>rbpa/space/spacing rbpa/space/spacing>rbpa/core
   rbpa/space/normals>rbpa/core rbpa/space/normals>rbpa/parallel rbpa/space/normals>rbpa/space
   rbpa/space/normals>rbpa/space/search
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
@@ -75,7 +76,7 @@ set(arrows
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(levels|pivot|predicate|search))/")
+set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(levels|pivot|predicate|search|spacing))/")
 
 set(checked 0)
 set(bad "")

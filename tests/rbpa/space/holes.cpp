@@ -171,7 +171,7 @@ TEST_CASE("each boundary side is on one curve, and its cause is that of every tr
   Causes seen;
   std::size_t sides = 0;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 40; ++trial) {
+    for (int trial = 0; trial < 30; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       CAPTURE(trial);
       const Points3 points = space_set(static_cast<SpaceKind>(k), 4 + random.below(14), random);
