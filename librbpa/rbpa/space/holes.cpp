@@ -84,17 +84,12 @@ class Exposed {
   Surface exposed_;
 };
 
-bool is_back_of(const Triangle& next, const Triangle& triangle) {
-  return next[0] == triangle[0] && next[1] == triangle[2] && next[2] == triangle[1];
-}
-
 /// Requires: the ball comes to edge.next.
-void explain(RimEdge& edge, const Triangle& triangle, const space::Agreement& agreement,
-             const std::optional<space::Interior>& smaller) {
+void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
   edge.corners = agreement.disagreeing(edge.next);
   const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);
-  if (is_back_of(edge.next, triangle) || disagreeing == 3) {
-    edge.cause = RimCause::nothing_within_reach;
+  if (disagreeing == 3) {
+    edge.cause = RimCause::nothing_within_reach;  // also where `next` is the same triangle from behind
   } else if (disagreeing > 0) {
     edge.cause = RimCause::normals_disagree;
   } else {
@@ -149,7 +144,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
       if (!next) return false;
       edge->level = level;
       edge->next = *next;
-      explain(*edge, triangle, agreement, smaller);
+      explain(*edge, agreement, smaller);
       return true;
     });
   }

@@ -76,18 +76,21 @@ void ask_nearest(const space::Excerpt& near, const Surface& exposed, double radi
       places.push_back(near.points[i]);
       input.push_back(near.input[i]);
     }
-  const space::Cells cells(places, radius);
-  std::vector<std::uint32_t> around;
+  Threads threads;
+  const space::Cells cells(places, radius, threads);
+  const auto index_of = [&](space::Site site) { return input[cells.input_index()[site]]; };
+  space::Cells::Around around_cell(cells);
+  std::vector<space::Site> around;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     around.clear();
-    for (const std::uint32_t v : cells.points_in(cell)) {
-      if (wanted[input[v]] == 0 || causes[input[v]] != UnusedCause::no_ball_rests) continue;
+    for (space::Site v = cells.first_in(cell); v < cells.first_in(cell + 1); ++v) {
+      const std::uint32_t index = index_of(v);
+      if (wanted[index] == 0 || causes[index] != UnusedCause::no_ball_rests) continue;
       if (around.empty())
-        cells.for_each_around(cell, [&](std::size_t i) {
-          const auto inside = cells.points_in(i);
-          around.insert(around.end(), inside.begin(), inside.end());
+        around_cell.for_each_run(cell, [&](space::Site first, space::Site last) {
+          for (space::Site p = first; p < last; ++p) around.push_back(p);
         });
-      if (is_hidden(v, places, around, radius)) causes[input[v]] = UnusedCause::hidden;
+      if (is_hidden(v, cells.sites(), around, radius)) causes[index] = UnusedCause::hidden;
     }
   }
 }

@@ -19,16 +19,18 @@ Excerpt excerpt(std::span<const Point3> points, std::span<const Point3> normals,
       places.push_back(points[i]);
     }
 
-  const Cells cells(places, radius);
-  std::vector<std::uint8_t> is_taken(cells.size(), 0);
+  Threads threads;
+  const Cells cells(places, radius, threads);
+  const auto index_of = [&](Site site) { return distinct[cells.input_index()[site]]; };
+  Cells::Around around(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto inside = cells.points_in(i);
-    if (std::none_of(inside.begin(), inside.end(), [&](std::uint32_t p) { return wanted[distinct[p]] != 0; })) continue;
-    cells.for_each_around(i, [&](std::size_t cell) { is_taken[cell] = 1; });
+    bool is_wanted = false;
+    for (Site p = cells.first_in(i); p < cells.first_in(i + 1); ++p) is_wanted = is_wanted || wanted[index_of(p)] != 0;
+    if (is_wanted)
+      around.for_each_run(i, [&](Site first, Site last) {
+        for (Site p = first; p < last; ++p) is_near[index_of(p)] = 1;
+      });
   }
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (is_taken[i] != 0)
-      for (const std::uint32_t p : cells.points_in(i)) is_near[distinct[p]] = 1;
   for (const Duplicate& d : duplicates) is_near[d.index] = is_near[d.stands_for];
 
   Excerpt result;
