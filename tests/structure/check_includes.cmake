@@ -74,6 +74,7 @@ set(arrows
   program>meshops/topology program>rbpa/core
   python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
+  python>rbpa/space python>rbpa/space/normals
   cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space
