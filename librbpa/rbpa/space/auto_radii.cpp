@@ -19,7 +19,6 @@ namespace {
 
 // What follows was chosen by trying: docs/surface_radii.md.
 constexpr std::size_t neighbors = 32;
-constexpr double hole = 3;                             // a gap so many times that of most around it may be a hole
 constexpr double most_of_all = 0.99, beyond_most = 2;  // of all gaps; a larger one is an exception
 constexpr double margin = 1.25;                        // surfaces are not flat, and not all gaps are seen
 constexpr double ladder = 2;                           // a ball so many times what is needed loses detail
@@ -77,31 +76,12 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   return gaps;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// The gaps that are not much larger than those around them; none for the others.
-std::vector<double> usual_gaps(const Gaps& gaps) {
-  std::vector<double> usual(gaps.gap.size(), none), around;
-  for (std::size_t i = 0; i < usual.size(); ++i) {
-    if (gaps.gap[i] == none) continue;
-    around.assign(1, gaps.gap[i]);
-    for (const std::uint32_t k : gaps.near.around(i))
-      if (gaps.gap[k] != none) around.push_back(gaps.gap[k]);
-    if (gaps.gap[i] <= hole * median(around)) usual[i] = gaps.gap[i];
-  }
-  return usual;
-}
-
 /// What the neighbourhood of each point needs, of the gaps up to `largest`; none where there are none.
-std::vector<double> needs(const Gaps& gaps, const std::vector<double>& usual, double largest) {
-  std::vector<double> need(usual.size(), none);
+std::vector<double> needs(const Gaps& gaps, double largest) {
+  std::vector<double> need(gaps.gap.size(), none);
   for (std::size_t i = 0; i < need.size(); ++i) {
     const auto take = [&](std::size_t k) {
-      if (usual[k] <= largest) need[i] = std::max(need[i], usual[k]);
+      if (gaps.gap[k] <= largest) need[i] = std::max(need[i], gaps.gap[k]);
     };
     take(i);
     for (const std::uint32_t k : gaps.near.around(i)) take(k);
@@ -116,15 +96,15 @@ std::vector<double> without_none(std::vector<double> values) {
 }
 
 std::vector<double> radii_of(const Gaps& gaps) {
-  const std::vector<double> usual = usual_gaps(gaps), sorted = without_none(usual);
+  const std::vector<double> sorted = without_none(gaps.gap);
   if (sorted.empty()) {
-    std::vector<double> least = without_none(gaps.least);
+    const std::vector<double> least = without_none(gaps.least);
     if (least.empty()) return {};
-    return {margin * median(least)};
+    return {margin * least[least.size() / 2]};
   }
   const double most = sorted[static_cast<std::size_t>(most_of_all * static_cast<double>(sorted.size() - 1))];
   const double largest = *(std::upper_bound(sorted.begin(), sorted.end(), beyond_most * most) - 1);
-  std::vector<double> need = without_none(needs(gaps, usual, largest)), radii;
+  std::vector<double> need = without_none(needs(gaps, largest)), radii;
   const auto some = static_cast<std::size_t>(some_of_all * static_cast<double>(need.size()));
   // Farther apart where the densities are too many for them.
   const double step = std::max(ladder, std::pow(need.back() / need[some], 1.0 / (most_radii - 1)));
@@ -143,10 +123,9 @@ std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOpti
   double greatest = 0;
   for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (greatest == 0) return {};
-  // So that the largest coordinate is about 1: what is 1e-160 times that is all the same here. −0 becomes 0, so that it does
-  // not matter which of equal points is taken.
+  // So that the largest coordinate is about 1: what is 1e-160 times that is all the same here.
   const int exponent = std::ilogb(greatest);
-  const auto scaled = [&](double value) { return std::ldexp(value, -exponent) + 0.0; };
+  const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
   std::vector<Point3> distinct;
   distinct.reserve(points.size());
   for (const Point3& p : points) distinct.push_back({scaled(p.x), scaled(p.y), scaled(p.z)});

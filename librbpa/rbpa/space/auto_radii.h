@@ -15,9 +15,9 @@
 namespace rbpa {
 
 /// At most four radii, ascending. The last one spans the gaps between neighbours everywhere, but for those that are much
-/// larger than others near to them, and may be holes. Where half of a radius would do around one point in twenty, or a third
-/// where densities differ much, there is one before it that does there. None for points on a line, and for fewer than three
-/// distinct ones.
+/// larger than nearly all, and those that reach beyond the neighbours, which may be holes. Where half of a radius would do around
+/// one point in twenty, or a third where densities differ much, there is one before it that does there. None for points on a
+/// line, and for fewer than three distinct ones.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput naming what is not; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});

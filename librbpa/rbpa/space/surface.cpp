@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "rbpa/core/error.h"
@@ -10,37 +9,12 @@
 #include "rbpa/space/check_input.h"
 #include "rbpa/space/predicate/normal_sign.h"
 #include "rbpa/space/search/cells.h"
-#include "rbpa/space/search/scale.h"
+#include "rbpa/space/search/scaled_points.h"
 #include "rbpa/space/star/find_rings.h"
 #include "rbpa/space/star/surface_assembly.h"
 
 namespace rbpa {
 namespace {
-
-/// Points multiplied by a power of two, where that brings them into the range of double.
-class Scaled {
- public:
-  Scaled(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {
-    const std::optional<int> exponent = space::scale_to_double(points, radius);
-    fits_double_ = exponent.has_value();
-    if (!exponent || *exponent == 0) return;
-    const auto scale = [&](double value) { return std::ldexp(value, *exponent); };
-    own_.reserve(points.size());
-    for (const Point3& p : points) own_.push_back({scale(p.x), scale(p.y), scale(p.z)});
-    points_ = own_;
-    radius_ = scale(radius);
-  }
-
-  std::span<const Point3> points() const { return points_; }
-  double radius() const { return radius_; }
-  bool fits_double() const { return fits_double_; }
-
- private:
-  std::vector<Point3> own_;
-  std::span<const Point3> points_;
-  double radius_;
-  bool fits_double_;
-};
 
 /// All triangles of the rings for which keep(v, x, y) holds, of sites; see SurfaceAssembly::add().
 template <typename Keep, typename IsNeeded>
@@ -74,9 +48,9 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
 }
 
 /// Whether a triangle agrees with the normals at its corners.
-class Agreement {
+class SiteAgreement {
  public:
-  Agreement(const space::Cells& cells, std::span<const Point3> normals, bool fits_double, Threads& threads)
+  SiteAgreement(const space::Cells& cells, std::span<const Point3> normals, bool fits_double, Threads& threads)
       : cells_(cells), normals_(normals), fits_double_(fits_double), own_(cells.sites().size()) {
     for_each_part(threads, own_.size(), 1u << 14, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = from; i < to; ++i) own_[i] = normals[cells.input_index()[i]];
@@ -119,7 +93,7 @@ class Agreement {
   /// In double, for points that fit it.
   class Fast {
    public:
-    Fast(const Agreement& all, space::Site v, space::Site x, space::Site y) {
+    Fast(const SiteAgreement& all, space::Site v, space::Site x, space::Site y) {
       const auto sites = all.cells_.sites();
       const auto u = space::from<double>(sites[v], sites[x]), w = space::from<double>(sites[v], sites[y]);
       normal_ = space::cross(u, w);
@@ -154,7 +128,7 @@ Surface exposed_triangles(std::span<const Point3> points, double radius, const S
   space::check_radius(radius);
   space::check_points(points);
   Threads threads = threads_for_sites(points.size(), options.threads);
-  const Scaled scaled(points, radius);
+  const space::ScaledPoints scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
   Surface surface;
   assemble(
@@ -169,9 +143,9 @@ Surface surface(std::span<const Point3> points, std::span<const Point3> normals,
   space::check_points(points);
   space::check_normals(points, normals);
   Threads threads = threads_for_sites(points.size(), options.threads);
-  const Scaled scaled(points, radius);
+  const space::ScaledPoints scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
-  const Agreement agrees(cells, normals, scaled.fits_double(), threads);
+  const SiteAgreement agrees(cells, normals, scaled.fits_double(), threads);
   Surface surface;
   assemble(
       cells, scaled.fits_double(), points.size(), threads, options, std::cref(agrees),

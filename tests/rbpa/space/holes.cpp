@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -188,6 +190,91 @@ TEST_CASE("each boundary side is on one curve, and its cause is that of every tr
   CHECK(sides > 500);
   for (const std::size_t count : seen.rim) CHECK(count > 20);
   for (const std::size_t count : seen.unused) CHECK(count > 0);
+}
+
+TEST_CASE(
+    "an unused point with a triangle that agrees, at any radius, is blocked; with others only, normals disagree") {
+  Random random(203);
+  std::size_t blocked = 0, others = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Points3 points = space_set(SpaceKind::noisy_sphere, 80, random);
+    Points3 normals = points;
+    for (Point3& n : normals)
+      if (random.chance(0.1)) n = {-n.y, n.z, n.x};
+    const Radii radii = {random.between(0.2, 0.3), random.between(0.3, 0.5), random.between(0.5, 2)};
+    const Surface surface = rbpa::surface(points, normals, radii);
+    std::vector<int> best(points.size(), 0);  // 2: on a triangle that agrees; 1: on others
+    for (const double radius : radii)
+      for (const Triangle& t : rbpa::exposed_triangles(points, radius).triangles)
+        for (const std::uint32_t i : t) best[i] = std::max(best[i], agrees(points, normals, t) ? 2 : 1);
+    for (const auto& [index, cause] : rbpa::unused_points(points, normals, radii, surface)) {
+      CHECK((cause == UnusedCause::blocked) == (best[index] == 2));
+      CHECK((cause == UnusedCause::normals_disagree) == (best[index] == 1));
+      blocked += best[index] == 2;
+      others += best[index] == 1;
+    }
+  }
+  CHECK(blocked > 2);
+  CHECK(others > 10);
+}
+
+TEST_CASE("shuffled points have the same holes, of the same lengths to the last bit") {
+  Random random(204);
+  std::size_t sides = 0;
+  for (int trial = 0; trial < 10; ++trial) {
+    Points3 points = space_set(SpaceKind::noisy_sphere, 150, random);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());  // each has a name of its own
+    const Radii radii = {0.25, 0.5};
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    random.shuffle(order);
+    Points3 shuffled;
+    for (const std::uint32_t i : order) shuffled.push_back(points[i]);
+    // Lengths, and what is said of each side.
+    using Said = std::tuple<Triangle, std::uint32_t, RimCause, Triangle>;
+    const auto holes_of = [&](const Points3& of, const auto& name) {
+      std::multiset<std::pair<double, std::set<Said>>> all;
+      const Surface surface = rbpa::surface(of, of, radii);
+      for (const Hole& hole : rbpa::holes(of, of, radii, surface, {.threads = 2})) {
+        std::set<Said> said;
+        for (const RimEdge& e : hole.edges) {
+          const Triangle next = {name(e.next[0]), name(e.next[1]), name(e.next[2])};
+          said.insert({{name(e.from), name(e.to), 0}, e.level, e.cause, canonical({next})[0]});
+        }
+        sides += said.size();
+        all.emplace(hole.length, said);
+      }
+      return all;
+    };
+    CHECK((holes_of(shuffled, [&](std::uint32_t i) { return order[i]; }) ==
+           holes_of(points, [](std::uint32_t i) { return i; })));
+  }
+  CHECK(sides > 500);
+}
+
+TEST_CASE("what is no surface of the points is refused, as far as is noticed: holes") {
+  const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, up(4, {0, 0, 1});
+  const Surface right = rbpa::surface(points, up, 1.0);
+  const std::vector<Hole> rim = rbpa::holes(points, up, 1.0, right);
+  REQUIRE(rim.size() == 1);
+  CHECK(rim[0].length == 4);
+  for (const RimEdge& e : rim[0].edges) CHECK(e.cause == RimCause::nothing_within_reach);
+  using meshops::ContractViolation;
+  CHECK_THROWS_AS(rbpa::holes(points, up, 0.1, right), ContractViolation);          // nothing rests at that radius
+  CHECK_THROWS_AS(rbpa::holes(points, up, Radii{1, 2}, right), ContractViolation);  // no levels
+  CHECK_THROWS_AS(rbpa::holes(Points3{{0, 0, 0}}, Points3{{0, 0, 1}}, 1.0, right), ContractViolation);
+  CHECK_THROWS_AS(rbpa::holes(points, Points3(3, {0, 0, 1}), 1.0, right), rbpa::InvalidInput);
+  CHECK_THROWS_AS(rbpa::holes(points, up, -1.0, right), rbpa::InvalidInput);
+  CHECK_THROWS_AS(rbpa::unused_points(points, up, -1.0, right), rbpa::InvalidInput);
+  CHECK_THROWS_AS(rbpa::unused_points(Points3{{0, 0, 0}}, {}, 1.0, right), ContractViolation);
+  Surface cut = right;  // where the surface goes on
+  cut.neighbors.assign(2, {Surface::none, Surface::none, Surface::none});
+  CHECK_THROWS_AS(rbpa::holes(points, up, 1.0, cut), ContractViolation);
+  CHECK(rbpa::holes({}, {}, 1.0, Surface{}).empty());
+  const auto alone = rbpa::unused_points(Points3{{5, 5, 5}}, {}, 1.0, Surface{});
+  REQUIRE(alone.size() == 1);
+  CHECK(alone[0].cause == UnusedCause::no_ball_rests);
 }
 
 TEST_CASE("a hidden point is in every ball that touches it; where no ball rests there are empty ones") {
