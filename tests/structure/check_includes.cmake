@@ -37,16 +37,24 @@ set(arrows
   rbpa/tile>rbpa/parallel rbpa/search>rbpa/parallel rbpa/run>rbpa/parallel rbpa>rbpa/parallel
   rbpa/remainder>rbpa/core rbpa/remainder>rbpa/predicate rbpa/remainder>rbpa/search rbpa/remainder>meshops/patch
   rbpa/remainder>rbpa/parallel rbpa/remainder>rbpa/tile rbpa/remainder>rbpa/divide
+  rbpa/enumeration>rbpa/vector rbpa/pivots>rbpa/vector
   rbpa/arrays>rbpa rbpa/arrays>rbpa/predicate rbpa/arrays>rbpa/parallel rbpa/arrays>meshops/core
   rbpa/arrays>meshops/patch rbpa>rbpa/arrays
   rbpa/filtration>rbpa rbpa/filtration>rbpa/core rbpa/filtration>rbpa/predicate rbpa/filtration>meshops/core
   rbpa/partial>rbpa rbpa/partial>rbpa/core rbpa/partial>rbpa/predicate rbpa/partial>rbpa/run rbpa/partial>rbpa/shape
   rbpa/partial>meshops/core rbpa/partial>meshops/topology
   rbpa/space>rbpa/core rbpa/space>rbpa/run rbpa/space>meshops/core rbpa/space>meshops/patch
-  rbpa/space/pivot>rbpa/parallel rbpa/space>rbpa/space/pivot rbpa/space>rbpa/space/predicate
-  rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/pivot>rbpa/space/search
+  rbpa/space>rbpa/parallel rbpa/space>rbpa/space/star rbpa/space>rbpa/space/search rbpa/space>rbpa/space/predicate
+  rbpa/space/star>rbpa/core rbpa/space/star>rbpa/parallel rbpa/space/star>rbpa/vector rbpa/space/star>rbpa/space/pivot
+  rbpa/space/star>rbpa/space/predicate rbpa/space/star>rbpa/space/search
+  rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/search>rbpa/parallel
+  rbpa/space>rbpa/space/pivot rbpa/space>rbpa/shape rbpa/space>rbpa/space/levels rbpa/space>rbpa/space/search rbpa/space/levels>rbpa/core
+  rbpa/space/levels>rbpa/space rbpa/space/levels>rbpa/space/predicate rbpa/space/levels>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
+  rbpa/space>rbpa/space/normals rbpa/space>rbpa/space/spacing rbpa/space/spacing>rbpa/core
+  rbpa/space/normals>rbpa/core rbpa/space/normals>rbpa/parallel rbpa/space/normals>rbpa/space
+  rbpa/space/normals>rbpa/space/search
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
 
   # Programs: folders of ours first, then what each uses of the libraries.
@@ -66,12 +74,14 @@ set(arrows
   program>meshops/topology program>rbpa/core
   python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
+  python>rbpa/space python>rbpa/space/normals
   cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
-  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
+  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space
+  examples>meshops/core examples>meshops/patch)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|space/(pivot|predicate|search))/")
+set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|vector|space/(levels|pivot|predicate|search|spacing|star))/")
 
 set(checked 0)
 set(bad "")

@@ -17,7 +17,7 @@
 #include <hwy/highway.h>
 
 #include "rbpa/tile/circumradius_filter-inl.h"
-#include "rbpa/tile/mask_bits-inl.h"
+#include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa {

@@ -23,8 +23,8 @@
 #include "rbpa/pivots/exact_apex.h"
 #include "rbpa/pivots/search_window-inl.h"
 #include "rbpa/tile/coordinates.h"
-#include "rbpa/tile/mask_bits-inl.h"
 #include "rbpa/tile/tile.h"
+#include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa {

@@ -1,164 +1,155 @@
 #include "rbpa/space/surface.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <numeric>
 #include <string>
-#include <utility>
 
 #include "rbpa/core/error.h"
-#include "rbpa/run/input.h"
-#include "rbpa/space/pivot/find_free_arcs.h"
+#include "rbpa/parallel/in_order.h"
+#include "rbpa/space/check_input.h"
 #include "rbpa/space/predicate/normal_sign.h"
+#include "rbpa/space/search/cells.h"
+#include "rbpa/space/search/scaled_points.h"
+#include "rbpa/space/star/find_rings.h"
+#include "rbpa/space/star/surface_assembly.h"
 
 namespace rbpa {
 namespace {
 
-using space::FreeArc;
-using Triangle = std::array<std::uint32_t, 3>;
+/// All triangles of the rings for which keep(v, x, y) holds, of sites; see SurfaceAssembly::add().
+template <typename Keep, typename IsNeeded>
+void assemble(const space::Cells& cells, bool fits_double, std::size_t input_points, Threads& threads,
+              const SurfaceOptions& options, Keep keep, IsNeeded is_needed, Surface& surface) {
+  struct Workspace {
+    space::RingFinder finder;
+    space::Rings rings;
+    std::size_t triangles;
+  };
+  static_assert(space::SurfaceAssembly::none == Surface::none);
+  space::SurfaceAssembly assembly(cells);
+  std::size_t triangles = 0;
+  in_order<Workspace>(
+      threads, assembly.parts(),
+      [&](std::size_t part, Workspace& w) {
+        w.finder.find(cells, fits_double, assembly.first_in(part), assembly.end_of(part), w.rings);
+        w.triangles = assembly.add(part, w.rings, keep, is_needed);
+      },
+      [&](std::size_t, Workspace& w) {
+        triangles += w.triangles;
+        if (options.progress && !options.progress({triangles, cells.sites().size()})) throw Cancelled();
+      },
+      [](std::size_t, Workspace&) {});
+  assembly.finish(input_points, threads, surface.triangles, surface.neighbors);
 
-std::string at(const Point3& p) { return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")"; }
-
-void check(std::span<const Point3> points, double radius) {
-  if (!(radius > 0) || std::isinf(radius))
-    throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
-  if (points.size() >= Surface::none)
-    throw InvalidInput(std::to_string(points.size()) + " points, expected at most " +
-                       std::to_string(Surface::none - 1));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i]))
-      throw InvalidInput("point " + std::to_string(i) + " is " + at(points[i]) + ", expected finite coordinates");
-}
-
-void check_normals(std::span<const Point3> points, std::span<const Point3> normals) {
-  if (normals.size() != points.size())
-    throw InvalidInput(std::to_string(normals.size()) + " normals, expected one for each of " +
-                       std::to_string(points.size()) + " points");
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (!is_finite(normals[i]) || normals[i] == Point3{})
-      throw InvalidInput("normal " + std::to_string(i) + " is " + at(normals[i]) +
-                         ", expected finite coordinates, not all 0");
-}
-
-/// The input indices, equal points together, the lowest of them first.
-std::vector<std::uint32_t> sorted_by_point(std::span<const Point3> points) {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return points[i] != points[j] ? points[i] < points[j] : i < j; });
-  return order;
-}
-
-/// The distinct points, in lexicographic order.
-struct Sites {
-  std::vector<Point3> points;
-  std::vector<std::uint32_t> input;  // the lowest index at each
-  std::vector<std::size_t> first;    // in `order`, of each; and the end
-  std::vector<std::uint32_t> order;  // of all input points
-};
-
-Sites sites_of(std::span<const Point3> points, Surface& surface) {
-  Sites sites;
-  sites.order = sorted_by_point(points);
-  for (std::size_t i = 0; i < sites.order.size(); ++i) {
-    const std::uint32_t index = sites.order[i];
-    if (i > 0 && points[index] == sites.points.back()) {
-      surface.duplicates.push_back({index, sites.input.back()});
-      continue;
-    }
-    sites.points.push_back(points[index]);
-    sites.input.push_back(index);
-    sites.first.push_back(i);
-  }
-  sites.first.push_back(sites.order.size());
-  surface.distinct = sites.points.size();
+  surface.distinct = cells.sites().size();
+  for (const auto& [site, index] : cells.equals()) surface.duplicates.push_back({index, cells.input_index()[site]});
   std::sort(surface.duplicates.begin(), surface.duplicates.end(),
             [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
-  return sites;
 }
 
-Triangle from_least(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  if (a < b && a < c) return {a, b, c};
-  return b < c ? Triangle{b, c, a} : Triangle{c, a, b};
-}
-
-std::vector<FreeArc> arcs_of(const Sites& sites, double radius, const SurfaceOptions& options) {
-  Threads threads(sites.points.size() < 1000 ? 1 : options.threads);  // few are done before another thread has woken
-  std::function<void(std::size_t)> found;
-  if (options.progress)
-    found = [&](std::size_t arcs) {
-      // Three arcs for two triangles.
-      if (!options.progress({arcs / 3 * 2, sites.points.size()})) throw Cancelled();
-    };
-  return space::find_free_arcs(sites.points, radius, threads, found);
-}
-
-/// Calls visit(triangle, corner) for both triangles of an arc, by input indices; the arc is on the side across from the corner.
-template <typename Visit>
-void for_both(const FreeArc& arc, const Sites& sites, Visit visit) {
-  const auto& in = sites.input;
-  visit(from_least(in[arc.a], in[arc.b], in[arc.left]), in[arc.left]);
-  visit(from_least(in[arc.b], in[arc.a], in[arc.touched]), in[arc.touched]);
-}
-
-/// All triangles of the arcs for which keep(a, b, c), of sites, and how they are glued.
-template <typename Keep>
-void assemble(const std::vector<FreeArc>& arcs, const Sites& sites, Keep keep, Surface& surface) {
-  auto& triangles = surface.triangles;
-  // A triangle has an arc at each of its sides: taken at the one across from its greatest site, it comes once.
-  const auto take = [&](space::Site a, space::Site b, space::Site c) {
-    if (c > a && c > b && keep(a, b, c))
-      triangles.push_back(from_least(sites.input[a], sites.input[b], sites.input[c]));
-  };
-  for (const FreeArc& arc : arcs) {
-    take(arc.a, arc.b, arc.left);
-    take(arc.b, arc.a, arc.touched);
-  }
-  std::sort(triangles.begin(), triangles.end());
-
-  surface.neighbors.assign(triangles.size(), {Surface::none, Surface::none, Surface::none});
-  for (const FreeArc& arc : arcs) {
-    std::array<std::size_t, 2> at, side;
-    std::size_t count = 0;
-    for_both(arc, sites, [&](const Triangle& triangle, std::uint32_t corner) {
-      const auto found = std::lower_bound(triangles.begin(), triangles.end(), triangle);
-      if (found == triangles.end() || *found != triangle) return;
-      at[count] = static_cast<std::size_t>(found - triangles.begin());
-      side[count++] = static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), corner) - triangle.begin());
+/// Whether a triangle agrees with the normals at its corners.
+class SiteAgreement {
+ public:
+  SiteAgreement(const space::Cells& cells, std::span<const Point3> normals, bool fits_double, Threads& threads)
+      : cells_(cells), normals_(normals), fits_double_(fits_double), own_(cells.sites().size()) {
+    for_each_part(threads, own_.size(), 1u << 14, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) own_[i] = normals[cells.input_index()[i]];
     });
-    if (count < 2) continue;
-    surface.neighbors[at[0]][side[0]] = static_cast<std::uint32_t>(at[1]);
-    surface.neighbors[at[1]][side[1]] = static_cast<std::uint32_t>(at[0]);
   }
-}
+
+  bool operator()(space::Site v, space::Site x, space::Site y) const {
+    const Fast fast(*this, v, x, y);
+    if (fits_double_ && cells_.equals().empty()) {
+      int certain = 0;
+      for (const space::Site corner : {v, x, y}) {
+        const int sign = fast.sign_along(own_[corner]);
+        if (sign < 0) return false;
+        certain += sign;
+      }
+      if (certain == 3) return true;
+    }
+    const auto sites = cells_.sites();
+    const space::TriangleNormal normal(sites[v], sites[x], sites[y]);
+    for (const space::Site corner : {v, x, y}) {
+      if (normal.sign_along(own_[corner]) <= 0) return false;
+      const auto equals = cells_.equals();
+      auto e = std::lower_bound(equals.begin(), equals.end(), corner,
+                                [](const space::Cells::Equal& equal, space::Site site) { return equal.site < site; });
+      for (; e != equals.end() && e->site == corner; ++e)
+        if (normal.sign_along(normals_[e->index]) <= 0) return false;
+    }
+    return true;
+  }
+
+  /// Some triangle of a cycle at v may agree.
+  bool may_agree(space::Site v, std::span<const space::Site> cycle) const {
+    if (!fits_double_) return true;
+    for (std::size_t k = 0; k < cycle.size(); ++k)
+      if (Fast(*this, v, cycle[k], cycle[k == 0 ? cycle.size() - 1 : k - 1]).sign_along(own_[v]) >= 0) return true;
+    return false;
+  }
+
+ private:
+  /// In double, for points that fit it.
+  class Fast {
+   public:
+    Fast(const SiteAgreement& all, space::Site v, space::Site x, space::Site y) {
+      const auto sites = all.cells_.sites();
+      const auto u = space::from<double>(sites[v], sites[x]), w = space::from<double>(sites[v], sites[y]);
+      normal_ = space::cross(u, w);
+      magnitude_ = {std::abs(u.y * w.z) + std::abs(u.z * w.y), std::abs(u.z * w.x) + std::abs(u.x * w.z),
+                    std::abs(u.x * w.y) + std::abs(u.y * w.x)};
+    }
+    /// 0 when it is not certain.
+    int sign_along(const Point3& m) const {
+      const double product = normal_.x * m.x + normal_.y * m.y + normal_.z * m.z;
+      const double bound =
+          0x1p-50 * (magnitude_.x * std::abs(m.x) + magnitude_.y * std::abs(m.y) + magnitude_.z * std::abs(m.z));
+      if (!(bound > 0x1p-900)) return 0;  // products may have underflown
+      return product > bound ? 1 : product < -bound ? -1 : 0;
+    }
+
+   private:
+    space::Vector3<double> normal_, magnitude_;
+  };
+
+  const space::Cells& cells_;
+  std::span<const Point3> normals_;
+  bool fits_double_;
+  std::vector<Point3> own_;  // of each site, the normal of its lowest index
+};
+
+/// Few are done before another thread has woken.
+Threads threads_for_sites(std::size_t points, unsigned wanted) { return Threads(points < 1000 ? 1 : wanted); }
 
 }  // namespace
 
 Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options) {
-  check(points, radius);
+  space::check_radius(radius);
+  space::check_points(points);
+  Threads threads = threads_for_sites(points.size(), options.threads);
+  const space::ScaledPoints scaled(points, radius);
+  const space::Cells cells(scaled.points(), scaled.radius(), threads);
   Surface surface;
-  const Sites sites = sites_of(points, surface);
   assemble(
-      arcs_of(sites, radius, options), sites, [](auto, auto, auto) { return true; }, surface);
+      cells, scaled.fits_double(), points.size(), threads, options, [](auto, auto, auto) { return true; },
+      [](auto, const auto&) { return true; }, surface);
   return surface;
 }
 
 Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                 const SurfaceOptions& options) {
-  check(points, radius);
-  check_normals(points, normals);
+  space::check_radius(radius);
+  space::check_points(points);
+  space::check_normals(points, normals);
+  Threads threads = threads_for_sites(points.size(), options.threads);
+  const space::ScaledPoints scaled(points, radius);
+  const space::Cells cells(scaled.points(), scaled.radius(), threads);
+  const SiteAgreement agrees(cells, normals, scaled.fits_double(), threads);
   Surface surface;
-  const Sites sites = sites_of(points, surface);
-  const auto agrees = [&](space::Site a, space::Site b, space::Site c) {
-    const space::TriangleNormal normal(sites.points[a], sites.points[b], sites.points[c]);
-    for (const space::Site corner : {a, b, c})
-      for (std::size_t i = sites.first[corner]; i < sites.first[corner + 1]; ++i)
-        if (normal.sign_along(normals[sites.order[i]]) <= 0) return false;
-    return true;
-  };
-  assemble(arcs_of(sites, radius, options), sites, agrees, surface);
+  assemble(
+      cells, scaled.fits_double(), points.size(), threads, options, std::cref(agrees),
+      [&](space::Site v, std::span<const space::Site> cycle) { return agrees.may_agree(v, cycle); }, surface);
   return surface;
 }
 

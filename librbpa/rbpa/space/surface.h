@@ -1,7 +1,7 @@
 // What:   ball pivoting of points in space, as arrays of indices in canonical order.
 // Law:    a function of the set of points, their normals and the radius: of no order, no seed, no thread. Every decision is
 //         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface.md.
-// Cost:   grows with the points within two radii of a point.
+// Cost:   linear for a number of points within two radii of a point, and grows slowly with it: docs/surface.md, section 10.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha shapes
 //         (Edelsbrunner and Mücke, 1994).
 #pragma once
@@ -40,6 +40,8 @@ struct Surface {
   /// Of each triangle, neighbour k is the one to which the ball rolls over the side across from corner k, or none. Rolling
   /// back returns.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
+  /// Of each triangle, which of several radii made it (surface_levels.h). Empty where there was one radius.
+  std::vector<std::uint32_t> levels;
   std::vector<Duplicate> duplicates;  ///< ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
 };

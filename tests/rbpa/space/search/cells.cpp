@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -13,7 +14,9 @@
 
 using namespace rbpa_test;
 using rbpa::Point3;
+using rbpa::Threads;
 using rbpa::space::Cells;
+using rbpa::space::Site;
 
 TEST_SUITE_BEGIN("space");
 
@@ -25,25 +28,36 @@ bool within_two_radii(const Point3& p, const Point3& q, double radius) {
   return x * x + y * y + z * z <= 4 * rational(radius) * rational(radius);
 }
 
-/// Every point is in one cell, and around it are all that are within two radii.
+/// Every distinct point is one site of one cell, and around it are all sites that are within two radii.
 void check(const Points3& points, double radius) {
-  const Cells cells(points, radius);
-  std::vector<std::uint32_t> all;
+  Threads threads;
+  const Cells cells(points, radius, threads);
+  const auto sites = cells.sites();
+  Cells::Around around(cells);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::set<std::uint32_t> around;
-    cells.for_each_around(i, [&](std::size_t j) {
-      for (const std::uint32_t p : cells.points_in(j)) CHECK(around.insert(p).second);
+    std::set<Site> met;
+    around.for_each_run(i, [&](Site first, Site last) {
+      CHECK(first < last);
+      for (Site p = first; p < last; ++p) CHECK(met.insert(p).second);
     });
-    CHECK(!cells.points_in(i).empty());
-    for (const std::uint32_t p : cells.points_in(i)) {
-      all.push_back(p);
-      for (std::uint32_t q = 0; q < points.size(); ++q)
-        if (within_two_radii(points[p], points[q], radius)) CHECK(around.contains(q));
+    CHECK(cells.first_in(i) < cells.first_in(i + 1));
+    for (Site p = cells.first_in(i); p < cells.first_in(i + 1); ++p) {
+      CHECK(cells.cell_of(p) == i);
+      for (Site q = 0; q < sites.size(); ++q)
+        if (within_two_radii(sites[p], sites[q], radius)) CHECK(met.contains(q));
     }
   }
-  std::sort(all.begin(), all.end());
-  CHECK(all.size() == points.size());
-  CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+  CHECK(cells.first_in(cells.size()) == sites.size());
+
+  // All input points, of equal ones the lowest index first.
+  std::map<Point3, std::vector<std::uint32_t> > expected, found;
+  for (std::uint32_t i = 0; i < points.size(); ++i) expected[points[i]].push_back(i);
+  for (Site p = 0; p < sites.size(); ++p) found[sites[p]].push_back(cells.input_index()[p]);
+  CHECK(found.size() == sites.size());
+  for (const auto& [site, index] : cells.equals()) found[sites[site]].push_back(index);
+  CHECK(found == expected);
+  CHECK(std::is_sorted(cells.equals().begin(), cells.equals().end(),
+                       [](const Cells::Equal& e, const Cells::Equal& f) { return e.site < f.site; }));
 }
 
 }  // namespace
@@ -54,8 +68,7 @@ TEST_CASE("all within two radii of a point are in the cells around its cell") {
     Points3 points =
         space_set(static_cast<SpaceKind>(random.integer(0, space_kinds - 1)), 1 + random.below(40), random);
     const double radius = space_radius(points, random);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    for (std::size_t i = random.below(4); i > 0; --i) points.push_back(points[random.below(points.size())]);
     check(points, radius);
   }
 }
@@ -75,20 +88,28 @@ TEST_CASE("two points exactly two radii apart see each other wherever they lie")
       check({{start, 0, 0}, {start + 2 * radius, 0, 0}, {0, start, -2 * radius}, {0, start, 0}}, radius);
 }
 
-TEST_CASE("the order of the cells does not depend on that of the points") {
+TEST_CASE("many points, many threads: the same cells in the same order, also of shuffled points") {
   Random random(72);
-  Points3 points = space_set(SpaceKind::cube, 60, random);
-  const auto in_order = [](const Points3& of) {
-    const Cells cells(of, 0.3);
-    Points3 result;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      for (const std::uint32_t p : cells.points_in(i)) result.push_back(of[p]);
+  Points3 points = space_set(SpaceKind::cube, 60'000, random);
+  for (std::size_t i = 0; i < 100; ++i) points.push_back(points[100 * i]);
+  const auto in_order = [](const Points3& of, double radius, unsigned count) {
+    Threads threads(count);
+    const Cells cells(of, radius, threads);
+    std::vector<Points3> result(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      for (Site p = cells.first_in(i); p < cells.first_in(i + 1); ++p) result[i].push_back(cells.sites()[p]);
+      std::sort(result[i].begin(), result[i].end());
+    }
     return result;
   };
-  const Points3 expected = in_order(points);
-  random.shuffle(points);
-  CHECK(in_order(points) == expected);
-  CHECK(Cells(Points3{}, 1).size() == 0);
+  for (const double radius : {0.02, 0.3}) {
+    const std::vector<Points3> expected = in_order(points, radius, 1);
+    CHECK(in_order(points, radius, 2) == expected);
+    random.shuffle(points);
+    CHECK(in_order(points, radius, 5) == expected);
+  }
+  Threads threads;
+  CHECK(Cells(Points3{}, 1, threads).size() == 0);
 }
 
 TEST_SUITE_END();

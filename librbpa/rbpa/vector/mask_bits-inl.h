@@ -1,10 +1,10 @@
 // What: a vector's mask as bits of a number, and back. Compiled once for each kind of vector unit; no include guard but
 //       the compiler's own per kind.
-#if defined(RBPA_TILE_MASK_BITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RBPA_TILE_MASK_BITS_INL_H_
-#undef RBPA_TILE_MASK_BITS_INL_H_
+#if defined(RBPA_VECTOR_MASK_BITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_VECTOR_MASK_BITS_INL_H_
+#undef RBPA_VECTOR_MASK_BITS_INL_H_
 #else
-#define RBPA_TILE_MASK_BITS_INL_H_
+#define RBPA_VECTOR_MASK_BITS_INL_H_
 #endif
 
 #include <hwy/highway.h>

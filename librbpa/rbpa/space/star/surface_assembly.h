@@ -1,0 +1,101 @@
+// What: the triangles of rings, and how they are glued, in canonical order.
+// Law:  each triangle comes from the ring of its corner of the lowest input index; what lies across its sides, from the rings
+//       of that corner and of the next one.
+// Cost: linear; for each triangle a few looks into the rings around its corners, which are near in memory.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/parallel/threads.h"
+#include "rbpa/space/search/cells.h"
+#include "rbpa/space/star/find_rings.h"
+
+namespace rbpa::space {
+
+class SurfaceAssembly {
+ public:
+  using Triple = std::array<std::uint32_t, 3>;
+  static constexpr std::uint32_t none = 0xffffffff;  // stands for what is across where nothing is
+  static constexpr std::size_t part_size = 256;      // sites: few enough that a run can be ended soon
+
+  /// Keeps a reference.
+  explicit SurfaceAssembly(const Cells& cells)
+      : cells_(cells), parts_((cells.sites().size() + part_size - 1) / part_size) {}
+
+  std::size_t parts() const { return parts_.size(); }
+  Site first_in(std::size_t part) const { return static_cast<Site>(part * part_size); }
+  Site end_of(std::size_t part) const {
+    return static_cast<Site>(std::min((part + 1) * part_size, cells_.sites().size()));
+  }
+
+  /// Takes the triangles of a part for which keep(v, x, y) holds; it is asked once for each triangle. A ring is needed unless
+  /// is_needed(v, cycle) denies it for a cycle without any such triangle. For different parts in any order and thread.
+  /// Returns: how many.
+  template <typename Keep, typename IsNeeded>
+  std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed);
+
+  /// Fills in the triangles and what lies across their sides, once all parts are there.
+  /// Throws: InvalidInput when there are more than can be numbered.
+  void finish(std::size_t input_points, Threads& threads, std::vector<Triple>& triangles,
+              std::vector<Triple>& neighbors) const;
+
+ private:
+  struct Pair {
+    Site x, y;
+  };
+  struct Part {
+    std::vector<Site> points;                // of the rings that are needed, as in Rings
+    std::vector<std::uint32_t> first;        // in points, of each site, and the end
+    std::vector<Pair> owned;                 // triangles (v, x, y) of which v has the lowest index, in canonical order
+    std::vector<std::uint32_t> owned_first;  // in owned, of each site, and the end
+  };
+
+  const Cells& cells_;
+  std::vector<Part> parts_;
+};
+
+template <typename Keep, typename IsNeeded>
+std::size_t SurfaceAssembly::add(std::size_t number, const Rings& rings, Keep keep, IsNeeded is_needed) {
+  Part part;
+  part.points.reserve(rings.points.size());
+  const std::span<const std::uint32_t> index = cells_.input_index();
+  for (Site v = first_in(number); v < end_of(number); ++v) {
+    part.first.push_back(static_cast<std::uint32_t>(part.points.size()));
+    const std::size_t owned_before = part.owned.size();
+    part.owned_first.push_back(static_cast<std::uint32_t>(owned_before));
+    const std::size_t i = v - first_in(number);
+    const Site* cycle = rings.points.data() + rings.first[i];
+    const Site* const end = rings.points.data() + rings.first[i + 1];
+    while (cycle != end) {
+      const Site* last = cycle;
+      while (*last != Rings::end_of_cycle) ++last;
+      const std::span<const Site> sites(cycle, last);
+      if (is_needed(v, sites)) {
+        for (std::size_t k = 0; k < sites.size(); ++k) {
+          const Site x = sites[k], y = sites[k == 0 ? sites.size() - 1 : k - 1];
+          if (index[v] < index[x] && index[v] < index[y] && keep(v, x, y)) part.owned.push_back({x, y});
+        }
+        part.points.insert(part.points.end(), cycle, last + 1);
+      }
+      cycle = last + 1;
+    }
+    std::sort(
+        part.owned.begin() + static_cast<std::ptrdiff_t>(owned_before), part.owned.end(),
+        [&](const Pair& p, const Pair& q) { return p.x != q.x ? index[p.x] < index[q.x] : index[p.y] < index[q.y]; });
+  }
+  part.first.push_back(static_cast<std::uint32_t>(part.points.size()));
+  part.owned_first.push_back(static_cast<std::uint32_t>(part.owned.size()));
+  part.points.shrink_to_fit();
+  part.owned.shrink_to_fit();
+  part.first.shrink_to_fit();
+  part.owned_first.shrink_to_fit();
+  parts_[number] = std::move(part);
+  return parts_[number].owned.size();
+}
+
+}  // namespace rbpa::space
