@@ -9,6 +9,7 @@
 #include "rbpa/core/error.h"
 #include "rbpa/predicate/predicates.h"
 #include "rbpa/run/input.h"
+#include "rbpa/shape/below.h"
 #include "rbpa/shape/steps.h"
 
 namespace rbpa {
@@ -18,24 +19,10 @@ int orientation(const Point& a, const Point& b, const Point& c) {
   return Predicates<long double>::orientation(a, b, c);
 }
 
-/// An edge of a ring, its lexicographically lower end first.
-struct Edge {
-  Point low, high;
+struct Edge : SweptEdge {
   RingsMeet::Side side;
   std::uint32_t from, to;  // as it runs
   bool runs_up;            // from the lower end to the higher
-};
-
-/// Lower first, of edges that the sweep crosses; they meet in common ends at most.
-struct Below {
-  using is_transparent = void;
-  bool operator()(const Edge* edge, const Point& p) const { return orientation(edge->low, edge->high, p) > 0; }
-  bool operator()(const Point& p, const Edge* edge) const { return orientation(edge->low, edge->high, p) < 0; }
-  bool operator()(const Edge* a, const Edge* b) const {
-    if (a == b) return false;
-    if (a->low == b->low) return orientation(a->low, a->high, b->high) > 0;
-    return a->low < b->low ? orientation(a->low, a->high, b->low) > 0 : orientation(b->low, b->high, a->low) < 0;
-  }
 };
 
 /// Beyond a common end that they may have.
@@ -60,7 +47,7 @@ class RingSweep {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const std::uint32_t from = ring[i], to = ring[i + 1 == ring.size() ? 0 : i + 1];
         const Point &a = points[from], &b = points[to];
-        edges_.push_back({std::min(a, b), std::max(a, b), {r, i}, from, to, a < b});
+        edges_.push_back({{std::min(a, b), std::max(a, b)}, {r, i}, from, to, a < b});
       }
     }
   }

@@ -6,34 +6,16 @@
 #include <numeric>
 #include <set>
 
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/shape/below.h"
 
 namespace rbpa {
 namespace {
 
-int orientation(const Point& a, const Point& b, const Point& c) {
-  return Predicates<long double>::orientation(a, b, c);
-}
-
-/// A boundary edge, its lexicographically lower end first.
-struct Edge {
-  Point low, high;
+struct Edge : SweptEdge {
   std::uint32_t polygon;
   std::uint32_t ring;  // 0 is the shell, k is hole k − 1
   bool opens_shell;    // it is the first edge of the shell: the lower of the two at the shell's first point
   bool solid_above;    // the polygon is on that side
-};
-
-/// Lower first, of edges that some point between two events of the sweep sees both of. They meet in common ends at
-/// most, so that no orientation is zero. A point on no edge has its place among them.
-struct Below {
-  using is_transparent = void;
-  bool operator()(const Edge* edge, const Point& p) const { return orientation(edge->low, edge->high, p) > 0; }
-  bool operator()(const Edge* a, const Edge* b) const {
-    if (a == b) return false;
-    if (a->low == b->low) return orientation(a->low, a->high, b->high) > 0;
-    return a->low < b->low ? orientation(a->low, a->high, b->low) > 0 : orientation(b->low, b->high, a->low) < 0;
-  }
 };
 
 std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Point> points, Steps& step) {
@@ -44,7 +26,7 @@ std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Po
       for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const Point& a = points[ring.points[i]];
         const Point& b = points[ring.points[i + 1 == ring.points.size() ? 0 : i + 1]];
-        edges.push_back({std::min(a, b), std::max(a, b), p, number, number == 0 && i == 0, a < b});
+        edges.push_back({{std::min(a, b), std::max(a, b)}, p, number, number == 0 && i == 0, a < b});
       }
     };
     add(polygons[p].shell, 0);
