@@ -98,6 +98,7 @@ TEST_SUITE("bad points of space") {
     CHECK(table("0 0 0 1\n") ==
           "p:1: found 4 columns ('0 0 0 1'), expected 3 or 6 (--columns X,Y,Z chooses some of more)");
     CHECK(table("# x\n0 0 0\n1 0\n") == "p:3: found 2 columns ('1 0'), expected 3 as in line 2");
+    CHECK(table("0 0 0\n1 0 0 0\n") == "p:2: found 4 columns ('1 0 0 0'), expected 3 as in line 1");
     CHECK(table("0,0,0,1,1,1\n1,0,0\n") == "p:2: found 3 columns ('1,0,0'), expected 6 as in line 1");
     CHECK(table("x,y,z\n1,0\n") == "p:2: found 2 columns ('1,0'), expected 3 as in line 1");
     CHECK(npy("(2, 2)", numbers({0., 0., 0., 0.})) == "p: found shape '(2, 2)', expected (n, 3) or (n, 6)");
@@ -107,8 +108,8 @@ TEST_SUITE("bad points of space") {
     CHECK(obj("v 0 0\n") == "p:1: found 'v 0 0', expected another number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11111111 1\n") ==
           "p:15: found '11111111', expected a channel of a colour, from 0 to 255");
-    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11 11111\n") ==
-          "p:15: found '11111', expected a channel of a colour, from 0 to 255");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11 256 1\n") ==
+          "p:15: found '256', expected a channel of a colour, from 0 to 255");
   }
 
   TEST_CASE("columns that are not there, or are one") {
@@ -192,6 +193,16 @@ TEST_SUITE("bad points of space") {
     CHECK(pcd("0 0 0\n# and more than enough\n", "DATA binary", "DATA ascii") ==
           "p: found 1 point, expected 2 points as line 8 says");
     CHECK(pcd("0 0 0\n1 100\n", "DATA binary", "DATA ascii") == "p:11: found '1 100', expected another number");
+    std::string names, sizes, types, counts;  // 16 thousand million numbers in each of no points
+    for (int i = 0; i < 250000; ++i) {
+      names += " a";
+      sizes += " 4";
+      types += " F";
+      counts += " 65536";
+    }
+    CHECK(refusal("FIELDS x y z" + names + "\nSIZE 4 4 4" + sizes + "\nTYPE F F F" + types + "\nCOUNT 1 1 1" + counts +
+                      "\nPOINTS 0\nDATA ascii\n",
+                  SpaceFormat::pcd) == "none");
     std::string las = bytes_of({.points = {{.x = 1}, {.x = 2}}});
     las.resize(las.size() - 1);
     CHECK(refusal(las, SpaceFormat::las) ==

@@ -140,6 +140,7 @@ TEST_SUITE("points of space") {
   TEST_CASE("--columns chooses by number or name") {
     is(table("9 2 -1 0.5\n9 1e6 4e-3 3\n", "4,3,2"));
     is(table("h,b,a,n\n2,-1,0.5,9\n1e6,4e-3,3,9\n", "a,B, h"));
+    is(table("h,2005,2006\n0.5,-1,2\n3,4e-3,1e6\n", "h,2,3"));  // the first line is a header, as one is named
     is(table("0.5 -1 2 2 0 0\n3 4e-3 1e6 0 .25 -1\n", "1,2,3,6,5,4"), {{0, 0, 2}, {-1, .25, 0}});
   }
 
@@ -201,6 +202,7 @@ TEST_SUITE("points of space") {
       CHECK(file.remarks == std::vector<std::string>{"normals are left out: " + why});
     };
     says("vn 0 0 1\n", "1 normal for 2 vertices, and no face says which is whose");
+    says(n + n, "4 normals for 2 vertices, and no face says which is whose");
     says(n + "f 1//1 2//2 1//2\n", "vertex 1 has several in the faces around it, line 5");
     says(n + "f 1//1 2 1//1\n", "no face gives vertex 2 one");
   }

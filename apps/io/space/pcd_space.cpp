@@ -97,6 +97,7 @@ SpacePoints read_pcd_space(std::string_view bytes, const std::string& name) {
   const PcdHeader header = read_pcd_header(bytes, name);
   SpacePoints file;
   const Layout layout = lay_out(header, name, file.remarks);
+  if (header.points == 0) return file;  // however many numbers each is said to have
   reserve_points(file, header.points, layout.numbers.size() == 6, layout.color != nullptr);
   header.binary ? read_binary(header, layout, name, file) : read_ascii(header, layout, name, file);
   return file;
