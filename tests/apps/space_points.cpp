@@ -191,6 +191,7 @@ TEST_SUITE("points of space") {
     is(read(v + n + "f 1 2 1\n", SpaceFormat::obj), normals);  // which names none
     is(read(v + "vn -1 .25 0\nvn 0 0 2\nf 1//2 2//1 1//2\n", SpaceFormat::obj), normals);
     is(read("f 1/7/2 2//1\n" + v + "vn -1 .25 0\nvn 0 0 2\nf -2//-1 2/1 1\n", SpaceFormat::obj), normals);
+    is(read(v + "vn 9 9 9\n" + n + "f 1//-2 2//-1 1//-2\n", SpaceFormat::obj), normals);
     is(read(v + "vn 0 0 2\nvn 0 0 2\nvn -1 .25 0\nf 1//1 2//3 1//2\n", SpaceFormat::obj), normals);  // equal ones
   }
 
