@@ -16,7 +16,7 @@ if [ $# -gt 0 ]; then
   exit 2
 fi
 bash tests/install_packages.sh g++ cmake make libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
-  zlib1g-dev nlohmann-json3-dev
+  libeigen3-dev libnanoflann-dev zlib1g-dev nlohmann-json3-dev
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)"
 mkdir -p rbpa-demo

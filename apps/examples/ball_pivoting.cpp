@@ -1,174 +1,162 @@
-// Ball pivoting in space, after Bernardini, Mittleman, Rushmeier, Silva and Taubin (1999), as a policy of the advancing
-// front: points with normals on a torus become a closed surface of genus 1. Copy and change it. It decides with rounded
-// numbers; rbpa::surface() decides exactly, and has the same triangles where no decision is close.
+// Ball pivoting on the advancing-front engine: points on a torus become a closed surface of genus 1, points of a double
+// torus one of genus 2; noise, a grid full of ties and files of points with normals become what they are. Each mesh is
+// compared with rbpa::surface(), which has no front.
+//   example_ball_pivoting [FILE.xyz RADIUS]...
+#include "examples/ball_pivoting.h"
+
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iostream>
-#include <map>
 #include <numbers>
 #include <random>
+#include <string>
 
-#include "meshops/front/engine.h"
+#include "examples/surface_arrays.h"
 #include "meshops/topology/report.h"
 #include "rbpa/space/surface.h"
 
 using meshops::Front;
-using meshops::Halfedge;
 using meshops::Site;
-using Vec = OpenMesh::Vec3d;
+using rbpa::Point3;
 
-struct Sample {
-  Vec point, normal;
+namespace {
+
+struct Samples {
+  std::string name;
+  std::vector<Point3> points, normals;
+  double radius;
 };
 
-/// A ball of one radius rolls over the points, from edge to edge.
-class BallPivoting {
+double square(double x) { return x * x; }
+double distance2(const Point3& p, const Point3& q) { return square(p.x - q.x) + square(p.y - q.y) + square(p.z - q.z); }
+
+class Random {
  public:
-  BallPivoting(const std::vector<Sample>& samples, double radius) : samples_(samples), radius_(radius) {
-    for (Site s = 0; s < samples.size(); ++s) grid_[cell(samples[s].point)].push_back(s);
-  }
-
-  /// Three points on which an empty ball rests, the first of them free.
-  std::optional<std::array<Site, 3>> seed(const Front& front) {
-    for (; next_ < samples_.size(); ++next_) {
-      if (!front.is_free(next_)) continue;
-      const std::vector<Site> near = near_to(at(next_));
-      for (const Site b : near)
-        for (const Site c : near) {
-          if (!faces_outward(next_, b, c)) continue;
-          if (const auto o = centre(next_, b, c); o && is_empty(*o, {next_, b, c})) return std::array{next_, b, c};
-        }
-    }
-    return std::nullopt;
-  }
-
-  /// The ball rests on the triangle behind h, and rolls over h until it touches a point: the one with the least turn.
-  std::optional<Site> propose(const Front& front, Halfedge h) const {
-    const Site a = front.from_site(h), b = front.to_site(h);
-    const Halfedge behind = front.mesh().opposite_halfedge_handle(h);
-    const Site c = front.to_site(front.mesh().next_halfedge_handle(behind));
-    const auto start = centre(b, a, c);
-    if (!start) return std::nullopt;
-    const Vec middle = (at(a) + at(b)) / 2, along = (at(b) - at(a)).normalized();
-    const Vec u = *start - middle, v = u % along;
-    double least = 2 * std::numbers::pi;
-    std::optional<Site> touched;
-    for (const Site p : near_to(middle)) {
-      const auto end = p == c ? std::nullopt : centre(a, b, p);
-      if (!end) continue;
-      double turn = std::atan2((*end - middle) | v, (*end - middle) | u);
-      if (turn < 0) turn += 2 * std::numbers::pi;
-      if (turn >= least) continue;
-      least = turn;
-      touched = p;
-    }
-    return touched && faces_outward(a, b, *touched) ? touched : std::nullopt;
-  }
+  /// From −1 to 1.
+  double operator()() { return 2 * static_cast<double>(engine_()) / 0x1p32 - 1; }
 
  private:
-  const Vec& at(Site s) const { return samples_[s].point; }
-
-  /// The normal of the triangle agrees with those of its corners.
-  bool faces_outward(Site a, Site b, Site c) const {
-    const Vec n = (at(b) - at(a)) % (at(c) - at(a));
-    return (n | samples_[a].normal) > 0 && (n | samples_[b].normal) > 0 && (n | samples_[c].normal) > 0;
-  }
-
-  /// Of the ball that touches the three, on the side from which they are counter-clockwise; none when they are too far
-  /// apart for it.
-  std::optional<Vec> centre(Site a, Site b, Site c) const {
-    const Vec p = at(b) - at(a), q = at(c) - at(a), n = p % q;
-    if (n.sqrnorm() == 0) return std::nullopt;
-    const Vec to_circumcentre = ((n % p) * q.sqrnorm() + (q % n) * p.sqrnorm()) / (2 * n.sqrnorm());
-    const double height = radius_ * radius_ - to_circumcentre.sqrnorm();
-    if (height < 0) return std::nullopt;
-    return at(a) + to_circumcentre + n * std::sqrt(height / n.sqrnorm());
-  }
-
-  bool is_empty(const Vec& centre, const std::array<Site, 3>& corners) const {
-    for (const Site s : near_to(centre))
-      if (std::ranges::count(corners, s) == 0 && (at(s) - centre).sqrnorm() < radius_ * radius_) return false;
-    return true;
-  }
-
-  /// All points within two radii, and some more.
-  std::vector<Site> near_to(const Vec& p) const {
-    std::vector<Site> near;
-    const auto [x, y, z] = cell(p);
-    for (int i = x - 1; i <= x + 1; ++i)
-      for (int j = y - 1; j <= y + 1; ++j)
-        for (int k = z - 1; k <= z + 1; ++k)
-          if (const auto found = grid_.find({i, j, k}); found != grid_.end())
-            near.insert(near.end(), found->second.begin(), found->second.end());
-    return near;
-  }
-  std::array<int, 3> cell(const Vec& p) const {
-    const auto index = [&](double x) { return static_cast<int>(std::floor(x / (2 * radius_))); };
-    return {index(p[0]), index(p[1]), index(p[2])};
-  }
-
-  const std::vector<Sample>& samples_;
-  double radius_;
-  std::map<std::array<int, 3>, std::vector<Site>> grid_;  // cells two radii wide
-  Site next_ = 0;
+  std::mt19937 engine_{1999};
 };
 
-/// Points on a torus, none nearer to another than `distance`.
-std::vector<Sample> torus(double distance) {
-  std::mt19937 random(1999);
-  const auto angle = [&] { return 2 * std::numbers::pi * static_cast<double>(random()) / 0x1p32; };
-  std::vector<Sample> samples;
-  for (int i = 0; i < 60'000; ++i) {
-    const double around = angle(), tube = angle();
-    const Vec out(std::cos(around), std::sin(around), 0), normal = out * std::cos(tube) + Vec(0, 0, std::sin(tube));
-    const Vec point = out + 0.4 * normal;
-    const auto is_near = [&](const Sample& s) { return (s.point - point).norm() < distance; };
-    if (std::ranges::none_of(samples, is_near)) samples.push_back({point, normal});
+/// Points where f is 0, none nearer to another than `spacing`: random ones, brought there along the gradient.
+template <typename Function>
+Samples on_surface(const std::string& name, double size, double spacing, int trials, Function f) {
+  Random random;
+  Samples samples{name, {}, {}, 1.5 * spacing};
+  const auto slope = [&](const Point3& p) {
+    constexpr double h = 1e-5;
+    return Point3{(f(p.x + h, p.y, p.z) - f(p.x - h, p.y, p.z)) / (2 * h),
+                  (f(p.x, p.y + h, p.z) - f(p.x, p.y - h, p.z)) / (2 * h),
+                  (f(p.x, p.y, p.z + h) - f(p.x, p.y, p.z - h)) / (2 * h)};
+  };
+  for (int i = 0; i < trials; ++i) {
+    Point3 p = {size * random(), size * random(), size * random()};
+    for (int step = 0; step < 12; ++step) {
+      const Point3 g = slope(p);
+      const double s = f(p.x, p.y, p.z) / (g.x * g.x + g.y * g.y + g.z * g.z);
+      p = {p.x - s * g.x, p.y - s * g.y, p.z - s * g.z};
+    }
+    if (!(std::abs(f(p.x, p.y, p.z)) < 1e-9)) continue;
+    const auto is_near = [&](const Point3& q) { return distance2(p, q) < square(spacing); };
+    if (std::ranges::any_of(samples.points, is_near)) continue;
+    samples.points.push_back(p);
+    samples.normals.push_back(slope(p));
   }
   return samples;
 }
 
-/// The triangles of the mesh, each from its smallest site on, in order.
-std::vector<std::array<Site, 3>> triangles(const OpenMesh::TriMesh_ArrayKernelT<>& mesh,
-                                           const std::vector<Site>& site) {
-  std::vector<std::array<Site, 3>> found;
-  for (const meshops::Face f : mesh.faces()) {
-    auto corner = mesh.cfv_ccwbegin(f);
-    std::array<Site, 3> t;
-    for (Site& s : t) s = site[static_cast<std::size_t>((corner++)->idx())];
-    std::ranges::rotate(t, std::ranges::min_element(t));
-    found.push_back(t);
-  }
-  std::ranges::sort(found);
-  return found;
+Samples torus() {
+  return on_surface("torus", 1.5, 0.07, 100'000, [](double x, double y, double z) {
+    const double out = std::hypot(x, y) - 1;
+    return out * out + z * z - 0.16;
+  });
+}
+/// Two tori that have grown together.
+Samples double_torus() {
+  return on_surface("double torus", 2.5, 0.12, 100'000, [](double x, double y, double z) {
+    const auto torus_at = [&](double centre) { return std::hypot(std::hypot(x - centre, y) - 1, z) - 0.35; };
+    return -std::log(std::exp(-12 * torus_at(-1)) + std::exp(-12 * torus_at(1))) / 12;
+  });
 }
 
-int main() {
-  const double distance = 0.07;
-  const std::vector<Sample> samples = torus(distance);
+/// A spiral on the sphere, each point moved in or out by up to half of their distance.
+Samples noisy_sphere() {
+  Random random;
+  constexpr int count = 2000;
+  const double spacing = std::sqrt(4 * std::numbers::pi / count);
+  Samples samples{"noisy sphere", {}, {}, 1.5 * spacing};
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count, ring = std::sqrt(1 - z * z),
+                 turn = i * std::numbers::pi * (3 - std::sqrt(5));
+    const Point3 n = {ring * std::cos(turn), ring * std::sin(turn), z};
+    const double out = 1 + spacing / 2 * random();
+    samples.points.push_back({out * n.x, out * n.y, out * n.z});
+    samples.normals.push_back(n);
+  }
+  return samples;
+}
+
+/// Integer points on the surface of a box, some of them twice, and a radius at which four and more touch the ball.
+Samples grid() {
+  Samples samples{"grid", {}, {}, 1.0};
+  const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
+  for (int x = 0; x <= 12; ++x)
+    for (int y = 0; y <= 9; ++y)
+      for (int z = 0; z <= 6; ++z) {
+        const Point3 n = {side(x, 12), side(y, 9), side(z, 6)};
+        if (n == Point3{}) continue;
+        for (int copies = (x + y + z) % 5 == 0 ? 2 : 1; copies > 0; --copies) {
+          samples.points.push_back({double(x), double(y), double(z)});
+          samples.normals.push_back(n);
+        }
+      }
+  return samples;
+}
+
+/// Lines of six numbers.
+Samples of_file(const std::string& path, double radius) {
+  Samples samples{path, {}, {}, radius};
+  std::ifstream file(path);
+  for (Point3 p, n; file >> p.x >> p.y >> p.z >> n.x >> n.y >> n.z;) {
+    samples.points.push_back(p);
+    samples.normals.push_back(n);
+  }
+  return samples;
+}
+
+/// Returns: whether the mesh is rbpa::surface().
+bool run(const Samples& samples) {
+  const rbpa::RollingBall ball(samples.points, samples.normals, samples.radius);
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
-  Front front(mesh, samples.size());
-  BallPivoting policy(samples, 1.2 * distance);
+  Front front(mesh, samples.points.size(), 4096);
+  BallPivoting policy(ball);
   struct Refusals : meshops::FrontVisitor {
     std::size_t count = 0;
-    void refused(const Front&, Halfedge, const meshops::Refusal&) { ++count; }
+    void refused(const Front&, meshops::Halfedge, const meshops::Refusal&) { ++count; }
   } refusals;
   meshops::advance(front, policy, refusals);
   const std::vector<Site> site = front.finish();
-  for (std::size_t v = 0; v < site.size(); ++v)
-    mesh.set_point(meshops::Vertex(static_cast<int>(v)),
-                   OpenMesh::vector_cast<OpenMesh::Vec3f>(samples[site[v]].point));
   const meshops::TopologyReport topology = meshops::report(mesh, site);
-  std::cout << samples.size() << " points, " << topology.faces << " triangles, " << topology.components
-            << " component, " << topology.boundary_curves << " boundary curves, genus " << *topology.genus << ", "
-            << refusals.count << " proposals refused\n";
+  std::cout << samples.name << ": " << samples.points.size() << " points, " << topology.faces << " triangles, "
+            << topology.components << " components, " << topology.boundary_curves << " boundary curves, "
+            << refusals.count << " refusals";
+  if (topology.genus) std::cout << ", genus " << *topology.genus;
+  const rbpa::Surface found = arrays(mesh, site);
+  const rbpa::Surface expected = rbpa::surface(samples.points, samples.normals, samples.radius);
+  const bool same = found.triangles == expected.triangles && found.neighbors == expected.neighbors;
+  std::cout << (same ? "; the mesh of rbpa::surface()\n" : "; another mesh than rbpa::surface()\n");
+  return same;
+}
 
-  std::vector<rbpa::Point3> points, normals;
-  for (const Sample& s : samples) {
-    points.push_back({s.point[0], s.point[1], s.point[2]});
-    normals.push_back({s.normal[0], s.normal[1], s.normal[2]});
-  }
-  const bool same = triangles(mesh, site) == rbpa::surface(points, normals, 1.2 * distance).triangles;
-  std::cout << (same ? "the same triangles as rbpa::surface()\n" : "other triangles than rbpa::surface()\n");
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<Samples> all = {torus(), double_torus(), noisy_sphere(), grid()};
+  for (int i = 1; i + 1 < argc; i += 2) all.push_back(of_file(argv[i], std::stod(argv[i + 1])));
+  bool same = true;
+  for (const Samples& samples : all) same = run(samples) && same;
+  return same ? 0 : 1;
 }

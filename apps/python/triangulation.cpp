@@ -76,15 +76,14 @@ py::tuple vertex_neighbors(const Indices& simplices, std::size_t points) {
   return py::make_tuple(line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors)));
 }
 
-/// Of the coordinates' bits, by which an object notices that its points were changed behind its back.
+/// Of the bits of contiguous numbers, by which an object notices that its points were changed behind its back.
 std::uint64_t fingerprint(const Doubles& points) {
-  const auto input = points_of(points);
+  const auto words = static_cast<std::size_t>(points.size());
+  const auto* const at = reinterpret_cast<const unsigned char*>(points.data());
   const py::gil_scoped_release unlocked;
   constexpr std::size_t lanes = 8;  // each waits for its own product only
   constexpr std::uint64_t prime = 0x100000001b3;
   std::array<std::uint64_t, lanes> hash{};
-  const std::size_t words = 2 * input.size();
-  const auto* at = reinterpret_cast<const unsigned char*>(input.data());
   const auto word = [&](std::size_t i) {
     std::uint64_t bits;
     std::memcpy(&bits, at + i * sizeof bits, sizeof bits);

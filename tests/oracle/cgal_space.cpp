@@ -181,6 +181,34 @@ ExposedByCgal exposed_by_delaunay(std::span<const rbpa::Point3> points, double r
   return AlphaComplex(points, radius).exposed();
 }
 
+ExposedByCgal agreeing(const ExposedByCgal& exposed, std::span<const rbpa::Point3> points,
+                       std::span<const rbpa::Point3> normals) {
+  std::map<rbpa::Point3, std::vector<std::uint32_t>> at;
+  for (std::uint32_t i = 0; i < points.size(); ++i) at[points[i]].push_back(i);
+  const auto point = [&](std::uint32_t i) { return Exact::Point_3(points[i].x, points[i].y, points[i].z); };
+  const auto agrees = [&](const Triangle& t) {
+    const Exact::Point_3 a = point(t[0]);
+    const Exact::Vector_3 normal = CGAL::cross_product(point(t[1]) - a, point(t[2]) - a);
+    for (const std::uint32_t corner : t)
+      for (const std::uint32_t i : at[points[corner]])
+        if (normal * Exact::Vector_3(normals[i].x, normals[i].y, normals[i].z) <= 0) return false;
+    return true;
+  };
+  ExposedByCgal result;
+  std::vector<std::uint32_t> number;
+  for (const Triangle& t : exposed.triangles) {
+    number.push_back(agrees(t) ? static_cast<std::uint32_t>(result.triangles.size()) : ExposedByCgal::none);
+    if (number.back() != ExposedByCgal::none) result.triangles.push_back(t);
+  }
+  for (std::size_t t = 0; t < number.size(); ++t)
+    if (number[t] != ExposedByCgal::none) {
+      Triangle across = exposed.neighbors[t];
+      for (std::uint32_t& other : across) other = number[other];
+      result.neighbors.push_back(across);
+    }
+  return result;
+}
+
 std::vector<Triangle> exposed_by_alpha_shape(std::span<const rbpa::Point3> points, double radius) {
   using Vertex = CGAL::Fixed_alpha_shape_vertex_base_3<Exact, VertexWithIndex<Exact>>;
   using Triangulation = CGAL::Delaunay_triangulation_3<

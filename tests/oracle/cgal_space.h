@@ -16,11 +16,17 @@ namespace rbpa_test {
 /// E_r, and how its triangles are glued: canonical triangles by the lowest input indices; of each, neighbour k is the one
 /// across from corner k.
 struct ExposedByCgal {
+  /// What stands for a neighbour where there is none.
+  static constexpr std::uint32_t none = 0xffffffff;
   std::vector<Triangle> triangles, neighbors;
 };
 
 /// Of the closed alpha complex in the Delaunay triangulation. Requires: finite points.
 ExposedByCgal exposed_by_delaunay(std::span<const rbpa::Point3> points, double radius);
+
+/// Of these triangles those that agree with the normals of all points at their corners, and what is glued among them.
+ExposedByCgal agreeing(const ExposedByCgal& exposed, std::span<const rbpa::Point3> points,
+                       std::span<const rbpa::Point3> normals);
 
 /// The exposed triangles that Fixed_alpha_shape_3 calls regular (once, oriented outward) and singular (twice).
 std::vector<Triangle> exposed_by_alpha_shape(std::span<const rbpa::Point3> points, double radius);

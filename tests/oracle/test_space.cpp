@@ -11,7 +11,9 @@
 
 #include "oracle/arguments.h"
 #include "oracle/cgal_space.h"
+#include "rbpa/space/holes.h"
 #include "rbpa/space/surface.h"
+#include "rbpa/space/surface_levels.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"
 
@@ -21,11 +23,28 @@ using rbpa::Surface;
 
 namespace {
 
-void check(const Points3& points, double radius) {
+static_assert(ExposedByCgal::none == Surface::none);
+
+bool same(const Surface& actual, const ExposedByCgal& expected) {
+  return actual.triangles == expected.triangles && actual.neighbors == expected.neighbors;
+}
+
+/// Both the exposed triangles and the surface. Returns: how many triangles that has.
+std::size_t check(const Points3& points, const Points3& normals, double radius) {
   const Surface actual = rbpa::exposed_triangles(points, radius);
   const ExposedByCgal expected = exposed_by_delaunay(points, radius);
   CHECK(difference(expected.triangles, actual.triangles) == "");
   CHECK(expected.neighbors == actual.neighbors);
+  const Surface surface = rbpa::surface(points, normals, radius);
+  const ExposedByCgal agree = agreeing(expected, points, normals);
+  CHECK(difference(agree.triangles, surface.triangles) == "");
+  CHECK(agree.neighbors == surface.neighbors);
+  return surface.triangles.size();
+}
+/// With normals of any direction.
+void check(const Points3& points, double radius) {
+  Random random(points.size());
+  check(points, random_normals(points.size(), random), radius);
 }
 
 /// For people: the points and the radius as doubles that read back.
@@ -54,7 +73,7 @@ std::vector<Scan> scans(std::size_t smallest, std::size_t largest) {
       Point3 p, n;
       if (!(numbers >> p.x >> p.y >> p.z)) throw std::runtime_error(entry.path().string() + ": " + line);
       scan.points.push_back(p);
-      if (numbers >> n.x >> n.y >> n.z) scan.normals.push_back(n);
+      if (numbers >> n.x >> n.y >> n.z) scan.normals.push_back(n == Point3{} ? Point3{0, 0, 1} : n);
     }
     if (scan.points.size() >= smallest && scan.points.size() <= largest) found.push_back(std::move(scan));
   }
@@ -75,22 +94,123 @@ double spacing(const Points3& points) {
   return nearest[nearest.size() / 2];
 }
 
-Points3 on_sphere(std::size_t count, double noise, std::uint64_t seed) {
+struct Samples {
+  Points3 points, normals;
+};
+
+/// With `noise` along the normals.
+Samples on_sphere(std::size_t count, double noise, std::uint64_t seed) {
   Random random(seed);
-  Points3 points;
-  while (points.size() < count) {
+  Samples sphere;
+  while (sphere.points.size() < count) {
     const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const double size = std::hypot(p.x, p.y, p.z), out = (1 + noise * random.between(-1, 1)) / size;
-    if (size > 0.1 && size < 1) points.push_back({out * p.x, out * p.y, out * p.z});
+    if (!(size > 0.1 && size < 1)) continue;
+    sphere.points.push_back({out * p.x, out * p.y, out * p.z});
+    sphere.normals.push_back(p);
   }
-  return points;
+  return sphere;
+}
+
+/// Near to where f is 0, brought there along its gradient, which is the normal.
+template <typename Function>
+Samples on_level(std::size_t count, double size, std::uint64_t seed, Function f) {
+  constexpr double h = 1e-5;
+  Random random(seed);
+  Samples samples;
+  while (samples.points.size() < count) {
+    Point3 p = {random.between(-size, size), random.between(-size, size), random.between(-size, size)}, n;
+    double value = 0;
+    for (int step = 0; step < 10; ++step) {
+      n = {(f(p.x + h, p.y, p.z) - f(p.x - h, p.y, p.z)) / (2 * h),
+           (f(p.x, p.y + h, p.z) - f(p.x, p.y - h, p.z)) / (2 * h),
+           (f(p.x, p.y, p.z + h) - f(p.x, p.y, p.z - h)) / (2 * h)};
+      value = f(p.x, p.y, p.z);
+      const double s = value / (n.x * n.x + n.y * n.y + n.z * n.z);
+      p = {p.x - s * n.x, p.y - s * n.y, p.z - s * n.z};
+    }
+    if (!(std::abs(value) < 1e-6) || n == Point3{}) continue;
+    samples.points.push_back(p);
+    samples.normals.push_back(n);
+  }
+  return samples;
+}
+
+double torus_at(double centre, double x, double y, double z) {
+  return std::hypot(std::hypot(x - centre, y) - 1, z) - 0.35;
+}
+Samples on_torus(std::size_t count) {
+  return on_level(count, 1.4, 31, [](double x, double y, double z) { return torus_at(0, x, y, z); });
+}
+/// Two tori that have grown together.
+Samples on_double_torus(std::size_t count) {
+  return on_level(count, 2.4, 32, [](double x, double y, double z) {
+    return -std::log(std::exp(-12 * torus_at(-1, x, y, z)) + std::exp(-12 * torus_at(1, x, y, z))) / 12;
+  });
+}
+
+/// Two sheets back to back, `thickness` apart.
+Samples plate(std::size_t count, double thickness) {
+  Random random(33);
+  Samples samples;
+  while (samples.points.size() < count) {
+    const double up = random.chance(0.5) ? 1 : -1;
+    samples.points.push_back({random.between(0, 2), random.between(0, 1), up * thickness / 2});
+    samples.normals.push_back({random.between(-0.2, 0.2), random.between(-0.2, 0.2), up});
+  }
+  return samples;
+}
+
+/// In a box, with normals that mostly point up.
+Samples in_box(std::size_t count, double height) {
+  Random random(34);
+  Samples samples;
+  while (samples.points.size() < count) {
+    samples.points.push_back({random.between(0, 1), random.between(0, 1), random.between(0, height)});
+    samples.normals.push_back({random.between(-1, 1), random.between(-1, 1), random.between(-0.2, 1)});
+  }
+  return samples;
+}
+
+/// Integer points on the sides of a box, which look outward, some of them twice.
+Samples box_of_integers(int columns, int rows, int layers) {
+  const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
+  Samples samples;
+  for (int x = 0; x <= columns; ++x)
+    for (int y = 0; y <= rows; ++y)
+      for (int z = 0; z <= layers; ++z) {
+        const Point3 n = {side(x, columns), side(y, rows), side(z, layers)};
+        if (n == Point3{}) continue;
+        for (int copies = (x + y + z) % 5 == 0 ? 2 : 1; copies > 0; --copies) {
+          samples.points.push_back({double(x), double(y), double(z)});
+          samples.normals.push_back(n);
+        }
+      }
+  return samples;
+}
+
+/// From below the spacing to many times it.
+const std::vector<double>& radii() {
+  static const std::vector<double> pitches = {0.4, 0.7, 1.0, 2.0, 5.0, 12.0};
+  return pitches;
+}
+
+void check_radii(const Samples& samples) {
+  const double pitch = spacing(samples.points);
+  std::size_t triangles = 0;
+  for (const double r : radii()) {
+    CAPTURE(r);
+    triangles += check(samples.points, samples.normals, r * pitch);
+  }
+  CHECK(2 * triangles > samples.points.size());
 }
 
 }  // namespace
 
-TEST_CASE("small sets of every kind: the exposed triangles and their pivots are CGAL's alpha complex") {
+TEST_CASE(
+    "small sets of every kind: the exposed triangles and their pivots are CGAL's alpha complex, and the surface") {
   const std::uint64_t trials = argument("count", 2000) / space_kinds;
-  std::size_t triangles = 0, compared = 0;
+  std::size_t triangles = 0, agreed = 0, compared = 0;
   for (int k = 0; k < space_kinds; ++k) {
     Random random(100 + static_cast<std::uint64_t>(k));
     CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -99,9 +219,14 @@ TEST_CASE("small sets of every kind: the exposed triangles and their pivots are 
       const double radius = space_radius(points, random);
       const Surface actual = rbpa::exposed_triangles(points, radius);
       const ExposedByCgal expected = exposed_by_delaunay(points, radius);
-      if (actual.triangles != expected.triangles || actual.neighbors != expected.neighbors)
-        FAIL_CHECK(text(points, radius));
+      if (!same(actual, expected)) FAIL_CHECK(text(points, radius));
       triangles += expected.triangles.size();
+      Points3 normals = random_normals(points.size(), random);
+      if (random.chance(0.5))
+        for (Point3& n : normals) n.z += 2.5;
+      const ExposedByCgal agree = agreeing(expected, points, normals);
+      if (!same(rbpa::surface(points, normals, radius), agree)) FAIL_CHECK(text(points, radius));
+      agreed += agree.triangles.size();
       if (trial % 8 != 0) continue;
       const auto shape = exposed_by_alpha_shape(points, radius);
       if (shape.empty()) continue;  // of points of a plane it has none
@@ -110,6 +235,7 @@ TEST_CASE("small sets of every kind: the exposed triangles and their pivots are 
     }
   }
   CHECK(triangles > 10 * trials);
+  CHECK(agreed > 3 * trials);
   CHECK(compared > trials / 4);
 }
 
@@ -130,23 +256,81 @@ TEST_CASE("integer grids at exactly critical radii") {
 TEST_CASE("spheres, smooth and noisy, from below the spacing to many times it") {
   const std::size_t count = argument("points", 400);
   const double pitch = std::sqrt(4 * 3.14159 / static_cast<double>(count));
-  for (const double noise : {0.0, 0.1 * pitch, pitch, 2 * pitch})
-    for (const double radii : {0.4, 0.7, 1.0, 2.0, 5.0, 12.0}) check(on_sphere(count, noise, 9), radii * pitch);
+  for (const double noise : {0.0, 0.1 * pitch, pitch, 2 * pitch}) {
+    const Samples sphere = on_sphere(count, noise, 9);
+    for (const double r : radii()) check(sphere.points, sphere.normals, r * pitch);
+  }
+}
+
+TEST_CASE("cube, slab, torus, double torus, thin plates, from below the spacing to many times it") {
+  const std::size_t count = argument("points", 400);
+  check_radii(in_box(count, 1));
+  check_radii(in_box(count, 0.05));
+  check_radii(on_torus(count));
+  check_radii(on_double_torus(count));
+  for (const double thickness : {0.0, 1e-6, 0.01, 0.1}) check_radii(plate(count, thickness));
+}
+
+TEST_CASE("boxes of integer points, with duplicates, at exactly critical radii and beside them") {
+  const Samples box = box_of_integers(6, 4, 3);
+  for (const double radius : {0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 2.5, 3.0, 4.5})
+    for (const double r : {radius, std::nextafter(radius, 0), std::nextafter(radius, 9)})
+      check(box.points, box.normals, r);
+}
+
+TEST_CASE("the same set at 1e150 and at 1e-150") {
+  const Samples sphere = on_sphere(argument("points", 400) / 4, 0.05, 10), box = box_of_integers(3, 3, 2);
+  for (const double scale : {1e150, 1e-150})
+    for (const Samples* samples : {&sphere, &box}) {
+      Points3 points;
+      for (const Point3& p : samples->points) points.push_back({scale * p.x, scale * p.y, scale * p.z});
+      for (const double radius : {0.4, 1.0, 3.0}) check(points, samples->normals, scale * radius);
+    }
 }
 
 TEST_CASE("scans and models of others") {
   for (const Scan& scan : scans(argument("smallest", 0), argument("largest", 1000))) {
     CAPTURE(scan.name);
     const double pitch = spacing(scan.points);
-    for (const double radii : {0.8, 1.5, 3.0}) {
-      CAPTURE(radii);
-      check(scan.points, radii * pitch);
+    for (const double r : {0.4, 0.8, 1.5, 3.0, 8.0}) {
+      CAPTURE(r);
+      if (scan.normals.size() == scan.points.size())
+        check(scan.points, scan.normals, r * pitch);
+      else
+        check(scan.points, r * pitch);
     }
   }
 }
 
+TEST_CASE("scans by two radii have no more boundary than by the first, but for those that it does not cover") {
+  const auto boundary = [](const Surface& surface) {
+    std::size_t count = 0;
+    for (const auto& n : surface.neighbors)
+      count += static_cast<std::size_t>(std::count(n.begin(), n.end(), Surface::none));
+    return count;
+  };
+  for (const Scan& scan : scans(argument("smallest", 0), argument("largest", 1000))) {
+    CAPTURE(scan.name);
+    if (scan.normals.size() != scan.points.size()) continue;
+    const double pitch = spacing(scan.points);
+    const std::vector<double> radii = {1.5 * pitch, 3 * pitch};
+    const Surface first = rbpa::surface(scan.points, scan.normals, radii[0]),
+                  both = rbpa::surface(scan.points, scan.normals, radii);
+    CHECK(std::includes(both.triangles.begin(), both.triangles.end(), first.triangles.begin(), first.triangles.end()));
+    // docs/surface_levels.md, section 4.
+    static const std::vector<std::string> not_covered = {"c3_cilantro_frame1", "c3_lpm_car400", "m3_plate_holes"};
+    const bool is_covered = std::find(not_covered.begin(), not_covered.end(), scan.name) == not_covered.end();
+    CHECK((boundary(both) <= boundary(first)) == is_covered);
+    // Each side of it is explained.
+    std::size_t sides = 0;
+    for (const rbpa::Hole& hole : rbpa::holes(scan.points, scan.normals, radii, both)) sides += hole.edges.size();
+    CHECK(sides == boundary(both));
+  }
+}
+
 TEST_CASE("the oracles see what is wrong") {
-  const Points3 points = on_sphere(50, 0, 3);
+  const Samples sphere = on_sphere(50, 0, 3);
+  const Points3& points = sphere.points;
   const Surface exposed = rbpa::exposed_triangles(points, 0.5);
   REQUIRE(exposed.triangles.size() > 50);
   auto wrong = exposed.triangles;
@@ -155,4 +339,9 @@ TEST_CASE("the oracles see what is wrong") {
   CHECK(exposed_by_alpha_shape(points, 0.5) == exposed.triangles);
   CHECK(exposed_by_alpha_shape(points, 0.5) != canonical(wrong));
   CHECK(exposed_by_delaunay(points, 0.4).triangles != exposed.triangles);
+  const ExposedByCgal expected = exposed_by_delaunay(points, 0.5), outside = agreeing(expected, points, sphere.normals);
+  CHECK(outside.triangles.size() * 2 == expected.triangles.size());
+  Points3 turned = sphere.normals;
+  turned[outside.triangles[0][0]] = {-turned[outside.triangles[0][0]].x, 0, 0};
+  CHECK(agreeing(expected, points, turned).triangles.size() < outside.triangles.size());
 }

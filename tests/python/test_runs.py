@@ -46,11 +46,15 @@ def test_control_c_ends_a_run(after):
 DUST = rbpa.alpha_shape(MANY, 0.4 / math.sqrt(len(MANY)))
 TRIANGULATION = rbpa.Delaunay(MANY)
 MESH = rbpa.meshops.Mesh(TRIANGULATION.simplices)
+BALL = np.random.default_rng(1).normal(size=(100_000, 3))
+BALL /= np.linalg.norm(BALL, axis=1)[:, None]
 LONG_RUNS = {
     "concave_hull": lambda: rbpa.concave_hull(MANY, 0.4 / math.sqrt(len(MANY))),
     "filtered": lambda: DUST.filtered(min_hole_area=math.inf),
     "find_simplex": lambda: TRIANGULATION.find_simplex(np.concatenate([MANY] * 20)),
     "report": MESH.report,
+    "estimate_normals": lambda: rbpa.estimate_normals(BALL),
+    "surface": lambda: rbpa.surface(BALL[:30_000], BALL[:30_000], 0.03),
     "vertex_neighbor_vertices": lambda: rbpa._core.vertex_neighbors(TRIANGULATION.simplices, len(MANY)),
 }
 

@@ -25,8 +25,14 @@ glued: str = mesh.glue(1, 3).what
 reason: str | None = mesh.flip_blocker(0, keep="manifold")
 genus: int | None = mesh.report().genus
 steps_of_repair: list[rbpa.meshops.RepairStep] = rbpa.meshops.repair(shape.simplices).steps
+scanned: rbpa.Surface = rbpa.surface(np.zeros((5, 3)), "estimate", [0.5, 1.0], progress=lambda t, p: None)
+normals: npt.NDArray[np.float64] = rbpa.estimate_normals([[0, 0, 0]], 8)
+triangles: npt.NDArray[np.int32] = scanned.triangles
+lengths: float = sum(hole.length for hole in scanned.holes)
+causes: list[str] = scanned.unused_causes + scanned.holes[0].causes
 hull: npt.NDArray[np.int32] = delaunay.convex_hull
 
 wrong_alpha = rbpa.alpha_shape(points, alpha=[1.0])  # type: ignore[arg-type]
 wrong_name = rbpa.alpha_shape(points, radius=1.0)  # type: ignore[call-arg]
+wrong_radius = rbpa.surface(np.zeros((5, 3)), radius=None)  # type: ignore[arg-type]
 wrong_member = shape.triangles  # type: ignore[attr-defined]

@@ -48,8 +48,13 @@ set(arrows
   rbpa/space/star>rbpa/core rbpa/space/star>rbpa/parallel rbpa/space/star>rbpa/vector rbpa/space/star>rbpa/space/pivot
   rbpa/space/star>rbpa/space/predicate rbpa/space/star>rbpa/space/search
   rbpa/space/pivot>rbpa/core rbpa/space/pivot>rbpa/space/predicate rbpa/space/search>rbpa/parallel
+  rbpa/space>rbpa/space/pivot rbpa/space>rbpa/shape rbpa/space>rbpa/space/levels rbpa/space>rbpa/space/search rbpa/space/levels>rbpa/core
+  rbpa/space/levels>rbpa/space rbpa/space/levels>rbpa/space/predicate rbpa/space/levels>rbpa/space/search
   rbpa/space/predicate>rbpa/core rbpa/space/predicate>rbpa/predicate
   rbpa/space/search>rbpa/core rbpa/space/search>rbpa/predicate
+  rbpa/space>rbpa/space/normals rbpa/space>rbpa/space/spacing rbpa/space/spacing>rbpa/core
+  rbpa/space/normals>rbpa/core rbpa/space/normals>rbpa/parallel rbpa/space/normals>rbpa/space
+  rbpa/space/normals>rbpa/space/search
   rbpa>meshops/core rbpa>meshops/handle rbpa>meshops/front rbpa>meshops/topology
 
   # Programs: folders of ours first, then what each uses of the libraries.
@@ -70,12 +75,14 @@ set(arrows
   program>meshops/topology program>rbpa/core
   python>meshops/core python>meshops/handle python>meshops/stellar python>meshops/topology python>meshops/front
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
+  python>rbpa/space python>rbpa/space/normals
   cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
-  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space)
+  examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space
+  examples>meshops/core examples>meshops/patch)
 
 # The inside of librbpa: not installed, hidden in a shared library, exact under the flags of this project only.
-set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|vector|space/(pivot|predicate|search|star))/")
+set(inside "rbpa/(arrays|divide|enumeration|hierarchy|paper|parallel|patches|pivots|predicate|remainder|run|search|tile|vector|space/(levels|pivot|predicate|search|spacing|star))/")
 
 set(checked 0)
 set(bad "")

@@ -1,4 +1,5 @@
-"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane: exact on any input, and fast.
+"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane, surfaces of points in space: exact on
+any input, and fast.
 
     >>> import rbpa
     >>> shape = rbpa.alpha_shape([[0, 0], [1, 0], [1, 1], [0, 1], [9, 9]], alpha=1.0)
@@ -16,13 +17,15 @@ What there is:
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
+    surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
+    estimate_normals(points)             of points in space that have none
     rbpa.meshops                         halfedge meshes that no operator can break, repair
 
 The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
 a radius, in the units of the coordinates: never its square (as in CGAL and PostGIS), never its inverse (as in the package
 alphashape).
 
-Points are an array of shape (n, 2), or anything that NumPy makes one of; float64 in C order is used without a copy.
+Points are an array of shape (n, 2), in space (n, 3), or anything that NumPy makes one of; float64 in C order is used without a copy.
 Every decision is exact, also on grids, duplicates, collinear points and extreme coordinates, and the triangles depend on
 the set of points and on alpha alone. Fewer than three points, or points on one line, have no triangle: that is an empty
 result, not an error.
@@ -44,6 +47,7 @@ from rbpa._delaunay import Delaunay
 from rbpa._filtration import Filtration, filtration
 from rbpa._plateau import Plateau
 from rbpa._polygons import Polygon, Polygons
+from rbpa._surface import Surface, SurfaceHole, estimate_normals, surface
 
 __all__ = [
     "AlphaShape",
@@ -55,12 +59,19 @@ __all__ = [
     "Plateau",
     "Polygon",
     "Polygons",
+    "Surface",
+    "SurfaceHole",
     "__version__",
     "alpha_shape",
     "concave_hull",
+    "estimate_normals",
     "filtration",
+    "surface",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
-for _public in (AlphaShape, Delaunay, Filtration, Plateau, Polygon, Polygons, alpha_shape, concave_hull, filtration):
+for _public in (
+    *(AlphaShape, Delaunay, Filtration, Plateau, Polygon, Polygons, Surface, SurfaceHole),
+    *(alpha_shape, concave_hull, estimate_normals, filtration, surface),
+):
     _public.__module__ = __name__

@@ -34,6 +34,31 @@ def polygons(
     points: Floats, simplices: Indices, neighbors: Indices, min_hole_area: float, min_part_area: float
 ) -> dict[str, Any]: ...
 
+def estimate_normals(points: Floats, neighbors: int, threads: int, progress: Progress) -> Floats: ...
+def auto_radii(points: Floats, threads: int, progress: Progress) -> Floats: ...
+def surface(
+    points: Floats, normals: Optional[Floats], radii: Floats, threads: int, progress: Progress
+) -> dict[str, Any]: ...
+def surface_holes(
+    points: Floats,
+    normals: Floats,
+    radii: Floats,
+    triangles: Indices,
+    neighbors: Indices,
+    levels: Indices,
+    duplicates: Indices,
+    threads: int,
+) -> dict[str, Any]: ...
+def surface_unused(
+    points: Floats,
+    normals: Optional[Floats],
+    radii: Floats,
+    triangles: Indices,
+    neighbors: Indices,
+    levels: Indices,
+    duplicates: Indices,
+    threads: int,
+) -> tuple[Indices, npt.NDArray[np.uint8]]: ...
 def halo(region: tuple[float, float, float, float], alpha: float) -> tuple[float, float, float, float]: ...
 def partial(
     points: Floats, indices: npt.NDArray[np.uint64], region: tuple[float, float, float, float], alpha: float, threads: int

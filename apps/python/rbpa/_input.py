@@ -21,18 +21,19 @@ RULES = "'auto', 'min', 'plateau' or 'plateau:K'"
 _EXACT = 2**53  # doubles have every integer up to it
 
 
-def as_points(points: npt.ArrayLike, name: str = "points") -> Floats:
-    """An array of shape (n, 2), float64, in C order: the same object where it is one already."""
+def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> Floats:
+    """An array of shape (n, columns), float64, in C order: the same object where it is one already."""
     if isinstance(points, np.ma.MaskedArray) and points.mask.any():
         raise InvalidInput(f"{name}: found masked values, expected points without; leave their rows out")
     array = as_array(points, name)
     if array.ndim == 1 and array.size == 0:
-        return np.empty((0, 2))
+        return np.empty((0, columns))
     if array.dtype.kind not in "iuf":
         hint = _hint_of_kind(points, array, name)
         raise InvalidInput(f"{name}: found an array of {array.dtype}, expected numbers (float64){hint}")
-    if array.ndim != 2 or array.shape[1] != 2:
-        raise InvalidInput(f"{name}: found an array of shape {array.shape}, expected (n, 2){_hint(points, array, name)}")
+    if array.ndim != 2 or array.shape[1] != columns:
+        hint = _hint(points, array, name, columns)
+        raise InvalidInput(f"{name}: found an array of shape {array.shape}, expected (n, {columns}){hint}")
     if array.dtype.kind in "iu" and array.dtype.itemsize == 8 and array.size:
         if max(int(array.max()), -int(array.min())) > _EXACT:
             raise InvalidInput(f"{name}: found integers beyond 2**53, expected coordinates that float64 can hold")
@@ -65,14 +66,16 @@ def _hint_of_kind(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> 
     return ""
 
 
-def _hint(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> str:
+def _hint(points: npt.ArrayLike, array: npt.NDArray[Any], name: str, columns: int) -> str:
     if array.ndim == 2 and hasattr(points, "columns"):
-        return f": {name}[[X, Y]] takes two columns of a table"
-    if array.ndim == 2 and array.shape[0] == 2 and array.shape[1] != 3:
+        return f": {name}[[{'X, Y' if columns == 2 else 'X, Y, Z'}]] takes {'two' if columns == 2 else 'three'} columns of a table"
+    if array.ndim == 2 and array.shape[0] == columns and array.shape[1] != 5 - columns:
         return f": np.transpose({name}), if a row is a coordinate"
-    if array.ndim == 2 and array.shape[1] > 2:
-        return f": this is the plane; {name}[:, :2] leaves the other columns out"
-    if array.ndim == 1 and array.shape == (2,):
+    if array.ndim == 2 and array.shape[1] > columns:
+        return f": this is {'the plane' if columns == 2 else 'space'}; {name}[:, :{columns}] leaves the other columns out"
+    if array.ndim == 2 and columns == 3 and array.shape[1] == 2:
+        return ": this is space; alpha_shape() is for the plane"
+    if array.ndim == 1 and array.shape == (columns,):
         return f": [{name}], if it is one point"
     return ""
 

@@ -47,9 +47,19 @@ void freeze(Front& front, Halfedge h, Visitor& visitor) {
   visitor.frozen(std::as_const(front), h);
 }
 
+/// Where a triangle goes, given by its corners or by a halfedge and the apex: glued as its sites tell, or as the policy
+/// says.
+template <typename Policy, typename... Place>
+Fit fit(const Front& front, Policy& policy, Place... place) {
+  if constexpr (GluingFrontPolicy<Policy>)
+    return front.fit(place..., [&](Halfedge side, Site apex) { return policy.glues(front, side, apex); });
+  else
+    return front.fit(place...);
+}
+
 /// Does what the policy wants of an edge.
-template <typename Visitor>
-void follow(Front& front, Halfedge h, const Proposal& proposal, Visitor& visitor) {
+template <typename Policy, typename Visitor>
+void follow(Front& front, Policy& policy, Halfedge h, const Proposal& proposal, Visitor& visitor) {
   const Front& seen = front;
   std::optional<Refusal> refusal;
   if (proposal.detached()) {
@@ -60,7 +70,7 @@ void follow(Front& front, Halfedge h, const Proposal& proposal, Visitor& visitor
       return;
     }
   } else if (proposal.apex()) {
-    const Fit fit = front.fit(h, *proposal.apex());
+    const Fit fit = detail::fit(seen, policy, h, *proposal.apex());
     refusal = fit.refusal;
     if (!refusal) {
       insert(front, fit, visitor, [&](const InsertedTriangle& triangle) { visitor.attached(seen, h, triangle); });
@@ -80,7 +90,7 @@ bool begin(Front& front, Policy& policy, Visitor& visitor) {
     const std::optional<std::array<Site, 3>> seed = policy.seed(seen);
     // A policy that says the same again knows no other.
     if (!seed || seed == refused) return false;
-    const Fit fit = front.fit((*seed)[0], (*seed)[1], (*seed)[2]);
+    const Fit fit = detail::fit(seen, policy, (*seed)[0], (*seed)[1], (*seed)[2]);
     if (!fit.refusal) {
       insert(front, fit, visitor, [&](const InsertedTriangle& triangle) { visitor.seeded(seen, triangle); });
       return true;
@@ -102,7 +112,7 @@ void advance(Front& front, Policy& policy, Visitor&& visitor) {
   try {
     do {
       for (h = order.next(); h.is_valid(); h = order.next())
-        detail::follow(front, h, policy.propose(std::as_const(front), h), visitor);
+        detail::follow(front, policy, h, policy.propose(std::as_const(front), h), visitor);
     } while (detail::begin(front, policy, visitor));
   } catch (...) {
     if (front.is_boundary(h) && !front.is_frozen(h)) front.activate(h);

@@ -126,6 +126,17 @@ Halfedge Front::boundary_between(Site from, Site to) const {
   return Halfedge();
 }
 
+Face Front::triangle_on(Site a, Site b, Site c) const {
+  Leaving out_of(mesh_, vertices_, a);
+  for (Halfedge h = out_of.next(); h.is_valid(); h = out_of.next()) {
+    if (mesh_.is_boundary(h) || to_site(h) != b) continue;
+    const Halfedge next = mesh_.next_halfedge_handle(h);
+    if (to_site(next) == c && mesh_.next_halfedge_handle(next) == mesh_.prev_halfedge_handle(h))
+      return mesh_.face_handle(h);
+  }
+  return Face();
+}
+
 /// Whether the triangle has the side for itself, or finds it on the boundary.
 bool Front::finds_side(Fit& fit, unsigned side) const {
   const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
@@ -137,7 +148,8 @@ bool Front::finds_side(Fit& fit, unsigned side) const {
   return false;
 }
 
-Fit Front::fit(Site a, Site b, Site c) const {
+/// With what is asked of every triangle: its corners.
+Fit Front::at_corners(Site a, Site b, Site c) const {
   Fit fit({a, b, c});
   std::size_t end = sites();  // of old and new ones
   for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
@@ -147,13 +159,11 @@ Fit Front::fit(Site a, Site b, Site c) const {
     if (s >= end || (s < sites() && !vertices_.exists(s))) fit.refusal = Refusal{RefusalKind::no_such_site, s};
     if (fit.refusal) return fit;
   }
-  for (unsigned side = 0; side < 3; ++side)
-    if (!finds_side(fit, side)) return fit;
-  refuse_closed(fit);
   return fit;
 }
 
-Fit Front::fit(Halfedge h, Site apex) const {
+/// The same at a boundary halfedge.
+Fit Front::at_side(Halfedge h, Site apex) const {
   Fit fit({0, 0, apex});
   if (!is_boundary(h)) {
     fit.refusal = Refusal{RefusalKind::no_boundary_halfedge, 0, 0, h.idx()};
@@ -165,7 +175,28 @@ Fit Front::fit(Halfedge h, Site apex) const {
     fit.refusal = Refusal{RefusalKind::no_such_site, apex};
   else if (apex == a || apex == b)
     fit.refusal = Refusal{RefusalKind::corner_repeated, apex};
-  if (fit.refusal || apex == sites() || is_free(apex)) return fit;
+  return fit;
+}
+
+void Front::refuse_twice(Fit& fit) const {
+  const auto& [a, b, c] = fit.corners;
+  if (is_new(a) || is_new(b) || is_new(c)) return;
+  if (const Face there = triangle_on(a, b, c); there.is_valid())
+    fit.refusal = Refusal{RefusalKind::triangle_there, a, b, there.idx()};
+}
+
+Fit Front::fit(Site a, Site b, Site c) const {
+  Fit fit = at_corners(a, b, c);
+  if (fit.refusal) return fit;
+  for (unsigned side = 0; side < 3; ++side)
+    if (!finds_side(fit, side)) return fit;
+  refuse_closed(fit);
+  return fit;
+}
+
+Fit Front::fit(Halfedge h, Site apex) const {
+  Fit fit = at_side(h, apex);
+  if (fit.refusal || is_new(apex) || is_free(apex)) return fit;
   // The neighbours on the curve are the common case and need no search.
   const Halfedge next = mesh_.next_halfedge_handle(h), previous = mesh_.prev_halfedge_handle(h);
   if (to_site(next) == apex)

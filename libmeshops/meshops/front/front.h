@@ -1,7 +1,8 @@
 // What:   the front: boundary curves that are still to be advanced, on a mesh whose vertices stand on sites.
-// Law:    whatever it is asked, the mesh is an oriented manifold at every step, between two sites there is at most one
-//         edge, and every boundary halfedge is active, frozen, or in the hands of who popped it. What would break this
-//         is refused, with the mesh untouched.
+// Law:    whatever it is asked, the mesh is an oriented manifold at every step, and every boundary halfedge is active,
+//         frozen, or in the hands of who popped it. Between two sites there is at most one edge, unless who asks says
+//         himself which sides are glued; then no triangle comes twice. What would break this is refused, with the mesh
+//         untouched.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1.
 #pragma once
 
@@ -104,6 +105,9 @@ class MESHOPS_API Front {
   /// The boundary halfedge from a site to another; an invalid handle when there is none.
   /// Cost: the lesser of the numbers of fans at both sites.
   Halfedge boundary_between(Site from, Site to) const;
+  /// The triangle with these corners in this order, whichever is first; an invalid handle when there is none.
+  /// Cost: the number of edges at the first.
+  Face triangle_on(Site a, Site b, Site c) const;
 
   /// Why create() and attach() would refuse; nothing when they would not. A triangle has three distinct sites, which
   /// exist or are the next new ones; on none of them do all faces close; and no face lies on its side of its edges yet.
@@ -125,6 +129,19 @@ class MESHOPS_API Front {
   /// The same in two steps, and without asking twice.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
+  /// The same for who knows which sides are glued, where sites do not tell: surfaces in space touch along edges, and have
+  /// slits. Of the boundary halfedges between the sites of a side, the first is glued for which glues(halfedge, apex) is
+  /// true, the apex being the third corner; without any it is a new edge. All that is asked of the triangle itself is
+  /// that it is not there yet, and of its corners that they are distinct, and exist or are the next new ones.
+  /// Cost: the numbers of fans at the corners, and of the edges at one.
+  template <typename Glues>
+  Fit fit(Site a, Site b, Site c, Glues glues) const {
+    return find_glued(at_corners(a, b, c), glues);
+  }
+  template <typename Glues>
+  Fit fit(Halfedge h, Site apex, Glues glues) const {
+    return find_glued(at_side(h, apex), glues);
+  }
   /// Requires: `fit` has no refusal, and nothing was attached or detached since. Not checked: the unchecked way in, for
   ///           who knows what fit() would say. `sides.corner` is not looked at.
   InsertedTriangle insert(const Fit& fit);
@@ -210,6 +227,12 @@ class MESHOPS_API Front {
     set_state(h, State::neither);
     return true;
   }
+  Fit at_corners(Site a, Site b, Site c) const;
+  Fit at_side(Halfedge h, Site apex) const;
+  template <typename Glues>
+  Fit find_glued(Fit fit, Glues glues) const;
+  bool is_new(Site s) const { return s >= sites(); }
+  void refuse_twice(Fit& fit) const;
   bool finds_side(Fit& fit, unsigned side) const;
   void refuse_closed(Fit& fit) const;
   InsertedTriangle insert_checked(const Fit& fit, const char* operation);
@@ -230,5 +253,21 @@ class MESHOPS_API Front {
   std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
   std::vector<Site> reopened_;      // that had turned inner and are on the boundary again, or free
 };
+
+template <typename Glues>
+Fit Front::find_glued(Fit fit, Glues glues) const {
+  if (!fit.refusal) refuse_twice(fit);
+  for (unsigned i = 0; i < 3 && !fit.refusal; ++i) {
+    const Site from = fit.corners[i], to = fit.corners[(i + 1) % 3];
+    Halfedge& side = fit.sides.side[i];
+    if (side.is_valid() || is_new(from) || is_new(to)) continue;
+    // An open fan has one boundary halfedge that leaves its vertex.
+    for (Vertex v = vertices_.first(from); v.is_valid() && !side.is_valid(); v = vertices_.next(v)) {
+      const Halfedge h = mesh_.halfedge_handle(v);
+      if (mesh_.is_boundary(h) && to_site(h) == to && glues(h, fit.corners[(i + 2) % 3])) side = h;
+    }
+  }
+  return fit;
+}
 
 }  // namespace meshops

@@ -48,6 +48,17 @@ concept FrontPolicy = requires(P policy, const Front& front, Halfedge h) {
   { policy.propose(front, h) } -> std::convertible_to<Proposal>;
 };
 
+/// A policy may say which sides are glued. Without it sites tell: between two of them there is one edge.
+///   glues(front, h, apex)  the boundary halfedge h is glued to the side, between the same sites, of a triangle whose third
+///                          corner is the apex. It is asked of the halfedges that there are, when a triangle is inserted;
+///                          where the answer is no to all, the side is a new edge.
+/// With it, any number of triangles can lie at two sites, in pairs or each with an edge of its own, and a site around which
+/// faces close can have further fans. A triangle is refused when it is there already.
+template <typename P>
+concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h, Site apex) {
+  { policy.glues(front, h, apex) } -> std::same_as<bool>;
+};
+
 /// A policy may have an order of its own.
 ///   key(front, h)      of a boundary halfedge that has become active: the least comes first, of equal ones the oldest. It
 ///                      is asked for once each time, and must not change the front.

@@ -18,7 +18,8 @@ enum class RefusalKind {
   side_taken,            ///< a face lies already on the left of the edge from `site` to `to`
   no_such_face,          ///< `index`
   no_triangle,           ///< face `index` has other than three sides
-  not_at_front           ///< no side of face `index` is on the boundary
+  not_at_front,          ///< no side of face `index` is on the boundary
+  triangle_there         ///< face `index` has these corners in this order, `site` and `to` two of them
 };
 
 struct Refusal {

@@ -29,13 +29,18 @@ class BoundaryWalk {
 
   /// The points of the whole curve of a side that is new, with the triangles to the right; none of its sides is new any
   /// more.
-  std::vector<std::uint32_t> curve_from(BoundarySide side) {
+  std::vector<std::uint32_t> curve_from(const BoundarySide& side) {
     std::vector<std::uint32_t> points;
+    walk_from(side, [&](const BoundarySide& at) { points.push_back(of_.triangles[at.triangle][(at.across + 2) % 3]); });
+    return points;
+  }
+  /// The same, calling visit(side) for each side of the curve in this order.
+  template <typename Visit>
+  void walk_from(BoundarySide side, Visit visit) {
     for (; is_new(side); side = side_before(side)) {
       seen_[side.triangle] = static_cast<std::uint8_t>(seen_[side.triangle] | 1U << side.across);
-      points.push_back(of_.triangles[side.triangle][(side.across + 2) % 3]);
+      visit(side);
     }
-    return points;
   }
 
  private:

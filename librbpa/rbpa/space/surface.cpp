@@ -1,70 +1,20 @@
 #include "rbpa/space/surface.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "rbpa/core/error.h"
 #include "rbpa/parallel/in_order.h"
-#include "rbpa/run/input.h"
+#include "rbpa/space/check_input.h"
 #include "rbpa/space/predicate/normal_sign.h"
 #include "rbpa/space/search/cells.h"
-#include "rbpa/space/search/scale.h"
+#include "rbpa/space/search/scaled_points.h"
 #include "rbpa/space/star/find_rings.h"
 #include "rbpa/space/star/surface_assembly.h"
 
 namespace rbpa {
 namespace {
-
-std::string at(const Point3& p) { return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")"; }
-
-void check(std::span<const Point3> points, double radius) {
-  if (!(radius > 0) || std::isinf(radius))
-    throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
-  if (points.size() >= Surface::none)
-    throw InvalidInput(std::to_string(points.size()) + " points, expected at most " +
-                       std::to_string(Surface::none - 1));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i]))
-      throw InvalidInput("point " + std::to_string(i) + " is " + at(points[i]) + ", expected finite coordinates");
-}
-
-void check_normals(std::span<const Point3> points, std::span<const Point3> normals) {
-  if (normals.size() != points.size())
-    throw InvalidInput(std::to_string(normals.size()) + " normals, expected one for each of " +
-                       std::to_string(points.size()) + " points");
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (!is_finite(normals[i]) || normals[i] == Point3{})
-      throw InvalidInput("normal " + std::to_string(i) + " is " + at(normals[i]) +
-                         ", expected finite coordinates, not all 0");
-}
-
-/// Points multiplied by a power of two, where that brings them into the range of double.
-class Scaled {
- public:
-  Scaled(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {
-    const std::optional<int> exponent = space::scale_to_double(points, radius);
-    fits_double_ = exponent.has_value();
-    if (!exponent || *exponent == 0) return;
-    const auto scale = [&](double value) { return std::ldexp(value, *exponent); };
-    own_.reserve(points.size());
-    for (const Point3& p : points) own_.push_back({scale(p.x), scale(p.y), scale(p.z)});
-    points_ = own_;
-    radius_ = scale(radius);
-  }
-
-  std::span<const Point3> points() const { return points_; }
-  double radius() const { return radius_; }
-  bool fits_double() const { return fits_double_; }
-
- private:
-  std::vector<Point3> own_;
-  std::span<const Point3> points_;
-  double radius_;
-  bool fits_double_;
-};
 
 /// All triangles of the rings for which keep(v, x, y) holds, of sites; see SurfaceAssembly::add().
 template <typename Keep, typename IsNeeded>
@@ -98,9 +48,9 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
 }
 
 /// Whether a triangle agrees with the normals at its corners.
-class Agreement {
+class SiteAgreement {
  public:
-  Agreement(const space::Cells& cells, std::span<const Point3> normals, bool fits_double, Threads& threads)
+  SiteAgreement(const space::Cells& cells, std::span<const Point3> normals, bool fits_double, Threads& threads)
       : cells_(cells), normals_(normals), fits_double_(fits_double), own_(cells.sites().size()) {
     for_each_part(threads, own_.size(), 1u << 14, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = from; i < to; ++i) own_[i] = normals[cells.input_index()[i]];
@@ -143,7 +93,7 @@ class Agreement {
   /// In double, for points that fit it.
   class Fast {
    public:
-    Fast(const Agreement& all, space::Site v, space::Site x, space::Site y) {
+    Fast(const SiteAgreement& all, space::Site v, space::Site x, space::Site y) {
       const auto sites = all.cells_.sites();
       const auto u = space::from<double>(sites[v], sites[x]), w = space::from<double>(sites[v], sites[y]);
       normal_ = space::cross(u, w);
@@ -175,9 +125,10 @@ Threads threads_for_sites(std::size_t points, unsigned wanted) { return Threads(
 }  // namespace
 
 Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options) {
-  check(points, radius);
+  space::check_radius(radius);
+  space::check_points(points);
   Threads threads = threads_for_sites(points.size(), options.threads);
-  const Scaled scaled(points, radius);
+  const space::ScaledPoints scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
   Surface surface;
   assemble(
@@ -188,12 +139,13 @@ Surface exposed_triangles(std::span<const Point3> points, double radius, const S
 
 Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                 const SurfaceOptions& options) {
-  check(points, radius);
-  check_normals(points, normals);
+  space::check_radius(radius);
+  space::check_points(points);
+  space::check_normals(points, normals);
   Threads threads = threads_for_sites(points.size(), options.threads);
-  const Scaled scaled(points, radius);
+  const space::ScaledPoints scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
-  const Agreement agrees(cells, normals, scaled.fits_double(), threads);
+  const SiteAgreement agrees(cells, normals, scaled.fits_double(), threads);
   Surface surface;
   assemble(
       cells, scaled.fits_double(), points.size(), threads, options, std::cref(agrees),

@@ -40,6 +40,8 @@ struct Surface {
   /// Of each triangle, neighbour k is the one to which the ball rolls over the side across from corner k, or none. Rolling
   /// back returns.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
+  /// Of each triangle, which of several radii made it (surface_levels.h). Empty where there was one radius.
+  std::vector<std::uint32_t> levels;
   std::vector<Duplicate> duplicates;  ///< ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
 };

@@ -32,6 +32,9 @@ void advance(std::uint64_t seed, std::size_t questions) {
   CHECK(counts.seeded > counts.proposals / 1000);
   CHECK(counts.seeds_refused > counts.proposals / 1000);
   CHECK(counts.thrown > counts.proposals / 2000);
+  CHECK(counts.glued > counts.proposals / 100);
+  CHECK(counts.not_glued > counts.proposals / 100);
+  CHECK(counts.there > counts.proposals / 10'000);
 }
 
 }  // namespace

@@ -12,8 +12,12 @@
 namespace meshops::test {
 namespace {
 
+void demand(bool holds, const char* law) {
+  if (!holds) throw LawBroken(law);
+}
+
 /// Answers anything.
-template <bool ordered>
+template <bool ordered, bool gluing>
 struct AnyPolicy {
   Choices& choices;
   AdvanceCounts& counts;
@@ -48,15 +52,19 @@ struct AnyPolicy {
     }
   }
   std::uint32_t key(const Front&, Halfedge) requires ordered { return below(choices, 5); }
+  bool glues(const Front& front, Halfedge h, Site apex) requires gluing {
+    demand(front.is_boundary(h) && apex != front.from_site(h) && apex != front.to_site(h),
+           "asked is of a side on the boundary, and of a triangle");
+    const bool yes = choices.one_in(2);
+    ++(yes ? counts.glued : counts.not_glued);
+    return yes;
+  }
 };
-static_assert(FrontPolicy<AnyPolicy<false>> && !OrderedFrontPolicy<AnyPolicy<false>>);
-static_assert(OrderedFrontPolicy<AnyPolicy<true>>);
+static_assert(FrontPolicy<AnyPolicy<false, false>> && !OrderedFrontPolicy<AnyPolicy<false, true>>);
+static_assert(OrderedFrontPolicy<AnyPolicy<true, false>>);
+static_assert(GluingFrontPolicy<AnyPolicy<true, true>> && !GluingFrontPolicy<AnyPolicy<true, false>>);
 
-void demand(bool holds, const char* law) {
-  if (!holds) throw LawBroken(law);
-}
-
-template <bool ordered>
+template <bool ordered, bool gluing>
 void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
   TestMesh mesh;
   Front front(mesh, 3 + below(choices, choices.one_in(3) ? 40 : 10));
@@ -81,12 +89,14 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
     }
     void refused(const Front& front, Halfedge h, const Refusal& refusal) {
       ++counts.refused;
+      counts.there += refusal.kind == RefusalKind::triangle_there;
       demand(front.is_boundary(h) && !describe(refusal).empty(), "refused is something at the front, with a reason");
       refused_at = h;
     }
     void seed_refused(const Front& front, const std::array<Site, 3>& seed, const Refusal& refusal) {
       ++counts.seeds_refused;
-      demand(front.create_blocker(seed[0], seed[1], seed[2]) == refusal, "a seed is refused for what the blocker says");
+      demand(gluing || front.create_blocker(seed[0], seed[1], seed[2]) == refusal,
+             "a seed is refused for what the blocker says");
     }
     void frozen(const Front& front, Halfedge h) {
       ++counts.frozen;
@@ -100,7 +110,7 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
     void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
     void curve_closed(const Front&) { --curves; }
   } account(counts);
-  AnyPolicy<ordered> policy{choices, counts, questions};
+  AnyPolicy<ordered, gluing> policy{choices, counts, questions};
   for (unsigned level = 0; level < 4 && !policy.tired(); ++level) {
     bool thrown = false;
     try {
@@ -125,9 +135,19 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
 }  // namespace
 
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
-  while (counts.proposals < questions && choices.any_left())
-    choices.one_in(2) ? advance_once<true>(choices, questions, counts)
-                      : advance_once<false>(choices, questions, counts);
+  while (counts.proposals < questions && choices.any_left()) switch (below(choices, 4)) {
+      case 0:
+        advance_once<false, false>(choices, questions, counts);
+        break;
+      case 1:
+        advance_once<true, false>(choices, questions, counts);
+        break;
+      case 2:
+        advance_once<false, true>(choices, questions, counts);
+        break;
+      default:
+        advance_once<true, true>(choices, questions, counts);
+    }
 }
 
 }  // namespace meshops::test

@@ -12,10 +12,11 @@ namespace meshops::test {
 /// What advancing fronts have met.
 struct AdvanceCounts {
   std::size_t proposals = 0, attached = 0, frozen = 0, refused = 0, detached = 0, seeded = 0, seeds_refused = 0;
-  std::size_t thrown = 0;
+  std::size_t thrown = 0, glued = 0, not_glued = 0, there = 0;
 };
 
-/// Lets a policy advance that answers anything, in its own order or first in first out, and sometimes throws; until it has
+/// Lets a policy advance that answers anything, in its own order or first in first out, with an opinion on which sides are
+/// glued or without, and sometimes throws; until it has
 /// been asked so many questions, or the choices end. Throws LawBroken.
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts);
 

@@ -15,7 +15,7 @@ struct FrontWalkCounts {
   std::size_t steps = 0;
   std::size_t attached = 0, created = 0, detached = 0, levels = 0, begun_on_mesh = 0;
   std::size_t joined_fans = 0, pinches = 0;
-  std::array<std::size_t, 8> refused = {};  ///< by RefusalKind
+  std::array<std::size_t, 8> refused = {};  ///< by RefusalKind, but for triangle_there
 };
 
 /// Takes so many steps, or fewer where the choices end. Throws LawBroken.

@@ -1,0 +1,44 @@
+// A mesh of sites as plain arrays in canonical order, as rbpa::surface() returns.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/patch/site.h"
+#include "rbpa/space/surface.h"
+
+/// Triangles in canonical order, and across from each corner the triangle there, as rbpa::surface() has them.
+inline rbpa::Surface arrays(const meshops::Connectivity& mesh, const std::vector<meshops::Site>& site) {
+  using meshops::Halfedge;
+  const auto site_at = [&](Halfedge h) { return site[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; };
+  std::vector<std::pair<std::array<meshops::Site, 3>, Halfedge>>
+      found;  // with the halfedge that leads to the first corner
+  for (const meshops::Face f : mesh.faces()) {
+    Halfedge h = mesh.halfedge_handle(f);
+    while (site_at(h) > site_at(mesh.next_halfedge_handle(h)) || site_at(h) > site_at(mesh.prev_halfedge_handle(h)))
+      h = mesh.next_halfedge_handle(h);
+    const Halfedge next = mesh.next_halfedge_handle(h);
+    found.push_back({{site_at(h), site_at(next), site_at(mesh.next_halfedge_handle(next))}, h});
+  }
+  std::ranges::sort(found, {}, [](const auto& one) { return one.first; });
+  std::vector<std::uint32_t> number(found.size());
+  for (std::uint32_t i = 0; i < found.size(); ++i)
+    number[static_cast<std::size_t>(mesh.face_handle(found[i].second).idx())] = i;
+  rbpa::Surface surface;
+  for (const auto& [corners, first] : found) {
+    surface.triangles.push_back(corners);
+    auto& across = surface.neighbors.emplace_back();
+    Halfedge h = mesh.prev_halfedge_handle(first);  // across from the first corner
+    for (std::uint32_t& other : across) {
+      const meshops::Face f = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+      other = f.is_valid() ? number[static_cast<std::size_t>(f.idx())] : rbpa::Surface::none;
+      h = mesh.next_halfedge_handle(h);
+    }
+  }
+  return surface;
+}

@@ -1,0 +1,276 @@
+"""The surface of points in space, by a ball that rolls over them."""
+
+from __future__ import annotations
+
+import numbers
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import InvalidInput
+from rbpa._input import Floats, Indices, Progress, Unchanged
+from rbpa._input import as_count, as_points, as_threads, freeze
+
+Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
+
+# By the numbers that the library has for them.
+_RIM_CAUSES = ("nothing within reach", "normals disagree", "blocked")
+_UNUSED_CAUSES = ("no ball rests", "hidden", "normals disagree", "blocked")
+
+
+def estimate_normals(
+    points: npt.ArrayLike,
+    neighbors: int = 16,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Floats:
+    """Normals of points in space that have none: of planes through the nearest points, all turned to one side.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3)
+        Finite coordinates.
+    neighbors : int
+        A plane is fitted to each point and so many others, the nearest. Fewer follow the noise, more round off edges.
+    threads, progress
+        As in `surface`; `progress` is told of no triangles.
+
+    Returns
+    -------
+    float64 array of shape (n, 3)
+        Unit vectors; equal points have equal ones. Closed surfaces have them outward, each piece by itself; planes and
+        terrains upward; a scan from one side all to one side of it, which may be the wrong one: negate them then.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError: points of another shape or not finite, fewer than 2 neighbors.
+    Cancelled
+        `progress` returned False.
+
+    Examples
+    --------
+    >>> rbpa.estimate_normals([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
+    array([0., 0., 1.])
+    """
+    return _core.estimate_normals(
+        as_points(points, columns=3), as_count(neighbors, "neighbors", 2), as_threads(threads), progress
+    )
+
+
+def surface(
+    points: npt.ArrayLike,
+    normals: Union[npt.ArrayLike, str, None] = None,
+    radius: Radius = "auto",
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Surface:
+    """The surface of points in space: the triangles on which a ball comes to rest when it rolls over them.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3)
+        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
+        is in use; anything else is converted.
+    normals : array_like of shape (n, 3), "estimate" or "none"
+        A vector at each point that points outward, of any length but 0; the ball rolls on that side. By default they are
+        estimated, as by `estimate_normals`. "none" gives the triangles on all sides that a ball can reach: a closed surface.
+    radius : float, several, or "auto"
+        Of the ball, in the units of the points: about one to four times the distance of neighbours. Of several, ascending,
+        each closes what the ones before left open; what they made stays. "auto" chooses up to four from the gaps between
+        neighbours, with normals="none" the largest of them. `Surface.radii` says which.
+    threads : int, optional
+        At most so many threads work; all processors by default. The result is the same.
+    progress : callable, optional
+        Called as progress(triangles, points) every tenth of a second, in the calling thread, where it takes that long.
+        Returning False ends the run with `Cancelled`, and so does what it raises.
+
+    Returns
+    -------
+    Surface
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError: points of another shape, a coordinate, normal or radius that is none; says which.
+    Cancelled
+        `progress` returned False.
+
+    Examples
+    --------
+    >>> corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> cube = rbpa.surface(corners, "none", radius=2)
+    >>> len(cube.triangles), len(cube.boundary), cube.normals is None
+    (12, 0, True)
+    """
+    array = as_points(points, columns=3)
+    workers = as_threads(threads)
+    automatic = isinstance(radius, str) and radius == "auto"
+    radii = _core.auto_radii(array, workers, progress) if automatic else _as_radii(radius)
+    vectors: Optional[Floats]
+    if normals is None or (isinstance(normals, str) and normals == "estimate"):
+        vectors = _core.estimate_normals(array, 16, workers, progress)
+    elif isinstance(normals, str):
+        if normals != "none":
+            raise InvalidInput(f"normals: found {normals!r}, expected an array of shape (n, 3), 'estimate' or 'none'")
+        if automatic:
+            radii = radii[-1:]
+        elif len(radii) != 1:
+            raise InvalidInput(f"radius: found {len(radii)} radii with normals='none', expected one")
+        vectors = None
+    else:
+        vectors = as_points(normals, "normals", columns=3)
+    return Surface(array, vectors, radii, _core.surface(array, vectors, _not_empty(radii), workers, progress))
+
+
+def _not_empty(radii: Floats) -> Floats:
+    """Where none can be chosen the points are on a line or fewer than three, and there is no triangle at any."""
+    return radii if len(radii) else np.ones(1)
+
+
+def _as_radii(radius: Any) -> Floats:
+    """An array of shape (k,); whether they are radii is for the library to say."""
+    expected = "expected a number > 0, several, ascending, or 'auto'"
+    if isinstance(radius, (bool, np.bool_, str, bytes)):
+        raise InvalidInput(f"radius: found {radius!r}, {expected}")
+    if isinstance(radius, (numbers.Real, np.number)):
+        radius = [radius]
+    try:
+        array = np.asarray(radius)
+    except ValueError:
+        raise InvalidInput(f"radius: found {radius!r}, {expected}") from None
+    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
+        raise InvalidInput(f"radius: found {radius!r}, {expected}")
+    return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+class SurfaceHole:
+    """A boundary curve of a surface, and why it ends there, edge by edge: one of `Surface.holes`. Arrays are read-only.
+
+    Attributes
+    ----------
+    edges : int32 array of shape (k, 2)
+        From point to point along the curve, the surface on the right; each begins where the one before ends.
+    length : float
+        Of all edges, in the units of the points.
+    causes : list of str
+        Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back.
+        "normals disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would
+        touch the inside of what smaller radii have made.
+    triangles : int32 array of shape (k,)
+        The triangles of the surface along the curve.
+    levels : int32 array of shape (k,)
+        The number of the radius of the ball that is meant.
+    next : int32 array of shape (k, 3)
+        The triangle to which the ball comes, the smallest index first.
+    corners : bool array of shape (k, 3)
+        At which corners of it a normal disagrees; or, if blocked, which are inside.
+    """
+
+    def __init__(self, of: dict[str, Any], begin: int, end: int, length: float) -> None:
+        part = slice(begin, end)
+        self.edges: Indices = np.column_stack((of["from"][part], of["to"][part]))
+        self.length = length
+        self.causes = [_RIM_CAUSES[cause] for cause in of["cause"][part]]
+        self.triangles: Indices = of["triangle"][part]
+        self.levels: Indices = of["level"][part]
+        self.next: Indices = of["next"][part]
+        self.corners: npt.NDArray[np.bool_] = of["corners"][part]
+        freeze(self.edges)
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{self.causes.count(cause)} {cause}" for cause in _RIM_CAUSES if cause in self.causes)
+        return f"<rbpa.SurfaceHole of {len(self.edges)} edges, length {self.length}: {counts}>"
+
+
+class Surface:
+    """The surface of points in space: what `surface` returns. Arrays are read-only.
+
+    Attributes
+    ----------
+    points : float64 array of shape (n, 3)
+        The points that were given, the same array where nothing had to be converted. Indices are into it.
+    normals : float64 array of shape (n, 3), or None
+        Those that were given or estimated; None for "none".
+    radii : float64 array of shape (k,)
+        Those that were given or chosen; none where none could be, as the points are on a line or fewer than three.
+    triangles : int32 array of shape (m, 3)
+        The corners of each triangle, counter-clockwise seen from outside, the smallest index first, in lexicographic order.
+    neighbors : int32 array of shape (m, 3)
+        Number k of a triangle is the one across from its corner k, or -1. Two sheets may share an edge between two points;
+        these say which triangles go on in which.
+    levels : int32 array of shape (m,)
+        The number of the radius that made each triangle.
+    boundary : int32 array of shape (b, 2)
+        The sides without a neighbour, the triangle on the left.
+    duplicates : int32 array of shape (d, 2)
+        Points equal to one before them, and that one, which stands for them everywhere.
+    """
+
+    points: Floats
+    normals: Optional[Floats]
+    radii: Floats
+    triangles: Indices
+    neighbors: Indices
+    levels: Indices
+    boundary: Indices
+    duplicates: Indices
+
+    def __init__(self, points: Floats, normals: Optional[Floats], radii: Floats, made: dict[str, Any]) -> None:
+        self.points = points
+        self.normals = normals
+        self.radii = radii.copy()
+        self.__dict__.update(made)
+        freeze(self.radii)
+        self._unchanged = [Unchanged(array) for array in (points, normals) if array is not None]
+
+    def _made(self) -> tuple[Floats, Indices, Indices, Indices, Indices]:
+        for unchanged, array in zip(self._unchanged, (self.points, self.normals)):
+            if array is not None:
+                unchanged.check(array)
+        return _not_empty(self.radii), self.triangles, self.neighbors, self.levels, self.duplicates
+
+    @cached_property
+    def holes(self) -> list[SurfaceHole]:
+        """The boundary curves, of holes and of the rim of it all, each with the cause of every edge. Computed when first
+        asked for."""
+        if self.normals is None:  # closed
+            return []
+        of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
+        begin = of["begin"].tolist()
+        return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist())]
+
+    @cached_property
+    def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
+        return _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
+
+    @property
+    def unused(self) -> Indices:
+        """Distinct points in no triangle, ascending. Computed when first asked for."""
+        return self._unused[0]
+
+    @property
+    def unused_causes(self) -> list[str]:
+        """Why each of `unused` is in none. "no ball rests": the others are too far, or on a line. "hidden": every ball that
+        touches it holds others. "normals disagree" with every triangle there. "blocked" by what smaller radii made."""
+        return [_UNUSED_CAUSES[cause] for cause in self._unused[1]]
+
+    def __repr__(self) -> str:
+        radii = ", ".join(map(str, self.radii.tolist()))
+        return (
+            f"<rbpa.Surface of {len(self.points)} points: radius {radii}, {len(self.triangles)} triangles, "
+            f"{len(self.boundary)} boundary edges, {len(self.duplicates)} duplicates>"
+        )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name not in ("holes", "_unused")}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        freeze(self.radii, self.triangles, self.neighbors, self.levels, self.boundary, self.duplicates)

@@ -1,0 +1,152 @@
+#include "rbpa/space/auto_radii.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <utility>
+
+#include "rbpa/parallel/threads.h"
+#include "rbpa/space/check_input.h"
+#include "rbpa/space/normals/find_nearest.h"
+#include "rbpa/space/normals/fit_plane.h"
+#include "rbpa/space/spacing/tangent_cell.h"
+
+namespace rbpa {
+namespace {
+
+// What follows was chosen by trying: docs/surface_radii.md.
+constexpr std::size_t neighbors = 32;
+constexpr double most_of_all = 0.99, beyond_most = 2;  // of all gaps; a larger one is an exception
+constexpr double margin = 1.25;                        // surfaces are not flat, and not all gaps are seen
+constexpr double ladder = 2;                           // a ball so many times what is needed loses detail
+constexpr double some_of_all = 0.05;                   // of all points, for which a radius of their own is worth while
+constexpr std::size_t most_radii = 4;
+constexpr double none = -1;
+
+/// Of each point, in the order of the neighbourhoods: the gap around it, or none.
+struct Gaps {
+  space::Neighborhoods near;
+  std::vector<double> gap;
+  std::vector<double> least;  // circumradii, for where no gap is closed
+};
+
+/// Neighbours relative to point i, times 2^-exponent so that their squares are no trouble.
+int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3>& result) {
+  const Point3& p = near.points[i];
+  const auto around = near.around(i);
+  const Point3& last = near.points[around.back()];
+  const int exponent = std::ilogb(std::max({std::abs(last.x - p.x), std::abs(last.y - p.y), std::abs(last.z - p.z)}));
+  const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
+  result.clear();
+  for (const std::uint32_t k : around) {
+    const Point3& q = near.points[k];
+    result.push_back({scaled(q.x - p.x), scaled(q.y - p.y), scaled(q.z - p.z)});
+  }
+  return exponent;
+}
+
+Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
+  constexpr std::size_t points_at_a_time = 1024;
+  const std::function<void()> go_on = asking(options.progress, points.size());
+  Threads threads(points.size() < 1000 ? 1 : options.threads);  // few are done before another thread has woken
+  Gaps gaps{space::find_nearest<double>(std::move(points), neighbors, threads, go_on), {}, {}};
+  const std::size_t count = gaps.near.points.size();
+  gaps.gap.assign(count, none);
+  gaps.least.assign(count, none);
+  std::mutex asking_one;
+  for_each_part(threads, count, points_at_a_time, [&](std::size_t first, std::size_t last) {
+    std::vector<Point3> around;
+    for (std::size_t i = first; i < last; ++i) {
+      const int exponent = relative(gaps.near, i, around);
+      // A corner is as far from the points beyond the neighbours, at least, if they are twice as far from this one.
+      const Point3& end = around.back();
+      const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
+      const double reach = around.size() + 1 == count ? farthest : farthest / 2;
+      if (const auto gap = space::gap_around(around, space::fit_plane<double>(gaps.near, i), reach))
+        gaps.gap[i] = std::ldexp(*gap, exponent);
+      if (const auto least = space::nearest_circumradius(around)) gaps.least[i] = std::ldexp(*least, exponent);
+    }
+    if (!go_on) return;
+    const std::lock_guard lock(asking_one);
+    go_on();
+  });
+  return gaps;
+}
+
+/// What the neighbourhood of each point needs, of the gaps up to `largest`; none where there are none.
+std::vector<double> needs(const Gaps& gaps, double largest) {
+  std::vector<double> need(gaps.gap.size(), none);
+  for (std::size_t i = 0; i < need.size(); ++i) {
+    const auto take = [&](std::size_t k) {
+      if (gaps.gap[k] <= largest) need[i] = std::max(need[i], gaps.gap[k]);
+    };
+    take(i);
+    for (const std::uint32_t k : gaps.near.around(i)) take(k);
+  }
+  return need;
+}
+
+std::vector<double> without_none(std::vector<double> values) {
+  std::erase(values, none);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::vector<double> radii_of(const Gaps& gaps) {
+  const std::vector<double> sorted = without_none(gaps.gap);
+  if (sorted.empty()) {
+    const std::vector<double> least = without_none(gaps.least);
+    if (least.empty()) return {};
+    return {margin * least[least.size() / 2]};
+  }
+  const double most = sorted[static_cast<std::size_t>(most_of_all * static_cast<double>(sorted.size() - 1))];
+  const double largest = *(std::upper_bound(sorted.begin(), sorted.end(), beyond_most * most) - 1);
+  std::vector<double> need = without_none(needs(gaps, largest)), radii;
+  const auto some = static_cast<std::size_t>(some_of_all * static_cast<double>(need.size()));
+  // Farther apart where the densities are too many for them.
+  const double step = std::max(ladder, std::pow(need.back() / need[some], 1.0 / (most_radii - 1)));
+  while (radii.size() < most_radii && need.size() > some) {
+    radii.push_back(margin * need.back());
+    need.erase(std::lower_bound(need.begin(), need.end(), need.back() / step), need.end());
+  }
+  std::reverse(radii.begin(), radii.end());
+  return radii;
+}
+
+}  // namespace
+
+std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options) {
+  space::check_points(points);
+  double greatest = 0;
+  for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (greatest == 0) return {};
+  // So that the largest coordinate is about 1: what is 1e-160 times that is all the same here.
+  const int exponent = std::ilogb(greatest);
+  const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
+  std::vector<Point3> distinct;
+  distinct.reserve(points.size());
+  for (const Point3& p : points) distinct.push_back({scaled(p.x), scaled(p.y), scaled(p.z)});
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  if (distinct.size() < 3) return {};
+  std::vector<double> radii = radii_of(gaps_of(std::move(distinct), options));
+  for (double& radius : radii) radius = std::ldexp(radius, exponent);
+  std::erase_if(radii, [](double radius) { return radius == 0 || std::isinf(radius); });
+  return radii;
+}
+
+std::optional<double> radius_with_triangles(std::span<const Point3> points, std::span<const Point3> normals,
+                                            const SurfaceOptions& options) {
+  if (!normals.empty()) space::check_normals(points, normals);
+  for (const double radius : auto_radii(points, options)) {
+    const Surface surface =
+        normals.empty() ? exposed_triangles(points, radius, options) : rbpa::surface(points, normals, radius, options);
+    if (!surface.triangles.empty()) return radius;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rbpa

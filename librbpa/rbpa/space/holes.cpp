@@ -1,0 +1,162 @@
+#include "rbpa/space/holes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "meshops/core/contract.h"
+#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/shape/boundary_walk.h"
+#include "rbpa/space/check_input.h"
+#include "rbpa/space/levels/excerpt.h"
+#include "rbpa/space/levels/interior.h"
+#include "rbpa/space/levels/part_below.h"
+#include "rbpa/space/predicate/agreement.h"
+
+namespace rbpa {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// With edges that have their triangle and ends, and no cause yet.
+std::vector<Hole> curves_of(const Surface& surface) {
+  std::vector<Hole> curves;
+  BoundaryWalk walk(space::arrays_of(surface));
+  const auto place = [](const RimEdge& e) { return std::tie(e.from, e.to, e.triangle); };
+  const auto is_before = [&](const RimEdge& e, const RimEdge& f) { return place(e) < place(f); };
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t across = 0; across < 3; ++across) {
+      if (!walk.is_new({t, across})) continue;
+      auto& edges = curves.emplace_back().edges;
+      walk.walk_from({t, across}, [&](const BoundarySide& side) {
+        const Triangle& corners = surface.triangles[side.triangle];
+        RimEdge& edge = edges.emplace_back();
+        edge.from = corners[(side.across + 2) % 3];
+        edge.to = corners[(side.across + 1) % 3];
+        edge.triangle = side.triangle;
+      });
+      std::rotate(edges.begin(), std::min_element(edges.begin(), edges.end(), is_before), edges.end());
+    }
+  std::sort(curves.begin(), curves.end(),
+            [&](const Hole& h, const Hole& i) { return is_before(h.edges.front(), i.edges.front()); });
+  return curves;
+}
+
+/// The same to the last bit wherever the curve begins.
+double length_of(const Hole& curve, std::span<const Point3> points) {
+  std::vector<double> lengths;
+  for (const RimEdge& e : curve.edges) {
+    const Point3 &p = points[e.from], &q = points[e.to];
+    lengths.push_back(std::hypot(q.x - p.x, q.y - p.y, q.z - p.z));
+  }
+  std::sort(lengths.begin(), lengths.end());
+  double sum = 0;
+  for (const double length : lengths) sum += length;
+  return sum;
+}
+
+/// The exposed triangles of one radius at points of the rim.
+class Exposed {
+ public:
+  Exposed(std::span<const Point3> points, std::span<const Duplicate> duplicates,
+          const std::vector<std::uint8_t>& at_rim, double radius, const SurfaceOptions& options) {
+    space::Excerpt near = space::excerpt(points, {}, duplicates, at_rim, radius);
+    exposed_ = exposed_triangles(near.points, radius, options);
+    for (Triangle& triangle : exposed_.triangles)
+      for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still
+  }
+
+  /// Where the ball comes from a triangle over the side from `to` to `from`; nothing where it does not rest on it.
+  std::optional<Triangle> next(const Triangle& triangle, const RimEdge& edge) const {
+    const auto& all = exposed_.triangles;
+    const auto found = std::lower_bound(all.begin(), all.end(), triangle);
+    if (found == all.end() || *found != triangle) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (triangle[k] != edge.from && triangle[k] != edge.to)
+        return all[exposed_.neighbors[static_cast<std::size_t>(found - all.begin())][k]];
+    return std::nullopt;  // never
+  }
+
+ private:
+  Surface exposed_;
+};
+
+/// Requires: the ball comes to edge.next.
+void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
+  edge.corners = agreement.disagreeing(edge.next);
+  const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);
+  if (disagreeing == 3) {
+    edge.cause = RimCause::nothing_within_reach;  // also where `next` is the same triangle from behind
+  } else if (disagreeing > 0) {
+    edge.cause = RimCause::normals_disagree;
+  } else {
+    edge.cause = RimCause::blocked;
+    bool is_blocked = false;
+    for (std::size_t k = 0; k < 3 && smaller; ++k) {
+      const std::uint32_t u = edge.next[(k + 1) % 3], v = edge.next[(k + 2) % 3];
+      edge.corners[k] = smaller->has_point(edge.next[k]);
+      edge.sides[k] = !smaller->has_point(u) && !smaller->has_point(v) && smaller->has_edge(u, v);
+      is_blocked = is_blocked || edge.corners[k] || edge.sides[k];
+    }
+    if (!is_blocked)
+      throw meshops::ContractViolation("holes: triangle " + std::to_string(edge.triangle) +
+                                       " has a boundary side where the surface of these points goes on");
+  }
+}
+
+}  // namespace
+
+std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,
+                        const Surface& surface, const SurfaceOptions& options) {
+  space::check_radii(radii);
+  space::check_points(points);
+  space::check_normals(points, normals);
+  require_linked(space::arrays_of(surface), points.size());
+  const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
+  meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
+                   "holes: expected a level of each triangle");
+
+  std::vector<Hole> curves = curves_of(surface);
+  std::vector<RimEdge*> open;
+  for (Hole& curve : curves) {
+    curve.length = length_of(curve, points);
+    for (RimEdge& edge : curve.edges) open.push_back(&edge);
+  }
+  const space::Agreement agreement(points, normals, surface.duplicates);
+  for (std::size_t i = radii.size(); i > 0 && !open.empty(); --i) {
+    const auto level = static_cast<std::uint32_t>(i - 1);
+    std::vector<std::uint8_t> at_rim(points.size(), 0);
+    for (const RimEdge* edge : open)
+      if (level_of(edge->triangle) <= level) at_rim[edge->from] = at_rim[edge->to] = 1;
+    const Exposed exposed(points, surface.duplicates, at_rim, radii[level], options);
+    std::optional<space::Interior> smaller;
+    if (level > 0) {
+      const Surface part = space::part_below(level, surface);
+      smaller.emplace(space::arrays_of(part), points.size());
+    }
+    std::erase_if(open, [&](RimEdge* edge) {
+      if (level_of(edge->triangle) > level) return false;
+      const Triangle& triangle = surface.triangles[edge->triangle];
+      const auto next = exposed.next(triangle, *edge);
+      if (!next) return false;
+      edge->level = level;
+      edge->next = *next;
+      explain(*edge, agreement, smaller);
+      return true;
+    });
+  }
+  if (!open.empty())
+    throw meshops::ContractViolation("holes: no ball of its radius rests on triangle " +
+                                     std::to_string(open.front()->triangle));
+  return curves;
+}
+
+std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, double radius,
+                        const Surface& surface, const SurfaceOptions& options) {
+  return holes(points, normals, std::span(&radius, 1), surface, options);
+}
+
+}  // namespace rbpa

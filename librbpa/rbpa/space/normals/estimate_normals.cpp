@@ -1,0 +1,96 @@
+#include "rbpa/space/normals/estimate_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "rbpa/core/error.h"
+#include "rbpa/space/check_input.h"
+#include "rbpa/space/normals/find_nearest.h"
+#include "rbpa/space/normals/fit_plane.h"
+#include "rbpa/space/normals/orient_normals.h"
+#include "rbpa/space/search/scale.h"
+
+namespace rbpa {
+namespace {
+
+/// The distinct points, ascending, and which of them each input point is.
+struct Distinct {
+  std::vector<Point3> points;
+  std::vector<std::uint32_t> number;
+};
+
+Distinct distinct(std::span<const Point3> points) {
+  struct Numbered {
+    Point3 at;
+    std::uint32_t index;
+  };
+  std::vector<Numbered> sorted;
+  sorted.reserve(points.size());
+  for (const Point3& p : points) sorted.push_back({p, static_cast<std::uint32_t>(sorted.size())});
+  std::sort(sorted.begin(), sorted.end(), [](const Numbered& p, const Numbered& q) { return p.at < q.at; });
+  Distinct found;
+  found.number.resize(points.size());
+  for (const Numbered& p : sorted) {
+    if (found.points.empty() || found.points.back() != p.at) found.points.push_back(p.at);
+    found.number[p.index] = static_cast<std::uint32_t>(found.points.size() - 1);
+  }
+  return found;
+}
+
+/// Multiplies by a power of two where that brings the points to where squares fit double; otherwise says no.
+bool fit_double(std::vector<Point3>& points) {
+  double greatest = 0;
+  for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (greatest == 0) return true;
+  const std::optional<int> exponent = space::scale_to_double(points, greatest);
+  if (!exponent) return false;
+  if (*exponent != 0)
+    for (Point3& p : points) p = {std::ldexp(p.x, *exponent), std::ldexp(p.y, *exponent), std::ldexp(p.z, *exponent)};
+  return true;
+}
+
+/// Of each of the points, by number.
+template <typename Real>
+std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& options) {
+  constexpr std::size_t points_at_a_time = 4096;
+  const std::function<void()> go_on = asking(options.progress, points.size());
+  Threads threads(points.size() < 1000 ? 1 : options.threads);  // few are done before another thread has woken
+  space::Neighborhoods near = space::find_nearest<Real>(std::move(points), options.neighbors, threads, go_on);
+  std::vector<Point3> normals(near.points.size());
+  std::mutex asking_one;
+  for_each_part(threads, normals.size(), points_at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) normals[i] = space::fit_plane<Real>(near, i);
+    if (!go_on) return;
+    const std::lock_guard lock(asking_one);
+    go_on();
+  });
+  space::orient_normals<Real>(near, normals, go_on);
+  std::vector<Point3> by_number(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) by_number[i] = normals[near.place[i]];
+  return by_number;
+}
+
+}  // namespace
+
+std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options) {
+  space::check_points(points);
+  if (options.neighbors < 2)
+    throw InvalidInput("normals from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
+  if (points.empty()) return {};
+  Distinct sites = distinct(points);
+  const bool fits = fit_double(sites.points);
+  const std::vector<Point3> normals = fits ? normals_of<double>(std::move(sites.points), options)
+                                           : normals_of<long double>(std::move(sites.points), options);
+  std::vector<Point3> result;
+  result.reserve(points.size());
+  for (const std::uint32_t number : sites.number) result.push_back(normals[number]);
+  return result;
+}
+
+}  // namespace rbpa

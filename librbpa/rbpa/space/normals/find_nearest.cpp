@@ -1,0 +1,147 @@
+#include "rbpa/space/normals/find_nearest.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <mutex>
+#include <nanoflann.hpp>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+namespace rbpa::space {
+namespace {
+
+/// A long double as nanoflann can keep it: it hands out memory that is aligned for double.
+class Unaligned {
+ public:
+  Unaligned(long double value = 0) { std::memcpy(bytes_.data(), &value, sizeof value); }
+  operator long double() const {
+    long double value;
+    std::memcpy(&value, bytes_.data(), sizeof value);
+    return value;
+  }
+  Unaligned& operator+=(const Unaligned& other) { return *this = Unaligned(*this + static_cast<long double>(other)); }
+
+ private:
+  std::array<std::byte, sizeof(long double)> bytes_;
+};
+
+template <typename Real>
+using Stored = std::conditional_t<std::is_same_v<Real, double>, double, Unaligned>;
+
+/// What nanoflann asks of a set of points.
+template <typename Real>
+struct Cloud {
+  std::vector<Point3> points;
+
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  Stored<Real> kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    const Point3& p = points[i];
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  }
+  template <typename Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;  // it finds its own
+  }
+};
+
+template <typename Real>
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Stored<Real>, Cloud<Real>>, Cloud<Real>,
+                                                 3, std::uint32_t>;
+
+/// The nearest points so far, one of them left out. nanoflann's own keeps whichever of equal distances came first.
+template <typename Real>
+class Nearest {
+ public:
+  using DistanceType = Stored<Real>;
+  Nearest(const std::vector<Point3>& points, std::size_t count) : points_(points), found_(count) {}
+
+  void begin(std::uint32_t self) {
+    self_ = self;
+    size_ = 0;
+  }
+  std::uint32_t operator[](std::size_t i) const { return found_[i].point; }
+
+  bool full() const { return size_ == found_.size(); }
+  /// What is as far as this is not looked at: equal distances must be, and the tree adds up its bounds with roundings.
+  DistanceType worstDist() const {
+    return full() ? found_.back().distance * (1 + Real(0x1p-40)) : std::numeric_limits<Real>::infinity();
+  }
+  bool addPoint(Real distance, std::uint32_t point) {
+    const Found next = {distance, point};
+    if (point == self_ || (full() && !is_before(next, found_.back()))) return true;
+    std::size_t i = full() ? size_ - 1 : size_++;
+    for (; i > 0 && is_before(next, found_[i - 1]); --i) found_[i] = found_[i - 1];
+    found_[i] = next;
+    return true;
+  }
+
+ private:
+  struct Found {
+    Real distance;
+    std::uint32_t point;
+  };
+  bool is_before(const Found& p, const Found& q) const {
+    return p.distance != q.distance ? p.distance < q.distance : points_[p.point] < points_[q.point];
+  }
+
+  const std::vector<Point3>& points_;
+  std::uint32_t self_ = 0;
+  std::size_t size_ = 0;
+  std::vector<Found> found_;
+};
+
+/// Puts the points in the order of the leaves, so that a leaf's are side by side. Returns where each has gone.
+template <typename Real>
+std::vector<std::uint32_t> follow_leaves(Cloud<Real>& cloud, Tree<Real>& tree) {
+  std::vector<Point3> in_order(cloud.points.size());
+  std::vector<std::uint32_t> place(cloud.points.size());
+  for (std::size_t i = 0; i < in_order.size(); ++i) {
+    in_order[i] = cloud.points[tree.vAcc[i]];
+    place[tree.vAcc[i]] = static_cast<std::uint32_t>(i);
+  }
+  cloud.points = std::move(in_order);
+  std::iota(tree.vAcc.begin(), tree.vAcc.end(), std::uint32_t{0});
+  return place;
+}
+
+}  // namespace
+
+template <typename Real>
+Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
+                           const std::function<void()>& go_on) {
+  constexpr std::size_t points_at_a_time = 1024;
+  Cloud<Real> cloud{std::move(points)};
+  Tree<Real> tree(3, cloud);
+  Neighborhoods found;
+  found.place = follow_leaves(cloud, tree);
+  found.count = std::min(count, cloud.points.size() - 1);
+  if (found.count > 0) {
+    found.nearest.resize(found.count * cloud.points.size());
+    std::mutex asking;
+    for_each_part(threads, cloud.points.size(), points_at_a_time, [&](std::size_t first, std::size_t last) {
+      Nearest<Real> nearest(cloud.points, found.count);
+      for (std::size_t i = first; i < last; ++i) {
+        const Point3& p = cloud.points[i];
+        const std::array<Stored<Real>, 3> at = {p.x, p.y, p.z};
+        nearest.begin(static_cast<std::uint32_t>(i));
+        tree.findNeighbors(nearest, at.data(), {});
+        for (std::size_t k = 0; k < found.count; ++k) found.nearest[i * found.count + k] = nearest[k];
+      }
+      if (!go_on) return;
+      const std::lock_guard lock(asking);
+      go_on();
+    });
+  }
+  found.points = std::move(cloud.points);
+  return found;
+}
+
+template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const std::function<void()>&);
+template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&,
+                                                 const std::function<void()>&);
+
+}  // namespace rbpa::space

@@ -1,0 +1,64 @@
+#include "rbpa/space/normals/fit_plane.h"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace rbpa::space {
+namespace {
+
+template <typename Real>
+using Vector = Eigen::Matrix<Real, 3, 1>;
+
+template <typename Real>
+Vector<Real> difference(const Point3& p, const Point3& q) {
+  return {Real(q.x) - Real(p.x), Real(q.y) - Real(p.y), Real(q.z) - Real(p.z)};
+}
+
+/// −0 becomes 0.
+Point3 point(const Eigen::Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
+
+/// The direction across a line, given by a unit vector, that is nearest to the z axis, or to the y axis.
+Eigen::Vector3d across(const Eigen::Vector3d& line) {
+  constexpr double parallel = 0x1p-20;
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+  if (std::hypot(line.x(), line.y()) > parallel) return (z - line.z() * line).normalized();
+  const Eigen::Vector3d direction = line.cross(x).normalized();
+  return direction.y() < 0 ? Eigen::Vector3d(-direction) : direction;
+}
+
+}  // namespace
+
+template <typename Real>
+Point3 fit_plane(const Neighborhoods& points, std::size_t i) {
+  const Point3& at = points.points[i];
+  const auto around = points.around(i);
+  if (around.empty()) return {0, 0, 1};
+  // By a power of two, so that what is squared is about 1 however near the points are. The last is the farthest.
+  const int exponent =
+      std::ilogb(difference<Real>(at, points.points[around.back()]).template lpNorm<Eigen::Infinity>());
+  const Real scale = std::ldexp(Real(1), -exponent);
+  const auto each = [&](auto visit) {
+    visit(Eigen::Vector3d(Eigen::Vector3d::Zero()));
+    for (const std::uint32_t p : around)
+      visit(Eigen::Vector3d((difference<Real>(at, points.points[p]) * scale).template cast<double>()));
+  };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  each([&](const Eigen::Vector3d& d) { sum += d; });
+  const Eigen::Vector3d centroid = sum / static_cast<double>(around.size() + 1);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  each([&](const Eigen::Vector3d& d) {
+    const Eigen::Vector3d e = d - centroid;
+    covariance.noalias() += e * e.transpose();
+  });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
+  constexpr double rounding = 0x1p-48;                   // of the covariance, times the few that are added
+  if (spread[1] <= rounding * spread[2]) return point(across(solver.eigenvectors().col(2)));
+  return point(solver.eigenvectors().col(0));
+}
+
+template Point3 fit_plane<double>(const Neighborhoods&, std::size_t);
+template Point3 fit_plane<long double>(const Neighborhoods&, std::size_t);
+
+}  // namespace rbpa::space

@@ -1,0 +1,191 @@
+#include "rbpa/space/normals/orient_normals.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace rbpa::space {
+namespace {
+
+using Number = std::uint32_t;
+using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                                 boost::no_property, Number, std::size_t>;
+
+Point3 turned(const Point3& n) { return {0.0 - n.x, 0.0 - n.y, 0.0 - n.z}; }
+
+/// What an edge between two points says of their normals.
+struct Comparison {
+  double agreement;  ///< above 0: on one side, below: on different sides; of 1 or −1 there is no doubt
+  double tilt;       ///< 0 where the edge lies in both planes, 2 where it stands on both
+};
+
+/// The arc of a circle on both points has normals that are each other's reflections across the plane in their middle. So
+/// the edge from one side of a thin sheet to the other tells of opposite sides, and that around a sharp edge of the same.
+template <typename Real>
+Comparison compare(const Point3& p, const Point3& m, const Point3& q, const Point3& n) {
+  const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);
+  const Real length = x * x + y * y + z * z;
+  const Real along_m = x * m.x + y * m.y + z * m.z, along_n = x * n.x + y * n.y + z * n.z;
+  const double product = m.x * n.x + m.y * n.y + m.z * n.z;
+  return {product - static_cast<double>(2 * (along_m * along_n) / length),
+          static_cast<double>((along_m * along_m + along_n * along_n) / length)};
+}
+
+/// A spanning tree takes edges of little weight first: of little doubt, and along the surface rather than across, which
+/// with noise can be anything.
+double weight(const Comparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
+
+/// Of each component of the graph the point that is turned first, its normal turned outward.
+class Seeds {
+ public:
+  Seeds(const Neighborhoods& points, std::span<Point3> normals) : points_(points), normals_(normals) {}
+
+  std::vector<Number> find() {
+    const std::size_t size = points_.points.size();
+    std::vector<Number> rank(size), parent(size);
+    const auto map = [](std::vector<Number>& values) {
+      return boost::make_iterator_property_map(values.begin(), boost::identity_property_map());
+    };
+    boost::disjoint_sets sets(map(rank), map(parent));
+    for (Number i = 0; i < size; ++i) sets.make_set(i);
+    for (Number i = 0; i < size; ++i)
+      for (const Number j : points_.around(i)) sets.union_set(i, j);
+
+    std::vector<Number> component(size);  // of each root
+    std::vector<Extremes> extremes;
+    for (Number i = 0; i < size; ++i)
+      if (sets.find_set(i) == i) {
+        component[i] = static_cast<Number>(extremes.size());
+        extremes.push_back({i, i, i, i, i, i});
+      }
+    for (Number i = 0; i < size; ++i) {
+      Extremes& of_component = extremes[component[sets.find_set(i)]];
+      for (std::size_t d = 0; d < of_component.size(); ++d)
+        if (is_farther(i, of_component[d], d)) of_component[d] = i;
+    }
+    std::vector<Number> seeds;
+    for (const Extremes& of_component : extremes) seeds.push_back(turn_one(of_component));
+    return seeds;
+  }
+
+ private:
+  using Extremes = std::array<Number, 6>;  // in directions +z, −z, +y, −y, +x, −x
+
+  static double along(const Point3& p, std::size_t direction) {
+    const double coordinate = direction < 2 ? p.z : direction < 4 ? p.y : p.x;
+    return direction % 2 == 0 ? coordinate : -coordinate;
+  }
+  bool is_farther(Number i, Number j, std::size_t direction) const {
+    const double a = along(points_.points[i], direction), b = along(points_.points[j], direction);
+    if (a != b) return a > b;
+    const double m = std::abs(along(normals_[i], direction)), n = std::abs(along(normals_[j], direction));
+    return m != n ? m > n : points_.points[i] > points_.points[j];
+  }
+  Number turn_one(const Extremes& extremes) {
+    const auto certainty = [&](std::size_t d) { return std::abs(along(normals_[extremes[d]], d)); };
+    std::size_t best = 0;
+    for (std::size_t d = 0; d < extremes.size(); ++d) {
+      if (certainty(d) > certainty(best)) best = d;
+      if (certainty(d) >= 0.5) {
+        best = d;
+        break;
+      }
+    }
+    Point3& normal = normals_[extremes[best]];
+    if (along(normal, best) < 0) normal = turned(normal);
+    return extremes[best];
+  }
+
+  const Neighborhoods& points_;
+  std::span<Point3> normals_;
+};
+
+/// Both ways between each point and its nearest; and one more vertex, the root, from which seeds are reached.
+Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
+  const auto root = static_cast<Number>(points.points.size());
+  const auto for_each_edge = [&](auto visit) {
+    for (Number i = 0; i < root; ++i)
+      for (const Number j : points.around(i)) {
+        visit(i, j);
+        const auto back = points.around(j);
+        if (std::find(back.begin(), back.end(), i) == back.end()) visit(j, i);
+      }
+    for (const Number seed : seeds) visit(root, seed);
+  };
+  std::vector<std::size_t> begin(root + std::size_t{2});
+  for_each_edge([&](Number from, Number) { ++begin[from + std::size_t{1}]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::pair<Number, Number>> edges(begin.back());  // by where they start
+  for_each_edge([&](Number from, Number to) { edges[begin[from]++] = {from, to}; });
+  return {boost::edges_are_sorted, edges.begin(), edges.end(), root + Number{1}, edges.size()};
+}
+
+/// Turns what the tree comes to as that from which it came says.
+template <typename Real>
+class Turn : public boost::default_dijkstra_visitor {
+ public:
+  Turn(const Neighborhoods& points, std::span<Point3> normals, const std::vector<Number>& from,
+       const std::function<void()>& go_on)
+      : points_(points), normals_(normals), from_(from), go_on_(go_on) {}
+
+  void examine_vertex(Number v, const Graph&) {
+    const Number u = from_[v];
+    const std::size_t root = points_.points.size();
+    if (v != root && u != root &&
+        compare<Real>(points_.points[u], normals_[u], points_.points[v], normals_[v]).agreement < 0)
+      normals_[v] = turned(normals_[v]);
+    constexpr Number vertices_at_a_time = 4096;
+    if (go_on_ && ++count_ % vertices_at_a_time == 0) go_on_();
+  }
+
+ private:
+  const Neighborhoods& points_;
+  std::span<Point3> normals_;
+  const std::vector<Number>& from_;
+  const std::function<void()>& go_on_;
+  Number count_ = 0;
+};
+
+}  // namespace
+
+template <typename Real>
+void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on) {
+  const Graph graph = graph_of(points, Seeds(points, normals).find());
+  const auto root = static_cast<Number>(points.points.size());
+  std::vector<Number> from(root + std::size_t{1});
+  std::iota(from.begin(), from.end(), Number{0});
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> least(from.size(), infinity);
+  least[root] = 0;
+  std::vector<boost::default_color_type> color(from.size(), boost::white_color);
+  const auto index = boost::get(boost::vertex_index, graph);
+  const auto map = [&](auto& values) { return boost::make_iterator_property_map(values.begin(), index); };
+  const auto weight_of = [&](const boost::graph_traits<Graph>::edge_descriptor& edge) {
+    const Number u = boost::source(edge, graph), v = boost::target(edge, graph);
+    return u == root ? 0.0 : weight(compare<Real>(points.points[u], normals[u], points.points[v], normals[v]));
+  };
+  // Prim's algorithm as Boost.Graph has it: that of Dijkstra, where a distance is the last edge's weight alone. Turning a
+  // normal does not change a weight.
+  boost::dijkstra_shortest_paths_no_init(
+      graph, root, map(from), map(least),
+      boost::make_function_property_map<boost::graph_traits<Graph>::edge_descriptor, double>(weight_of), index,
+      std::less<>(), [](double, double last) { return last; }, 0.0, Turn<Real>(points, normals, from, go_on),
+      map(color));
+}
+
+template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&);
+template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&);
+
+}  // namespace rbpa::space

@@ -1,0 +1,167 @@
+#include "rbpa/space/rolling_ball.h"
+
+#include <algorithm>
+
+#include "meshops/core/contract.h"
+#include "rbpa/core/duplicate.h"
+#include "rbpa/space/check_input.h"
+#include "rbpa/space/pivot/roll_about_edge.h"
+#include "rbpa/space/predicate/agreement.h"
+#include "rbpa/space/search/cells.h"
+#include "rbpa/space/search/scaled_points.h"
+#include "rbpa/space/star/find_rings.h"
+
+namespace rbpa {
+namespace {
+
+using space::Cells;
+
+constexpr space::Site none = 0xffffffff;
+
+/// Of each input point the site it stands for, none for duplicates.
+std::vector<space::Site> sites_of(const Cells& cells, std::size_t points) {
+  std::vector<space::Site> site(points, none);
+  for (space::Site s = 0; s < cells.sites().size(); ++s) site[cells.input_index()[s]] = s;
+  return site;
+}
+
+std::vector<Duplicate> duplicates_of(const Cells& cells) {
+  std::vector<Duplicate> duplicates;
+  for (const auto& [site, index] : cells.equals()) duplicates.push_back({index, cells.input_index()[site]});
+  return duplicates;
+}
+
+Cells cells_of(const space::ScaledPoints& scaled) {
+  Threads threads;
+  return Cells(scaled.points(), scaled.radius(), threads);
+}
+
+}  // namespace
+
+class RollingBall::Inside {
+ public:
+  Inside(std::span<const Point3> points, std::span<const Point3> normals, double radius)
+      : Inside(points, normals, space::ScaledPoints(points, radius)) {}
+
+  std::size_t points() const { return points_.size(); }
+
+  std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (site(a) == none || site(b) == none || site(c) == none || a == b) return std::nullopt;
+    return fits_double_ ? roll<double>(a, b, c) : roll<long double>(a, b, c);
+  }
+  std::vector<Triangle> triangles_from(std::uint32_t first) const {
+    meshops::require(first < points(), "RollingBall: no such point");
+    const space::Site v = site(first);
+    if (v == none) return {};
+    space::RingFinder finder;
+    space::Rings rings;
+    finder.find(cells_, fits_double_, v, v + 1, rings);
+    std::vector<Triangle> found;
+    const auto index = cells_.input_index();
+    for (auto cycle = rings.points.begin(); cycle != rings.points.end();) {
+      const auto end = std::find(cycle, rings.points.end(), space::Rings::end_of_cycle);
+      for (auto x = cycle, y = end - 1; x != end; y = x++)
+        if (index[*x] > first && index[*y] > first) found.push_back({first, index[*x], index[*y]});
+      cycle = end + 1;
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+  bool agrees(const Triangle& triangle) const {
+    for (const std::uint32_t corner : triangle) meshops::require(corner < points(), "RollingBall: no such point");
+    const auto disagreeing = agreement_.disagreeing(triangle);
+    return std::find(disagreeing.begin(), disagreeing.end(), true) == disagreeing.end();
+  }
+
+ private:
+  Inside(std::span<const Point3> points, std::span<const Point3> normals, const space::ScaledPoints& scaled)
+      : points_(points.begin(), points.end()),
+        normals_(normals.begin(), normals.end()),
+        cells_(cells_of(scaled)),
+        fits_double_(scaled.fits_double()),
+        site_(sites_of(cells_, points.size())),
+        agreement_(points_, normals_, duplicates_of(cells_)) {}
+
+  /// What a ball that touches a point can touch or hold besides, nearest first.
+  struct Near {
+    std::vector<Point3> points;
+    std::vector<std::uint32_t> input;
+  };
+
+  space::Site site(std::uint32_t index) const { return index < points() ? site_[index] : none; }
+
+  template <typename Real>
+  Near near_to(std::uint32_t index) const {
+    struct Distance {
+      Real square;  // rounded
+      space::Site site;
+    };
+    const space::Site at = site(index);
+    const std::span<const Point3> sites = cells_.sites();
+    // Rounded outward, by more than the roundings of a distance.
+    const Real radius = cells_.radius(), farthest = 4 * radius * radius * (1 + Real(0x1p-40));
+    std::vector<Distance> found;
+    Cells::Around(cells_).for_each_run(cells_.cell_of(at), [&](space::Site first, space::Site last) {
+      for (space::Site p = first; p < last; ++p) {
+        const space::Vector3<Real> d = space::from<Real>(sites[at], sites[p]);
+        const Real square = space::dot(d, d);
+        if (p != at && !(square > farthest)) found.push_back({square, p});
+      }
+    });
+    std::sort(found.begin(), found.end(), [](const Distance& p, const Distance& q) {
+      return p.square != q.square ? p.square < q.square : p.site < q.site;
+    });
+    Near near;
+    for (const Distance& p : found) {
+      near.points.push_back(sites[p.site]);
+      near.input.push_back(cells_.input_index()[p.site]);
+    }
+    return near;
+  }
+
+  template <typename Real>
+  std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const Near near = near_to<Real>(a);
+    const auto found = std::find(near.input.begin(), near.input.end(), b);
+    if (found == near.input.end()) return std::nullopt;
+    const auto end = static_cast<std::size_t>(found - near.input.begin());
+    std::optional<std::uint32_t> touched;
+    space::EdgeRoll<Real>(cells_.sites()[site(a)], end, cells_.radius(), near.points)
+        .for_each_free_arc([&](std::size_t left, std::size_t p) {
+          if (near.input[left] == c) touched = near.input[p];
+        });
+    return touched;
+  }
+
+  std::vector<Point3> points_, normals_;
+  Cells cells_;
+  bool fits_double_;
+  std::vector<space::Site> site_;  // of each input index
+  space::Agreement agreement_;
+};
+
+RollingBall::RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius) {
+  space::check_radius(radius);
+  space::check_points(points);
+  space::check_normals(points, normals);
+  inside_ = std::make_unique<const Inside>(points, normals, radius);
+}
+RollingBall::RollingBall(std::span<const Point3> points, double radius) {
+  space::check_radius(radius);
+  space::check_points(points);
+  inside_ = std::make_unique<const Inside>(points, std::span<const Point3>(), radius);
+}
+RollingBall::RollingBall(RollingBall&&) noexcept = default;
+RollingBall& RollingBall::operator=(RollingBall&&) noexcept = default;
+RollingBall::~RollingBall() = default;
+
+std::size_t RollingBall::points() const { return inside_->points(); }
+std::optional<std::uint32_t> RollingBall::roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return inside_->roll(a, b, c);
+}
+std::vector<RollingBall::Triangle> RollingBall::triangles_from(std::uint32_t first) const {
+  return inside_->triangles_from(first);
+}
+bool RollingBall::agrees(const Triangle& triangle) const { return inside_->agrees(triangle); }
+
+}  // namespace rbpa

@@ -1,0 +1,130 @@
+#include "rbpa/space/unused.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "meshops/core/contract.h"
+#include "rbpa/space/check_input.h"
+#include "rbpa/space/levels/excerpt.h"
+#include "rbpa/space/predicate/agreement.h"
+#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/search/cells.h"
+
+namespace rbpa {
+namespace {
+
+/// The distinct points that are in no triangle.
+std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& surface) {
+  std::vector<std::uint8_t> is_used(points, 0);
+  for (const auto& triangle : surface.triangles)
+    for (const std::uint32_t corner : triangle) {
+      meshops::require(corner < points, "unused_points: expected triangles of these points");
+      is_used[corner] = 1;
+    }
+  for (const Duplicate& d : surface.duplicates) is_used[d.index] = 1;
+  std::vector<UnusedPoint> unused;
+  for (std::uint32_t i = 0; i < points; ++i)
+    if (is_used[i] == 0) unused.push_back({i, UnusedCause::no_ball_rests});
+  return unused;
+}
+
+/// Raises the causes to what the exposed triangles of one radius say. Points that are `wanted` are unused, and their causes
+/// are not the last yet.
+void ask_exposed(const space::Excerpt& near, const Surface& exposed, const space::Agreement& agreement,
+                 const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes) {
+  for (const auto& local : exposed.triangles) {
+    const std::array triangle = {near.input[local[0]], near.input[local[1]], near.input[local[2]]};
+    if (std::none_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) { return wanted[i] != 0; })) continue;
+    const auto disagreeing = agreement.disagreeing(triangle);
+    const bool agrees = std::find(disagreeing.begin(), disagreeing.end(), true) == disagreeing.end();
+    for (const std::uint32_t i : triangle)
+      causes[i] = std::max(causes[i], agrees ? UnusedCause::blocked : UnusedCause::normals_disagree);
+  }
+}
+
+/// Whether every ball that touches points[v] holds one of the others, where no ball rests on it that is empty: the balls that
+/// touch it and its nearest as well are all held then, or all free (docs/surface_holes.md, section 3).
+/// Requires: distinct points; those of some cells are all that such balls can touch.
+bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
+  using Real = long double;
+  std::uint32_t nearest = v;
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const std::uint32_t p : around) {
+    const space::Vector3<Real> d = space::from<Real>(points[v], points[p]);
+    const Real distance = space::dot(d, d);
+    if (p == v || !(distance < least || (distance == least && points[p] < points[nearest]))) continue;
+    nearest = p;
+    least = distance;
+  }
+  if (nearest == v) return false;
+  return std::any_of(around.begin(), around.end(), [&](std::uint32_t p) {
+    return p != v && p != nearest && space::Ball<Real>(points[v], points[nearest], points[p], radius).rests();
+  });
+}
+
+/// Tells hidden points from those that no ball rests on, of what is in the excerpt.
+void ask_nearest(const space::Excerpt& near, const Surface& exposed, double radius, std::vector<UnusedCause>& causes,
+                 const std::vector<std::uint8_t>& wanted) {
+  std::vector<std::uint8_t> is_distinct(near.points.size(), 1);
+  for (const Duplicate& d : exposed.duplicates) is_distinct[d.index] = 0;
+  std::vector<Point3> places;
+  std::vector<std::uint32_t> input;
+  for (std::size_t i = 0; i < near.points.size(); ++i)
+    if (is_distinct[i] != 0) {
+      places.push_back(near.points[i]);
+      input.push_back(near.input[i]);
+    }
+  Threads threads;
+  const space::Cells cells(places, radius, threads);
+  const auto index_of = [&](space::Site site) { return input[cells.input_index()[site]]; };
+  space::Cells::Around around_cell(cells);
+  std::vector<space::Site> around;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    around.clear();
+    for (space::Site v = cells.first_in(cell); v < cells.first_in(cell + 1); ++v) {
+      const std::uint32_t index = index_of(v);
+      if (wanted[index] == 0 || causes[index] != UnusedCause::no_ball_rests) continue;
+      if (around.empty())
+        around_cell.for_each_run(cell, [&](space::Site first, space::Site last) {
+          for (space::Site p = first; p < last; ++p) around.push_back(p);
+        });
+      if (is_hidden(v, cells.sites(), around, radius)) causes[index] = UnusedCause::hidden;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
+                                       std::span<const double> radii, const Surface& surface,
+                                       const SurfaceOptions& options) {
+  space::check_radii(radii);
+  space::check_points(points);
+  if (!normals.empty()) space::check_normals(points, normals);
+
+  std::vector<UnusedPoint> unused = without_triangle(points.size(), surface);
+  const space::Agreement agreement(points, normals, surface.duplicates);
+  std::vector<UnusedCause> causes(points.size(), UnusedCause::no_ball_rests);
+  for (std::size_t level = 0; level < radii.size(); ++level) {
+    std::vector<std::uint8_t> wanted(points.size(), 0);
+    bool is_any = false;
+    for (const UnusedPoint& point : unused)
+      if (causes[point.index] != UnusedCause::blocked) wanted[point.index] = is_any = true;
+    if (!is_any) break;
+    const space::Excerpt near = space::excerpt(points, {}, surface.duplicates, wanted, radii[level]);
+    const Surface exposed = exposed_triangles(near.points, radii[level], options);
+    ask_exposed(near, exposed, agreement, wanted, causes);
+    if (level + 1 == radii.size()) ask_nearest(near, exposed, radii[level], causes, wanted);
+  }
+  for (UnusedPoint& point : unused) point.cause = causes[point.index];
+  return unused;
+}
+
+std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals, double radius,
+                                       const Surface& surface, const SurfaceOptions& options) {
+  return unused_points(points, normals, std::span(&radius, 1), surface, options);
+}
+
+}  // namespace rbpa

@@ -1,0 +1,135 @@
+#include "bench/surface_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <unordered_map>
+
+#include "support/random.h"
+
+namespace rbpa_bench {
+namespace {
+
+using rbpa::Point3;
+using rbpa_test::Random;
+
+constexpr double pi = std::numbers::pi, moved = 0.2;
+
+Point3 operator+(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
+double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+Point3 any(double size, Random& random) {
+  return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+}
+
+/// One of the two tori: around an axis through `centre` on the x axis.
+struct Torus {
+  static constexpr double wide = 1, tube = 0.35;
+  double centre;
+
+  Point3 at(double around, double turn) const {
+    const double out = wide + tube * std::cos(turn);
+    return {centre + out * std::cos(around), out * std::sin(around), tube * std::sin(turn)};
+  }
+  /// Distance from it, below 0 inside, with its gradient.
+  double distance(const Point3& p, Point3& gradient) const {
+    const double x = p.x - centre, flat = std::hypot(x, p.y), out = flat - wide, far = std::hypot(out, p.z);
+    gradient = {out / far * x / flat, out / far * p.y / flat, p.z / far};
+    return far - tube;
+  }
+};
+constexpr std::array<Torus, 2> tori = {Torus{-1}, Torus{1}};
+
+/// 0 on the common surface: the lesser distance, rounded where both are alike.
+double both(const Point3& p, Point3& gradient) {
+  constexpr double sharp = 12;
+  std::array<Point3, 2> slope;
+  const double one = tori[0].distance(p, slope[0]), other = tori[1].distance(p, slope[1]);
+  const double weight = 1 / (1 + std::exp(sharp * (one - other)));
+  gradient = weight * slope[0] + (1 - weight) * slope[1];
+  const double least = std::min(one, other);
+  return least - std::log(std::exp(-sharp * (one - least)) + std::exp(-sharp * (other - least))) / sharp;
+}
+
+/// Keeps points that are not too near to one that was kept before.
+class Thinning {
+ public:
+  explicit Thinning(double distance) : distance_(distance) {}
+  bool keep(const Point3& p) {
+    const std::array<std::int64_t, 3> cell = {number(p.x), number(p.y), number(p.z)};
+    for (std::int64_t x = cell[0] - 1; x <= cell[0] + 1; ++x)
+      for (std::int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y)
+        for (std::int64_t z = cell[2] - 1; z <= cell[2] + 1; ++z)
+          for (auto [at, end] = kept_.equal_range(key(x, y, z)); at != end; ++at) {
+            const Point3 d = at->second + -1 * p;
+            if (dot(d, d) < distance_ * distance_) return false;
+          }
+    kept_.emplace(key(cell[0], cell[1], cell[2]), p);
+    return true;
+  }
+
+ private:
+  std::int64_t number(double x) const { return static_cast<std::int64_t>(std::floor(x / distance_)); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto bits = [](std::int64_t i) { return static_cast<std::uint64_t>(i + (1 << 20)); };
+    return bits(x) << 42 | bits(y) << 21 | bits(z);
+  }
+  double distance_;
+  std::unordered_multimap<std::uint64_t, Point3> kept_;  // by cell
+};
+
+SurfacePoints with_spacing(double spacing) {
+  Random random(2);
+  SurfacePoints samples{"double torus", {}, {}, spacing};
+  Thinning thinning(spacing / 2);
+  for (std::size_t t = 0; t < 2; ++t) {
+    const double rings = std::round(2 * pi * Torus::tube / spacing);
+    for (double ring = 0; ring < rings; ++ring) {
+      const double turn = 2 * pi * ring / rings;
+      const double steps = std::round(2 * pi * (Torus::wide + Torus::tube * std::cos(turn)) / spacing);
+      for (double step = 0; step < steps; ++step) {
+        Point3 p = tori[t].at(2 * pi * (step + std::fmod(ring, 2) / 2) / steps, turn) + any(moved * spacing, random), n;
+        const double to_other = tori[1 - t].distance(p, n);
+        if (to_other < 0) continue;  // the other one is around it
+        for (int times = 0; times < 6; ++times) {
+          const double value = both(p, n);
+          p = p + -value / dot(n, n) * n;
+        }
+        if (to_other < 0.3 && !thinning.keep(p)) continue;
+        samples.points.push_back(p);
+        samples.normals.push_back(1 / std::sqrt(dot(n, n)) * n);
+      }
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+SurfacePoints on_sphere(std::size_t count, double noise) {
+  Random random(1);
+  const auto n = static_cast<double>(count);
+  const double spacing = std::sqrt(4 * pi / n);
+  SurfacePoints samples{noise > 0 ? "sphere, noise" : "sphere", {}, {}, spacing};
+  samples.points.reserve(count);
+  samples.normals.reserve(count);
+  for (double i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1) / n, ring = std::sqrt(1 - z * z), turn = i * pi * (3 - std::sqrt(5));
+    Point3 p = Point3{ring * std::cos(turn), ring * std::sin(turn), z} + any(moved * spacing, random);
+    p = 1 / std::sqrt(dot(p, p)) * p;
+    samples.points.push_back((1 + noise * spacing * random.between(-1, 1)) * p);
+    samples.normals.push_back(p);
+  }
+  return samples;
+}
+
+SurfacePoints on_double_torus(std::size_t count) {
+  // How many there are goes with the area, which a coarse one tells.
+  constexpr double coarse = 0.02;
+  const double area = static_cast<double>(with_spacing(coarse).points.size()) * coarse * coarse;
+  return with_spacing(std::sqrt(area / static_cast<double>(count)));
+}
+
+}  // namespace rbpa_bench

@@ -1,0 +1,28 @@
+// What: points with normals on surfaces whose spacing is known, for the contest of ball pivoting.
+// Law:  a function of the arguments alone, but for the last bits of sines and cosines.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "rbpa/core/point3.h"
+
+namespace rbpa_bench {
+
+struct SurfacePoints {
+  std::string name;
+  std::vector<rbpa::Point3> points, normals;
+  double spacing;  ///< the square root of the area that a point has
+};
+
+/// On the unit sphere along a golden spiral, whose points are evenly spread; each is then moved at random by up to 0.2
+/// spacings along the sphere, and by up to `noise` spacings along the normal.
+SurfacePoints on_sphere(std::size_t count, double noise);
+
+/// About as many on two tori that have grown together, of genus 2: around the tubes of both in rings one spacing apart,
+/// points of neighbouring rings half a spacing apart, moved like those of the sphere, brought to the common surface,
+/// and of any two that are nearer than half a spacing to each other, which are where the tori meet, only one.
+SurfacePoints on_double_torus(std::size_t count);
+
+}  // namespace rbpa_bench

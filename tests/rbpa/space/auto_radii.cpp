@@ -1,0 +1,180 @@
+#include "rbpa/space/auto_radii.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "rbpa/core/error.h"
+#include "rbpa/space/spacing/tangent_cell.h"
+#include "rbpa/space/surface_levels.h"
+#include "support/space_sets.h"
+
+using namespace rbpa_test;
+using rbpa::auto_radii;
+using rbpa::Point3;
+using rbpa::Surface;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+using Radii = std::vector<double>;
+
+/// Random points of the unit sphere; with a power above 1 they are the denser the lower.
+Points3 on_sphere(std::size_t count, double power, std::uint64_t seed) {
+  Random random(seed);
+  Points3 points;
+  while (points.size() < count) {
+    const double z = -1 + 2 * std::pow(random.between(0, 1), power), angle = random.between(0, 2 * M_PI);
+    const double s = std::sqrt(1 - z * z);
+    points.push_back({s * std::cos(angle), s * std::sin(angle), z});
+  }
+  return points;
+}
+
+bool is_closed(const Surface& s) {
+  return !s.triangles.empty() && std::all_of(s.neighbors.begin(), s.neighbors.end(), [](const auto& n) {
+    return std::count(n.begin(), n.end(), Surface::none) == 0;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("one radius closes a uniform sphere, several one whose density varies a hundredfold") {
+  for (const std::size_t count : {100U, 1000U, 5000U}) {
+    const Points3 uniform = on_sphere(count, 1, count);
+    const Radii radii = auto_radii(uniform);
+    REQUIRE(radii.size() == 1);
+    const Surface surface = rbpa::surface(uniform, uniform, radii[0]);
+    CHECK(is_closed(surface));
+    CHECK(surface.triangles.size() == 2 * count - 4);
+    CHECK(radii[0] < 10 / std::sqrt(static_cast<double>(count)));  // three spacings
+  }
+  const Points3 varying = on_sphere(2000, 3, 1);
+  const Radii radii = auto_radii(varying);
+  CHECK(radii.size() >= 2);
+  CHECK(radii.size() <= 4);
+  for (std::size_t i = 1; i < radii.size(); ++i) CHECK(radii[i] >= 2 * radii[i - 1]);
+  const Surface surface = rbpa::surface(varying, varying, radii);
+  CHECK(is_closed(surface));
+  CHECK(surface.triangles.size() == 2 * varying.size() - 4);
+}
+
+TEST_CASE("a sphere with a hole keeps it: the gaps at its rim are much larger than others there") {
+  Points3 points = on_sphere(3000, 1, 7);
+  std::erase_if(points, [](const Point3& p) { return p.z > 0.8; });
+  const Radii radii = auto_radii(points);
+  REQUIRE(radii.size() == 1);
+  CHECK(radii[0] < 0.2);
+  const Surface surface = rbpa::surface(points, points, radii);
+  CHECK(!is_closed(surface));
+  CHECK(surface.triangles.size() > 2 * points.size() - 200);
+}
+
+TEST_CASE(
+    "radii do not depend on the order of points, repetitions, signs of zero, threads; they scale with the points") {
+  Random random(401);
+  std::size_t several = 0;
+  for (int k = 0; k < space_kinds; ++k)
+    for (int trial = 0; trial < 4; ++trial) {
+      CAPTURE(name(static_cast<SpaceKind>(k)));
+      Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(trial < 3 ? 60 : 2000), random);
+      const Radii radii = auto_radii(points);
+      several += radii.size() > 1;
+      CHECK(radii.size() <= 4);
+      CHECK(std::is_sorted(radii.begin(), radii.end()));
+      for (const double radius : radii) CHECK((radius > 0 && std::isfinite(radius)));
+      for (int i = 0; i < 5; ++i) points.push_back(points[random.below(points.size())]);
+      for (Point3& p : points)
+        if (p.x == 0) p.x = -p.x;
+      random.shuffle(points);
+      for (const unsigned threads : {1u, 2u, 5u}) CHECK(auto_radii(points, {.threads = threads}) == radii);
+      if (static_cast<SpaceKind>(k) == SpaceKind::extreme) continue;
+      for (const int exponent : {-400, 300}) {
+        Points3 scaled;
+        for (const Point3& p : points)
+          scaled.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)});
+        Radii expected = radii;
+        for (double& radius : expected) radius = std::ldexp(radius, exponent);
+        CHECK(auto_radii(scaled) == expected);
+      }
+    }
+  CHECK(several > 0);
+}
+
+TEST_CASE("on grids the radius is that of their squares, and the surface is all of them") {
+  for (const int columns : {2, 3, 12}) {
+    Points3 points;
+    for (int x = 0; x < columns; ++x)
+      for (int y = 0; y < columns; ++y) points.push_back({double(x), double(y), 5});
+    const Radii radii = auto_radii(points);
+    REQUIRE(radii.size() == 1);
+    CHECK(radii[0] > std::sqrt(0.5));
+    CHECK(radii[0] < 1);
+    const Surface surface = rbpa::surface(points, Points3(points.size(), {0, 0, 1}), radii[0]);
+    CHECK(surface.triangles.size() == 2 * static_cast<std::size_t>((columns - 1) * (columns - 1)));
+  }
+  Points3 cube;
+  for (int i = 0; i < 8; ++i) cube.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+  REQUIRE(auto_radii(cube).size() == 1);
+  CHECK(rbpa::exposed_triangles(cube, auto_radii(cube)[0]).triangles.size() >= 12);
+}
+
+TEST_CASE("points without triangles have no radii; what is no input is refused") {
+  CHECK(auto_radii({}).empty());
+  CHECK(auto_radii(Points3{{1, 2, 3}}).empty());
+  CHECK(auto_radii(Points3{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}).empty());
+  CHECK(auto_radii(Points3(9, {0, 0, 0})).empty());
+  Points3 line;
+  for (int i = 0; i < 50; ++i) line.push_back({double(i), 2.0 * i, -3.0 * i});
+  CHECK(auto_radii(line).empty());
+  CHECK(auto_radii(Points3{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}) == Radii{1.25 * 2.5});
+  CHECK_THROWS_AS(auto_radii(Points3{{0, 0, std::numeric_limits<double>::infinity()}}), rbpa::InvalidInput);
+  const Points3 points = on_sphere(3000, 1, 3);
+  CHECK_THROWS_AS(auto_radii(points, {.progress = [](auto) { return false; }}), rbpa::Cancelled);
+}
+
+TEST_CASE("the radius that is named for an empty surface gives triangles, where there is one") {
+  const Points3 points = on_sphere(500, 1, 5);
+  REQUIRE(rbpa::surface(points, points, 0.001).triangles.empty());
+  const std::optional<double> radius = rbpa::radius_with_triangles(points, points);
+  REQUIRE(radius);
+  CHECK(!rbpa::surface(points, points, *radius).triangles.empty());
+  CHECK(rbpa::radius_with_triangles(points, {}) == radius);
+  // In a plane, with normals along it.
+  const Points3 square = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  CHECK(rbpa::radius_with_triangles(square, {}));
+  CHECK(!rbpa::radius_with_triangles(square, Points3(4, {1, 0, 0})));
+  CHECK(!rbpa::radius_with_triangles(Points3{{0, 0, 0}, {1, 0, 0}}, {}));
+  CHECK_THROWS_AS(rbpa::radius_with_triangles(square, Points3(3, {0, 0, 1})), rbpa::InvalidInput);
+}
+
+TEST_CASE("the gap around a point is the farthest corner of its cell in the plane") {
+  using rbpa::space::gap_around;
+  Points3 around;
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      if (x != 0 || y != 0) around.push_back({double(x), double(y), 0});
+  std::sort(around.begin(), around.end(),
+            [](const Point3& p, const Point3& q) { return std::hypot(p.x, p.y) < std::hypot(q.x, q.y); });
+  const Point3 up = {0, 0, 1};
+  const auto near = [](double value) { return doctest::Approx(value).epsilon(1e-12); };
+  CHECK(*gap_around(around, up, 1.4) == near(std::sqrt(0.5)));
+  CHECK(!gap_around(around, up, 0.7));  // beyond what is known
+  Points3 half = around;
+  std::erase_if(half, [](const Point3& p) { return p.x < 0; });
+  CHECK(!gap_around(half, up, 1.4));  // it is not closed
+  // A point right above bounds nothing; one above and beside, by the plane between.
+  around.push_back({0, 0, 0.1});
+  CHECK(*gap_around(around, up, 1.4) == near(std::sqrt(0.5)));
+  const Points3 three = {{1, 0, 0}, {-0.5, std::sqrt(0.75), 0}, {-0.5, -std::sqrt(0.75), 0}};
+  CHECK(*gap_around(three, up, 2) == near(1));
+}
+
+TEST_SUITE_END();

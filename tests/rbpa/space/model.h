@@ -1,0 +1,64 @@
+// What: surfaces of a few points by their definitions to the letter: every triple against every point, every pair of sides.
+// Law:  shares with the library nothing but the signs of predicate/exact.h and the ball, which have tests of their own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rbpa/space/surface.h"
+#include "support/space_sets.h"
+#include "support/triangle.h"
+
+namespace rbpa_test {
+
+/// Of equal points the lowest index, ascending.
+std::vector<std::uint32_t> distinct_of(const Points3& points);
+
+/// All oriented triples on which an empty ball rests.
+std::set<Triangle> exposed_by_definition(const Points3& points, double radius);
+
+/// The product of the triangle's normal with that of a point equal to its corner k is not positive, for some such point.
+bool disagrees(const Points3& points, const Points3& normals, const Triangle& triangle, std::size_t k);
+bool agrees(const Points3& points, const Points3& normals, const Triangle& triangle);
+
+/// Of two sides (from, to, apex) and (to, from, other): the turn from one to the other about the edge is less than to a third.
+bool is_nearer(const Points3& points, std::uint32_t from, std::uint32_t to, std::uint32_t apex, std::uint32_t other,
+               std::uint32_t third);
+
+/// Where the ball comes from the exposed triangle over the side across from its corner k: the first exposed triangle that is
+/// turned toward it, around the edge.
+Triangle next_by_definition(const Points3& points, const std::set<Triangle>& exposed, const Triangle& triangle,
+                            std::size_t k);
+
+/// The rule of docs/surface_levels.md, with sets.
+class ModelSurface {
+ public:
+  ModelSurface(const Points3& points, const Points3& normals) : points_(points), normals_(normals) {}
+
+  void add(double radius);
+
+  const std::map<Triangle, std::uint32_t>& levels() const { return levels_; }
+  /// Across from corner k; absent where it is boundary.
+  const Triangle* neighbor(const Triangle& triangle, std::size_t k) const;
+  bool is_interior_point(std::uint32_t point) const;
+  bool is_interior_edge(std::uint32_t a, std::uint32_t b) const;
+
+ private:
+  using Side = std::pair<Triangle, std::size_t>;
+
+  Points3 points_, normals_;
+  std::uint32_t next_level_ = 0;
+  std::map<Triangle, std::uint32_t> levels_;
+  std::map<Side, Side> glued_;
+};
+
+/// Checks triangles, neighbours and levels.
+bool is_model(const rbpa::Surface& surface, const ModelSurface& model);
+
+}  // namespace rbpa_test
