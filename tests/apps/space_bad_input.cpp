@@ -245,6 +245,7 @@ TEST_SUITE("bad points of space") {
     CHECK(obj(v + "f 1//2\n") == "p:3: found '2', expected a normal number from 1 to 1");
     CHECK(obj(v + "f 2//1\n") == "p:3: found '2', expected a vertex number from 1 to 1");
     CHECK(obj(v + "f 1//0\n") == "p:3: found '1//0', expected a normal number from 1, or from -1 to -1");
+    CHECK(obj(v + "f -2//1\n") == "p:3: found '-2//1', expected a vertex number from 1, or from -1 to -1");
     CHECK(obj(v + "f 1//x\n") == "p:3: found '1//x', expected a normal number from 1, or from -1 to -1");
     CHECK(obj(v + "f //1\n") == "p:3: found '//1', expected a vertex number from 1, or from -1 to -1");
     CHECK(obj("f 1//1\nv 0 0 0\n") == "none");  // no normals at all: nothing to be wrong about
