@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz/sentence.h"
 #include "fuzz/target.h"
 #include "io/failure.h"
 #include "io/gunzip.h"
 #include "io/las/selection.h"
-#include "io/message.h"
 #include "io/points/read_points.h"
 
 namespace {
@@ -92,13 +92,6 @@ std::string with_check_sums(std::string_view bytes) {
   return png;
 }
 
-void is_a_sentence(const std::string& message) {
-  fuzz::require(message.starts_with("FILE") || message.starts_with("--"), "a message says where");
-  fuzz::require(message.find(": found ") != std::string::npos, "a message says what was found");
-  fuzz::require(message.find(", expected ") != std::string::npos, "a message says what was expected");
-  fuzz::require(printable(message) == message, "a message is one line of visible characters");
-}
-
 /// What reads before there are points: what was compressed, and the condition of a command line.
 void read_before(bool compressed, const std::string& bytes) {
   if (!compressed) {
@@ -106,7 +99,7 @@ void read_before(bool compressed, const std::string& bytes) {
       try {
         const Condition condition(bytes, names);
       } catch (const WrongUsage& refusal) {
-        is_a_sentence(refusal.what());
+        fuzz::is_a_sentence(refusal.what());
       }
     }
     return;
@@ -138,9 +131,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source).points;
     fuzz::require(std::all_of(points.begin(), points.end(), rbpa::is_finite), "points are finite");
   } catch (const BadInput& refusal) {
-    is_a_sentence(refusal.what());
+    fuzz::is_a_sentence(refusal.what());
   } catch (const WrongUsage& refusal) {
-    is_a_sentence(refusal.what());
+    fuzz::is_a_sentence(refusal.what());
   }
   return 0;
 }
