@@ -53,6 +53,14 @@ std::optional<PointFormat> point_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<SpaceFormat> space_format(std::string_view name) {
+  constexpr std::pair<std::string_view, SpaceFormat> known[] = {
+      {"xyz", SpaceFormat::text},  {"txt", SpaceFormat::text}, {"csv", SpaceFormat::text}, {"tsv", SpaceFormat::text},
+      {"text", SpaceFormat::text}, {"ply", SpaceFormat::ply},  {"off", SpaceFormat::off},  {"obj", SpaceFormat::obj},
+      {"pcd", SpaceFormat::pcd},   {"npy", SpaceFormat::npy},  {"las", SpaceFormat::las}};
+  return find(known, name);
+}
+
 std::optional<MeshFormat> mesh_format(std::string_view name) {
   constexpr std::pair<std::string_view, MeshFormat> known[] = {
       {"off", MeshFormat::off}, {"ply", MeshFormat::ply}, {"obj", MeshFormat::obj}, {"stl", MeshFormat::stl}};

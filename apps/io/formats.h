@@ -8,6 +8,8 @@
 namespace rbpa::app {
 
 enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson, ogr };
+/// Of points of space.
+enum class SpaceFormat { text, ply, off, obj, pcd, npy, las };
 enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
@@ -18,6 +20,7 @@ enum class PolygonFormat { geojson, wkt, poly };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<PointFormat> point_format(std::string_view name);
+std::optional<SpaceFormat> space_format(std::string_view name);
 std::optional<MeshFormat> mesh_format(std::string_view name);
 std::optional<PolylineFormat> polyline_format(std::string_view name);
 std::optional<OutputFormat> output_format(std::string_view name);
@@ -40,6 +43,7 @@ std::string_view input_ending(std::string_view path);
 /// What there is, for messages and help; what GDAL adds is beside it.
 constexpr std::string_view point_formats =
     "xy, txt, csv, tsv, xyz, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
+constexpr std::string_view space_formats = "xyz, txt, csv, tsv, ply, off, obj, pcd, npy, las";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";

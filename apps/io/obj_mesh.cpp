@@ -6,6 +6,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/obj_lines.h"
 #include "io/vertex_lines.h"
 
 namespace rbpa::app {
@@ -19,7 +20,7 @@ class ObjReader {
     for (std::size_t step = 0; lines_.next_with_content(); ++step) {
       if (step % 16384 == 0) stop_if_interrupted();
       first_line_ = lines_.number();
-      std::string_view rest = whole_line();
+      std::string_view rest = take_obj_line(lines_, joined_);
       const std::string_view word = take_word(rest);
       if (word == "v") {
         mesh_.positions.push_back(take_position(rest, lines_, name_));
@@ -34,22 +35,6 @@ class ObjReader {
   }
 
  private:
-  /// The line with all that continue it, without a comment behind.
-  std::string_view whole_line() {
-    std::string_view line = lines_.line();
-    if (!line.empty() && line.back() == '\\') {
-      joined_.clear();
-      while (!line.empty() && line.back() == '\\') {
-        joined_ += line.substr(0, line.size() - 1);
-        joined_ += ' ';
-        line = lines_.next() ? lines_.line() : std::string_view();
-      }
-      joined_ += line;
-      line = joined_;
-    }
-    return line.substr(0, line.find('#'));
-  }
-
   void read_face(std::string_view rest) {
     corners_.clear();
     while (take_plain_corner(rest)) continue;
@@ -73,16 +58,7 @@ class ObjReader {
   }
 
   std::uint32_t corner(std::string_view word) const {
-    const std::string_view text = word.substr(0, word.find('/'));
-    std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const auto before = static_cast<std::int64_t>(mesh_.positions.size());
-    if (error != std::errc() || end != text.data() + text.size() || number == 0 || number < -before ||
-        number > std::int64_t{UINT32_MAX})
-      bad_input(
-          at_line(name_, first_line_), in_quotes(word),
-          before == 0 ? "a vertex number from 1" : "a vertex number from 1, or from -1 to -" + std::to_string(before));
-    return static_cast<std::uint32_t>(number > 0 ? number - 1 : before + number);
+    return take_obj_number(word, word.substr(0, word.find('/')), "vertex", mesh_.positions.size(), name_, first_line_);
   }
 
   /// A face may name vertices that come behind it.

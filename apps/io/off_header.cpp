@@ -7,12 +7,18 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file.
-bool is_keyword(std::string_view word) {
-  for (const std::string_view prefix : {"ST", "C", "N"})
-    if (word.substr(0, prefix.size()) == prefix) word.remove_prefix(prefix.size());
-  return word == "OFF";
-}
+/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and N is one of them.
+struct Keyword {
+  explicit Keyword(std::string_view word) {
+    for (const std::string_view prefix : {"ST", "C", "N"}) {
+      if (word.substr(0, prefix.size()) != prefix) continue;
+      word.remove_prefix(prefix.size());
+      normals = prefix == "N";
+    }
+    known = word == "OFF";
+  }
+  bool known = false, normals = false;
+};
 
 }  // namespace
 
@@ -22,7 +28,8 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
   std::string_view rest = lines.line();
   std::string_view after_word = rest;
   const std::string_view word = take_word(after_word);
-  if (is_keyword(word)) {
+  const Keyword keyword(word);
+  if (keyword.known) {
     rest = trimmed(after_word);
     if (rest.substr(0, 6) == "BINARY") bad_input(at_line(name, lines.number()), "binary OFF", "ASCII OFF");
     if (rest.empty() || rest.front() == '#') rest = lines.next_with_content() ? lines.line() : std::string_view();
@@ -33,7 +40,7 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
   const std::optional<std::size_t> vertices = parse_count(take_word(rest));
   if (!vertices)
     bad_input(at_line(name, lines.number()), in_quotes(counts), "the numbers of vertices, faces and edges");
-  const OffHeader header{*vertices, lines.number(), rest, lines};
+  const OffHeader header{keyword.known && keyword.normals, *vertices, lines.number(), rest, lines};
   // The shortest vertex line is "0 0" and its end, but for the last.
   if (*vertices > (lines.rest().size() + 1) / 4)
     bad_input(name, counted(lines.rest().size(), "byte") + " of data", announced(header, *vertices, "vertex line"));

@@ -10,6 +10,7 @@
 namespace rbpa::app {
 
 struct OffHeader {
+  bool normals;  ///< N is among the prefixes: three numbers behind the coordinates of a vertex
   std::size_t vertices;
   std::size_t line;         ///< that says so
   std::string_view counts;  ///< its words behind the number of vertices

@@ -19,10 +19,15 @@ const PlyElement& vertices_of(const PlyHeader& header, const std::string& name) 
   return *vertex;
 }
 
-std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
-                        const std::string& name) {
+std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property) {
   for (std::size_t i = 0; i < element.properties.size(); ++i)
     if (element.properties[i].name == property && !element.properties[i].count_type) return i;
+  return std::nullopt;
+}
+
+std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
+                        const std::string& name) {
+  if (const std::optional<std::size_t> place = number_place(element, property)) return *place;
   bad_input(at_line(name, element.line), "vertices without " + in_quotes(property),
             "number properties " + std::string(wanted));
 }

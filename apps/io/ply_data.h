@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ std::string announced(const PlyElement& element);
 
 /// The element "vertex". Throws BadInput when there is none.
 const PlyElement& vertices_of(const PlyHeader& header, const std::string& name);
+
+/// Where the property that is one number lies among those of `element`; nothing when there is none.
+std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property);
 
 /// Where the property that is one number lies among those of `element`. Throws BadInput when there is none, naming the
 /// `wanted` properties.

@@ -62,9 +62,10 @@ set(arrows
   cli>io cli>picture cli>program cli>report cli>triangulation
   meshtopo>io meshtopo>program
   cli>io/points io/points>io io/points>io/table io/points>io/las io/points>io/gis io/points>rbpa/core
-  io/table>io io/table>io/gis io/las>io io/gis>io io/gis>rbpa/core io/gis>rbpa/shape cli>io/gis
+  io/table>io io/table>io/gis io/las>io io/las>rbpa/core io/gis>io io/gis>rbpa/core io/gis>rbpa/shape cli>io/gis
   io/ogr>io io/ogr>io/gis io/points>io/ogr cli>io/ogr
   io>meshops/core io>meshops/topology io>rbpa/core
+  io/space>io io/space>io/table io/space>io/las io/space>io/points io/space>rbpa/core cli>io/space
   io/blocks>io io/blocks>io/points io/blocks>io/las io/blocks>io/table
   stream>io stream>io/blocks stream>io/gis stream>io/points stream>rbpa/core stream>rbpa/partial stream>rbpa/shape cli>stream
   tasks>io tasks>stream tasks>rbpa/core tasks>rbpa/partial cli>tasks

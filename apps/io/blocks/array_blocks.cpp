@@ -167,7 +167,7 @@ class LasBlocks final : public PointBlocks {
       reader_->take(buffer_.data(), count, block);
       first_ += count;
     }
-    if (block.empty()) reader_->tell(about_);
+    if (block.empty()) reader_->tell(about_.remarks);
     return !block.empty();
   }
   std::uint64_t bytes_read() const override { return bytes_.bytes_read(); }

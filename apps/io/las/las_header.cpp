@@ -86,18 +86,21 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
   for (std::size_t axis = 0; axis < 3; ++axis) {
     header.scale[axis] = las_value<double>(at + 131 + 8 * axis);
     header.offset[axis] = las_value<double>(at + 155 + 8 * axis);
-    const bool plane = axis < 2;  // the height matters where it is asked for
-    if (plane && (!std::isfinite(header.scale[axis]) || header.scale[axis] == 0))
-      bad_input(name, "a scale of " + in_quotes(ShortestText(header.scale[axis])), "a finite number other than 0");
-    if (plane && !std::isfinite(header.offset[axis]))
-      bad_input(name, "an offset of " + in_quotes(ShortestText(header.offset[axis])), "a finite number");
   }
+  for (const std::size_t axis : {0U, 1U}) require_las_axis(header, axis, name);
   if (header.minor >= 4 && header.size >= header_size_of_4) {
     header.extended_begin = las_value<std::uint64_t>(at + 235);
     header.extended_records = las_value<std::uint32_t>(at + 243);
   }
   find_points(header, bytes, size, name);
   return header;
+}
+
+void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {
+  const double scale = header.scale[axis], offset = header.offset[axis];
+  if (!std::isfinite(scale) || scale == 0)
+    bad_input(name, "a scale of " + in_quotes(ShortestText(scale)), "a finite number other than 0");
+  if (!std::isfinite(offset)) bad_input(name, "an offset of " + in_quotes(ShortestText(offset)), "a finite number");
 }
 
 }  // namespace rbpa::app

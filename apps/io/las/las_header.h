@@ -38,4 +38,8 @@ LasHeader read_las_header(std::string_view bytes, const std::string& name);
 /// The same of a file of `size` bytes of which `bytes` are the first: its header, or all before its points and two more.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 
+/// Throws BadInput when the scale or the offset of x, y or z (0, 1, 2) gives no coordinates. read_las_header() has looked
+/// at x and y; the height matters where it is asked for.
+void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
+
 }  // namespace rbpa::app

@@ -14,7 +14,7 @@ PointFile read_las_points(std::string_view bytes, const std::string& name, const
   if (!system.remark.empty()) file.remarks.push_back(system.remark);
   if (!where) file.points.reserve(header.count);  // whose records are all there
   reader.take(bytes.data() + header.begin, header.count, file.points);
-  reader.tell(file);
+  reader.tell(file.remarks);
   return file;
 }
 

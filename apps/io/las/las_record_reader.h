@@ -8,7 +8,8 @@
 
 #include "io/las/las_header.h"
 #include "io/las/selection.h"
-#include "io/point_file.h"
+#include "rbpa/core/point.h"
+#include "rbpa/core/point3.h"
 
 namespace rbpa::app {
 
@@ -19,12 +20,19 @@ class LasRecordReader {
 
   /// Appends the points of `count` records, of those that count. Throws Cancelled.
   void take(const char* records, std::size_t count, std::vector<Point>& points);
+  /// The same with their heights. Requires require_height().
+  void take(const char* records, std::size_t count, std::vector<Point3>& points);
+  /// Throws BadInput when not all heights can be doubles.
+  void require_height(const LasHeader& header, const std::string& name) const;
   /// Adds what there is to remark on all records so far.
-  void tell(PointFile& file) const;
+  void tell(std::vector<std::string>& remarks) const;
 
  private:
+  template <typename P, typename Load>
+  void take_all(const char* records, std::size_t count, std::vector<P>& points, const Load& load);
+
   std::size_t length_, records_ = 0, taken_ = 0, withheld_points_ = 0;
-  ScaledInteger x_, y_;
+  ScaledInteger x_, y_, z_;
   std::optional<Selection> selects_ = std::nullopt;
   std::optional<LasField> withheld_;
 };

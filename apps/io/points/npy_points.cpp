@@ -79,7 +79,7 @@ struct Shape {
   std::size_t rows, columns;
 };
 
-std::optional<Shape> parse_shape(std::string_view text) {
+std::optional<Shape> parse_shape(std::string_view text, std::array<std::size_t, 2> columns) {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')') return std::nullopt;
   text = text.substr(1, text.size() - 2);
   std::vector<std::size_t> sizes;
@@ -91,20 +91,23 @@ std::optional<Shape> parse_shape(std::string_view text) {
     text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
     if (!text.empty() && text.front() == ',') text.remove_prefix(1);
   }
-  if (sizes.size() != 2 || (sizes[1] != 2 && sizes[1] != 3)) return std::nullopt;
+  if (sizes.size() != 2 || (sizes[1] != columns[0] && sizes[1] != columns[1])) return std::nullopt;
   return Shape{sizes[0], sizes[1]};
 }
 
 }  // namespace
 
-NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name) {
+NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name,
+                          std::array<std::size_t, 2> columns) {
   const NpyHeader header = find_header(bytes, name);
   const std::string_view descr = value_of(header.text, "descr");
   const std::optional<NumberType> number = parse_type(descr);
   if (!number) bad_input(name, "numbers of type " + in_quotes(descr), "float32, float64 or integers");
   const std::string_view shape_text = value_of(header.text, "shape");
-  const std::optional<Shape> shape = parse_shape(shape_text);
-  if (!shape) bad_input(name, "shape " + in_quotes(shape_text), "(n, 2) or (n, 3)");
+  const std::optional<Shape> shape = parse_shape(shape_text, columns);
+  if (!shape)
+    bad_input(name, "shape " + in_quotes(shape_text),
+              "(n, " + std::to_string(columns[0]) + ") or (n, " + std::to_string(columns[1]) + ")");
   const std::string_view order = value_of(header.text, "fortran_order");
   if (order != "True" && order != "False") bad_input(name, "fortran_order " + in_quotes(order), "True or False");
 

@@ -1,6 +1,7 @@
 // What: points from NumPy's array format, versions 1 to 3.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <string>
@@ -24,8 +25,10 @@ struct NpyLayout {
   std::size_t row() const { return item() * columns; }
 };
 
-/// Of a file of `size` bytes that begins with `bytes`, all of its header among them. Throws as read_npy_points().
-NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name);
+/// Of a file of `size` bytes that begins with `bytes`, all of its header among them, whose columns are so many or so many.
+/// Throws as read_npy_points().
+NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name,
+                          std::array<std::size_t, 2> columns = {2, 3});
 
 /// An array of shape (n, 2), or (n, 3) whose third column is left out; float32, float64 or integers, either byte order,
 /// rows or columns first. What follows the array is left alone, as NumPy does. Throws BadInput, before anything is

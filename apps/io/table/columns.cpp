@@ -28,6 +28,10 @@ void refuse_one_column(std::string_view columns) {
   throw WrongUsage("--columns: found " + in_quotes(columns) + ", which is one column, expected two");
 }
 
+void refuse_repeated_column(std::string_view columns) {
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", of which two are one column, expected different ones");
+}
+
 Columns parse_columns(const std::string& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
   const std::string_view x = trimmed(std::string_view(text).substr(0, comma));
@@ -36,6 +40,27 @@ Columns parse_columns(const std::string& text) {
     throw WrongUsage("--columns: found " + in_quotes(text) + ", expected X,Y (two column numbers or names)");
   const Columns columns{parse_column(x), parse_column(y)};
   if (columns.x == columns.y) refuse_one_column(text);
+  return columns;
+}
+
+std::vector<Column> parse_space_columns(const std::string& text) {
+  const auto refuse = [&] {
+    throw WrongUsage("--columns: found " + in_quotes(text) +
+                     ", expected X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
+  };
+  std::vector<Column> columns;
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', first), text.size());
+    const std::string_view word = trimmed(std::string_view(text).substr(first, comma - first));
+    if (word.empty()) refuse();
+    columns.push_back(parse_column(word));
+    first = comma + 1;
+  }
+  if (columns.size() != 3 && columns.size() != 6) refuse();
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
+        columns.begin() + static_cast<std::ptrdiff_t>(i))
+      refuse_repeated_column(text);
   return columns;
 }
 

@@ -1,9 +1,10 @@
-// What: which two columns of a table are x and y.
+// What: which columns of a table are x and y, or x, y, z and the parts of a normal.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rbpa::app {
 
@@ -19,10 +20,16 @@ struct Columns {
   Column y{.number = 2};
 };
 
-/// Throws WrongUsage: `columns` are the same.
+/// Throws WrongUsage: two of `columns` are the same.
 [[noreturn]] void refuse_one_column(std::string_view columns);
+
+/// The same of columns in space.
+[[noreturn]] void refuse_repeated_column(std::string_view columns);
 
 /// "X,Y", each a number from 1 or a name, and not the same. Throws WrongUsage.
 Columns parse_columns(const std::string& text);
+
+/// "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a number from 1 or a name, and no two the same. Throws WrongUsage.
+std::vector<Column> parse_space_columns(const std::string& text);
 
 }  // namespace rbpa::app

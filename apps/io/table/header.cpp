@@ -24,6 +24,10 @@ const std::vector<Names>& known_names() {
        {"northing", "northings", "north", "n", "utmnorthing", "hochwert", "nordwert"}}};
   return known;
 }
+constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", "coordz",    "coordinatez", "zcoor",
+                                             "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
+constexpr std::string_view normal_names[3][4] = {
+    {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 
@@ -66,6 +70,18 @@ std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>
     if (!best || first_of(found) < first_of(*best)) best = found;
   }
   return best;
+}
+
+std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>& header) {
+  const std::vector<std::string> names = all_folded(header);
+  const std::optional<NamedColumns> plane = find_coordinates(header);
+  const std::optional<std::size_t> z = find_first(names, height_names);
+  if (!plane || plane->degrees || !z) return {};
+  std::vector<std::size_t> places = {plane->x, plane->y, *z};
+  for (const auto& axis : normal_names)
+    if (const std::optional<std::size_t> n = find_first(names, axis)) places.push_back(*n);
+  if (places.size() < 6) places.resize(3);
+  return places;
 }
 
 bool is_longitude(std::string_view name) { return is_one_of(known_names().front().x, name); }

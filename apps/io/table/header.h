@@ -17,6 +17,10 @@ struct NamedColumns {
 /// whatever beside them. Of several pairs the one that begins farthest to the left.
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
 
+/// The columns called x, y and z, or easting, northing and height, and behind them those called nx, ny and nz when all
+/// three are there; none unless there are the first three.
+std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>& header);
+
 /// Whether such a name is one of a longitude, a latitude.
 bool is_longitude(std::string_view name);
 bool is_latitude(std::string_view name);

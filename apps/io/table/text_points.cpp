@@ -1,7 +1,6 @@
 #include "io/table/text_points.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -10,41 +9,19 @@
 #include "io/gis/wkt_geometry.h"
 #include "io/interrupt.h"
 #include "io/number.h"
+#include "io/table/decimal_comma.h"
+#include "io/table/field_text.h"
 #include "io/table/fields.h"
 #include "io/table/header.h"
 #include "io/table/separator.h"
 
 namespace rbpa::app {
-namespace {
-
-/// With a decimal point or comma.
-bool is_number(std::string_view field) {
-  std::string text(field);
-  std::replace(text.begin(), text.end(), ',', '.');
-  return parse_whole_number(text).fault != NumberFault::not_a_number;
-}
-
-bool same_name(std::string_view a, std::string_view b) {
-  const auto same_letter = [](char p, char q) {
-    return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
-  };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_letter);
-}
-
-/// What programs write where there is no value.
-bool is_missing(std::string_view field) {
-  constexpr std::string_view signs[] = {"", "NA", "N/A", "#N/A", "NaN", "-NaN", "null", "none", "nil", "-", "\\N"};
-  return std::any_of(std::begin(signs), std::end(signs), [&](std::string_view sign) { return same_name(field, sign); });
-}
-
-}  // namespace
-
 class TextTable::Reader {
  public:
   Reader(std::string name, TableRule rule) : lines_({}), name_(std::move(name)), rule_(std::move(rule)) {}
 
   void read(std::string_view text) {
-    if (lines_.number() == 0 && !has_text_) text = beyond_byte_order_mark(text);
+    if (lines_.number() == 0 && !has_text_) text = beyond_byte_order_mark(text, name_);
     has_text_ = has_text_ || !text.empty();
     lines_ = Lines(text, lines_.number());
     forget_points();
@@ -55,7 +32,7 @@ class TextTable::Reader {
     file_.points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text.size() / 4 + 1));
     do {
       take_line();
-      if (width_ && !wkt_ && !decimal_comma_ && !rule_.where) read_plain_lines();
+      if (width_ && !wkt_ && !comma_.is_used() && !rule_.where) read_plain_lines();
     } while (lines_.next_with_content());
   }
 
@@ -72,21 +49,11 @@ class TextTable::Reader {
   /// What the next line may be.
   enum class Place { hint, header, first_data, data };
 
-  std::string_view beyond_byte_order_mark(std::string_view text) const {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-      bad_input(name_, "text in UTF-16", "UTF-8 (iconv -f UTF-16 -t UTF-8)");
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    return text;
-  }
-
   /// Goes on from a line with content to the first line of data, or returns false when that is not in this text.
   bool find_data() {
     if (place_ == Place::hint) {
-      // Excel may write "sep=;" before everything else; the lines show it as well.
-      const bool hint = lines_.line().size() == 5 && lines_.line().starts_with("sep=");
       place_ = Place::header;
-      if (hint && !lines_.next_with_content()) return false;
+      if (is_separator_hint(lines_.line()) && !lines_.next_with_content()) return false;
     }
     if (place_ == Place::header) {
       const bool header = take_header();
@@ -116,7 +83,7 @@ class TextTable::Reader {
     const std::vector<std::string_view> fields = split(lines_.line(), separator_of(lines_.line()));
     if (rule_.columns) {
       const auto position = [&](const Column& column) {
-        return column.number > 0 ? column.number - 1 : find_name(fields, column.name);
+        return column.number > 0 ? column.number - 1 : find_column(fields, column.name, lines_, name_);
       };
       x_ = position(rule_.columns->x);
       y_ = position(rule_.columns->y);
@@ -164,16 +131,6 @@ class TextTable::Reader {
     return wkt_.has_value();
   }
 
-  std::size_t find_name(const std::vector<std::string_view>& fields, const std::string& wanted) const {
-    auto found = std::find(fields.begin(), fields.end(), wanted);
-    if (found == fields.end())
-      found =
-          std::find_if(fields.begin(), fields.end(), [&](std::string_view field) { return same_name(field, wanted); });
-    if (found == fields.end())
-      bad_input(here(), in_quotes(lines_.line()), "a header with a column " + in_quotes(wanted));
-    return static_cast<std::size_t>(found - fields.begin());
-  }
-
   /// That of the line, which is the first of data. The commas of a geometry separate none of its fields.
   char data_separator() const {
     if (!wkt_) return separator_of(lines_.line());
@@ -184,7 +141,8 @@ class TextTable::Reader {
   void find_fields(bool header) {
     if (!header) bad_input(name_, "no header line", "one with the names that --where asks for");
     const std::vector<std::string_view> names = split(header_, separator_of(header_));
-    for (const std::string& field : rule_.where->fields()) field_columns_.push_back(find_name(names, field));
+    for (const std::string& field : rule_.where->fields())
+      field_columns_.push_back(find_column(names, field, lines_, name_));
     field_values_.resize(field_columns_.size());
     selects_.emplace(*rule_.where);
   }
@@ -318,12 +276,11 @@ class TextTable::Reader {
   /// `where`, for messages, is empty for a coordinate.
   double read_number(Fields& fields, const std::string& where = "") {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
-    const bool whole_field = number.fault == NumberFault::none && !decimal_comma_ && fields.take_up_to(number.end);
+    const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
     if (whole_field) return number.value;
     const std::string_view field = without_quotes(fields.take());
     if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
-    if (decimal_comma_ && field.find('.') != std::string_view::npos)
-      bad_input(here(), in_quotes(field), "a number with a decimal comma, as in line " + std::to_string(comma_line_));
+    comma_.refuse_point(field, here());
     const ParsedNumber whole = parse_whole_number(field);
     if (whole.fault != NumberFault::none)
       bad_input(here(), in_quotes(field),
@@ -334,21 +291,13 @@ class TextTable::Reader {
 
   /// A sign is either: numbers with a point before this one leave it no number.
   double read_decimal_comma(std::string_view field) {
-    std::string text(field);
-    const bool one = std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos;
-    std::replace(text.begin(), text.end(), ',', '.');
-    const ParsedNumber number = parse_whole_number(text);
-    if (!one || number.fault != NumberFault::none)
-      bad_input(here(), in_quotes(field), expected_instead(one ? number.fault : NumberFault::not_a_number));
-    if (!decimal_comma_) {
+    const double value = comma_.read(field, here());
+    if (!comma_.is_used()) {
       const auto is_whole = [](const Point& p) { return std::trunc(p.x) == p.x && std::trunc(p.y) == p.y; };
-      if (!all_whole_ || !std::all_of(file_.points.begin(), file_.points.end(), is_whole))
-        bad_input(here(), in_quotes(field), "a number with a decimal point, as in lines before");
-      decimal_comma_ = true;
-      comma_line_ = lines_.number();
-      file_.remarks.push_back("the decimal sign is a comma: " + shown(field) + " is read as " + shown(text));
+      const bool all_whole = all_whole_ && std::all_of(file_.points.begin(), file_.points.end(), is_whole);
+      comma_.begin(field, lines_.number(), all_whole, here(), file_.remarks);
     }
-    return number.value;
+    return value;
   }
 
   std::string skip_hint() const {
@@ -389,9 +338,8 @@ class TextTable::Reader {
   std::optional<std::size_t> width_ = std::nullopt;  // how many
   std::string header_ = {};                          // empty without one
   std::size_t first_point_ = 0;                      // its line
-  bool decimal_comma_ = false;                       // and no decimal point
-  std::size_t comma_line_ = 0;                       // that has shown it
-  std::vector<std::size_t> field_columns_ = {};      // of the fields of --where
+  DecimalComma comma_ = {};
+  std::vector<std::size_t> field_columns_ = {};  // of the fields of --where
   std::vector<double> field_values_ = {};
   std::optional<Decision> selects_ = std::nullopt;  // where there is a --where
   std::size_t selected_ = 0, deselected_ = 0;       // lines

@@ -1,0 +1,258 @@
+// Every way in which a file of points of space can be bad: the whole message.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <string>
+
+#include "io/failure.h"
+#include "io/space/read_space_points.h"
+#include "support/las_file.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using namespace rbpa::app;
+
+namespace {
+
+std::string refusal(const std::string& bytes, SpaceFormat format, const std::string& columns = "") {
+  try {
+    SpaceChoice choice;
+    if (!columns.empty()) choice.columns = parse_space_columns(columns);
+    space_points_in(bytes, "p", format, choice);
+  } catch (const BadInput& error) {
+    return error.what();
+  } catch (const WrongUsage& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::string table(const std::string& text, const std::string& columns = "") {
+  return refusal(text, SpaceFormat::text, columns);
+}
+std::string ply(const std::string& vertices) {
+  return refusal(
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nend_header\n" +
+          vertices,
+      SpaceFormat::ply);
+}
+std::string off(const std::string& text) { return refusal(text, SpaceFormat::off); }
+std::string obj(const std::string& text) { return refusal(text, SpaceFormat::obj); }
+
+/// With one line of the header replaced.
+std::string pcd(const std::string& data, const std::string& line = "", const std::string& replaced = "") {
+  std::string text =
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n";
+  if (!line.empty()) text.replace(text.find(line), line.size(), replaced);
+  return refusal(text + data, SpaceFormat::pcd);
+}
+
+std::string npy(const std::string& shape, const std::string& data) {
+  const std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + "}\n";
+  std::string file("\x93NUMPY\x01\x00", 8);
+  file += static_cast<char>(header.size());
+  file += '\0';
+  return refusal(file + header + data, SpaceFormat::npy);
+}
+
+template <typename T>
+std::string numbers(std::initializer_list<T> values) {
+  std::string bytes(values.size() * sizeof(T), '\0');
+  std::memcpy(bytes.data(), std::data(values), bytes.size());
+  return bytes;
+}
+
+const double no_number = __builtin_nan(""), inf = __builtin_inf();
+
+}  // namespace
+
+TEST_SUITE("bad points of space") {
+  TEST_CASE("no such file, a folder, an empty file") {
+    const Folder folder;
+    CHECK_THROWS_WITH_AS(read_space_points(folder.path("none.xyz"), SpaceFormat::text),
+                         (folder.path("none.xyz") + ": found no such file, expected a file of points").c_str(),
+                         BadInput);
+    CHECK_THROWS_AS(read_space_points(folder.path(""), SpaceFormat::ply), BadInput);
+    for (const SpaceFormat format : {SpaceFormat::text, SpaceFormat::ply, SpaceFormat::off, SpaceFormat::obj,
+                                     SpaceFormat::pcd, SpaceFormat::npy, SpaceFormat::las})
+      CHECK(refusal("", format) == "p: found an empty file, expected points");
+  }
+
+  TEST_CASE("what is of no format at all is not the one that its name says") {
+    const std::string text = "hello, world\n";
+    CHECK(table(text) == "p:1: found 'hello, world', expected 3 or 6 numbers");
+    CHECK(refusal(text, SpaceFormat::ply) == "p: found no PLY signature, expected a .ply file");
+    CHECK(off(text) == "p:1: found 'hello,', expected OFF, COFF, NOFF or CNOFF");
+    CHECK(obj(text) == "p: found no line 'v x y z', expected points");
+    CHECK(refusal(text, SpaceFormat::pcd) ==
+          "p:1: found 'hello, world', expected a .pcd file, which begins with VERSION or FIELDS");
+    CHECK(refusal("#\n", SpaceFormat::pcd) == "p: found no PCD header, expected a .pcd file");
+    CHECK(refusal(text, SpaceFormat::npy) == "p: found no NumPy signature, expected an .npy file");
+    CHECK(refusal(text, SpaceFormat::las) == "p: found 'hell', expected a LAS file, which begins with 'LASF'");
+  }
+
+  TEST_CASE("a wrong number of columns") {
+    CHECK(table("0 0\n1 0\n") == "p:1: found 2 columns ('0 0'), expected 3 or 6");
+    CHECK(table("0 0 0 1\n") ==
+          "p:1: found 4 columns ('0 0 0 1'), expected 3 or 6 (--columns X,Y,Z chooses some of more)");
+    CHECK(table("# x\n0 0 0\n1 0\n") == "p:3: found 2 columns ('1 0'), expected 3 as in line 2");
+    CHECK(table("0,0,0,1,1,1\n1,0,0\n") == "p:2: found 3 columns ('1,0,0'), expected 6 as in line 1");
+    CHECK(table("x,y,z\n1,0\n") == "p:2: found 2 columns ('1,0'), expected 3 as in line 1");
+    CHECK(npy("(2, 2)", numbers({0., 0., 0., 0.})) == "p: found shape '(2, 2)', expected (n, 3) or (n, 6)");
+    CHECK(npy("(1, 4)", numbers({0., 0., 0., 0.})) == "p: found shape '(1, 4)', expected (n, 3) or (n, 6)");
+    CHECK(off("OFF\n2 0 0\n0 0 0\n1 0\n") == "p:4: found '1 0', expected another number");
+    CHECK(off("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n") == "p:4: found '1 0 0', expected another number");
+    CHECK(obj("v 0 0\n") == "p:1: found 'v 0 0', expected another number");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11111111 1\n") ==
+          "p:15: found '11111111', expected a channel of a colour, from 0 to 255");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11 11111\n") ==
+          "p:15: found '11111', expected a channel of a colour, from 0 to 255");
+  }
+
+  TEST_CASE("columns that are not there, or are one") {
+    CHECK(table("0 0 0\n", "1,2,4") ==
+          "p:1: found 3 columns ('0 0 0'), expected at least 4 columns, as --columns asks");
+    CHECK(table("a,b,c\n1,2,3\n", "a,b,d") == "p:1: found 'a,b,c', expected a header with a column 'd'");
+    CHECK(table("# no line\n", "a,b,d") == "p: found no header line, expected one with the column names");
+    CHECK(table("a,b,c,d\n1,2,3,4\n") ==
+          "p:1: found 'a,b,c,d', expected a header with columns x, y and z (--columns X,Y,Z chooses others)");
+    CHECK(table("a,b,c\n1,2,3\n", "a,b,2") ==
+          "--columns: found 'b', of which two are one column, expected different ones");
+    CHECK(table("", "1,2,1") == "--columns: found '1,2,1', of which two are one column, expected different ones");
+    for (const std::string text : {"1,2", "1,2,3,4", "1,,3", "1,2,3,", "1,2,3,4,5,6,7"})
+      CHECK(table("", text) ==
+            "--columns: found '" + text + "', expected X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
+    CHECK(table("", "1,2,0") == "--columns: found '0', expected a column number from 1 or a column name");
+  }
+
+  TEST_CASE("a field that is no number, or none that is finite") {
+    CHECK(table("0 0 0\n# x\n1 2 abc\n") == "p:3: found 'abc', expected a number");
+    CHECK(table("0 0 0\n1 2 3x\n") == "p:2: found '3x', expected a number");
+    CHECK(table("0 0 0\n1 nan 3\n") == "p:2: found 'nan', expected a finite number");
+    CHECK(table("0 0 0\n1 2 -inf\n") == "p:2: found '-inf', expected a finite number");
+    CHECK(table("0,0,0\n1,,3\n") == "p:2: found '', expected a number");
+    CHECK(table("0 0 0\n1 2 1e999\n") ==
+          "p:2: found '1e999', expected a number within the range of a double (up to 1.8e308)");
+    CHECK(table("0 0 0 0 0 1\n0 0 0 0 nan 1\n") == "p:2: found 'nan', expected a finite number");
+    CHECK(table("0.5;1;2\n0,5;1;2\n") ==
+          "p:2: found '0,5', expected a number with a decimal point, as in lines before");
+    CHECK(table("0,5;1;2\n0.5;1;2\n") == "p:2: found '0.5', expected a number with a decimal comma, as in line 1");
+    CHECK(off("OFF\n1 0 0\n0 inf 0\n") == "p:3: found 'inf', expected a finite number");
+    CHECK(obj("v 0 0 nan\n") == "p:1: found 'nan', expected a finite number");
+    CHECK(obj("v 0 0 0\nvn 0 nan 1\n") == "p:2: found 'nan', expected a finite number");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 nan 0 0 1 1 1 1\n") == "p:15: found 'nan', expected a finite number");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 1 1 1.5\n") ==
+          "p:15: found '1.5', expected a channel of a colour, from 0 to 255");
+    CHECK(pcd(numbers({0.F, 0.F, 0.F, 0.F, 0.F, static_cast<float>(no_number)})) ==
+          "p: point 1: found 'nan', expected a finite number");
+    CHECK(npy("(1, 3)", numbers({0., -inf, 0.})) == "p: point 0: found '-inf', expected a finite number");
+    CHECK(npy("(1, 6)", numbers({0., 0., 0., no_number, 0., 0.})) ==
+          "p: normal of point 0: found 'nan', expected a finite number");
+    CHECK(refusal("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
+                  "property double z\nend_header\n" +
+                      numbers({0., 0., inf}),
+                  SpaceFormat::ply) == "p: point 0: found 'inf', expected a finite number");
+  }
+
+  TEST_CASE("the first normal that has no direction is named") {
+    const std::string message = "p: normal of point 1: found '0 0 0', expected a vector of another length than 0";
+    CHECK(table("0 0 0 0 0 1\n0 0 0 0 -0 0\n0 0 0 0 0 0\n") == message);
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 0 1 1 1\n") == message);
+    CHECK(off("NOFF\n2 0 0\n0 0 0 0 1e-320 0\n1 0 0 0 0 0\n") == message);
+    CHECK(obj("v 0 0 0\nv 0 0 0\nvn 1 0 0\nvn 0 0 0\n") == message);
+    CHECK(npy("(2, 6)", numbers({0., 0., 0., 1., 0., 0., 0., 0., 0., 0., 0., 0.})) == message);
+  }
+
+  TEST_CASE("a file that ends before all that it announces, found before memory is asked for") {
+    CHECK(off("OFF\n2 0 0\n0 0 0\n# a comment that is long enough\n") ==
+          "p: found 1 vertex line, expected 2 vertex lines as line 2 says");
+    CHECK(off("OFF\n99999999999999 0 0\n0 0 0\n") ==
+          "p: found 6 bytes of data, expected 99999999999999 vertex lines as line 2 says");
+    CHECK(ply("0 0 0 0 0 1 1 1 1\n") == "p: found 18 bytes of data, expected 2 vertex elements as line 3 says");
+    CHECK(npy("(99999999999999, 3)", numbers({0., 0., 0.})) ==
+          "p: found 24 bytes of data, expected 99999999999999 rows of 24 bytes as the header says");
+    for (const std::string count : {"2", "99999999999999", "18446744073709551615"})
+      for (const std::string list : {"", "property list uchar int l\n"})
+        CHECK(refusal("ply\nformat binary_big_endian 1.0\nelement vertex " + count +
+                          "\nproperty float x\nproperty float y\nproperty float z\n" + list + "end_header\n" +
+                          numbers({0.F, 0.F, 0.F, 0.F, 0.F}),
+                      SpaceFormat::ply) ==
+              "p: found 20 bytes of data, expected " + count + " vertex elements as line 3 says");
+    CHECK(refusal("ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                      numbers({0.F, 0.F, 0.F}) + "\x03xx",
+                  SpaceFormat::ply) == "p: found 0 whole face elements, expected 1 face element as line 7 says");
+    CHECK(pcd(numbers({0.F, 0.F, 0.F, 0.F, 0.F})) == "p: found 20 bytes of data, expected 2 points as line 8 says");
+    CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2", "POINTS 99999999999999") ==
+          "p: found 0 bytes of data, expected 99999999999999 points as line 6 says");
+    CHECK(pcd("0 0 0\n1 1\n", "DATA binary", "DATA ascii") ==
+          "p: found 10 bytes of data, expected 2 points as line 8 says");
+    CHECK(pcd("0 0 0\n# and more than enough\n", "DATA binary", "DATA ascii") ==
+          "p: found 1 point, expected 2 points as line 8 says");
+    CHECK(pcd("0 0 0\n1 100\n", "DATA binary", "DATA ascii") == "p:11: found '1 100', expected another number");
+    std::string las = bytes_of({.points = {{.x = 1}, {.x = 2}}});
+    las.resize(las.size() - 1);
+    CHECK(refusal(las, SpaceFormat::las) ==
+          "p: found 39 bytes of points, which are 1 whole record, expected 2 records of 20 bytes as the header says");
+  }
+
+  TEST_CASE("a header of PCD that says what cannot be") {
+    CHECK(
+        pcd("", "DATA binary", "DATA binary_compressed") ==
+        "p:9: found 'DATA binary_compressed', expected ascii or binary (pcl_convert_pcd_ascii_binary FILE points.pcd 1 "
+        "writes what is compressed so)");
+    CHECK(pcd("", "DATA binary", "DATA hex") == "p:9: found 'DATA hex', expected ascii or binary");
+    CHECK(pcd("", "DATA binary\n", "") == "p: found the end of the file in the header, expected DATA");
+    CHECK(pcd(std::string(24, '\0'), "FIELDS x y z", "FIELDS x y h") ==
+          "p: found points without 'z', expected the fields x, y and z");
+    CHECK(pcd("", "FIELDS x y z", "FIELDS") == "p:2: found 'FIELDS', expected the names of fields");
+    CHECK(pcd("", "SIZE 4 4 4", "SIZE 4 4") == "p: found 2 words behind SIZE, expected 3, one for each of FIELDS");
+    CHECK(pcd("", "TYPE F F F\n", "") == "p: found 0 words behind TYPE, expected 3, one for each of FIELDS");
+    CHECK(pcd("", "COUNT 1 1 1", "COUNT 1 1") == "p: found 2 words behind COUNT, expected 3, one for each of FIELDS");
+    CHECK(pcd("", "SIZE 4 4 4", "SIZE 4 4 3") ==
+          "p: field z: found 'F 3', expected a type F, I or U and its size in bytes");
+    for (const std::string count : {"0", "-1", "65537", "18446744073709551615"})
+      CHECK(pcd("", "COUNT 1 1 1", "COUNT 1 1 " + count) ==
+            "p: field z: found a count of '" + count + "', expected one from 1 to 65536");
+    CHECK(pcd("", "POINTS 2", "POINTS 3") == "p: found 3 points, expected 2 times 1 as WIDTH and HEIGHT say");
+    CHECK(pcd("", "WIDTH 2", "WIDTH two") == "p:6: found 'WIDTH two', expected a number of points");
+    CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2\n", "") ==
+          "p: found a header without POINTS, expected how many there are");
+    CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2\n", "WIDTH 4294967296\nHEIGHT 4294967297\n") ==
+          "p: found WIDTH and HEIGHT beyond any file, expected 4294967296 times 4294967297 as WIDTH and HEIGHT say");
+    CHECK(pcd("", "HEIGHT 1", "DEPTH 1") == "p:7: found 'DEPTH 1', expected a line of the header, or DATA");
+    CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nPOINTS 1\nDATA ascii\n0 0 0 4294967296\n",
+                  SpaceFormat::pcd) == "p:6: found '4294967296', expected a colour of 4 bytes");
+    CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nPOINTS 1\nDATA ascii\n0 0 0 1e300\n",
+                  SpaceFormat::pcd) == "p:6: found '1e+300', expected a colour of 4 bytes");
+  }
+
+  TEST_CASE("a normal or a vertex that a face of OBJ names and the file has not") {
+    const std::string v = "v 0 0 0\nvn 1 0 0\n";
+    CHECK(obj(v + "f 1//2\n") == "p:3: found '2', expected a normal number from 1 to 1");
+    CHECK(obj(v + "f 2//1\n") == "p:3: found '2', expected a vertex number from 1 to 1");
+    CHECK(obj(v + "f 1//0\n") == "p:3: found '1//0', expected a normal number from 1, or from -1 to -1");
+    CHECK(obj(v + "f 1//x\n") == "p:3: found '1//x', expected a normal number from 1, or from -1 to -1");
+    CHECK(obj(v + "f //1\n") == "p:3: found '//1', expected a vertex number from 1, or from -1 to -1");
+    CHECK(obj("f 1//1\nv 0 0 0\n") == "none");  // no normals at all: nothing to be wrong about
+  }
+
+  TEST_CASE("heights of LAS that are none") {
+    LasFile file{.points = {{.x = 1}}};
+    file.scale[2] = 0;
+    CHECK(refusal(bytes_of(file), SpaceFormat::las) ==
+          "p: found a scale of '0', expected a finite number other than 0");
+    file.scale[2] = no_number;
+    CHECK(refusal(bytes_of(file), SpaceFormat::las) ==
+          "p: found a scale of 'nan', expected a finite number other than 0");
+    file.scale[2] = 1;
+    file.offset[2] = inf;
+    CHECK(refusal(bytes_of(file), SpaceFormat::las) == "p: found an offset of 'inf', expected a finite number");
+    file.scale[2] = 1e300;
+    file.offset[2] = 0;
+    CHECK(refusal(bytes_of(file), SpaceFormat::las) ==
+          "p: found a scale of '1e+300' and an offset of '0', expected coordinates within the range of a double");
+  }
+}

@@ -1,0 +1,271 @@
+// Points of space from files: what each format says, against the same points in another, and byte by byte.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/las/selection.h"
+#include "io/space/read_space_points.h"
+#include "support/las_file.h"
+#include "support/mesh_files.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using namespace rbpa::app;
+using rbpa::Point3;
+using Places = std::vector<Point3>;
+using Colors = std::vector<std::array<std::uint8_t, 3>>;
+
+namespace {
+
+SpacePoints read(const std::string& bytes, SpaceFormat format, const std::string& columns = "") {
+  SpaceChoice choice;
+  if (!columns.empty()) choice.columns = parse_space_columns(columns);
+  return space_points_in(bytes, "p", format, choice);
+}
+
+SpacePoints table(const std::string& text, const std::string& columns = "") {
+  return read(text, SpaceFormat::text, columns);
+}
+
+const Places points = {{0.5, -1, 2}, {3, 4e-3, 1e6}};
+const Places normals = {{0, 0, 2}, {-1, 0.25, 0}};
+const Colors colors = {{1, 2, 255}, {128, 0, 7}};
+
+void is(const SpacePoints& file, const Places& with_normals = {}, const Colors& with_colors = {}) {
+  CHECK(file.points == points);
+  CHECK(file.normals == with_normals);
+  CHECK(file.colors == with_colors);
+}
+
+template <typename T>
+std::string raw(T value, std::endian order = std::endian::little) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+std::string ply_head(const std::string& format) {
+  return "ply\nformat " + format +
+         " 1.0\ncomment of two\nelement tag 1\nproperty short t\nelement vertex 2\nproperty double y\nproperty float "
+         "nx\n"
+         "property double x\nproperty uchar red\nproperty double ny\nproperty uchar green\nproperty uchar blue\n"
+         "property double z\nproperty short q\nproperty double nz\nend_header\n";
+}
+
+std::string ply_binary_of(std::endian order) {
+  std::string bytes = ply_head(order == std::endian::little ? "binary_little_endian" : "binary_big_endian");
+  bytes += raw(std::int16_t{9}, order);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Point3 p = points[i], n = normals[i];
+    const auto c = colors[i];
+    bytes += raw(p.y, order) + raw(static_cast<float>(n.x), order) + raw(p.x, order) + raw(c[0]) + raw(n.y, order) +
+             raw(c[1]) + raw(c[2]) + raw(p.z, order) + raw(std::int16_t{-1}, order) + raw(n.z, order);
+  }
+  return bytes;
+}
+
+std::string npy(const std::string& description, const std::string& data) {
+  std::string header = "{" + description + "}\n";
+  std::string file("\x93NUMPY\x01\x00", 8);
+  file += static_cast<char>(header.size());
+  file += '\0';
+  return file + header + data;
+}
+
+std::string pcd_head(const std::string& data) {
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgb _ normal_x normal_y normal_z\n"
+         "SIZE 8 8 8 4 1 4 4 8\nTYPE F F F U U F F F\nCOUNT 1 1 1 1 3 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+         "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA " +
+         data + "\n";
+}
+
+std::uint32_t packed(const std::array<std::uint8_t, 3>& c) {
+  return 0xff000000U | static_cast<std::uint32_t>(c[0]) << 16U | static_cast<std::uint32_t>(c[1]) << 8U | c[2];
+}
+
+std::string pcd_binary() {
+  std::string bytes = pcd_head("binary");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Point3 p = points[i], n = normals[i];
+    bytes += raw(p.x) + raw(p.y) + raw(p.z) + raw(packed(colors[i])) + "abc" + raw(static_cast<float>(n.x)) +
+             raw(static_cast<float>(n.y)) + raw(n.z);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+TEST_SUITE("points of space") {
+  TEST_CASE("a name or an ending is a format") {
+    CHECK(space_format("XYZ") == SpaceFormat::text);
+    CHECK(space_format("csv") == SpaceFormat::text);
+    CHECK(space_format("pcd") == SpaceFormat::pcd);
+    CHECK_FALSE(space_format("stl").has_value());
+    std::string_view names = space_formats;  // what is said to be known is known
+    while (!names.empty()) {
+      const std::size_t comma = std::min(names.find(','), names.size());
+      CHECK(space_format(names.substr(0, comma)).has_value());
+      names.remove_prefix(std::min(comma + 2, names.size()));
+    }
+  }
+
+  TEST_CASE("tables have 3 columns or 6, under every separator, with comments, quotes and a header") {
+    is(table("0.5 -1 2\n3 4e-3 1e6\n"));
+    is(table("\xEF\xBB\xBF# said\n\n 0.5   -1  2 # first\r\n3 +.004 1e6"));
+    is(table("0.5,-1,2\n\"3\", 4e-3 ,1e6\n"));
+    is(table("sep=;\n0.5;-1;2\n3;4e-3;1e6\n"));
+    is(table("0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n"), normals);
+    is(table("a,b,c\n0.5,-1,2\n3,4e-3,1e6\n"));
+    is(table("x y z nx ny nz\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n"), normals);
+  }
+
+  TEST_CASE("a header says where they are, in whatever order") {
+    const SpacePoints file =
+        table("id,Normal_Z,Y,red,Z,X,normal_x,normal_y\n7,2,-1,NA,2,0.5,0,0\n8,0,4e-3,text,1e6,3,-1,0.25\n");
+    is(file, normals);
+    REQUIRE(file.remarks.size() == 1);
+    CHECK(file.remarks[0] ==
+          "the columns 'X', 'Y', 'Z', 'normal_x', 'normal_y', 'Normal_Z' are read, as the header says "
+          "(--columns chooses others)");
+    is(table("x,y,z,r,g,b\n0.5,-1,2,0,0,0\n3,4e-3,1e6,1,2,3\n"));  // six, and no normals
+    is(table("easting,northing,height\n0.5,-1,2\n3,4e-3,1e6\n"));
+  }
+
+  TEST_CASE("--columns chooses by number or name") {
+    is(table("9 2 -1 0.5\n9 1e6 4e-3 3\n", "4,3,2"));
+    is(table("h,b,a,n\n2,-1,0.5,9\n1e6,4e-3,3,9\n", "a,B, h"));
+    is(table("0.5 -1 2 2 0 0\n3 4e-3 1e6 0 .25 -1\n", "1,2,3,6,5,4"), {{0, 0, 2}, {-1, .25, 0}});
+  }
+
+  TEST_CASE("a decimal comma is one") {
+    const SpacePoints file = table("0,5;-1;2\n3;0,004;1e6\n");
+    is(file);
+    CHECK(file.remarks == std::vector<std::string>{"the decimal sign is a comma: 0,5 is read as 0.5"});
+    is(table("0,5 -1 2\n3 0,004 1e6\n"));
+  }
+
+  TEST_CASE("PLY of every kind, its properties in any order, lists and other elements between") {
+    std::string text = ply_head("ascii") + "9\n-1 0 0.5 1 0 2 255 2 5 2\n4e-3 -1 3 128 0.25 0 7 1e6 5 0\n";
+    is(read(text, SpaceFormat::ply), normals, colors);
+    is(read(ply_binary_of(std::endian::little), SpaceFormat::ply), normals, colors);
+    is(read(ply_binary_of(std::endian::big), SpaceFormat::ply), normals, colors);
+    for (const std::string& bytes : {pyramid_ply, ply_binary(std::endian::little), ply_binary(std::endian::big)}) {
+      const SpacePoints file = read(bytes, SpaceFormat::ply);
+      REQUIRE(file.points.size() == pyramid_positions.size());
+      for (std::size_t i = 0; i < file.points.size(); ++i)
+        CHECK(file.points[i] == Point3{pyramid_positions[i][0], pyramid_positions[i][1], pyramid_positions[i][2]});
+    }
+  }
+
+  TEST_CASE("what PLY has of normals and colours in part is left out, and said") {
+    const SpacePoints file = read(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+        "nx\n"
+        "property float ny\nproperty float red\nproperty float green\nproperty float blue\nend_header\n"
+        "0.5 -1 2 0 0 1 1 1\n3 4e-3 1e6 0 0 1 1 1\n",
+        SpaceFormat::ply);
+    is(file);
+    CHECK(file.remarks ==
+          std::vector<std::string>{"normals are left out, as not all of nx, ny and nz are there",
+                                   "colours are left out, as red, green and blue are not three of type uchar"});
+  }
+
+  TEST_CASE("OFF has the normals of its prefix N, and nothing else") {
+    is(read("OFF\n2 1 0\n0.5 -1 2 9 9 9\n3 4e-3 1e6\n3 0 1 0\n", SpaceFormat::off));
+    is(read("NOFF\n2 0 0\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n", SpaceFormat::off), normals);
+    is(read("STCNOFF 2 0 0\n0.5 -1 2 0 0 2 1 1 1 1\n3 4e-3 1e6 -1 .25 0 1 1 1 1\n", SpaceFormat::off), normals);
+    is(read("COFF\n2 0 0\n0.5 -1 2 1 1 1 1\n3 4e-3 1e6 1 1 1 1\n", SpaceFormat::off));
+  }
+
+  TEST_CASE("normals of OBJ are those that faces give, else those in order") {
+    const std::string v = "v 0.5 -1 2\nv 3 4e-3 \\\n1e6\n", n = "vn 0 0 2\nvn -1 .25 0\n";
+    is(read(v, SpaceFormat::obj));
+    is(read(v + n, SpaceFormat::obj), normals);
+    is(read(v + n + "f 1 2 1\n", SpaceFormat::obj), normals);  // which names none
+    is(read(v + "vn -1 .25 0\nvn 0 0 2\nf 1//2 2//1 1//2\n", SpaceFormat::obj), normals);
+    is(read("f 1/7/2 2//1\n" + v + "vn -1 .25 0\nvn 0 0 2\nf -2//-1 2/1 1\n", SpaceFormat::obj), normals);
+    is(read(v + "vn 0 0 2\nvn 0 0 2\nvn -1 .25 0\nf 1//1 2//3 1//2\n", SpaceFormat::obj), normals);  // equal ones
+  }
+
+  TEST_CASE("where OBJ does not say one normal for each vertex there are none, and that is said") {
+    const std::string v = "v 0.5 -1 2\nv 3 4e-3 1e6\n", n = "vn 0 0 2\nvn -1 .25 0\n";
+    const auto says = [&](const std::string& text, const std::string& why) {
+      const SpacePoints file = read(v + text, SpaceFormat::obj);
+      is(file);
+      CHECK(file.remarks == std::vector<std::string>{"normals are left out: " + why});
+    };
+    says("vn 0 0 1\n", "1 normal for 2 vertices, and no face says which is whose");
+    says(n + "f 1//1 2//2 1//2\n", "vertex 1 has several in the faces around it, line 5");
+    says(n + "f 1//1 2 1//1\n", "no face gives vertex 2 one");
+  }
+
+  TEST_CASE("PCD, as text and binary, with fields that do not count between") {
+    const auto text = [](const std::string& first, const std::string& second) {
+      return pcd_head("ascii") + "0.5 -1 2 " + first + " 1 2 3 0 0 2\n3 4e-3 1e6 " + second + " 1 2 3 -1 .25 0\n";
+    };
+    is(read(text(std::to_string(packed(colors[0])), std::to_string(packed(colors[1]))), SpaceFormat::pcd), normals,
+       colors);
+    is(read(pcd_binary(), SpaceFormat::pcd), normals, colors);
+    is(read("VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 2\nDATA ascii\n0.5 -1 2\n3 4e-3 1e6\n",
+            SpaceFormat::pcd));
+  }
+
+  TEST_CASE("a colour of PCD may be in the bits of a float") {
+    const float bits = std::bit_cast<float>(packed(colors[0]) & 0xffffffU);
+    const SpacePoints file = read(
+        "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+        "DATA binary\n" +
+            raw(1.0F) + raw(2.0F) + raw(3.0F) + raw(bits),
+        SpaceFormat::pcd);
+    CHECK(file.colors == Colors{colors[0]});
+    const SpacePoints text = read(
+        "FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n"
+        "1 2 3 4.2108e+06\n",
+        SpaceFormat::pcd);
+    CHECK(text.colors == Colors{{0x80, 0x80, 0xe0}});  // the float 4.2108e6 is 4a8080e0
+  }
+
+  TEST_CASE("arrays of NumPy have 3 or 6 columns, rows or columns first") {
+    std::string rows, columns;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const Point3& p : {points[i], normals[i]}) rows += raw(p.x) + raw(p.y) + raw(p.z);
+    for (const Places& places : {points, normals})
+      for (const auto axis : {&Point3::x, &Point3::y, &Point3::z})
+        for (const Point3& p : places) columns += raw(p.*axis);
+    const std::string f8 = "'descr': '<f8', 'shape': ";
+    is(read(npy(f8 + "(2, 6), 'fortran_order': False", rows), SpaceFormat::npy), normals);
+    is(read(npy(f8 + "(2, 6), 'fortran_order': True", columns), SpaceFormat::npy), normals);
+    std::string shorts;
+    for (const int value : {1, -2, 3}) shorts += raw(static_cast<std::int16_t>(value), std::endian::big);
+    CHECK(read(npy("'descr': '>i2', 'shape': (1, 3), 'fortran_order': False", shorts), SpaceFormat::npy).points ==
+          Places{{1, -2, 3}});
+  }
+
+  TEST_CASE("LAS has x, y and z as its scales say, of all versions, and of those that --where takes") {
+    for (unsigned minor = 0; minor <= 4; ++minor) {
+      LasFile file{.minor = minor};
+      file.scale[2] = 0.5;
+      file.offset[2] = 100;
+      file.points = {{.x = 150, .y = -7, .z = 3}, {.x = 1, .y = 2, .z = -400, .classification = 2}};
+      CHECK(read(bytes_of(file), SpaceFormat::las).points == Places{{1.5, -0.07, 101.5}, {0.01, 0.02, -100}});
+      SpaceChoice choice;
+      choice.where = Condition("classification == 2", names_of_las_fields());
+      const SpacePoints some = space_points_in(bytes_of(file), "p", SpaceFormat::las, choice);
+      CHECK(some.points == Places{{0.01, 0.02, -100}});
+      CHECK(some.remarks == std::vector<std::string>{"1 of 2 points are as --where asks"});
+    }
+  }
+
+  TEST_CASE("a path is read, compressed or not") {
+    const Folder folder;
+    is(read_space_points(folder.file("p.xyz", "0.5 -1 2\n3 4e-3 1e6\n"), SpaceFormat::text));
+    REQUIRE(folder.run("gzip", "p.xyz").code == 0);
+    is(read_space_points(folder.path("p.xyz.gz"), SpaceFormat::text));
+  }
+}
