@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshops/core/connectivity.h"
-#include "meshtopo/polylines.h"
+#include "io/polylines.h"
 
 namespace rbpa::app {
 
