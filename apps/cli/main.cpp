@@ -270,7 +270,8 @@ void add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "file where it has any, else estimate")
       ->type_name("NAME");
   add_output_options(verb, arguments, surface_formats);
-  add_switch(verb, "--compact", arguments.compact, "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  add_switch(verb, "--compact", arguments.compact,
+             "Leave out vertices that no triangle uses (.npy keeps input indices)");
   verb.add_option("--holes", arguments.holes, "Write the boundary curves as polylines, .obj")->type_name("FILE");
   add_switch(verb, "--json", arguments.json, "Everything, with each hole and its causes, as JSON on standard output");
   verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");

@@ -52,12 +52,16 @@ void add_causes(std::array<std::size_t, 3>& counts, const Hole& hole) {
 
 Json base(const SurfaceFacts& facts) {
   const SurfaceCounts& counts = facts.counts;
-  return {{"points", facts.points},       {"distinct", facts.distinct},
-          {"unused", facts.unused.size()}, {"triangles", counts.triangles},
-          {"vertices", counts.vertices},  {"edges", counts.edges},
+  return {{"points", facts.points},
+          {"distinct", facts.distinct},
+          {"unused", facts.unused.size()},
+          {"triangles", counts.triangles},
+          {"vertices", counts.vertices},
+          {"edges", counts.edges},
           {"boundary_curves", counts.boundary_curves},
           {"components", counts.components},
-          {"genus", counts.genus},        {"radii", facts.radii},
+          {"genus", counts.genus},
+          {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
           {"normals", facts.normals}};
 }

@@ -27,7 +27,7 @@ namespace {
 /// A line that counts triangles where there are any, and hears Ctrl-C.
 class SurfaceProgress {
  public:
-  SurfaceProgress(bool wanted, const std::string& doing) : doing_(doing), line_("rbpa", wanted, doing) {}
+  SurfaceProgress(bool wanted, const std::string& doing) : line_("rbpa", wanted, doing) {}
 
   std::function<bool(const Progress&)> watch() {
     return [this](const Progress& progress) {
@@ -41,7 +41,6 @@ class SurfaceProgress {
   }
 
  private:
-  std::string doing_;
   std::atomic<std::size_t> triangles_ = 0;
   bool begun_ = false;
   ProgressLine line_;
@@ -222,12 +221,15 @@ void SurfaceRun::summarize() const {
                              : source_ == NormalSource::estimate ? "normals estimated"
                                                                  : "without normals";
   const std::size_t equal = surface_.duplicates.size();
-  say("rbpa", counted(facts_.points, "point") +
-                  (equal ? " (" + std::to_string(equal) + " repeated)" : std::string()) + ", " + origin +
-                  (facts_.radii.size() == 1 ? ", radius " : ", radii ") + text_of_radii(facts_.radii) +
-                  (facts_.chosen_radii ? " (auto)" : "") + ": " + counted(counts.triangles, "triangle") + ", " +
-                  counted(counts.components, "component") + ", " + counted(counts.boundary_curves, "boundary curve") +
-                  ", genus " + std::to_string(counts.genus) + list_of(request_.targets));
+  say("rbpa", counted(facts_.points, "point") + (equal ? " (" + std::to_string(equal) + " repeated)" : std::string()) +
+                  ", " + origin +
+                  (facts_.radii.empty()       ? ", no radius"
+                   : facts_.radii.size() == 1 ? ", radius "
+                                              : ", radii ") +
+                  text_of_radii(facts_.radii) + (facts_.chosen_radii ? " (auto)" : "") + ": " +
+                  counted(counts.triangles, "triangle") + ", " + counted(counts.components, "component") + ", " +
+                  counted(counts.boundary_curves, "boundary curve") + ", genus " + std::to_string(counts.genus) +
+                  list_of(request_.targets));
   for (const std::string& line : explanations(facts_)) say("rbpa", line);
 }
 

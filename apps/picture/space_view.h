@@ -15,7 +15,8 @@ namespace rbpa::app {
 struct SpaceView {
   int width;
   int height;
-  std::vector<std::array<double, 3>> at;  ///< of each point: x to the right, y down, and depth towards the viewer, in pixels
+  std::vector<std::array<double, 3>>
+      at;  ///< of each point: x to the right, y down, and depth towards the viewer, in pixels
 };
 
 /// Requires: width within the bounds of scene.h. The height follows the points, from a fourth to twice the width.

@@ -55,7 +55,8 @@ class DepthCanvas {
   }
 
   void disc(const Place& centre, double radius, const Colour& colour) {
-    const int y_end = inside(std::ceil(centre[1] + radius), height_), x_end = inside(std::ceil(centre[0] + radius), width_);
+    const int y_end = inside(std::ceil(centre[1] + radius), height_),
+              x_end = inside(std::ceil(centre[0] + radius), width_);
     for (int y = inside(std::floor(centre[1] - radius), height_); y < y_end; ++y)
       for (int x = inside(std::floor(centre[0] - radius), width_); x < x_end; ++x) {
         const double dx = x + 0.5 - centre[0], dy = y + 0.5 - centre[1];

@@ -131,8 +131,8 @@ std::vector<std::array<std::uint32_t, 3>> by_shells(std::span<const Point3> poin
       }
     }
     const auto a = place(corners[0]), b = place(corners[1]), c = place(corners[2]);
-    shell.volume += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                    a[2] * (b[0] * c[1] - b[1] * c[0]);
+    shell.volume +=
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
   std::vector<std::size_t> first(surface.triangles.size(), surface.triangles.size());  // triangle of each component
   for (std::size_t t = surface.triangles.size(); t-- > 0;) first[components.of(t)] = t;
