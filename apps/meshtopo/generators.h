@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "meshops/core/connectivity.h"
 #include "io/polylines.h"
+#include "meshops/core/connectivity.h"
 
 namespace rbpa::app {
 
