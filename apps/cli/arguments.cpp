@@ -130,6 +130,15 @@ std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& pat
   return targets;
 }
 
+std::vector<SurfaceTarget> parse_surface_targets(const std::vector<std::string>& paths,
+                                                 const std::optional<std::string>& format,
+                                                 const std::vector<std::string>& reports, const std::string& points) {
+  const std::vector<SurfaceTarget> targets =
+      targets_of(surface_format, surface_formats, paths, format, !reports.empty());
+  require_different_files(targets, reports, points);
+  return targets;
+}
+
 std::vector<std::string> ogr_paths(const ShapeTarget& target) {
   const std::vector<std::string> endings = ogr_endings(target.format);
   if (endings.size() == 1) return {target.path};

@@ -25,6 +25,7 @@ struct TargetOf {
   Format format;
 };
 using Target = TargetOf<OutputFormat>;
+using SurfaceTarget = TargetOf<SurfaceFormat>;
 using ShapeTarget = TargetOf<ShapeFormat>;
 
 /// Those that the command line names.
@@ -37,6 +38,11 @@ std::vector<Target> parse_targets(const std::vector<std::string>& paths, const s
 std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
                                              const std::optional<std::string>& format,
                                              const std::vector<std::string>& reports, const std::string& points);
+
+/// Of surfaces none is needed where there are `reports`.
+std::vector<SurfaceTarget> parse_surface_targets(const std::vector<std::string>& paths,
+                                                 const std::optional<std::string>& format,
+                                                 const std::vector<std::string>& reports, const std::string& points);
 
 /// The files of a target of GDAL, in the order of their endings.
 std::vector<std::string> ogr_paths(const ShapeTarget& target);

@@ -19,6 +19,7 @@
 #include "cli/shared_options.h"
 #include "cli/stream_arguments.h"
 #include "cli/stream_verb.h"
+#include "cli/surface_verb.h"
 #include "cli/tile_verb.h"
 #include "io/descriptor.h"
 #include "io/failure.h"
@@ -249,6 +250,45 @@ void add_fill(CLI::App& app, FillArguments& arguments) {
       std::string(exit_codes));
 }
 
+void add_surface(CLI::App& app, SurfaceArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("surface", "Triangles through points in space, by a ball of a given radius");
+  verb.add_option("POINTS", arguments.points, "File of points in space, .gz or not, or - for standard input")
+      ->required();
+  verb.add_option("--format", arguments.format,
+                  "Format of POINTS, where its ending does not say: " + std::string(space_formats))
+      ->type_name("NAME");
+  verb.add_option("--columns", arguments.columns,
+                  "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names")
+      ->type_name("X,Y,Z[,NX,NY,NZ]");
+  verb.add_option("--radius", arguments.radius,
+                  "Radius of the ball, required, in units of the points; several, ascending, close what the smaller "
+                  "ones left open; auto takes them from the gaps between the points")
+      ->type_name("R[,R2,...]|auto")
+      ->required();
+  verb.add_option("--normals", arguments.normals,
+                  "file, estimate, or none (both sides of everything the ball can touch); by default those of the "
+                  "file where it has any, else estimate")
+      ->type_name("NAME");
+  add_output_options(verb, arguments, surface_formats);
+  add_switch(verb, "--compact", arguments.compact,
+             "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  verb.add_option("--holes", arguments.holes, "Write the boundary curves as polylines, .obj")->type_name("FILE");
+  add_switch(verb, "--json", arguments.json, "Everything, with each hole and its causes, as JSON on standard output");
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa surface scan.ply --radius 0.01 -o mesh.ply -o picture.png\n"
+      "  rbpa surface scan.xyz --radius auto -o mesh.obj --holes holes.obj\n"
+      "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
+      "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"
+      "points are unused, is said.\n" +
+      std::string(exit_codes));
+}
+
 void add_tile(CLI::App& app, TileArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("tile", "A task of rbpa stream --tasks: what one tile contributes to the whole");
   verb.add_option("TILE", arguments.tile, "File of the tile, in its folder")->required();
@@ -304,7 +344,7 @@ std::string asked_for(const CLI::App& app) {
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
   if (app.get_subcommands().empty())
-    return found + "mesh, alpha, shape, fill, stream, tile, merge, info or report (see rbpa --help)";
+    return found + "mesh, alpha, shape, fill, surface, stream, tile, merge, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -341,10 +381,12 @@ int main(int argc, char** argv) {
   AlphaArguments alpha;
   ReportArguments report_page;
   FillArguments fill;
+  SurfaceArguments surface;
   add_mesh(app, mesh);
   add_alpha(app, alpha);
   add_shape(app, shape);
   add_fill(app, fill);
+  add_surface(app, surface);
   // Tasks call the program as it was called.
   if (argc > 0 && std::string_view(argv[0]).find('/') != std::string_view::npos)
     stream.program = std::filesystem::absolute(argv[0]).lexically_normal().string();
@@ -370,6 +412,7 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("alpha")) return run(program, [&] { run_alpha(alpha); });
   if (app.got_subcommand("shape")) return run(program, [&] { run_shape(shape); });
   if (app.got_subcommand("fill")) return run(program, [&] { run_fill(fill); });
+  if (app.got_subcommand("surface")) return run(program, [&] { run_surface(surface); });
   if (app.got_subcommand("stream")) return run(program, [&] { run_stream(stream); });
   if (app.got_subcommand("tile")) return run(program, [&] { run_tile(tile); });
   if (app.got_subcommand("merge")) return run(program, [&] { run_merge(merge); });

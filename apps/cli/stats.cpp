@@ -15,13 +15,13 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+}  // namespace
+
 std::size_t peak_bytes() {
   struct rusage usage {};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kibibytes
 }
-
-}  // namespace
 
 void write_stats(OutputFile& file, const Stats& stats) {
   const auto counted = [&](std::size_t ComplexCounts::*member) {

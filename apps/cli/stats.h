@@ -46,6 +46,9 @@ struct Stats {
 /// One JSON object.
 void write_stats(OutputFile& file, const Stats& stats);
 
+/// The most memory that the process had.
+std::size_t peak_bytes();
+
 /// Seconds since it was made, or since the last lap.
 class Stopwatch {
  public:

@@ -80,6 +80,13 @@ std::optional<OutputFormat> output_format(std::string_view name) {
   return find(known, name);
 }
 
+std::optional<SurfaceFormat> surface_format(std::string_view name) {
+  constexpr std::pair<std::string_view, SurfaceFormat> known[] = {
+      {"ply", SurfaceFormat::ply}, {"off", SurfaceFormat::off}, {"obj", SurfaceFormat::obj},
+      {"stl", SurfaceFormat::stl}, {"npy", SurfaceFormat::npy}, {"png", SurfaceFormat::png}};
+  return find(known, name);
+}
+
 std::optional<ShapeFormat> shape_format(std::string_view name) {
   constexpr std::pair<std::string_view, ShapeFormat> known[] = {
       {"geojson", ShapeFormat::geojson}, {"json", ShapeFormat::geojson}, {"wkt", ShapeFormat::wkt},

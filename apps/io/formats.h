@@ -14,6 +14,8 @@ enum class MeshFormat { off, ply, obj, stl };
 enum class PolylineFormat { obj, json };
 /// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
 enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, vtu, svg, png };
+/// Of surfaces in space.
+enum class SurfaceFormat { ply, off, obj, stl, npy, png };
 enum class ShapeFormat { geojson, wkt, ewkt, csv, gpkg, fgb, shp, svg, png };
 enum class LevelFormat { csv, json };
 enum class PolygonFormat { geojson, wkt, poly };
@@ -24,6 +26,7 @@ std::optional<SpaceFormat> space_format(std::string_view name);
 std::optional<MeshFormat> mesh_format(std::string_view name);
 std::optional<PolylineFormat> polyline_format(std::string_view name);
 std::optional<OutputFormat> output_format(std::string_view name);
+std::optional<SurfaceFormat> surface_format(std::string_view name);
 std::optional<ShapeFormat> shape_format(std::string_view name);
 std::optional<LevelFormat> level_format(std::string_view name);
 std::optional<PolygonFormat> polygon_format(std::string_view name);
@@ -48,6 +51,7 @@ constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
+constexpr std::string_view surface_formats = "ply, off, obj, stl, npy, png";
 constexpr std::string_view shape_formats = "geojson, json, wkt, ewkt, csv, svg, png";
 constexpr std::string_view polygon_formats = "geojson, json, wkt, ewkt, poly";
 constexpr std::string_view isolated_formats = "geojson, json, wkt, ewkt, csv";

@@ -70,7 +70,8 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
   }
 }
 
-/// Binary little-endian. The length of a face is a byte, which every reader knows, unless one is too long for that.
+/// Binary little-endian. A mesh may have more of each vertex: properties(), the lines of the header, each with its end,
+/// and write_properties(file, i). The length of a face is a byte, which every reader knows, unless one is too long for that.
 template <typename Mesh>
 void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;
@@ -78,13 +79,16 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
     long_faces = mesh.face(f).size() > std::numeric_limits<std::uint8_t>::max();
   file.write("ply\nformat binary_little_endian 1.0\nelement vertex ");
   file.write_number(std::uint64_t{mesh.points()});
-  file.write("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
+  file.write("\nproperty double x\nproperty double y\nproperty double z\n");
+  if constexpr (requires { mesh.properties(); }) file.write(mesh.properties());
+  file.write("element face ");
   file.write_number(std::uint64_t{mesh.faces()});
   file.write(long_faces ? "\nproperty list uint int vertex_indices\nend_header\n"
                         : "\nproperty list uchar int vertex_indices\nend_header\n");
   for (std::size_t i = 0; i < mesh.points(); ++i) {
     const std::array<double, 3> p = mesh.point(i);
     file.write_binary(std::span<const double>(p));
+    if constexpr (requires { mesh.properties(); }) mesh.write_properties(file, i);
   }
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     const std::span<const std::uint32_t> corners = mesh.face(f);

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "io/polylines.h"
 #include "meshops/core/connectivity.h"
-#include "meshtopo/polylines.h"
 
 namespace rbpa::app {
 

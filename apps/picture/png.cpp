@@ -92,17 +92,20 @@ Canvas draw(const Scene& scene) {
 }  // namespace
 
 void write_png(OutputFile& file, const Scene& scene) {
-  const Canvas canvas = draw(scene);
+  write_png(file, scene.width, scene.height, draw(scene).bytes());
+}
+
+void write_png(OutputFile& file, int width, int height, const std::vector<std::uint8_t>& pixels) {
   png_image image;
   std::memset(&image, 0, sizeof image);
   image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(scene.width);
-  image.height = static_cast<png_uint_32>(scene.height);
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::vector<char> encoded(size);
   // In memory: an error of our file must not travel through libpng.
-  if (png_image_write_to_memory(&image, encoded.data(), &size, 0, canvas.bytes().data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory(&image, encoded.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
     throw Failure(file.name() + ": cannot encode the picture: " + image.message);
   file.write({encoded.data(), size});
 }

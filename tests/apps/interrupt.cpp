@@ -120,3 +120,21 @@ TEST_CASE("a signal while a mesh is read, and one while its topology is computed
             send(pipe, text);
           });
 }
+
+TEST_CASE("a signal while points in space are read, and one while their surface is made") {
+  for (const int sig : {SIGINT, SIGTERM, SIGHUP})
+    for (const bool all_sent : {false, true})
+      stops(
+          sig, all_sent, "pipe.xyz",
+          [](const Folder& folder) -> std::vector<std::string> {
+            return {RBPA_PROGRAM,         "surface", folder.path("pipe.xyz"), "--radius", "2,3,4", "-o",
+                    folder.path("m.off"), "--holes", folder.path("h.obj")};
+          },
+          [&](int pipe) {
+            // A bumpy sheet, large enough for a second of work.
+            std::string text;
+            for (int i = 0; i < (all_sent ? 400000 : 1000); ++i)
+              text += std::to_string(i % 600) + " " + std::to_string(i / 600) + " " + std::to_string(i * 7 % 5) + "\n";
+            send(pipe, text);
+          });
+}

@@ -65,7 +65,7 @@ set(arrows
   io/table>io io/table>io/gis io/las>io io/las>rbpa/core io/gis>io io/gis>rbpa/core io/gis>rbpa/shape cli>io/gis
   io/ogr>io io/ogr>io/gis io/points>io/ogr cli>io/ogr
   io>meshops/core io>meshops/topology io>rbpa/core
-  io/space>io io/space>io/table io/space>io/las io/space>io/points io/space>rbpa/core cli>io/space
+  io/space>io io/space>io/table io/space>io/las io/space>io/points io/space>rbpa/core cli>io/space cli>io/table
   io/blocks>io io/blocks>io/points io/blocks>io/las io/blocks>io/table
   stream>io stream>io/blocks stream>io/gis stream>io/points stream>rbpa/core stream>rbpa/partial stream>rbpa/shape cli>stream
   tasks>io tasks>stream tasks>rbpa/core tasks>rbpa/partial cli>tasks
@@ -77,6 +77,7 @@ set(arrows
   python>rbpa python>rbpa/core python>rbpa/filtration python>rbpa/partial python>rbpa/shape
   python>rbpa/space python>rbpa/space/normals
   cli>rbpa cli>rbpa/core cli>rbpa/fill cli>rbpa/filtration cli>rbpa/shape io/gis>rbpa/fill
+  cli>rbpa/space cli>rbpa/space/normals picture>rbpa/space triangulation>rbpa/space triangulation>rbpa/core
   meshtopo>meshops/core meshtopo>meshops/topology meshtopo>rbpa
   examples>meshops examples>meshops/front examples>meshops/graph examples>meshops/topology examples>rbpa/space
   examples>meshops/core examples>meshops/patch)

@@ -1,4 +1,4 @@
-#include "meshtopo/polylines.h"
+#include "io/polylines.h"
 
 #include <nlohmann/json.hpp>
 

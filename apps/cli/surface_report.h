@@ -1,0 +1,39 @@
+// What: what `rbpa surface` says about a surface: as text, as JSON, and as statistics.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "io/output_file.h"
+#include "rbpa/space/holes.h"
+#include "rbpa/space/surface.h"
+#include "rbpa/space/unused.h"
+#include "triangulation/surface_counts.h"
+
+namespace rbpa::app {
+
+struct SurfaceFacts {
+  std::size_t points = 0;
+  std::size_t distinct = 0;
+  std::vector<double> radii = {};
+  bool chosen_radii = false;  ///< by auto
+  std::string normals = {};   ///< file, estimate or none
+  unsigned threads = 1;
+  SurfaceCounts counts = {};
+  std::vector<UnusedPoint> unused = {};
+  std::vector<Hole> holes = {};
+  double read_seconds = 0, normals_seconds = 0, build_seconds = 0, write_seconds = 0;
+};
+
+/// "0.5, 1.25".
+std::string text_of_radii(const std::vector<double>& radii);
+
+/// "12 unused points: 10 that ..., 2 ...", and a line for each of the longest holes and one for the others together.
+std::vector<std::string> explanations(const SurfaceFacts& facts);
+
+/// One JSON object each.
+void write_surface_stats(OutputFile& file, const SurfaceFacts& facts);
+void write_surface_json(OutputFile& file, const SurfaceFacts& facts);
+
+}  // namespace rbpa::app

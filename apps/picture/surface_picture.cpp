@@ -1,0 +1,154 @@
+#include "picture/surface_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "io/interrupt.h"
+#include "picture/png.h"
+#include "picture/space_view.h"
+#include "picture/style.h"
+
+namespace rbpa::app {
+namespace {
+
+using Place = std::array<double, 3>;
+
+constexpr Colour front_colour{0xA9, 0xCD, 0xE6};
+constexpr Colour back_colour{0xC9, 0xC2, 0xB8};
+
+/// Samples with a depth; the nearest to the viewer stays.
+class DepthCanvas {
+ public:
+  DepthCanvas(int width, int height)
+      : width_(width),
+        height_(height),
+        depths_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                -std::numeric_limits<float>::infinity()),
+        colours_(depths_.size(), background_colour) {}
+
+  void put(int x, int y, double depth, const Colour& colour) {
+    const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    if (static_cast<float>(depth) <= depths_[i]) return;
+    depths_[i] = static_cast<float>(depth);
+    colours_[i] = colour;
+  }
+
+  /// Samples whose centres are in the triangle.
+  void triangle(const Place& a, const Place& b, const Place& c, const Colour& colour) {
+    const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if (area == 0) return;
+    const double sign = area > 0 ? 1 : -1;
+    const int y_end = inside(std::ceil(std::max({a[1], b[1], c[1]})), height_);
+    const int x_begin = inside(std::floor(std::min({a[0], b[0], c[0]})), width_);
+    const int x_end = inside(std::ceil(std::max({a[0], b[0], c[0]})), width_);
+    for (int y = inside(std::floor(std::min({a[1], b[1], c[1]})), height_); y < y_end; ++y)
+      for (int x = x_begin; x < x_end; ++x) {
+        const double px = x + 0.5, py = y + 0.5;
+        const double at_c = (b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0]);
+        const double at_a = (c[0] - b[0]) * (py - b[1]) - (c[1] - b[1]) * (px - b[0]);
+        const double at_b = area - at_a - at_c;
+        if (sign * at_a < 0 || sign * at_b < 0 || sign * at_c < 0) continue;
+        put(x, y, (at_a * a[2] + at_b * b[2] + at_c * c[2]) / area, colour);
+      }
+  }
+
+  void disc(const Place& centre, double radius, const Colour& colour) {
+    const int y_end = inside(std::ceil(centre[1] + radius), height_),
+              x_end = inside(std::ceil(centre[0] + radius), width_);
+    for (int y = inside(std::floor(centre[1] - radius), height_); y < y_end; ++y)
+      for (int x = inside(std::floor(centre[0] - radius), width_); x < x_end; ++x) {
+        const double dx = x + 0.5 - centre[0], dy = y + 0.5 - centre[1];
+        if (dx * dx + dy * dy <= radius * radius) put(x, y, centre[2], colour);
+      }
+  }
+
+  /// A line is a row of discs.
+  void line(const Place& from, const Place& to, double radius, const Colour& colour) {
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const int steps = 1 + static_cast<int>(2 * length / radius);
+    for (int i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      Place at;
+      for (std::size_t k = 0; k < 3; ++k) at[k] = from[k] + t * (to[k] - from[k]);
+      disc(at, radius, colour);
+    }
+  }
+
+  /// Means of squares of `side` samples.
+  std::vector<std::uint8_t> pixels(int side) const {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(depths_.size() * 3);
+    for (int y = 0; y < height_; y += side)
+      for (int x = 0; x < width_; x += side) {
+        unsigned red = 0, green = 0, blue = 0;
+        for (int j = 0; j < side; ++j)
+          for (int i = 0; i < side; ++i) {
+            const Colour& c = colours_[static_cast<std::size_t>(y + j) * static_cast<std::size_t>(width_) +
+                                       static_cast<std::size_t>(x + i)];
+            red += c.red;
+            green += c.green;
+            blue += c.blue;
+          }
+        const auto samples = static_cast<unsigned>(side * side);
+        for (const unsigned sum : {red, green, blue})
+          bytes.push_back(static_cast<std::uint8_t>((sum + samples / 2) / samples));
+      }
+    return bytes;
+  }
+
+ private:
+  static int inside(double value, int size) { return static_cast<int>(std::clamp<double>(value, 0, size)); }
+
+  int width_;
+  int height_;
+  std::vector<float> depths_;
+  std::vector<Colour> colours_;
+};
+
+/// Light comes from the viewer's upper left. y is down, so what is counter-clockwise for the viewer has a negative area.
+Colour shade(const Place& a, const Place& b, const Place& c) {
+  const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
+  const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const double length = std::hypot(n[0], n[1], n[2]);
+  const bool front = n[2] >= 0;
+  const double toward = length > 0 ? (front ? 1 : -1) * (-0.4 * n[0] + 0.45 * n[1] + 0.8 * n[2]) / length : 1;
+  const double light = 0.42 + 0.58 * std::clamp(toward, 0.0, 1.0);
+  const Colour& own = front ? front_colour : back_colour;
+  const auto lit = [&](std::uint8_t part) { return static_cast<std::uint8_t>(std::lround(part * light)); };
+  return {lit(own.red), lit(own.green), lit(own.blue)};
+}
+
+}  // namespace
+
+void write_surface_png(OutputFile& file, const SurfacePicture& picture, int width) {
+  const int side = width > 4096 ? 1 : 2;
+  SpaceView view = view_of(picture.points, width);
+  for (Place& at : view.at)
+    for (double& x : at) x *= side;
+  DepthCanvas canvas(view.width * side, view.height * side);
+  std::size_t done = 0;
+  const auto go_on = [&] {
+    if (++done % 4096 == 0) stop_if_interrupted();
+  };
+  for (const auto& t : picture.triangles) {
+    go_on();
+    const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
+    canvas.triangle(a, b, c, shade(a, b, c));
+  }
+  // Thicker than what is nearer than they are by as much: a rim is seen along its whole length.
+  const double radius = side * std::max(1.0, width / 700.0);
+  const auto raised = [&](std::uint32_t i) { return Place{view.at[i][0], view.at[i][1], view.at[i][2] + 2 * radius}; };
+  for (const std::uint32_t i : picture.unused) {
+    go_on();
+    canvas.disc(view.at[i], radius, boundary_colour);
+  }
+  for (const auto& edge : picture.boundary) {
+    go_on();
+    canvas.line(raised(edge[0]), raised(edge[1]), radius, isolated_colour);
+  }
+  write_png(file, view.width, view.height, canvas.pixels(side));
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,25 @@
+// What: a surface in space as a PNG: shaded triangles, its boundary in colour, points in no triangle as dots.
+// Law:  the same triangles give the same pixels, in any order but for triangles at the same depth.
+// Cost: the pixels that the triangles cover, four samples each (one in pictures wider than 4096).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "io/output_file.h"
+#include "rbpa/core/point3.h"
+
+namespace rbpa::app {
+
+struct SurfacePicture {
+  std::span<const Point3> points;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+  std::span<const std::array<std::uint32_t, 2>> boundary;  ///< sides
+  std::span<const std::uint32_t> unused;
+};
+
+/// Requires: a width within the bounds of scene.h. Throws as OutputFile does; Cancelled.
+void write_surface_png(OutputFile& file, const SurfacePicture& picture, int width);
+
+}  // namespace rbpa::app

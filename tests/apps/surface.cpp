@@ -1,0 +1,203 @@
+// `rbpa surface`: what is written, what is said, wrong usage, bad input, a signal.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+/// A sphere of radius 1, each point with its normal; above `top` there is nothing.
+std::string sphere(int count, double top = 2, bool normals = true) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
+    if (z > top) continue;
+    const std::string p =
+        std::to_string(r * std::cos(around)) + " " + std::to_string(r * std::sin(around)) + " " + std::to_string(z);
+    text += p + (normals ? " " + p : std::string()) + "\n";
+  }
+  return text;
+}
+
+/// The outcome is that code and that one line, and no file.
+void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
+  CAPTURE(arguments);
+  const auto before = folder.names();
+  const Outcome outcome = folder.rbpa("surface " + arguments);
+  CHECK(outcome.code == code);
+  CHECK(outcome.err == "rbpa: " + message + "\n");
+  CHECK(outcome.out.empty());
+  CHECK(folder.names() == before);
+}
+
+std::vector<std::uint32_t> indices_of(const std::string& npy) {
+  const std::size_t begin = npy.find('\n') + 1;
+  std::vector<std::uint32_t> values((npy.size() - begin) / 4);
+  std::memcpy(values.data(), npy.data() + begin, 4 * values.size());
+  return values;
+}
+
+}  // namespace
+
+TEST_SUITE("surface") {
+  TEST_CASE("a sphere is closed in every format, and statistics are those of meshtopo") {
+    const Folder folder;
+    folder.file("s.xyz", sphere(500));
+    const Outcome outcome = folder.rbpa(
+        "surface s.xyz --radius 0.3 -o m.ply -o m.off -o m.obj -o m.stl -o m.npy -o m.png --width 200 --stats s.json");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.empty());
+    CHECK(
+        outcome.err ==
+        "rbpa: 500 points, normals of the file, radius 0.3: 996 triangles, 1 component, 0 boundary curves, genus 0 -> "
+        "m.ply, m.off, m.obj, m.stl, m.npy, m.png\n");
+    for (const std::string name : {"m.ply", "m.off", "m.obj", "m.stl"}) {
+      CAPTURE(name);
+      const json topology = json::parse(folder.meshtopo(name + " --json").out);
+      CHECK(topology["betti"] == json::parse("[1, 0, 1]"));
+      CHECK(topology["defects"].empty());
+      CHECK(topology["faces"] == 996);
+    }
+    const json stats = json::parse(folder.content("s.json"));
+    CHECK(stats["vertices"] == 500);
+    CHECK(stats["edges"] == 1494);
+    CHECK(stats["unused"] == 0);
+    CHECK(stats["normals"] == "file");
+    CHECK(stats["radii"] == json::parse("[0.3]"));
+    CHECK(stats["seconds"].size() == 4);
+    const std::vector<std::uint32_t> rows = indices_of(folder.content("m.npy"));
+    REQUIRE(rows.size() == 3 * 996);
+    for (std::size_t i = 0; i < rows.size(); i += 3) {
+      CHECK((rows[i] < rows[i + 1] && rows[i] < rows[i + 2]));
+      if (i > 0) CHECK(std::lexicographical_compare(&rows[i - 3], &rows[i], &rows[i], &rows[i] + 3));
+    }
+    CHECK(folder.content("m.png").substr(1, 3) == "PNG");
+    // Estimated normals of a sphere point outward as those of the file do.
+    folder.file("bare.xyz", sphere(500, 2, false));
+    CHECK(folder.rbpa("surface bare.xyz --radius 0.3 -o e.npy --threads 1").err.find("normals estimated") !=
+          std::string::npos);
+    CHECK(folder.content("e.npy") == folder.content("m.npy"));
+  }
+
+  TEST_CASE("a hole is said, drawn as a polyline, and in JSON with its causes") {
+    const Folder folder;
+    folder.file("s.xyz", sphere(500, 0.7));
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --holes h.obj --json");
+    CHECK(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    REQUIRE(report["holes"].size() == 1);
+    const json& hole = report["holes"][0];
+    CHECK(hole["length"].get<double>() > 4);
+    CHECK(hole["length"].get<double>() < 6);
+    CHECK(hole["points"] == hole["edges"].size());
+    CHECK(report["boundary_curves"] == 1);
+    CHECK(hole["edges"][0]["cause"] == "nothing_within_reach");
+    CHECK(outcome.err.find("rbpa: hole of length ") != std::string::npos);
+    const std::string lines = folder.content("h.obj");
+    std::string loop = "\nl";
+    for (const json& edge : hole["edges"]) loop += " " + std::to_string(edge["from"].get<int>() + 1);
+    loop += " " + std::to_string(hole["edges"][0]["from"].get<int>() + 1) + "\n";
+    CHECK(lines.ends_with(loop));
+  }
+
+  TEST_CASE("without normals both sides, the outer one first") {
+    const Folder folder;
+    folder.file("s.xyz", sphere(500));
+    CHECK(folder.rbpa("surface s.xyz --radius 0.3 --normals none -o both.off -o b.npy -q").err.empty());
+    CHECK(folder.rbpa("surface s.xyz --radius 0.3 -o one.off -q").code == 0);
+    const std::string one = folder.content("one.off"), both = folder.content("both.off");
+    // Vertices and then the outer triangles are those of the surface.
+    const std::size_t rest = one.find('\n', 4), start = both.find('\n', 4);
+    CHECK(both.substr(start, one.size() - rest) == one.substr(rest));
+    CHECK(indices_of(folder.content("b.npy")).size() == 3 * 2 * 996);
+  }
+
+  TEST_CASE("colours and normals stay with their vertices, and --compact drops the others") {
+    const Folder folder;
+    folder.file("p.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+                "property uchar blue\nend_header\n9 9 9 0 0 1 1 2 3\n0 0 0 0 0 1 4 5 6\n1 0 0 0 0 1 7 8 9\n0 1 0 0 0 1 "
+                "10 11 12\n");
+    CHECK(folder.rbpa("surface p.ply --radius 1 --compact -o c.ply -o c.npy -q").code == 0);
+    const std::string ply = folder.content("c.ply");
+    CHECK(ply.find("element vertex 3\n") != std::string::npos);
+    const std::size_t data = ply.find("end_header\n") + 11;
+    CHECK(ply.size() == data + 3 * (6 * 8 + 3) + 13);
+    CHECK(ply.substr(data + 48, 3) == "\x04\x05\x06");
+    CHECK(indices_of(folder.content("c.npy")) == std::vector<std::uint32_t>{1, 2, 3});
+  }
+
+  TEST_CASE("nothing is an answer, with the radius that gives something") {
+    const Folder folder;
+    folder.file("s.xyz", sphere(200));
+    const Outcome empty = folder.rbpa("surface s.xyz --radius 0.001 -o m.off -q");
+    CHECK(empty.code == 0);
+    const std::string said = "rbpa: there is no triangle: with --radius ";
+    REQUIRE(empty.err.starts_with(said));
+    const std::string radius = empty.err.substr(said.size(), empty.err.find(' ', said.size()) - said.size());
+    CHECK(folder.rbpa("surface s.xyz --radius " + radius + " -o m.off -q").err.empty());
+    folder.file("line.xyz", "0 0 0\n1 1 1\n2 2 2\n3 3 3\n");
+    CHECK(folder.rbpa("surface line.xyz --radius auto -o m.off -q").err ==
+          "rbpa: there is no triangle: all points are on a line\n");
+    folder.file("two.xyz", "0 0 0\n1 1 1\n");
+    CHECK(folder.rbpa("surface two.xyz --radius 1 -o m.off -q").err ==
+          "rbpa: there is no triangle: fewer than three distinct points\n");
+  }
+
+  TEST_CASE("wrong usage, and no file") {
+    const Folder folder;
+    folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+    const std::string number = ", expected a radius: a number above 0, several with commas between them, or auto";
+    refuses(folder, "p.xyz --radius 0 -o m.off", 2, "--radius: found '0'" + number);
+    refuses(folder, "p.xyz --radius=-1 -o m.off", 2, "--radius: found '-1'" + number);
+    refuses(folder, "p.xyz --radius 1,x -o m.off", 2, "--radius: found 'x'" + number);
+    refuses(folder, "p.xyz --radius 1, -o m.off", 2, "--radius: found ''" + number);
+    refuses(folder, "p.xyz --radius inf -o m.off", 2, "--radius: found 'inf'" + number);
+    refuses(folder, "p.xyz --radius nan -o m.off", 2, "--radius: found 'nan'" + number);
+    refuses(folder, "p.xyz --radius 2,1 -o m.off", 2, "--radius: found '1' behind 2, expected ascending radii");
+    refuses(folder, "p.xyz --radius 1,1 -o m.off", 2, "--radius: found '1' behind 1, expected ascending radii");
+    refuses(folder, "p.xyz --radius 1,2 --normals none -o m.off", 2,
+            "--radius: found 2 numbers with --normals none, expected one radius");
+    refuses(folder, "p.xyz --radius 1 --normals maybe -o m.off", 2,
+            "--normals: found 'maybe', expected file, estimate or none");
+    const std::string formats = ", expected one of ply, off, obj, stl, npy, png, or --output-format";
+    refuses(folder, "p.xyz --radius 1 -o m.vtu", 2, "m.vtu: found the ending 'vtu'" + formats);
+    refuses(
+        folder, "p.dat --radius 1 -o m.off", 2,
+        "p.dat: found the ending 'dat', expected one of xyz, txt, csv, tsv, ply, off, obj, pcd, npy, las, or --format");
+    refuses(folder, "p.xyz --radius 1", 2, "found no -o OUT, expected at least one (or --stats)");
+    refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
+    refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,
+            "--holes: found --normals none, of which the triangles have no boundary");
+    for (const std::string twice : {"-o m.off -o m.off", "-o m.obj --holes m.obj", "-o p.xyz --output-format off",
+                                    "-o - --output-format off --json"}) {
+      CAPTURE(twice);
+      CHECK(folder.rbpa("surface p.xyz --radius 1 " + twice).code == 2);
+    }
+    CHECK(folder.names() == std::vector<std::string>{"p.xyz"});
+  }
+
+  TEST_CASE("bad input, and no file") {
+    const Folder folder;
+    folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+    refuses(folder, "p.xyz --radius 1 --normals file -o m.off", 3,
+            "p.xyz: found no normals, expected some, or --normals estimate or none");
+    folder.file("far.xyz", "0 0 0\n1e60 0 0\n0 1e60 0\n");
+    refuses(folder, "far.xyz --radius 1e60 -o m.stl -q", 3,
+            "m.stl: found the coordinate 1e+60, expected one that single precision of STL holds, or another format");
+    refuses(folder, "none.xyz --radius 1 -o m.off", 3, "none.xyz: found no such file, expected a file of points");
+    folder.file("plane.xyz", "0 0\n1 0\n");
+    CHECK(folder.rbpa("surface plane.xyz --radius 1 -o m.off").code == 3);
+  }
+}
