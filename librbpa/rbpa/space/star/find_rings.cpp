@@ -112,11 +112,14 @@ class RegionSearch {
   bool find(Site v, Rings& found) {
     const Surroundings &near = w_.near, &far = w_.far;
     const std::span<const Point3> sites = cells_.sites();
-    const auto is_in_ball = [&](std::uint32_t x, std::uint32_t y, std::uint32_t p) {
+    const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {
       return Ball<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p]);
     };
     const auto take = [&](const Surroundings& of, std::size_t i) {
-      return region_.take({{of.x[i], of.y[i], of.z[i]}, of.square[i] / 2, static_cast<std::uint32_t>(of.number[i])},
+      return region_.take({{of.x[i], of.y[i], of.z[i]},
+                           of.square[i] / 2,
+                           std::sqrt(of.square[i]),
+                           static_cast<std::size_t>(of.number[i])},
                           is_in_ball);
     };
     region_.begin(cells_.radius());
@@ -254,7 +257,7 @@ void roll_at(const Cells& cells, Site v, RingFinder::Workspace& w, Rings& found)
 void find_rings(const Cells& cells, bool fits_double, Site first, Site last, RingFinder::Workspace& w, Rings& found) {
   const std::span<const Point3> sites = cells.sites();
   const double whole = 4 * cells.radius() * cells.radius() * (1 + 0x1p-40);
-  constexpr double wanted = 14;  // near points, of which about six bound a region
+  constexpr double wanted = 8;  // near points, of which about six bound a region
   constexpr std::size_t few = 4;
   found.points.clear();
   found.first.clear();
@@ -265,13 +268,16 @@ void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rin
     w.around.count = 0;
     around.for_each_run(cell, [&](Site begin, Site end) {
       w.around.reserve(w.around.count + (end - begin) + 8);
+      double *const x = w.around.x.data(), *const y = w.around.y.data(), *const z = w.around.z.data(),
+                    *const number = w.around.number.data();
+      std::size_t i = w.around.count;
       for (Site p = begin; p < end; ++p) {
-        const std::size_t i = w.around.count++;
-        w.around.x[i] = sites[p].x;
-        w.around.y[i] = sites[p].y;
-        w.around.z[i] = sites[p].z;
-        w.around.number[i] = p;
+        x[i] = sites[p].x;
+        y[i] = sites[p].y;
+        z[i] = sites[p].z;
+        number[i++] = p;
       }
+      w.around.count = i;
     });
     // What is read beyond the end is as far as can be.
     for (std::size_t i = w.around.count; i < w.around.count + 8; ++i)

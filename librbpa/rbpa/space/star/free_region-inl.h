@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -37,14 +38,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 class FreeRegion {
  public:
   using Vector = Vector3<double>;
-  /// A point other than v: where it is from v, and half the square of its distance.
+  /// A point other than v: where it is from v, half the square of its distance, and that.
   struct Neighbor {
     Vector at;
-    double power;
-    std::uint32_t number;
+    double power, length;
+    std::size_t number;
   };
 
-  static constexpr std::size_t capacity = 64, max_neighbors = 256, max_waiting = 16;
+  static constexpr std::size_t capacity = 64, max_neighbors = 256, max_waiting = 64;
   static constexpr double max_error = 1e-7;  // of centres, as a share of the radius
 
   /// The whole sphere.
@@ -158,7 +159,7 @@ class FreeRegion {
       int k = start;
       do {
         const auto i = static_cast<std::size_t>(k);
-        if (left_[i] != none) visit(neighbors_[about_[i]].number);
+        if (left_[i] != none) visit(static_cast<std::uint32_t>(neighbors_[about_[i]].number));
         left &= ~(std::uint64_t{1} << k);
         k = next_[i];
       } while (k != start);
@@ -179,7 +180,8 @@ class FreeRegion {
   struct Rests {
     Vector left{}, right{};
     double error = 0;
-    bool are_certain = false, cannot = false;  // for certain
+    // For certain; not bool, so that a copy is of whole registers, which can be read again at once.
+    std::uint32_t are_certain = 0, cannot = 0;
   };
   struct Signs {
     std::uint64_t dead, near;              // corners in the ball, and those of which it is not certain
@@ -241,12 +243,12 @@ class FreeRegion {
     to_x_[i] = to.x;
     to_y_[i] = to.y;
     to_z_[i] = to.z;
-    side_error_[i] = slack * radius_ * std::sqrt(2 * q.power);
+    side_error_[i] = slack * radius_ * q.length;
   }
 
-  /// Where a turn about q by an angle from a to b is from 0 to 4, monotonously; what is within the slack of 0 is 0.
-  static double turn(const Vector& axis, double axis_length, const Vector& a, const Vector& b) {
-    const double sine = dot(axis, cross(a, b)) / axis_length, cosine = dot(a, b);
+  /// Where a turn by an angle is from 0 to 4, monotonously, of multiples of its sine and cosine; what is within the slack of 0
+  /// is 0.
+  static double turn(double sine, double cosine) {
     const double share = sine / (std::abs(sine) + std::abs(cosine));
     if (cosine < 0) return 2 - share;
     if (share > slack) return share;
@@ -259,15 +261,16 @@ class FreeRegion {
       const auto i = static_cast<std::size_t>(a);
       const int b = next_[i];
       const Neighbor& q = neighbors_[about_[i]];
-      const double length = std::sqrt(2 * q.power);
       const Vector middle = scaled(q.at, 0.5), u = minus(corner(a), middle), v = minus(corner(b), middle);
       const double square = square_ - q.power / 2;  // of the circle's radius
-      const double angle = turn(q.at, length, u, v);
-      if (angle < 1 || (angle < 2 && dot(u, v) > -square / 2)) return true;
+      const double sine = dot(q.at, cross(u, v)), cosine = dot(u, v);
+      if (sine > 2 * slack * q.length * square && cosine > -square / 2) return true;
+      const double angle = turn(sine / q.length, cosine);
+      if (angle < 1 || (angle < 2 && cosine > -square / 2)) return true;
       // Not in the very middle, where symmetric points would meet it.
       Vector m;
-      if (dot(u, v) < -0.9 * square) {
-        m = scaled(cross(q.at, u), 1 / length);
+      if (cosine < -0.9 * square) {
+        m = scaled(cross(q.at, u), 1 / q.length);
         m = plus(m, scaled(u, 0.05));
       } else {
         m = plus(scaled(u, 0.9), v);
@@ -322,7 +325,8 @@ class FreeRegion {
   template <typename IsInBall>
   bool take_waiting(IsInBall is_in_ball) {
     const std::size_t count = std::exchange(waiting_, 0);
-    const std::array<Neighbor, max_waiting> again = waits_;
+    std::array<Neighbor, max_waiting> again;
+    std::copy_n(waits_.begin(), count, again.begin());
     for (std::size_t k = 0; k < count; ++k)
       if (!take(again[k], is_in_ball)) return false;
     return true;
@@ -381,19 +385,29 @@ class FreeRegion {
     live_ &= ~dead;
     std::array<int, capacity> entries, exits;
     std::size_t entry_count = 0, exit_count = 0;
-    Rests both;
-    std::size_t about_both = max_neighbors;
+    // Most points are met twice, on one side and on the other.
+    constexpr std::size_t known_size = 4;
+    std::array<Rests, known_size> known;
+    std::array<std::size_t, known_size> known_about;
+    std::size_t known_count = 0;
     for (std::uint64_t left = changed; left != 0; left &= left - 1) {
       const int a = std::countr_zero(left);
       const auto i = static_cast<std::size_t>(a);
       const int b = next_[i];
       const std::uint64_t bit = std::uint64_t{1} << a;
       const std::uint16_t q = about_[i];
-      if (q != about_both) {
-        both = rests(p, neighbors_[q]);
-        about_both = q;
-        if (!both.are_certain) return Outcome::lost;
+      std::size_t at = 0;
+      while (at < known_count && known_about[at] != q) ++at;
+      if (at == known_count) {
+        if (known_count == known_size)
+          at = 0;
+        else
+          ++known_count;
+        known[at] = rests(p, neighbors_[q]);
+        known_about[at] = q;
+        if (!known[at].are_certain) return Outcome::lost;
       }
+      const Rests& both = known[at];
       const bool enters = (bitten & bit) != 0 || (spared & bit) != 0 || (dead & bit) == 0;
       const bool leaves = (bitten & bit) != 0 || (spared & bit) != 0 || (dead & bit) != 0;
       int entry = none, exit = none;
@@ -430,7 +444,7 @@ class FreeRegion {
   bool are_free(const Rests& both) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = neighbors_[i];
-      const double error = both.error * 2 * std::sqrt(2 * q.power);  // Σ|qᵢ| is at most √3 |q|
+      const double error = both.error * 2 * q.length;  // Σ|qᵢ| is at most √3 |q|
       if (dot(both.left, q.at) - q.power > -error || dot(both.right, q.at) - q.power > -error) return false;
     }
     return true;
@@ -449,7 +463,7 @@ class FreeRegion {
     const Vector z = plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = neighbors_[i];
-      if (dot(z, q.at) - q.power > slack * radius_ * std::sqrt(2 * q.power)) return true;
+      if (dot(z, q.at) - q.power > slack * radius_ * q.length) return true;
     }
     return false;
   }
@@ -457,14 +471,14 @@ class FreeRegion {
   /// The arcs of p's own circle: from each entry to the exit that is next.
   Outcome pair(const Neighbor& p, std::span<const int> entries, std::span<const int> exits) {
     const Vector middle = scaled(p.at, 0.5);
-    const double length = std::sqrt(2 * p.power);
     std::uint64_t used = 0;
     for (const int entry : entries) {
       const Vector from = minus(corner(entry), middle);
       double least = 5, second = 5;
       int best = none;
       for (const int exit : exits) {
-        const double angle = turn(p.at, length, from, minus(corner(exit), middle));
+        const Vector to = minus(corner(exit), middle);
+        const double angle = turn(dot(p.at, cross(from, to)) / p.length, dot(from, to));
         if (angle < least) {
           second = least;
           least = angle;
@@ -511,9 +525,8 @@ class FreeRegion {
     std::uint64_t covered = 0;
     for (std::size_t n = 0; n < count_ && covered != 0xffff; ++n) {
       const Neighbor& q = neighbors_[n];
-      const double length = std::sqrt(2 * q.power);
       const auto qu = hn::Set(d, radius_ * dot(q.at, u)), qv = hn::Set(d, radius_ * dot(q.at, v)),
-                 needed = hn::Set(d, q.power + gap * radius_ * length);
+                 needed = hn::Set(d, q.power + gap * radius_ * q.length);
       for (std::size_t i = 0; i < samples; i += hn::Lanes(d))
         covered |= rbpa::HWY_NAMESPACE::bits_of(
                        d, hn::MulAdd(hn::Load(d, cosine + i), qu, hn::Mul(hn::Load(d, sine + i), qv)) > needed)

@@ -28,37 +28,30 @@ void SurfaceAssembly::finish(std::size_t input_points, Threads& threads, std::ve
   const auto owned_by = [&](Site v) {
     const Part& part = parts_[v / part_size];
     const std::size_t i = v % part_size;
-    return std::span<const Pair>(part.owned.data() + part.owned_first[i], part.owned.data() + part.owned_first[i + 1]);
+    return std::span<const Owned>(part.owned.data() + part.owned_first[i], part.owned.data() + part.owned_first[i + 1]);
   };
   const auto number_of = [&](Site a, Site b, Site c) {
     while (!(index[a] < index[b] && index[a] < index[c])) {
       const Site first = a;
       a = b, b = c, c = first;
     }
-    const std::span<const Pair> owned = owned_by(a);
+    const std::span<const Owned> owned = owned_by(a);
     for (std::size_t i = 0; i < owned.size(); ++i)
       if (owned[i].x == b && owned[i].y == c) return start[index[a]] + static_cast<std::uint32_t>(i);
     return none;
   };
-  // In the rings at v, where the ball rolls about x away from (v, x, y): what comes before y, and after x.
-  struct Turn {
-    Site before, after;
-  };
-  const auto turn_at = [&](Site v, Site x, Site y) {
+  // In the rings at v, where the ball rolls about x away from (v, x, y): what comes after x.
+  const auto after = [&](Site v, Site x, Site y) {
     const Part& part = parts_[v / part_size];
     const Site* at = part.points.data() + part.first[v % part_size];
     while (true) {
       const Site* const cycle = at;
-      const Site* last = cycle;
       const Site* found = nullptr;
-      for (; *last != Rings::end_of_cycle; ++last)
-        if (*last == x && last != cycle && last[-1] == y) found = last;
-      if (*cycle == x && last[-1] == y) found = cycle;
-      if (found != nullptr) {
-        const std::ptrdiff_t size = last - cycle, k = found - cycle;
-        return Turn{cycle[(k + 2 * size - 2) % size], cycle[k + 1 == size ? 0 : k + 1]};
-      }
-      at = last + 1;
+      for (Site before = Rings::end_of_cycle; *at != Rings::end_of_cycle; before = *at++)
+        if (*at == x && before == y) found = at;
+      if (*cycle == x && at[-1] == y) found = cycle;
+      if (found != nullptr) return found + 1 == at ? *cycle : found[1];
+      ++at;
     }
   };
 
@@ -67,10 +60,9 @@ void SurfaceAssembly::finish(std::size_t input_points, Threads& threads, std::ve
   for_each_index(threads, parts_.size(), [&](std::size_t number) {
     for (Site v = first_in(number); v < end_of(number); ++v) {
       std::uint32_t t = start[index[v]];
-      for (const auto& [x, y] : owned_by(v)) {
-        const Turn here = turn_at(v, x, y), there = turn_at(x, y, v);
+      for (const auto& [x, y, before_y, after_x] : owned_by(v)) {
         triangles[t] = {index[v], index[x], index[y]};
-        neighbors[t] = {number_of(x, there.after, y), number_of(v, y, here.before), number_of(v, here.after, x)};
+        neighbors[t] = {number_of(x, after(x, y, v), y), number_of(v, y, before_y), number_of(v, after_x, x)};
         ++t;
       }
     }

@@ -45,13 +45,14 @@ class SurfaceAssembly {
               std::vector<Triple>& neighbors) const;
 
  private:
-  struct Pair {
-    Site x, y;
+  /// A triangle (v, x, y); the ball rolls about x to (v, after, x), and about y to (v, y, before).
+  struct Owned {
+    Site x, y, before, after;
   };
   struct Part {
     std::vector<Site> points;                // of the rings that are needed, as in Rings
     std::vector<std::uint32_t> first;        // in points, of each site, and the end
-    std::vector<Pair> owned;                 // triangles (v, x, y) of which v has the lowest index, in canonical order
+    std::vector<Owned> owned;                // triangles (v, x, y) of which v has the lowest index, in canonical order
     std::vector<std::uint32_t> owned_first;  // in owned, of each site, and the end
   };
 
@@ -76,9 +77,11 @@ std::size_t SurfaceAssembly::add(std::size_t number, const Rings& rings, Keep ke
       while (*last != Rings::end_of_cycle) ++last;
       const std::span<const Site> sites(cycle, last);
       if (is_needed(v, sites)) {
-        for (std::size_t k = 0; k < sites.size(); ++k) {
-          const Site x = sites[k], y = sites[k == 0 ? sites.size() - 1 : k - 1];
-          if (index[v] < index[x] && index[v] < index[y] && keep(v, x, y)) part.owned.push_back({x, y});
+        const std::size_t size = sites.size();
+        for (std::size_t k = 0; k < size; ++k) {
+          const Site x = sites[k], y = sites[k == 0 ? size - 1 : k - 1];
+          if (index[v] < index[x] && index[v] < index[y] && keep(v, x, y))
+            part.owned.push_back({x, y, sites[k < 2 ? k + size - 2 : k - 2], sites[k + 1 == size ? 0 : k + 1]});
         }
         part.points.insert(part.points.end(), cycle, last + 1);
       }
@@ -86,7 +89,7 @@ std::size_t SurfaceAssembly::add(std::size_t number, const Rings& rings, Keep ke
     }
     std::sort(
         part.owned.begin() + static_cast<std::ptrdiff_t>(owned_before), part.owned.end(),
-        [&](const Pair& p, const Pair& q) { return p.x != q.x ? index[p.x] < index[q.x] : index[p.y] < index[q.y]; });
+        [&](const Owned& p, const Owned& q) { return p.x != q.x ? index[p.x] < index[q.x] : index[p.y] < index[q.y]; });
   }
   part.first.push_back(static_cast<std::uint32_t>(part.points.size()));
   part.owned_first.push_back(static_cast<std::uint32_t>(part.owned.size()));
