@@ -71,7 +71,11 @@ std::vector<std::uint32_t> fans_of(const meshops::Patch& patch) {
 
 }  // namespace
 
-SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface) {
+namespace {
+
+/// give_back() is called when the surface is not needed any more.
+template <typename GiveBack>
+SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, GiveBack give_back) {
   if (surface.triangles.size() > max_points)
     throw InvalidInput(std::to_string(surface.triangles.size()) + " triangles, expected at most " +
                        std::to_string(max_points) + ", whose halfedges can be numbered in int");
@@ -81,7 +85,7 @@ SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface)
         throw meshops::ContractViolation("surface_mesh: corner " + std::to_string(i) + " of " +
                                          std::to_string(points.size()) + " points");
   meshops::Patch patch = patch_of(surface);
-  const std::vector<std::uint32_t> fan = fans_of(patch);
+  std::vector<std::uint32_t> fan = fans_of(patch);
 
   // A fan is a site for the assembler, so that each has one: numbered by points, fans of one point as their triangles are.
   const auto point_of = [&](std::uint32_t corner) { return surface.triangles[corner / 3][corner % 3]; };
@@ -91,22 +95,36 @@ SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface)
   std::sort(fans.begin(), fans.end(), [&](std::uint32_t f, std::uint32_t g) {
     return point_of(f) != point_of(g) ? point_of(f) < point_of(g) : f < g;
   });
-  std::vector<meshops::Site> site(fan.size());
-  for (std::size_t i = 0; i < fans.size(); ++i) site[fans[i]] = static_cast<meshops::Site>(i);
-  for (auto& corners : patch.triangles)
-    for (meshops::Site& corner : corners) corner = site[fan[corner]];
+  // The least corner of a fan has its number first, where the others find it.
+  const auto site_at = [&](std::uint32_t corner) -> meshops::Site& { return patch.triangles[corner / 3][corner % 3]; };
+  for (std::size_t i = 0; i < fans.size(); ++i) site_at(fans[i]) = static_cast<meshops::Site>(i);
+  for (std::uint32_t corner = 0; corner < fan.size(); ++corner) site_at(corner) = site_at(fan[corner]);
+  fan = std::vector<std::uint32_t>();
+
+  for (std::uint32_t& f : fans) f = point_of(f);
+  give_back();
 
   SurfaceMesh result;
   meshops::PatchAssembler assembler(result.mesh, fans.size());
   assembler.lay(patch);
   result.input_index = std::move(assembler).join().finish();
   for (std::size_t v = 0; v < result.input_index.size(); ++v) {
-    const std::uint32_t index = point_of(fans[result.input_index[v]]);
+    const std::uint32_t index = fans[result.input_index[v]];
     const Point3& p = points[index];
     result.mesh.set_point(Mesh::VertexHandle(static_cast<int>(v)), {p.x, p.y, p.z});
     result.input_index[v] = index;
   }
   return result;
+}
+
+}  // namespace
+
+SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface) {
+  return mesh_of(points, surface, [] {});
+}
+
+SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface) {
+  return mesh_of(points, surface, [&] { surface = Surface(); });
 }
 
 }  // namespace rbpa

@@ -24,5 +24,7 @@ struct SurfaceMesh {
 /// Throws:   InvalidInput when it has more triangles than OpenMesh can number the halfedges of, 357,913,941; ContractViolation
 ///           when it is none of these points, or its neighbours do not know each other.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
+/// The same of a surface that is not needed any more: its memory is given back on the way.
+RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
 }  // namespace rbpa

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -70,6 +71,8 @@ TEST_CASE("the mesh of a surface is sound, and has its triangles glued as they a
       for (const Surface& surface : {exposed, some}) {
         const SurfaceMesh made = rbpa::surface_mesh(points, surface);
         check_is(made, surface, points);
+        Surface given = surface;
+        check_is(rbpa::surface_mesh(points, std::move(given)), surface, points);
         faces += made.mesh.n_faces();
         for (std::size_t v = 1; v < made.input_index.size(); ++v)
           fans += made.input_index[v] == made.input_index[v - 1];
