@@ -53,9 +53,8 @@ class RollingBall::Inside {
     meshops::require(first < points(), "RollingBall: no such point");
     const space::Site v = site(first);
     if (v == none) return {};
-    space::RingFinder finder;
     space::Rings rings;
-    finder.find(cells_, fits_double_, v, v + 1, rings);
+    space::find_rings(cells_, fits_double_, v, v + 1, rings);
     std::vector<Triangle> found;
     const auto index = cells_.input_index();
     for (auto cycle = rings.points.begin(); cycle != rings.points.end();) {

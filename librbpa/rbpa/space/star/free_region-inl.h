@@ -26,6 +26,8 @@
 #include <utility>
 
 #include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/star/few_caps-inl.h"
+#include "rbpa/space/star/neighbor.h"
 #include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,12 +40,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 class FreeRegion {
  public:
   using Vector = Vector3<double>;
-  /// A point other than v: where it is from v, half the square of its distance, and that.
-  struct Neighbor {
-    Vector at;
-    double power, length;
-    std::size_t number;
-  };
 
   static constexpr std::size_t capacity = 64, max_neighbors = 256, max_waiting = 64;
   static constexpr double max_error = 1e-7;  // of centres, as a share of the radius
@@ -53,9 +49,27 @@ class FreeRegion {
     radius_ = radius;
     square_ = radius * radius;
     count_ = waiting_ = 0;
-    live_ = 0;
+    live_ = held_ = 0;
     top_ = 0;
-    has_begun_ = false;
+    has_begun_ = is_parted_ = false;
+  }
+
+  /// Takes the caps of a few points away at once, from the whole sphere.
+  /// Returns: false, and the whole sphere is there, where not all is certain.
+  bool start(std::span<const Neighbor> points) {
+    if (!few_.find(points, radius_, {.flatness = max_flatness, .error = max_error, .slack = slack})) return false;
+    std::copy(points.begin(), points.end(), neighbors_.begin());
+    count_ = points.size();
+    has_begun_ = true;
+    const std::span<const FewCaps::Corner> corners = few_.corners();
+    bool is_whole = corners.size() < capacity;
+    for (std::size_t k = 0; k < corners.size() && is_whole; ++k)
+      add(static_cast<std::uint32_t>(corners[k].about), static_cast<int>(corners[k].left), corners[k].at, corners[k].error);
+    for (std::size_t k = 0; k < corners.size() && is_whole; ++k)
+      link(static_cast<int>(k), static_cast<int>(corners[k].next));
+    for (std::size_t k = 0; k < corners.size() && is_whole; ++k) is_whole = cut_long_arc(static_cast<int>(k));
+    if (!is_whole) begin(radius_);
+    return is_whole;
   }
 
   /// Nothing is left, whatever is taken away.
@@ -104,49 +118,83 @@ class FreeRegion {
     return true;
   }
 
-  /// How far p reaches into the region at most: p takes nothing away where c · p ≤ share · power of p for all corners c. For
-  /// regions that are on one side of a plane through v, which caps cover; otherwise the shares are minus infinity.
+  /// What a point must reach to take anything away from a region of which each part is on one side of a plane through v:
+  /// c · p > power of p for one of the corners c, drawn out as each part asks for.
   struct Reach {
-    std::array<double, capacity> x, y, z, share;
-    std::size_t count = 0;
+    static constexpr std::size_t max_parts = 4;
+    /// In radii: where p reaches it, middle · p + margin > p²/4, even if p is off by 10⁻⁶.
+    struct Part {
+      float x, y, z, margin;
+    };
+    alignas(64) std::array<double, capacity + 8> x, y, z;
+    std::size_t count = 0, parts = 0;
+    std::array<Part, max_parts> part;
+    double error = 0;  // of a corner
+    bool is_told = false;
   };
-  /// Returns: whether all shares are finite.
-  bool tell_reach(Reach& reach) const {
-    reach.count = 0;
-    if (!has_begun_) {  // all of the sphere is there
-      reach.count = 1;
-      reach.x[0] = reach.y[0] = reach.z[0] = 0;
-      reach.share[0] = -std::numeric_limits<double>::infinity();
-      return false;
-    }
-    if (live_ == 0) return true;
-    bool is_told = true;
-    const bool is_parted = covers_equator(sum_of_cycle(std::countr_zero(live_)));
-    std::uint64_t left = live_;
-    while (left != 0) {
+
+  /// Where it is not told, any point may reach the region.
+  void tell_reach(Reach& reach) {
+    reach.count = reach.parts = 0;
+    reach.error = 0;
+    reach.is_told = has_begun_;
+    if (!has_begun_ || live_ == 0) return;
+    // Caps that cover a circle once do so for ever.
+    is_parted_ = is_parted_ || covers_equator(sum_of_cycle(std::countr_zero(live_)));
+    reach.is_told = is_parted_;
+    for (std::uint64_t left = live_; left != 0 && reach.is_told;) {
       const int start = std::countr_zero(left);
       const Vector sum = sum_of_cycle(start);
-      const double length = std::sqrt(dot(sum, sum));
       double least = std::numeric_limits<double>::infinity();
       const std::size_t first = reach.count;
       int k = start;
       do {
         const auto i = static_cast<std::size_t>(k);
-        const std::size_t n = reach.count++;
-        reach.x[n] = x_[i];
-        reach.y[n] = y_[i];
-        reach.z[n] = z_[i];
+        reach.x[reach.count] = x_[i];
+        reach.y[reach.count] = y_[i];
+        reach.z[reach.count++] = z_[i];
         least = std::min(least, x_[i] * sum.x + y_[i] * sum.y + z_[i] * sum.z);
         left &= ~(std::uint64_t{1} << k);
         k = next_[i];
       } while (k != start);
-      const double depth = least / length;  // of the corners, along their mean direction
-      const double share = is_parted && depth > slack * radius_ ? (depth / radius_) * (1 - slack)
-                                                                : -std::numeric_limits<double>::infinity();
-      for (std::size_t n = first; n < reach.count; ++n) reach.share[n] = share;
-      is_told = is_told && std::isfinite(share);
+      const double depth = least / std::sqrt(dot(sum, sum));  // of the corners, along their mean direction
+      reach.is_told = depth > slack * radius_ && reach.parts < Reach::max_parts;
+      if (!reach.is_told) return;
+      const double longer = radius_ / (depth * (1 - slack));
+      const Vector middle = scaled(sum, longer / static_cast<double>(reach.count - first));
+      double spread = 0;
+      for (std::size_t n = first; n < reach.count; ++n) {
+        reach.x[n] *= longer;
+        reach.y[n] *= longer;
+        reach.z[n] *= longer;
+        const Vector away = minus({reach.x[n], reach.y[n], reach.z[n]}, middle);
+        spread = std::max(spread, dot(away, away));
+      }
+      reach.error = std::max(reach.error, 2 * max_error * radius_ * longer);
+      const double inverse = 1 / radius_, size = std::sqrt(dot(middle, middle)) * inverse;
+      spread *= inverse * inverse;
+      reach.part[reach.parts++] = {
+          static_cast<float>(middle.x * inverse), static_cast<float>(middle.y * inverse),
+          static_cast<float>(middle.z * inverse),
+          static_cast<float>(spread + rounding * (1 + size + std::sqrt(spread)) + 4 * reach.error * inverse)};
     }
-    return is_told;
+    // Those read beyond the end are none.
+    for (std::size_t n = reach.count; n < reach.count + 8; ++n) reach.x[n] = reach.y[n] = reach.z[n] = 0;
+  }
+
+  /// p may take something away.
+  static bool reaches(const Reach& reach, const Neighbor& p) {
+    if (!reach.is_told) return true;
+    const hn::CappedTag<double, 8> d;
+    const auto x = hn::Set(d, p.at.x), y = hn::Set(d, p.at.y), z = hn::Set(d, p.at.z),
+               least = hn::Set(d, p.power - reach.error * p.size());
+    for (std::size_t k = 0; k < reach.count; k += hn::Lanes(d)) {
+      const auto product =
+          hn::MulAdd(hn::LoadU(d, &reach.x[k]), x,
+                     hn::MulAdd(hn::LoadU(d, &reach.y[k]), y, hn::Mul(hn::LoadU(d, &reach.z[k]), z)));
+      if (!hn::AllFalse(d, product > least)) return true;
+    }
+    return false;
   }
 
   /// Calls visit(number) for the points about which the ball rolls, cycle by cycle, and end() after each cycle: from x to
@@ -169,7 +217,8 @@ class FreeRegion {
 
  private:
   static constexpr double unit_roundoff = 0x1p-53;
-  static constexpr double slack = 1e-6;  // of directions, as a share of lengths
+  static constexpr double slack = 1e-6;     // of directions, as a share of lengths
+  static constexpr double rounding = 1e-5;  // of what is in single precision
   static constexpr double max_flatness =
       1e-10;  // of a triangle and its ball: their squares, below which it is not certain
   static constexpr int none = -1;
@@ -538,6 +587,8 @@ class FreeRegion {
   double radius_ = 0, square_ = 0;
   std::size_t count_ = 0, waiting_ = 0;
   bool has_begun_ = false;                         // there have been corners
+  bool is_parted_ = false;                         // caps cover a great circle, so that each part is on one side of a plane
+  FewCaps few_;
   std::array<Neighbor, max_neighbors> neighbors_;  // whose caps are away
   std::array<Neighbor, max_waiting> waits_;        // whose circles are free as a whole
   std::uint64_t live_ = 0, held_ = 0;
