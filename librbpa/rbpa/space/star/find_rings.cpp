@@ -52,12 +52,17 @@ class RegionSearch {
     // Where a few corners tell how far anything reaches, all others at once; else those come first that are nearer.
     for (float to = from; from < Surroundings::whole && !region_.is_empty(); from = to) {
       region_.tell_reach(reach_);
+      std::size_t told = region_.caps();
       to = reach_.is_told ? Surroundings::whole : std::min(2 * to, Surroundings::whole);
       const bool is_certain = around.for_each_reaching(reach_, from, to, [&](Site p) {
         const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
         if (region_.is_empty() || !FreeRegion::reaches(reach_, neighbor)) return true;
         if (!region_.take(neighbor, is_in_ball)) return false;
-        region_.tell_reach(reach_);
+        // It is not worth while each time where it may not be told again.
+        if (region_.caps() - told >= (reach_.is_told ? 1 : 4)) {
+          region_.tell_reach(reach_);
+          told = region_.caps();
+        }
         return true;
       });
       if (!is_certain) return false;

@@ -48,6 +48,7 @@ class FreeRegion {
   void begin(double radius) {
     radius_ = radius;
     square_ = radius * radius;
+    inverse_ = 1 / radius;
     count_ = waiting_ = 0;
     live_ = held_ = 0;
     top_ = 0;
@@ -58,8 +59,7 @@ class FreeRegion {
   /// Returns: false, and the whole sphere is there, where not all is certain.
   bool start(std::span<const Neighbor> points) {
     if (!few_.find(points, radius_, {.flatness = max_flatness, .error = max_error, .slack = slack})) return false;
-    std::copy(points.begin(), points.end(), neighbors_.begin());
-    count_ = points.size();
+    for (const Neighbor& p : points) push(p);
     has_begun_ = true;
     const std::span<const FewCaps::Corner> corners = few_.corners();
     bool is_whole = corners.size() < capacity;
@@ -71,6 +71,9 @@ class FreeRegion {
     if (!is_whole) begin(radius_);
     return is_whole;
   }
+
+  /// How many caps bound or have bounded it: where there are no more, the region is the same.
+  std::size_t caps() const { return count_; }
 
   /// Nothing is left, whatever is taken away.
   bool is_empty() const { return has_begun_ && live_ == 0; }
@@ -92,8 +95,8 @@ class FreeRegion {
       if (of_q == Outcome::taken) return take(p, is_in_ball);
       if (!both.are_certain || !are_free(both) || count_ + 2 > max_neighbors) return false;
       const auto number = static_cast<std::uint32_t>(count_);
-      neighbors_[count_++] = p;
-      neighbors_[count_++] = q;
+      push(p);
+      push(q);
       const int a = add(number, static_cast<int>(number) + 1, both.left, both.error),
                 b = a == none ? none : add(number + 1, static_cast<int>(number), both.right, both.error);
       if (b == none) return false;
@@ -126,7 +129,7 @@ class FreeRegion {
     struct Part {
       float x, y, z, margin;
     };
-    alignas(64) std::array<double, capacity + 8> x, y, z;
+    alignas(64) std::array<double, capacity> x{}, y{}, z{};  // zeros where there is no corner
     std::size_t count = 0, parts = 0;
     std::array<Part, max_parts> part;
     double error = 0;  // of a corner
@@ -135,51 +138,29 @@ class FreeRegion {
 
   /// Where it is not told, any point may reach the region.
   void tell_reach(Reach& reach) {
-    reach.count = reach.parts = 0;
+    const hn::CappedTag<double, 8> d;
+    reach.count = top_;
+    reach.parts = 0;
     reach.error = 0;
     reach.is_told = has_begun_;
-    if (!has_begun_ || live_ == 0) return;
-    // Caps that cover a circle once do so for ever.
-    is_parted_ = is_parted_ || covers_equator(sum_of_cycle(std::countr_zero(live_)));
-    reach.is_told = is_parted_;
-    for (std::uint64_t left = live_; left != 0 && reach.is_told;) {
+    if (!has_begun_) return;
+    for (std::size_t i = 0; i < top_; i += hn::Lanes(d))
+      for (auto* of : {&reach.x, &reach.y, &reach.z}) hn::Store(hn::Zero(d), d, of->data() + i);
+    for (std::uint64_t left = live_, part = 0; left != 0; left &= ~part) {
       const int start = std::countr_zero(left);
-      const Vector sum = sum_of_cycle(start);
-      double least = std::numeric_limits<double>::infinity();
-      const std::size_t first = reach.count;
+      Vector sum = {0, 0, 0};
+      part = 0;
       int k = start;
       do {
-        const auto i = static_cast<std::size_t>(k);
-        reach.x[reach.count] = x_[i];
-        reach.y[reach.count] = y_[i];
-        reach.z[reach.count++] = z_[i];
-        least = std::min(least, x_[i] * sum.x + y_[i] * sum.y + z_[i] * sum.z);
-        left &= ~(std::uint64_t{1} << k);
-        k = next_[i];
+        sum = plus(sum, corner(k));
+        part |= std::uint64_t{1} << k;
+        k = next_[static_cast<std::size_t>(k)];
       } while (k != start);
-      const double depth = least / std::sqrt(dot(sum, sum));  // of the corners, along their mean direction
-      reach.is_told = depth > slack * radius_ && reach.parts < Reach::max_parts;
+      // Caps that cover a circle once do so for ever.
+      is_parted_ = is_parted_ || covers_equator(sum);
+      reach.is_told = is_parted_ && reach.parts < Reach::max_parts && draw_out(reach, part, sum);
       if (!reach.is_told) return;
-      const double longer = radius_ / (depth * (1 - slack));
-      const Vector middle = scaled(sum, longer / static_cast<double>(reach.count - first));
-      double spread = 0;
-      for (std::size_t n = first; n < reach.count; ++n) {
-        reach.x[n] *= longer;
-        reach.y[n] *= longer;
-        reach.z[n] *= longer;
-        const Vector away = minus({reach.x[n], reach.y[n], reach.z[n]}, middle);
-        spread = std::max(spread, dot(away, away));
-      }
-      reach.error = std::max(reach.error, 2 * max_error * radius_ * longer);
-      const double inverse = 1 / radius_, size = std::sqrt(dot(middle, middle)) * inverse;
-      spread *= inverse * inverse;
-      reach.part[reach.parts++] = {
-          static_cast<float>(middle.x * inverse), static_cast<float>(middle.y * inverse),
-          static_cast<float>(middle.z * inverse),
-          static_cast<float>(spread + rounding * (1 + size + std::sqrt(spread)) + 4 * reach.error * inverse)};
     }
-    // Those read beyond the end are none.
-    for (std::size_t n = reach.count; n < reach.count + 8; ++n) reach.x[n] = reach.y[n] = reach.z[n] = 0;
   }
 
   /// p may take something away.
@@ -190,8 +171,8 @@ class FreeRegion {
                least = hn::Set(d, p.power - reach.error * p.size());
     for (std::size_t k = 0; k < reach.count; k += hn::Lanes(d)) {
       const auto product =
-          hn::MulAdd(hn::LoadU(d, &reach.x[k]), x,
-                     hn::MulAdd(hn::LoadU(d, &reach.y[k]), y, hn::Mul(hn::LoadU(d, &reach.z[k]), z)));
+          hn::MulAdd(hn::Load(d, &reach.x[k]), x,
+                     hn::MulAdd(hn::Load(d, &reach.y[k]), y, hn::Mul(hn::Load(d, &reach.z[k]), z)));
       if (!hn::AllFalse(d, product > least)) return true;
     }
     return false;
@@ -261,6 +242,15 @@ class FreeRegion {
     both.error = unit_roundoff * radius_ * (384 * pp * qq * inverse + 32 * whole / clearance + 32);
     both.are_certain = both.error < max_error * radius_;
     return both;
+  }
+
+  void push(const Neighbor& p) {
+    neighbors_[count_] = p;
+    at_x_[count_] = p.at.x;
+    at_y_[count_] = p.at.y;
+    at_z_[count_] = p.at.z;
+    power_[count_] = p.power;
+    length_[count_++] = p.length;
   }
 
   /// A corner; none where there is no room.
@@ -423,13 +413,13 @@ class FreeRegion {
     const std::uint64_t changed = bitten | spared | crossed;
     if (changed == 0) {
       if (!covers_circle(p)) return dead == 0 ? Outcome::inside : Outcome::lost;
-      if (dead != 0) neighbors_[count_++] = p;
+      if (dead != 0) push(p);
       live_ &= ~dead;
       return Outcome::taken;
     }
 
     const std::size_t number = count_;
-    neighbors_[count_++] = p;
+    push(p);
     held_ = dead;  // their places are not used again before all is linked
     live_ &= ~dead;
     std::array<int, capacity> entries, exits;
@@ -510,9 +500,13 @@ class FreeRegion {
     const double square = square_ - p.power / 2;
     if (!(square > 0)) return false;
     const Vector z = plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Neighbor& q = neighbors_[i];
-      if (dot(z, q.at) - q.power > slack * radius_ * q.length) return true;
+    const hn::CappedTag<double, 8> d;
+    for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
+      const auto depth = hn::MulAdd(hn::Set(d, z.x), hn::Load(d, &at_x_[i]),
+                                    hn::MulAdd(hn::Set(d, z.y), hn::Load(d, &at_y_[i]),
+                                               hn::MulSub(hn::Set(d, z.z), hn::Load(d, &at_z_[i]), hn::Load(d, &power_[i]))));
+      const auto is_in = depth > hn::Mul(hn::Set(d, slack * radius_), hn::Load(d, &length_[i]));
+      if (!hn::AllFalse(d, hn::And(is_in, hn::FirstN(d, count_ - i)))) return true;
     }
     return false;
   }
@@ -545,14 +539,43 @@ class FreeRegion {
     return Outcome::taken;
   }
 
-  Vector sum_of_cycle(int start) const {
-    Vector sum = {0, 0, 0};
-    int k = start;
-    do {
-      sum = plus(sum, corner(k));
-      k = next_[static_cast<std::size_t>(k)];
-    } while (k != start);
-    return sum;
+  /// Draws the corners of a part, and they have a sum, out to where a point must be beyond to reach the part. Returns: whether
+  /// they are on one side of the plane square to their sum.
+  bool draw_out(Reach& reach, std::uint64_t part, const Vector& sum) const {
+    const hn::CappedTag<double, 8> d;
+    using V = hn::Vec<decltype(d)>;
+    const auto square_of = [](V x, V y, V z) { return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))); };
+    auto least = hn::Set(d, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < top_; i += hn::Lanes(d)) {
+      const V along = hn::MulAdd(hn::Load(d, &x_[i]), hn::Set(d, sum.x),
+                                 hn::MulAdd(hn::Load(d, &y_[i]), hn::Set(d, sum.y),
+                                            hn::Mul(hn::Load(d, &z_[i]), hn::Set(d, sum.z))));
+      least = hn::Min(least, hn::IfThenElse(rbpa::HWY_NAMESPACE::mask_of(d, part >> i), along, least));
+    }
+    const double depth = hn::GetLane(hn::MinOfLanes(d, least)) / std::sqrt(dot(sum, sum));  // along their mean direction
+    if (!(depth > slack * radius_)) return false;
+    const double longer = radius_ / (depth * (1 - slack));
+    const Vector middle = scaled(sum, longer / static_cast<double>(std::popcount(part)));
+    auto most = hn::Zero(d);
+    for (std::size_t i = 0; i < top_; i += hn::Lanes(d)) {
+      const auto is_there = rbpa::HWY_NAMESPACE::mask_of(d, part >> i);
+      const auto draw = [&](const double* from, double center, double* to) {
+        const V out = hn::Mul(hn::Load(d, from), hn::Set(d, longer));
+        hn::Store(hn::IfThenElse(is_there, out, hn::Load(d, to)), d, to);
+        return hn::Sub(out, hn::Set(d, center));
+      };
+      const V x = draw(&x_[i], middle.x, &reach.x[i]), y = draw(&y_[i], middle.y, &reach.y[i]),
+              z = draw(&z_[i], middle.z, &reach.z[i]);
+      most = hn::Max(most, hn::IfThenElseZero(is_there, square_of(x, y, z)));
+    }
+    reach.error = std::max(reach.error, 2 * max_error * radius_ * longer);
+    const double spread = hn::GetLane(hn::MaxOfLanes(d, most)) * inverse_ * inverse_;
+    // No corner is farther away than `longer` radii.
+    reach.part[reach.parts++] = {
+        static_cast<float>(middle.x * inverse_), static_cast<float>(middle.y * inverse_),
+        static_cast<float>(middle.z * inverse_),
+        static_cast<float>(spread + rounding * (2 + longer + spread) + 4 * reach.error * inverse_)};
+    return true;
   }
 
   /// Caps cover the circle of centres square to an axis, so that each part of the region is on one side of it.
@@ -560,36 +583,42 @@ class FreeRegion {
     constexpr std::size_t samples = 16;
     constexpr double gap = 0.1964;  // from any place to a sample, as a share of the radius: more than 2 sin(pi / 32)
     constexpr double c1 = 0.92387953251128674, s1 = 0.38268343236508977, c2 = 0.70710678118654752;
-    alignas(64) static constexpr double cosine[samples] = {1,  c1,  c2,  s1,  0, -s1, -c2, -c1,
-                                                           -1, -c1, -c2, -s1, 0, s1,  c2,  c1};
-    alignas(64) static constexpr double sine[samples] = {0, s1,  c2,  c1,  1,  c1,  c2,  s1,
-                                                         0, -s1, -c2, -c1, -1, -c1, -c2, -s1};
+    static constexpr double cosine[samples] = {1,  c1,  c2,  s1,  0, -s1, -c2, -c1,
+                                               -1, -c1, -c2, -s1, 0, s1,  c2,  c1};
+    static constexpr double sine[samples] = {0, s1,  c2,  c1,  1,  c1,  c2,  s1,
+                                             0, -s1, -c2, -c1, -1, -c1, -c2, -s1};
     const double square = dot(axis, axis);
     if (!(square > 1e-6 * square_)) return false;
     const Vector other = std::abs(axis.x) < std::abs(axis.y) ? Vector{1, 0, 0} : Vector{0, 1, 0};
-    Vector u = cross(axis, other);
-    u = scaled(u, 1 / std::sqrt(dot(u, u)));
-    const Vector v = scaled(cross(axis, u), 1 / std::sqrt(square));
+    const Vector across = cross(axis, other);
+    const Vector u = scaled(across, radius_ / std::sqrt(dot(across, across))),
+                 v = scaled(cross(axis, u), 1 / std::sqrt(square));
     const hn::CappedTag<double, 8> d;
-    std::uint64_t covered = 0;
-    for (std::size_t n = 0; n < count_ && covered != 0xffff; ++n) {
-      const Neighbor& q = neighbors_[n];
-      const auto qu = hn::Set(d, radius_ * dot(q.at, u)), qv = hn::Set(d, radius_ * dot(q.at, v)),
-                 needed = hn::Set(d, q.power + gap * radius_ * q.length);
-      for (std::size_t i = 0; i < samples; i += hn::Lanes(d))
-        covered |= rbpa::HWY_NAMESPACE::bits_of(
-                       d, hn::MulAdd(hn::Load(d, cosine + i), qu, hn::Mul(hn::Load(d, sine + i), qv)) > needed)
-                   << i;
+    std::uint32_t covered = 0;
+    for (std::size_t n = 0; n < count_ && covered != 0xffff; n += hn::Lanes(d)) {
+      const auto x = hn::Load(d, &at_x_[n]), y = hn::Load(d, &at_y_[n]), z = hn::Load(d, &at_z_[n]);
+      const auto along = [&](const Vector& w) {
+        return hn::MulAdd(x, hn::Set(d, w.x), hn::MulAdd(y, hn::Set(d, w.y), hn::Mul(z, hn::Set(d, w.z))));
+      };
+      const auto qu = along(u), qv = along(v),
+                 needed = hn::IfThenElse(
+                     hn::FirstN(d, count_ - n),
+                     hn::MulAdd(hn::Load(d, &length_[n]), hn::Set(d, gap * radius_), hn::Load(d, &power_[n])),
+                     hn::Set(d, std::numeric_limits<double>::infinity()));
+      for (std::size_t i = 0; i < samples; ++i)
+        if (!hn::AllFalse(d, hn::MulAdd(hn::Set(d, cosine[i]), qu, hn::Mul(hn::Set(d, sine[i]), qv)) > needed))
+          covered |= 1U << i;
     }
     return covered == 0xffff;
   }
 
-  double radius_ = 0, square_ = 0;
+  double radius_ = 0, square_ = 0, inverse_ = 0;
   std::size_t count_ = 0, waiting_ = 0;
   bool has_begun_ = false;                         // there have been corners
   bool is_parted_ = false;                         // caps cover a great circle, so that each part is on one side of a plane
   FewCaps few_;
   std::array<Neighbor, max_neighbors> neighbors_;  // whose caps are away
+  alignas(64) std::array<double, max_neighbors> at_x_{}, at_y_{}, at_z_{}, power_{}, length_{};  // theirs
   std::array<Neighbor, max_waiting> waits_;        // whose circles are free as a whole
   std::uint64_t live_ = 0, held_ = 0;
   std::size_t top_ = 0;  // places below it have been used
