@@ -21,6 +21,7 @@
 #include <limits>
 #include <span>
 
+#include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
 #include "rbpa/vector/mask_bits-inl.h"
 
@@ -40,22 +41,16 @@ class FewCaps {
     double error;
     std::size_t about, left, next;
   };
-  /// How near to a tie a sign may be: squares of a triangle and its ball, errors of centres as a share of the radius, and of
-  /// directions as a share of lengths.
-  struct Limits {
-    double flatness, error, slack;
-  };
-
   /// Returns: whether all is certain.
-  bool find(std::span<const Neighbor> points, double radius, const Limits& limits) {
+  bool find(std::span<const Neighbor> points, double radius) {
     count_ = points.size();
     corner_count_ = 0;
     if (count_ < 3 || count_ > most) return false;
     spread(points);
     covered_ = 0;
     for (std::size_t step = 1; 2 * step <= count_; ++step)
-      if (!find_pairs(step, radius, limits)) return false;
-    return link(points, radius, limits.slack);
+      if (!find_pairs(step, radius)) return false;
+    return link(points, radius);
   }
 
   std::span<const Corner> corners() const { return {corners_.data(), corner_count_}; }
@@ -80,7 +75,7 @@ class FewCaps {
   }
 
   /// The corners of points i and i + step.
-  bool find_pairs(std::size_t step, double radius, const Limits& limits) {
+  bool find_pairs(std::size_t step, double radius) {
     const hn::CappedTag<double, most> d;
     using V = hn::Vec<decltype(d)>;
     const std::size_t pairs = 2 * step == count_ ? step : count_;
@@ -101,17 +96,15 @@ class FewCaps {
       const V product = hn::Mul(hn::Set(d, 4), hn::Mul(pp, qq)), whole = hn::Mul(hn::Set(d, 4 * radius * radius), nn);
       const V clearance = hn::NegMulAdd(product, ww, whole);
       const V inverse = hn::Div(hn::Set(d, 0.5), nn), rise = hn::Mul(hn::Sqrt(clearance), inverse);
-      const V error =
-          hn::Mul(hn::Set(d, 0x1p-53 * radius),
-                  hn::MulAdd(hn::Mul(hn::Set(d, 384), product), inverse,
-                             hn::MulAdd(hn::Set(d, 32), hn::Div(whole, clearance), hn::Set(d, 32))));
+      const V error = hn::Mul(hn::Set(d, 0x1p-53 * radius),
+                              hn::MulAdd(hn::Mul(hn::Set(d, 384), product), inverse,
+                                         hn::MulAdd(hn::Set(d, 32), hn::Div(whole, clearance), hn::Set(d, 32))));
       const std::uint64_t wanted = (std::uint64_t{1} << std::min(pairs - i, hn::Lanes(d))) - 1;
-      const std::uint64_t cross =
-          bits(d, hn::And(clearance > hn::Mul(hn::Set(d, limits.flatness), whole),
-                          error < hn::Set(d, limits.error * radius))) &
-          wanted;
+      const std::uint64_t cross = bits(d, hn::And(clearance > hn::Mul(hn::Set(d, limits::flatness), whole),
+                                                  error < hn::Set(d, limits::error * radius))) &
+                                  wanted;
       const std::uint64_t apart =
-          bits(d, clearance < hn::Mul(hn::Set(d, -limits.flatness * radius * radius), product)) & wanted;
+          bits(d, clearance < hn::Mul(hn::Set(d, -limits::flatness * radius * radius), product)) & wanted;
       if ((cross | apart) != wanted) return false;
       if (cross == 0) continue;
       const V pscale = hn::Mul(hn::Add(pp, pp), inverse), qscale = hn::Mul(hn::Add(qq, qq), inverse);
@@ -170,7 +163,7 @@ class FewCaps {
   }
 
   /// From each corner to the next one on the circle of the point that the boundary goes about.
-  bool link(std::span<const Neighbor> points, double radius, double slack) {
+  bool link(std::span<const Neighbor> points, double radius) {
     struct Ends {
       std::array<std::uint8_t, 2> from, to;
       std::size_t from_count = 0, to_count = 0;
@@ -195,7 +188,8 @@ class FewCaps {
         const Vector3<double>&p = points[i].at, &a = corners_[ends.to[0]].at, &b = corners_[ends.to[1]].at;
         const Vector3<double> ahead = cross(p, corners_[ends.from[0]].at);
         const double to_a = dot(ahead, a), to_b = dot(ahead, b), a_to_b = dot(cross(p, a), b);
-        if (!(std::min({std::abs(to_a), std::abs(to_b), std::abs(a_to_b)}) > slack * points[i].length * radius * radius))
+        if (!(std::min({std::abs(to_a), std::abs(to_b), std::abs(a_to_b)}) >
+              limits::slack * points[i].length * radius * radius))
           return false;
         first = (to_a > 0) != (to_b > 0) ? (to_a > 0 ? 0 : 1) : (a_to_b > 0 ? 0 : 1);
         corners_[ends.from[1]].next = ends.to[1 - first];
@@ -209,7 +203,7 @@ class FewCaps {
   std::uint64_t covered_ = 0;  // points of whose circle some place is in another cap
   double size_ = 0;            // of the point farthest away, in the sum of coordinates
   alignas(64) std::array<double, twice> x_, y_, z_, power_;
-  std::array<Corner, 2 * most *(most - 1)> corners_;
+  std::array<Corner, 2 * most*(most - 1)> corners_;
 };
 
 }  // namespace

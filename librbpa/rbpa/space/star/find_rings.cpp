@@ -19,6 +19,7 @@
 
 #include "rbpa/space/star/free_region-inl.h"
 #include "rbpa/space/star/neighbor.h"
+#include "rbpa/space/star/reach-inl.h"
 #include "rbpa/space/star/surroundings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -53,13 +54,13 @@ class RegionSearch {
     for (float to = from; from < Surroundings::whole && !region_.is_empty(); from = to) {
       region_.tell_reach(reach_);
       std::size_t told = region_.caps();
-      to = reach_.is_told ? Surroundings::whole : std::min(2 * to, Surroundings::whole);
+      to = reach_.is_told() ? Surroundings::whole : std::min(2 * to, Surroundings::whole);
       const bool is_certain = around.for_each_reaching(reach_, from, to, [&](Site p) {
         const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
-        if (region_.is_empty() || !FreeRegion::reaches(reach_, neighbor)) return true;
+        if (region_.is_empty() || !reach_.is_within(neighbor)) return true;
         if (!region_.take(neighbor, is_in_ball)) return false;
         // It is not worth while each time where it may not be told again.
-        if (region_.caps() - told >= (reach_.is_told ? 1 : 4)) {
+        if (region_.caps() - told >= (reach_.is_told() ? 1 : 4)) {
           region_.tell_reach(reach_);
           told = region_.caps();
         }
@@ -102,7 +103,7 @@ class RegionSearch {
   double share_ = 0.25;  // of the square of two radii, within which to look first
   std::vector<Neighbor> near_;
   FreeRegion region_;
-  FreeRegion::Reach reach_;
+  Reach reach_;
 };
 
 /// The rings of one site by rolling about each edge. Requires: all sites within two radii, by distance.

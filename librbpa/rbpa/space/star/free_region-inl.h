@@ -27,7 +27,10 @@
 
 #include "rbpa/space/predicate/ball.h"
 #include "rbpa/space/star/few_caps-inl.h"
+#include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
+#include "rbpa/space/star/reach-inl.h"
+#include "rbpa/space/star/taken_caps-inl.h"
 #include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,15 +44,14 @@ class FreeRegion {
  public:
   using Vector = Vector3<double>;
 
-  static constexpr std::size_t capacity = 64, max_neighbors = 256, max_waiting = 64;
-  static constexpr double max_error = 1e-7;  // of centres, as a share of the radius
+  static constexpr std::size_t capacity = 64, max_waiting = 64;
 
   /// The whole sphere.
   void begin(double radius) {
     radius_ = radius;
     square_ = radius * radius;
-    inverse_ = 1 / radius;
-    count_ = waiting_ = 0;
+    waiting_ = 0;
+    caps_.begin(radius);
     live_ = held_ = 0;
     top_ = 0;
     has_begun_ = is_parted_ = false;
@@ -58,13 +60,14 @@ class FreeRegion {
   /// Takes the caps of a few points away at once, from the whole sphere.
   /// Returns: false, and the whole sphere is there, where not all is certain.
   bool start(std::span<const Neighbor> points) {
-    if (!few_.find(points, radius_, {.flatness = max_flatness, .error = max_error, .slack = slack})) return false;
-    for (const Neighbor& p : points) push(p);
+    if (!few_.find(points, radius_)) return false;
+    for (const Neighbor& p : points) caps_.push(p);
     has_begun_ = true;
     const std::span<const FewCaps::Corner> corners = few_.corners();
     bool is_whole = corners.size() < capacity;
     for (std::size_t k = 0; k < corners.size() && is_whole; ++k)
-      add(static_cast<std::uint32_t>(corners[k].about), static_cast<int>(corners[k].left), corners[k].at, corners[k].error);
+      add(static_cast<std::uint32_t>(corners[k].about), static_cast<int>(corners[k].left), corners[k].at,
+          corners[k].error);
     for (std::size_t k = 0; k < corners.size() && is_whole; ++k)
       link(static_cast<int>(k), static_cast<int>(corners[k].next));
     for (std::size_t k = 0; k < corners.size() && is_whole; ++k) is_whole = cut_long_arc(static_cast<int>(k));
@@ -73,7 +76,7 @@ class FreeRegion {
   }
 
   /// How many caps bound or have bounded it: where there are no more, the region is the same.
-  std::size_t caps() const { return count_; }
+  std::size_t caps() const { return caps_.count(); }
 
   /// Nothing is left, whatever is taken away.
   bool is_empty() const { return has_begun_ && live_ == 0; }
@@ -93,10 +96,12 @@ class FreeRegion {
       const Outcome of_q = cut(q, is_in_ball);  // the region may have changed since q was tried
       if (of_q == Outcome::lost) return false;
       if (of_q == Outcome::taken) return take(p, is_in_ball);
-      if (!both.are_certain || !are_free(both) || count_ + 2 > max_neighbors) return false;
-      const auto number = static_cast<std::uint32_t>(count_);
-      push(p);
-      push(q);
+      if (!both.are_certain || !caps_.leave_free(both.left, both.error) || !caps_.leave_free(both.right, both.error) ||
+          caps_.count() + 2 > TakenCaps::most)
+        return false;
+      const auto number = static_cast<std::uint32_t>(caps_.count());
+      caps_.push(p);
+      caps_.push(q);
       const int a = add(number, static_cast<int>(number) + 1, both.left, both.error),
                 b = a == none ? none : add(number + 1, static_cast<int>(number), both.right, both.error);
       if (b == none) return false;
@@ -121,32 +126,11 @@ class FreeRegion {
     return true;
   }
 
-  /// What a point must reach to take anything away from a region of which each part is on one side of a plane through v:
-  /// c · p > power of p for one of the corners c, drawn out as each part asks for.
-  struct Reach {
-    static constexpr std::size_t max_parts = 4;
-    /// In radii: where p reaches it, middle · p + margin > p²/4, even if p is off by 10⁻⁶.
-    struct Part {
-      float x, y, z, margin;
-    };
-    alignas(64) std::array<double, capacity> x{}, y{}, z{};  // zeros where there is no corner
-    std::size_t count = 0, parts = 0;
-    std::array<Part, max_parts> part;
-    double error = 0;  // of a corner
-    bool is_told = false;
-  };
-
   /// Where it is not told, any point may reach the region.
   void tell_reach(Reach& reach) {
-    const hn::CappedTag<double, 8> d;
-    reach.count = top_;
-    reach.parts = 0;
-    reach.error = 0;
-    reach.is_told = has_begun_;
+    reach.begin(radius_, top_, has_begun_);
     if (!has_begun_) return;
-    for (std::size_t i = 0; i < top_; i += hn::Lanes(d))
-      for (auto* of : {&reach.x, &reach.y, &reach.z}) hn::Store(hn::Zero(d), d, of->data() + i);
-    for (std::uint64_t left = live_, part = 0; left != 0; left &= ~part) {
+    for (std::uint64_t left = live_, part = 0; left != 0 && reach.is_told(); left &= ~part) {
       const int start = std::countr_zero(left);
       Vector sum = {0, 0, 0};
       part = 0;
@@ -157,25 +141,12 @@ class FreeRegion {
         k = next_[static_cast<std::size_t>(k)];
       } while (k != start);
       // Caps that cover a circle once do so for ever.
-      is_parted_ = is_parted_ || covers_equator(sum);
-      reach.is_told = is_parted_ && reach.parts < Reach::max_parts && draw_out(reach, part, sum);
-      if (!reach.is_told) return;
+      is_parted_ = is_parted_ || caps_.cover_equator(sum);
+      if (is_parted_)
+        reach.add({x_.data(), y_.data(), z_.data(), top_}, part, sum);
+      else
+        reach.give_up();
     }
-  }
-
-  /// p may take something away.
-  static bool reaches(const Reach& reach, const Neighbor& p) {
-    if (!reach.is_told) return true;
-    const hn::CappedTag<double, 8> d;
-    const auto x = hn::Set(d, p.at.x), y = hn::Set(d, p.at.y), z = hn::Set(d, p.at.z),
-               least = hn::Set(d, p.power - reach.error * p.size());
-    for (std::size_t k = 0; k < reach.count; k += hn::Lanes(d)) {
-      const auto product =
-          hn::MulAdd(hn::Load(d, &reach.x[k]), x,
-                     hn::MulAdd(hn::Load(d, &reach.y[k]), y, hn::Mul(hn::Load(d, &reach.z[k]), z)));
-      if (!hn::AllFalse(d, product > least)) return true;
-    }
-    return false;
   }
 
   /// Calls visit(number) for the points about which the ball rolls, cycle by cycle, and end() after each cycle: from x to
@@ -188,7 +159,7 @@ class FreeRegion {
       int k = start;
       do {
         const auto i = static_cast<std::size_t>(k);
-        if (left_[i] != none) visit(static_cast<std::uint32_t>(neighbors_[about_[i]].number));
+        if (left_[i] != none) visit(static_cast<std::uint32_t>(caps_[about_[i]].number));
         left &= ~(std::uint64_t{1} << k);
         k = next_[i];
       } while (k != start);
@@ -198,10 +169,6 @@ class FreeRegion {
 
  private:
   static constexpr double unit_roundoff = 0x1p-53;
-  static constexpr double slack = 1e-6;     // of directions, as a share of lengths
-  static constexpr double rounding = 1e-5;  // of what is in single precision
-  static constexpr double max_flatness =
-      1e-10;  // of a triangle and its ball: their squares, below which it is not certain
   static constexpr int none = -1;
 
   enum class Outcome { taken, inside, lost };
@@ -218,9 +185,6 @@ class FreeRegion {
     std::uint64_t middle_on, far_side_on;  // arcs that the direction of p may be on, and the one away from it
   };
 
-  static Vector scaled(const Vector& u, double s) { return {u.x * s, u.y * s, u.z * s}; }
-  static Vector plus(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y, u.z + v.z}; }
-  static Vector minus(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
   Vector corner(int k) const {
     const auto i = static_cast<std::size_t>(k);
     return {x_[i], y_[i], z_[i]};
@@ -231,8 +195,8 @@ class FreeRegion {
     const double nn = dot(n, n), pp = 2 * p.power, qq = 2 * q.power, whole = 4 * square_ * nn;
     const double clearance = whole - pp * qq * dot(w, w);
     Rests both;
-    both.are_certain = clearance > max_flatness * whole;
-    both.cannot = clearance < -max_flatness * pp * qq * square_;
+    both.are_certain = clearance > limits::flatness * whole;
+    both.cannot = clearance < -limits::flatness * pp * qq * square_;
     if (!both.are_certain) return both;
     const double inverse = 0.5 / nn, rise = std::sqrt(clearance) * inverse;
     const Vector to_p = cross(q.at, n), to_q = cross(n, p.at);
@@ -240,17 +204,8 @@ class FreeRegion {
     both.left = plus(middle, up);
     both.right = minus(middle, up);
     both.error = unit_roundoff * radius_ * (384 * pp * qq * inverse + 32 * whole / clearance + 32);
-    both.are_certain = both.error < max_error * radius_;
+    both.are_certain = both.error < limits::error * radius_;
     return both;
-  }
-
-  void push(const Neighbor& p) {
-    neighbors_[count_] = p;
-    at_x_[count_] = p.at.x;
-    at_y_[count_] = p.at.y;
-    at_z_[count_] = p.at.z;
-    power_[count_] = p.power;
-    length_[count_++] = p.length;
   }
 
   /// A corner; none where there is no room.
@@ -274,7 +229,7 @@ class FreeRegion {
   void link(int a, int b) {
     const auto i = static_cast<std::size_t>(a);
     next_[i] = static_cast<std::uint8_t>(b);
-    const Neighbor& q = neighbors_[about_[i]];
+    const Neighbor& q = caps_[about_[i]];
     const Vector from = cross(q.at, corner(a)), to = cross(corner(b), q.at);
     from_x_[i] = from.x;
     from_y_[i] = from.y;
@@ -282,7 +237,7 @@ class FreeRegion {
     to_x_[i] = to.x;
     to_y_[i] = to.y;
     to_z_[i] = to.z;
-    side_error_[i] = slack * radius_ * q.length;
+    side_error_[i] = limits::slack * radius_ * q.length;
   }
 
   /// Where a turn by an angle is from 0 to 4, monotonously, of multiples of its sine and cosine; what is within the slack of 0
@@ -290,8 +245,8 @@ class FreeRegion {
   static double turn(double sine, double cosine) {
     const double share = sine / (std::abs(sine) + std::abs(cosine));
     if (cosine < 0) return 2 - share;
-    if (share > slack) return share;
-    return share < -slack ? 4 + share : 0;
+    if (share > limits::slack) return share;
+    return share < -limits::slack ? 4 + share : 0;
   }
 
   /// Puts corners that are no triangles on the arc from a, until no part has 120 degrees.
@@ -299,11 +254,11 @@ class FreeRegion {
     while (true) {
       const auto i = static_cast<std::size_t>(a);
       const int b = next_[i];
-      const Neighbor& q = neighbors_[about_[i]];
+      const Neighbor& q = caps_[about_[i]];
       const Vector middle = scaled(q.at, 0.5), u = minus(corner(a), middle), v = minus(corner(b), middle);
       const double square = square_ - q.power / 2;  // of the circle's radius
       const double sine = dot(q.at, cross(u, v)), cosine = dot(u, v);
-      if (sine > 2 * slack * q.length * square && cosine > -square / 2) return true;
+      if (sine > 2 * limits::slack * q.length * square && cosine > -square / 2) return true;
       const double angle = turn(sine / q.length, cosine);
       if (angle < 1 || (angle < 2 && cosine > -square / 2)) return true;
       // Not in the very middle, where symmetric points would meet it.
@@ -316,7 +271,7 @@ class FreeRegion {
         if (angle > 2) m = scaled(m, -1);
       }
       m = scaled(m, std::sqrt(square / dot(m, m)));
-      const int k = add(about_[i], none, plus(middle, m), max_error * 1e-3 * radius_);
+      const int k = add(about_[i], none, plus(middle, m), limits::error * 1e-3 * radius_);
       if (k == none) return false;
       link(k, b);
       link(a, k);
@@ -357,7 +312,7 @@ class FreeRegion {
     const double along = dot(p.at, q.at), qq = 2 * q.power;
     const double across = std::sqrt(std::max(0.0, 2 * p.power - along * along / qq));
     const double reach = std::sqrt(std::max(0.0, square_ - qq / 4)) * across;
-    return {along / 2 + reach - p.power, along / 2 - reach - p.power, slack * 1e-2 * radius_ * size};
+    return {along / 2 + reach - p.power, along / 2 - reach - p.power, limits::slack * 1e-2 * radius_ * size};
   }
 
   /// Tries those again that wait.
@@ -373,7 +328,7 @@ class FreeRegion {
 
   template <typename IsInBall>
   Outcome cut(const Neighbor& p, IsInBall is_in_ball) {
-    if (count_ == max_neighbors) return Outcome::lost;
+    if (caps_.count() == TakenCaps::most) return Outcome::lost;
     const double size = std::abs(p.at.x) + std::abs(p.at.y) + std::abs(p.at.z);
     const Signs signs = signs_of(p, size);
     std::uint64_t dead = signs.dead;
@@ -381,7 +336,7 @@ class FreeRegion {
       const int k = std::countr_zero(left);
       const auto i = static_cast<std::size_t>(k);
       if (left_[i] == none) return Outcome::lost;
-      if (is_in_ball(neighbors_[about_[i]].number, neighbors_[static_cast<std::size_t>(left_[i])].number, p.number))
+      if (is_in_ball(caps_[about_[i]].number, caps_[static_cast<std::size_t>(left_[i])].number, p.number))
         dead |= std::uint64_t{1} << k;
     }
     std::uint64_t dead_after = 0;
@@ -396,7 +351,7 @@ class FreeRegion {
     // Where p's direction is on an arc with free ends, or that away from it on one whose ends are held, the middle may differ.
     for (std::uint64_t left = bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
-      const OnCircle on = on_circle(p, size, neighbors_[about_[static_cast<std::size_t>(k)]]);
+      const OnCircle on = on_circle(p, size, caps_[about_[static_cast<std::size_t>(k)]]);
       if (on.most < -on.error)
         bitten &= ~(std::uint64_t{1} << k);
       else if (!(on.most > on.error && is_between(k, p, size, 1)))
@@ -404,7 +359,7 @@ class FreeRegion {
     }
     for (std::uint64_t left = spared; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
-      const OnCircle on = on_circle(p, size, neighbors_[about_[static_cast<std::size_t>(k)]]);
+      const OnCircle on = on_circle(p, size, caps_[about_[static_cast<std::size_t>(k)]]);
       if (on.least > on.error)
         spared &= ~(std::uint64_t{1} << k);
       else if (!(on.least < -on.error && is_between(k, p, size, -1)))
@@ -412,14 +367,14 @@ class FreeRegion {
     }
     const std::uint64_t changed = bitten | spared | crossed;
     if (changed == 0) {
-      if (!covers_circle(p)) return dead == 0 ? Outcome::inside : Outcome::lost;
-      if (dead != 0) push(p);
+      if (!caps_.hold_some_of_circle(p)) return dead == 0 ? Outcome::inside : Outcome::lost;
+      if (dead != 0) caps_.push(p);
       live_ &= ~dead;
       return Outcome::taken;
     }
 
-    const std::size_t number = count_;
-    push(p);
+    const std::size_t number = caps_.count();
+    caps_.push(p);
     held_ = dead;  // their places are not used again before all is linked
     live_ &= ~dead;
     std::array<int, capacity> entries, exits;
@@ -442,7 +397,7 @@ class FreeRegion {
           at = 0;
         else
           ++known_count;
-        known[at] = rests(p, neighbors_[q]);
+        known[at] = rests(p, caps_[q]);
         known_about[at] = q;
         if (!known[at].are_certain) return Outcome::lost;
       }
@@ -479,38 +434,6 @@ class FreeRegion {
     return std::min(sign * from, sign * to) > side_error_[i] * size;
   }
 
-  /// Neither of the two centres is in a cap, for certain.
-  bool are_free(const Rests& both) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Neighbor& q = neighbors_[i];
-      const double error = both.error * 2 * q.length;  // Σ|qᵢ| is at most √3 |q|
-      if (dot(both.left, q.at) - q.power > -error || dot(both.right, q.at) - q.power > -error) return false;
-    }
-    return true;
-  }
-
-  /// Some point has a point of p's circle in its cap.
-  bool covers_circle(const Neighbor& p) const {
-    // Away from the axis that it is most along.
-    const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
-    const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
-                        : size.y <= size.z                   ? Vector{0, 1, 0}
-                                                             : Vector{0, 0, 1};
-    const Vector across = cross(p.at, axis);
-    const double square = square_ - p.power / 2;
-    if (!(square > 0)) return false;
-    const Vector z = plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
-    const hn::CappedTag<double, 8> d;
-    for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
-      const auto depth = hn::MulAdd(hn::Set(d, z.x), hn::Load(d, &at_x_[i]),
-                                    hn::MulAdd(hn::Set(d, z.y), hn::Load(d, &at_y_[i]),
-                                               hn::MulSub(hn::Set(d, z.z), hn::Load(d, &at_z_[i]), hn::Load(d, &power_[i]))));
-      const auto is_in = depth > hn::Mul(hn::Set(d, slack * radius_), hn::Load(d, &length_[i]));
-      if (!hn::AllFalse(d, hn::And(is_in, hn::FirstN(d, count_ - i)))) return true;
-    }
-    return false;
-  }
-
   /// The arcs of p's own circle: from each entry to the exit that is next.
   Outcome pair(const Neighbor& p, std::span<const int> entries, std::span<const int> exits) {
     const Vector middle = scaled(p.at, 0.5);
@@ -530,7 +453,7 @@ class FreeRegion {
           second = angle;
         }
       }
-      if (second - least < slack || (used >> best & 1) != 0) return Outcome::lost;
+      if (second - least < limits::slack || (used >> best & 1) != 0) return Outcome::lost;
       used |= std::uint64_t{1} << best;
       link(entry, best);
     }
@@ -539,87 +462,13 @@ class FreeRegion {
     return Outcome::taken;
   }
 
-  /// Draws the corners of a part, and they have a sum, out to where a point must be beyond to reach the part. Returns: whether
-  /// they are on one side of the plane square to their sum.
-  bool draw_out(Reach& reach, std::uint64_t part, const Vector& sum) const {
-    const hn::CappedTag<double, 8> d;
-    using V = hn::Vec<decltype(d)>;
-    const auto square_of = [](V x, V y, V z) { return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))); };
-    auto least = hn::Set(d, std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < top_; i += hn::Lanes(d)) {
-      const V along = hn::MulAdd(hn::Load(d, &x_[i]), hn::Set(d, sum.x),
-                                 hn::MulAdd(hn::Load(d, &y_[i]), hn::Set(d, sum.y),
-                                            hn::Mul(hn::Load(d, &z_[i]), hn::Set(d, sum.z))));
-      least = hn::Min(least, hn::IfThenElse(rbpa::HWY_NAMESPACE::mask_of(d, part >> i), along, least));
-    }
-    const double depth = hn::GetLane(hn::MinOfLanes(d, least)) / std::sqrt(dot(sum, sum));  // along their mean direction
-    if (!(depth > slack * radius_)) return false;
-    const double longer = radius_ / (depth * (1 - slack));
-    const Vector middle = scaled(sum, longer / static_cast<double>(std::popcount(part)));
-    auto most = hn::Zero(d);
-    for (std::size_t i = 0; i < top_; i += hn::Lanes(d)) {
-      const auto is_there = rbpa::HWY_NAMESPACE::mask_of(d, part >> i);
-      const auto draw = [&](const double* from, double center, double* to) {
-        const V out = hn::Mul(hn::Load(d, from), hn::Set(d, longer));
-        hn::Store(hn::IfThenElse(is_there, out, hn::Load(d, to)), d, to);
-        return hn::Sub(out, hn::Set(d, center));
-      };
-      const V x = draw(&x_[i], middle.x, &reach.x[i]), y = draw(&y_[i], middle.y, &reach.y[i]),
-              z = draw(&z_[i], middle.z, &reach.z[i]);
-      most = hn::Max(most, hn::IfThenElseZero(is_there, square_of(x, y, z)));
-    }
-    reach.error = std::max(reach.error, 2 * max_error * radius_ * longer);
-    const double spread = hn::GetLane(hn::MaxOfLanes(d, most)) * inverse_ * inverse_;
-    // No corner is farther away than `longer` radii.
-    reach.part[reach.parts++] = {
-        static_cast<float>(middle.x * inverse_), static_cast<float>(middle.y * inverse_),
-        static_cast<float>(middle.z * inverse_),
-        static_cast<float>(spread + rounding * (2 + longer + spread) + 4 * reach.error * inverse_)};
-    return true;
-  }
-
-  /// Caps cover the circle of centres square to an axis, so that each part of the region is on one side of it.
-  bool covers_equator(const Vector& axis) const {
-    constexpr std::size_t samples = 16;
-    constexpr double gap = 0.1964;  // from any place to a sample, as a share of the radius: more than 2 sin(pi / 32)
-    constexpr double c1 = 0.92387953251128674, s1 = 0.38268343236508977, c2 = 0.70710678118654752;
-    static constexpr double cosine[samples] = {1,  c1,  c2,  s1,  0, -s1, -c2, -c1,
-                                               -1, -c1, -c2, -s1, 0, s1,  c2,  c1};
-    static constexpr double sine[samples] = {0, s1,  c2,  c1,  1,  c1,  c2,  s1,
-                                             0, -s1, -c2, -c1, -1, -c1, -c2, -s1};
-    const double square = dot(axis, axis);
-    if (!(square > 1e-6 * square_)) return false;
-    const Vector other = std::abs(axis.x) < std::abs(axis.y) ? Vector{1, 0, 0} : Vector{0, 1, 0};
-    const Vector across = cross(axis, other);
-    const Vector u = scaled(across, radius_ / std::sqrt(dot(across, across))),
-                 v = scaled(cross(axis, u), 1 / std::sqrt(square));
-    const hn::CappedTag<double, 8> d;
-    std::uint32_t covered = 0;
-    for (std::size_t n = 0; n < count_ && covered != 0xffff; n += hn::Lanes(d)) {
-      const auto x = hn::Load(d, &at_x_[n]), y = hn::Load(d, &at_y_[n]), z = hn::Load(d, &at_z_[n]);
-      const auto along = [&](const Vector& w) {
-        return hn::MulAdd(x, hn::Set(d, w.x), hn::MulAdd(y, hn::Set(d, w.y), hn::Mul(z, hn::Set(d, w.z))));
-      };
-      const auto qu = along(u), qv = along(v),
-                 needed = hn::IfThenElse(
-                     hn::FirstN(d, count_ - n),
-                     hn::MulAdd(hn::Load(d, &length_[n]), hn::Set(d, gap * radius_), hn::Load(d, &power_[n])),
-                     hn::Set(d, std::numeric_limits<double>::infinity()));
-      for (std::size_t i = 0; i < samples; ++i)
-        if (!hn::AllFalse(d, hn::MulAdd(hn::Set(d, cosine[i]), qu, hn::Mul(hn::Set(d, sine[i]), qv)) > needed))
-          covered |= 1U << i;
-    }
-    return covered == 0xffff;
-  }
-
-  double radius_ = 0, square_ = 0, inverse_ = 0;
-  std::size_t count_ = 0, waiting_ = 0;
-  bool has_begun_ = false;                         // there have been corners
-  bool is_parted_ = false;                         // caps cover a great circle, so that each part is on one side of a plane
+  double radius_ = 0, square_ = 0;
+  std::size_t waiting_ = 0;
+  bool has_begun_ = false;  // there have been corners
+  bool is_parted_ = false;  // caps cover a great circle, so that each part is on one side of a plane
   FewCaps few_;
-  std::array<Neighbor, max_neighbors> neighbors_;  // whose caps are away
-  alignas(64) std::array<double, max_neighbors> at_x_{}, at_y_{}, at_z_{}, power_{}, length_{};  // theirs
-  std::array<Neighbor, max_waiting> waits_;        // whose circles are free as a whole
+  TakenCaps caps_;
+  std::array<Neighbor, max_waiting> waits_;  // whose circles are free as a whole
   std::uint64_t live_ = 0, held_ = 0;
   std::size_t top_ = 0;  // places below it have been used
   // Of each corner k: the ball rests on (v, about, left) there, or on no third point; and the arc from it, about the same.

@@ -9,6 +9,14 @@
 
 namespace rbpa::space {
 
+inline Vector3<double> scaled(const Vector3<double>& u, double s) { return {u.x * s, u.y * s, u.z * s}; }
+inline Vector3<double> plus(const Vector3<double>& u, const Vector3<double>& v) {
+  return {u.x + v.x, u.y + v.y, u.z + v.z};
+}
+inline Vector3<double> minus(const Vector3<double>& u, const Vector3<double>& v) {
+  return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+
 /// A point other than v: where it is from v, half the square of its distance, and that; and a number, by which it is asked for.
 struct Neighbor {
   Vector3<double> at;

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "rbpa/space/search/cells.h"
-#include "rbpa/space/star/free_region-inl.h"
+#include "rbpa/space/star/reach-inl.h"
 #include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -73,18 +73,16 @@ class Surroundings {
   /// looked from last, that may take something away from a region of that reach; it may change meanwhile for a smaller region.
   /// Stops when take() returns false, which is returned.
   template <typename Take>
-  bool for_each_reaching(const FreeRegion::Reach& reach, float from, float to, Take take) {
+  bool for_each_reaching(const Reach& reach, float from, float to, Take take) {
     for (std::size_t i = 0; i < count_; i += hn::Lanes(f)) {
       const Seen p = seen(i);
       auto wanted = hn::And(p.square > hn::Set(f, from), p.square <= hn::Set(f, to));
-      if (reach.is_told) {
+      if (reach.is_told()) {
         auto reached = p.square < hn::Zero(f);
         const auto quarter = hn::Mul(p.square, hn::Set(f, 0.25F));
-        for (std::size_t k = 0; k < reach.parts; ++k) {
-          // c · p ≤ middle · p + spread |p|, and that is at most middle · p + spread² + p²/4.
-          const FreeRegion::Reach::Part& part = reach.part[k];
-          const auto along =
-              hn::MulAdd(p.x, hn::Set(f, part.x), hn::MulAdd(p.y, hn::Set(f, part.y), hn::Mul(p.z, hn::Set(f, part.z))));
+        for (const Reach::Part& part : reach.parts()) {
+          const auto along = hn::MulAdd(p.x, hn::Set(f, part.x),
+                                        hn::MulAdd(p.y, hn::Set(f, part.y), hn::Mul(p.z, hn::Set(f, part.z))));
           reached = hn::Or(reached, hn::Add(along, hn::Set(f, part.margin)) > quarter);
         }
         wanted = hn::And(wanted, reached);
