@@ -110,6 +110,28 @@ TEST_SUITE("surface") {
     CHECK(lines.ends_with(loop));
   }
 
+  TEST_CASE("what --stats and --json both have is the same, and unused points are listed beside their number") {
+    const Folder folder;
+    folder.file("s.xyz", "9 9 9 0 0 1\n" + sphere(500, 0.7) + "5 5 5 0 0 1\n");
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --json --stats s.json");
+    CHECK(outcome.code == 0);
+    const json report = json::parse(outcome.out), stats = json::parse(folder.content("s.json"));
+    std::size_t shared = 0;
+    for (const auto& [key, value] : report.items())
+      if (stats.contains(key)) {
+        CAPTURE(key);
+        CHECK(stats[key] == value);
+        ++shared;
+      }
+    CHECK(shared == 12);
+    CHECK(report.size() == shared + 2);
+    CHECK(report["unused"] == 2);
+    const int last = report["points"].get<int>() - 1;
+    CHECK(report["unused_points"] ==
+          json({{{"point", 0}, {"cause", "no_ball_rests"}}, {{"point", last}, {"cause", "no_ball_rests"}}}));
+    CHECK(report["holes"].size() == report["boundary_curves"]);
+  }
+
   TEST_CASE("without normals both sides, the outer one first") {
     const Folder folder;
     folder.file("s.xyz", sphere(500));
