@@ -260,6 +260,7 @@ void add_surface(CLI::App& app, SurfaceArguments& arguments) {
   verb.add_option("--columns", arguments.columns,
                   "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names")
       ->type_name("X,Y,Z[,NX,NY,NZ]");
+  add_selection_options(verb, arguments);
   verb.add_option("--radius", arguments.radius,
                   "Radius of the ball, required, in units of the points; several, ascending, close what the smaller "
                   "ones left open; auto takes them from the gaps between the points")

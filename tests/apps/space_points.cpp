@@ -265,6 +265,54 @@ TEST_SUITE("points of space") {
     }
   }
 
+  TEST_CASE("lines that are no point are left out and counted, if that is asked for") {
+    const auto skipping = [](const std::string& text) {
+      return space_points_in(text, "p", SpaceFormat::text, {.skip_invalid = true});
+    };
+    const SpacePoints bare = skipping("x,y,z\nNA,NA,NA\n0.5,-1,2\n1,2\n3,4,1e999\n3,4e-3,1e6\n,,\n1,2,3,4\n");
+    is(bare);
+    CHECK(bare.remarks ==
+          std::vector<std::string>{"5 lines are left out: the first is p:2: found 'NA', expected a number"});
+    // A point without its normal is none.
+    const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
+    is(file, normals);
+    CHECK(file.remarks ==
+          std::vector<std::string>{"2 lines are left out: the first is p:2: found a normal of length 0, "
+                                   "expected one of another length"});
+    CHECK(skipping("1 2 3\n").remarks.empty());
+    CHECK_THROWS_WITH_AS(skipping("x,y,z\n1,2,NA\n"),
+                         "p: found 1 line and no point, expected at least one (p:2: found 'NA', expected a number)",
+                         BadInput);
+  }
+
+  TEST_CASE("--where takes lines of a table by columns that its header names") {
+    const auto where = [](const std::string& text, const std::string& condition, bool skip = false) {
+      SpaceChoice choice{.skip_invalid = skip};
+      choice.where = Condition(condition, names_of_columns());
+      return space_points_in(text, "p", SpaceFormat::text, choice);
+    };
+    const std::string text = "x;y;z;class\n9;9;9;2\n0,5;-1;2;6\nNA;9;9;5\n3;0,004;1e6;6\n";
+    const SpacePoints file = where(text, "class == 6");
+    is(file);
+    CHECK(file.remarks.back() == "2 of 4 lines are as --where asks");
+    is(where("z,nx,ny,nz,y,x\n2,0,0,2,-1,0.5\n9,1,1,1,9,9\n1e6,-1,.25,0,4e-3,3\n", "x < 9"), normals);
+    CHECK(where(text, "class == 7").points.empty());
+    const SpacePoints both = where("x,y,z,n\n0.5,-1,2,1\n9,NA,9,1\n9,9,9,NA\n9,9,9,0\n3,4e-3,1e6,1\n", "n == 1", true);
+    is(both);
+    CHECK(both.remarks.size() == 2);
+    CHECK(both.remarks[0] == "3 of 4 lines are as --where asks");  // the point of one of them is none
+    CHECK(both.remarks[1] == "2 lines are left out: the first is p:3: found 'NA', expected a number");
+    CHECK_THROWS_WITH_AS(where("1 2 3\n", "n == 1"),
+                         "p: found no header line, expected one with the names that --where asks for", BadInput);
+    CHECK_THROWS_WITH_AS(where("x,y,z\n1,2,3\n", "n == 1"), "p:1: found 'x,y,z', expected a header with a column 'n'",
+                         BadInput);
+    CHECK_THROWS_WITH_AS(
+        where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
+        "p:2: found 'NA', expected a number in a column that --where asks for (--skip-invalid leaves out "
+        "lines that are no point)",
+        BadInput);
+  }
+
   TEST_CASE("a path is read, compressed or not") {
     const Folder folder;
     is(read_space_points(folder.file("p.xyz", "0.5 -1 2\n3 4e-3 1e6\n"), SpaceFormat::text));

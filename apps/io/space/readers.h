@@ -11,15 +11,14 @@
 #include <vector>
 
 #include "io/condition.h"
+#include "io/space/read_space_points.h"
 #include "io/space/space_points.h"
-#include "io/table/columns.h"
 
 namespace rbpa::app {
 
 /// A table: separators, comments, quotes, decimal commas and headers as TextTable has them. Without a header 3 columns,
 /// or 6 with normals.
-SpacePoints read_space_table(std::string_view text, const std::string& name,
-                             const std::optional<std::vector<Column>>& columns);
+SpacePoints read_space_table(std::string_view text, const std::string& name, const SpaceChoice& choice);
 
 /// The vertices: x, y, z; nx, ny, nz and red, green, blue (of type uchar) when all three are there.
 SpacePoints read_ply_space(std::string_view bytes, const std::string& name);
