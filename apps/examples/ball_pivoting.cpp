@@ -1,7 +1,7 @@
 // Ball pivoting on the advancing-front engine: points on a torus become a closed surface of genus 1, points of a double
-// torus one of genus 2; noise, a grid full of ties and files of points with normals become what they are. Each mesh is
-// compared with rbpa::surface(), which has no front.
-//   example_ball_pivoting [FILE.xyz RADIUS]...
+// torus one of genus 2; noise, a grid full of ties and files of points with normals become what they are; a second radius
+// closes the sparse half of a sphere. Each mesh is compared with rbpa::surface(), which has no front.
+//   example_ball_pivoting [FILE.xyz RADIUS[,RADIUS...]]...
 #include "examples/ball_pivoting.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -11,11 +11,12 @@
 #include <iostream>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <string>
 
 #include "examples/surface_arrays.h"
 #include "meshops/topology/report.h"
-#include "rbpa/space/surface.h"
+#include "rbpa/space/surface_levels.h"
 
 using meshops::Front;
 using meshops::Site;
@@ -26,7 +27,7 @@ namespace {
 struct Samples {
   std::string name;
   std::vector<Point3> points, normals;
-  double radius;
+  std::vector<double> radii;  // ascending
 };
 
 double square(double x) { return x * x; }
@@ -45,7 +46,7 @@ class Random {
 template <typename Function>
 Samples on_surface(const std::string& name, double size, double spacing, int trials, Function f) {
   Random random;
-  Samples samples{name, {}, {}, 1.5 * spacing};
+  Samples samples{name, {}, {}, {1.5 * spacing}};
   const auto slope = [&](const Point3& p) {
     constexpr double h = 1e-5;
     return Point3{(f(p.x + h, p.y, p.z) - f(p.x - h, p.y, p.z)) / (2 * h),
@@ -87,7 +88,7 @@ Samples noisy_sphere() {
   Random random;
   constexpr int count = 2000;
   const double spacing = std::sqrt(4 * std::numbers::pi / count);
-  Samples samples{"noisy sphere", {}, {}, 1.5 * spacing};
+  Samples samples{"noisy sphere", {}, {}, {1.5 * spacing}};
   for (int i = 0; i < count; ++i) {
     const double z = 1 - (2 * i + 1.0) / count, ring = std::sqrt(1 - z * z),
                  turn = i * std::numbers::pi * (3 - std::sqrt(5));
@@ -101,7 +102,7 @@ Samples noisy_sphere() {
 
 /// Integer points on the surface of a box, some of them twice, and a radius at which four and more touch the ball.
 Samples grid() {
-  Samples samples{"grid", {}, {}, 1.0};
+  Samples samples{"grid", {}, {}, {1}};
   const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
   for (int x = 0; x <= 12; ++x)
     for (int y = 0; y <= 9; ++y)
@@ -116,9 +117,24 @@ Samples grid() {
   return samples;
 }
 
+/// A sphere that is scanned five times as densely above its equator, with a radius for each half.
+Samples uneven_sphere() {
+  Samples samples{"uneven sphere", {}, {}, {0.1, 0.25}};
+  for (const double side : {-1, 1})
+    for (int i = 0, count = side < 0 ? 300 : 1500; i < count; ++i) {
+      const double z = side * (i + 0.5) / count, ring = std::sqrt(1 - z * z),
+                   turn = i * std::numbers::pi * (3 - std::sqrt(5));
+      samples.points.push_back({ring * std::cos(turn), ring * std::sin(turn), z});
+    }
+  samples.normals = samples.points;
+  return samples;
+}
+
 /// Lines of six numbers.
-Samples of_file(const std::string& path, double radius) {
-  Samples samples{path, {}, {}, radius};
+Samples of_file(const std::string& path, const std::string& radii) {
+  Samples samples{path, {}, {}, {}};
+  std::istringstream list(radii);
+  for (std::string radius; std::getline(list, radius, ',');) samples.radii.push_back(std::stod(radius));
   std::ifstream file(path);
   for (Point3 p, n; file >> p.x >> p.y >> p.z >> n.x >> n.y >> n.z;) {
     samples.points.push_back(p);
@@ -129,24 +145,27 @@ Samples of_file(const std::string& path, double radius) {
 
 /// Returns: whether the mesh is rbpa::surface().
 bool run(const Samples& samples) {
-  const rbpa::RollingBall ball(samples.points, samples.normals, samples.radius);
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   Front front(mesh, samples.points.size(), 4096);
-  BallPivoting policy(ball);
   struct Refusals : meshops::FrontVisitor {
     std::size_t count = 0;
     void refused(const Front&, meshops::Halfedge, const meshops::Refusal&) { ++count; }
   } refusals;
-  meshops::advance(front, policy, refusals);
+  for (const double radius : samples.radii) {
+    const rbpa::RollingBall ball(samples.points, samples.normals, radius);
+    BallPivoting policy(ball, front, front.next_level().carried);
+    meshops::advance(front, policy, refusals);
+  }
   const std::vector<Site> site = front.finish();
   const meshops::TopologyReport topology = meshops::report(mesh, site);
   std::cout << samples.name << ": " << samples.points.size() << " points, " << topology.faces << " triangles, "
             << topology.components << " components, " << topology.boundary_curves << " boundary curves, "
             << refusals.count << " refusals";
   if (topology.genus) std::cout << ", genus " << *topology.genus;
-  const rbpa::Surface found = arrays(mesh, site);
-  const rbpa::Surface expected = rbpa::surface(samples.points, samples.normals, samples.radius);
-  const bool same = found.triangles == expected.triangles && found.neighbors == expected.neighbors;
+  const rbpa::Surface found = arrays(front, site);
+  const rbpa::Surface expected = rbpa::surface(samples.points, samples.normals, samples.radii);
+  const bool same =
+      found.triangles == expected.triangles && found.neighbors == expected.neighbors && found.levels == expected.levels;
   std::cout << (same ? "; the mesh of rbpa::surface()\n" : "; another mesh than rbpa::surface()\n");
   return same;
 }
@@ -154,8 +173,8 @@ bool run(const Samples& samples) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<Samples> all = {torus(), double_torus(), noisy_sphere(), grid()};
-  for (int i = 1; i + 1 < argc; i += 2) all.push_back(of_file(argv[i], std::stod(argv[i + 1])));
+  std::vector<Samples> all = {torus(), double_torus(), noisy_sphere(), grid(), uneven_sphere()};
+  for (int i = 1; i + 1 < argc; i += 2) all.push_back(of_file(argv[i], argv[i + 1]));
   bool same = true;
   for (const Samples& samples : all) same = run(samples) && same;
   return same ? 0 : 1;

@@ -1,56 +1,113 @@
 // Ball pivoting in space, after Bernardini, Mittleman, Rushmeier, Silva and Taubin (1999), as a policy of the advancing
-// front. Every decision is exact, and the mesh is that of rbpa::surface(): the same triangles, glued at the same sides, on
-// any input. Copy and change it.
+// front, one radius after another. Every decision is exact, and the mesh is that of rbpa::surface() with the same radii: the
+// same triangles, glued at the same sides, on any input. Copy and change it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "meshops/front/engine.h"
+#include "rbpa/space/facing_sides.h"
 #include "rbpa/space/rolling_ball.h"
 
-/// A ball of one radius rolls over points with normals, from edge to edge. Sites are input indices.
+/// A ball rolls over points with normals, from edge to edge. Each radius is a level of the front, with a ball and a policy of
+/// its own. Sites are input indices.
 class BallPivoting {
  public:
   using Triangle = std::array<meshops::Site, 3>;
 
-  explicit BallPivoting(const rbpa::RollingBall& ball) : ball_(ball) {}
+  /// For the level that the front is on now: `carried` is what next_level() said. What is interior now stays closed.
+  BallPivoting(const rbpa::RollingBall& ball, const meshops::Front& front, std::vector<meshops::Site> carried)
+      : ball_(ball), level_(front.level()), open_(std::move(carried)) {
+    std::erase_if(open_, [&](meshops::Site s) {
+      bool is_interior = false;
+      front.for_each_fan(s, [&](meshops::Vertex fan) { is_interior |= !front.mesh().is_boundary(fan); });
+      return is_interior;
+    });
+  }
 
   /// Every triangle on which the ball rests is looked at, point by point: no component can be missed.
   std::optional<Triangle> seed(const meshops::Front& front) {
     while (true) {
       for (; !waiting_.empty(); waiting_.pop_back()) {
         const auto [a, b, c] = waiting_.back();
-        if (ball_.agrees({a, b, c}) && !front.triangle_on(a, b, c).is_valid()) return waiting_.back();
+        if (!front.triangle_on(a, b, c).is_valid() && is_candidate(front, waiting_.back())) return waiting_.back();
       }
-      if (next_ == ball_.points()) return std::nullopt;
-      waiting_ = ball_.triangles_from(next_++);
+      if (next_ == open_.size()) return std::nullopt;
+      waiting_ = ball_.triangles_from(open_[next_++]);
     }
   }
 
-  /// The ball rests on the triangle behind h, and rolls over h until it touches a point. Where the normals there disagree
-  /// with the triangle, the surface ends.
+  /// Where the triangle beyond h may not be, the surface ends.
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
-    const auto p = rolled_over(front, h);
-    return p && ball_.agrees({front.from_site(h), front.to_site(h), *p}) ? p : std::nullopt;
+    const auto p = beyond(front, h);
+    return p && is_candidate(front, {front.from_site(h), front.to_site(h), *p}) ? p : std::nullopt;
   }
 
-  /// A triangle on the same two points is glued to h if it is the one that the ball rolls to. It need not be: sheets touch
-  /// along edges, and what hangs over an edge parts the triangles on either side of it.
+  /// A triangle on the same two points is glued to h if it is the one beyond it. It need not be: sheets touch along edges,
+  /// and what hangs over an edge parts the triangles on either side of it.
   bool glues(const meshops::Front& front, meshops::Halfedge h, meshops::Site apex) const {
-    return rolled_over(front, h) == apex;
+    return beyond(front, h) == apex;
   }
 
  private:
-  std::optional<meshops::Site> rolled_over(const meshops::Front& front, meshops::Halfedge h) const {
+  /// The ball rests on the triangle behind h, and rolls over h until it touches a point. Or it is too large to rest there any
+  /// more: then what comes next around the edge.
+  std::optional<meshops::Site> beyond(const meshops::Front& front, meshops::Halfedge h) const {
     const meshops::Halfedge behind = front.mesh().opposite_halfedge_handle(h);
-    const meshops::Site c = front.to_site(front.mesh().next_halfedge_handle(behind));
-    return ball_.roll(front.to_site(h), front.from_site(h), c);
+    const meshops::Site a = front.from_site(behind), b = front.to_site(behind), c = apex(front, behind);
+    const auto p = ball_.roll(a, b, c);
+    return p ? p : facing(front, a, b, c);
+  }
+
+  /// The candidate whose side faces that of the triangle (a, b, c), by its third corner.
+  std::optional<meshops::Site> facing(const meshops::Front& front, meshops::Site a, meshops::Site b,
+                                      meshops::Site c) const {
+    constexpr std::uint32_t before = 0, candidate = 1;
+    std::vector<rbpa::EdgeSide> sides;
+    for (const meshops::Halfedge edge : front.edges_between(a, b))
+      for (const meshops::Halfedge side : {edge, front.mesh().opposite_halfedge_handle(edge)})
+        if (is_of_before(front, side))
+          sides.push_back({front.from_site(side), front.to_site(side), apex(front, side), before, 0});
+    for (const auto& [from, to] : ball_.rolls(a, b)) {
+      if (is_candidate(front, {a, b, from})) sides.push_back({a, b, from, candidate, 0});
+      if (is_candidate(front, {b, a, to})) sides.push_back({b, a, to, candidate, 0});
+    }
+    for (auto [i, j] : rbpa::facing_sides(ball_.points(), sides)) {
+      if (sides[i].from != a) std::swap(i, j);
+      if (sides[i].apex == c && sides[j].triangle == candidate) return sides[j].apex;
+    }
+    return std::nullopt;
+  }
+
+  /// The triangle agrees with the normals, is not of the levels before, and touches nothing that was interior then. Whether it
+  /// has come since does not matter.
+  bool is_candidate(const meshops::Front& front, const Triangle& t) const {
+    for (unsigned i = 0; i < 3; ++i) {
+      if (!std::binary_search(open_.begin(), open_.end(), t[i])) return false;
+      for (const meshops::Halfedge side : front.edges_between(t[i], t[(i + 1) % 3]))
+        if (is_of_before(front, side) && is_of_before(front, front.mesh().opposite_halfedge_handle(side))) return false;
+    }
+    const meshops::Face there = front.triangle_on(t[0], t[1], t[2]);
+    return (!there.is_valid() || front.level(there) == level_) && ball_.agrees(t);
+  }
+
+  /// On the left of h is a triangle of a level before.
+  bool is_of_before(const meshops::Front& front, meshops::Halfedge h) const {
+    const meshops::Face f = front.mesh().face_handle(h);
+    return f.is_valid() && front.level(f) < level_;
+  }
+  meshops::Site apex(const meshops::Front& front, meshops::Halfedge h) const {
+    return front.to_site(front.mesh().next_halfedge_handle(h));
   }
 
   const rbpa::RollingBall& ball_;
-  std::vector<Triangle> waiting_;  // of the point before next_
-  meshops::Site next_ = 0;
+  std::size_t level_;
+  std::vector<meshops::Site> open_;  // of those carried, those around which no fan closes
+  std::vector<Triangle> waiting_;    // of the point before next_
+  std::size_t next_ = 0;
 };

@@ -1,4 +1,4 @@
-// A mesh of sites as plain arrays in canonical order, as rbpa::surface() returns.
+// What a front has made on sites as plain arrays in canonical order, as rbpa::surface() returns.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "meshops/core/connectivity.h"
-#include "meshops/patch/site.h"
+#include "meshops/front/front.h"
 #include "rbpa/space/surface.h"
 
-/// Triangles in canonical order, and across from each corner the triangle there, as rbpa::surface() has them.
-inline rbpa::Surface arrays(const meshops::Connectivity& mesh, const std::vector<meshops::Site>& site) {
+/// Triangles in canonical order, across from each corner the triangle there, and levels from 0, as rbpa::surface() has them.
+/// Requires: `site` is what finish() returned, and next_level() came before each radius.
+inline rbpa::Surface arrays(const meshops::Front& front, const std::vector<meshops::Site>& site) {
   using meshops::Halfedge;
+  const meshops::Connectivity& mesh = front.mesh();
   const auto site_at = [&](Halfedge h) { return site[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; };
   std::vector<std::pair<std::array<meshops::Site, 3>, Halfedge>>
       found;  // with the halfedge that leads to the first corner
@@ -32,6 +33,7 @@ inline rbpa::Surface arrays(const meshops::Connectivity& mesh, const std::vector
   rbpa::Surface surface;
   for (const auto& [corners, first] : found) {
     surface.triangles.push_back(corners);
+    surface.levels.push_back(static_cast<std::uint32_t>(front.level(mesh.face_handle(first)) - 1));
     auto& across = surface.neighbors.emplace_back();
     Halfedge h = mesh.prev_halfedge_handle(first);  // across from the first corner
     for (std::uint32_t& other : across) {

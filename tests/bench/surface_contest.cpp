@@ -87,7 +87,7 @@ SurfaceContestant ball_pivoting_on_engine() {
             rbpa::Mesh mesh;
             constexpr std::size_t supply = 4096;
             meshops::Front front(mesh, samples.points.size(), supply);
-            BallPivoting policy(ball);
+            BallPivoting policy(ball, front, front.next_level().carried);
             meshops::advance(front, policy);
             front.finish();
             return ended(watch, mesh.n_faces());

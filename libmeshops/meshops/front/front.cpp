@@ -10,33 +10,6 @@
 namespace meshops {
 namespace {
 
-/// The halfedges that leave a site, fan after fan.
-class Leaving {
- public:
-  Leaving(const Connectivity& mesh, const SiteVertices& vertices, Site s) : mesh_(mesh), vertices_(vertices) {
-    begin(vertices.first(s));
-  }
-
-  /// An invalid handle behind the last.
-  Halfedge next() {
-    const Halfedge found = at_;
-    if (!found.is_valid()) return found;
-    at_ = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(at_));
-    if (at_ == mesh_.halfedge_handle(fan_)) begin(vertices_.next(fan_));
-    return found;
-  }
-
- private:
-  void begin(Vertex fan) {
-    fan_ = fan;
-    at_ = fan.is_valid() ? mesh_.halfedge_handle(fan) : Halfedge();
-  }
-  const Connectivity& mesh_;
-  const SiteVertices& vertices_;
-  Vertex fan_;
-  Halfedge at_;
-};
-
 SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
   if (site_of_vertex.empty()) return {mesh, mesh.n_vertices()};
   return {mesh, site_of_vertex};
@@ -98,43 +71,10 @@ bool Front::is_boundary(Halfedge h) const {
   return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_ && is_live(mesh_, h) && mesh_.is_boundary(h);
 }
 
-Halfedge Front::edge_between(Site from, Site to) const {
-  // Around both in turns: a site with many edges must not make its neighbours slow.
-  Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
-  for (;;) {
-    const Halfedge out = out_of.next();
-    if (!out.is_valid() || to_site(out) == to) return out;
-    const Halfedge back = back_from.next();
-    if (!back.is_valid()) return back;
-    if (to_site(back) == from) return mesh_.opposite_halfedge_handle(back);
-  }
-}
-
-Halfedge Front::boundary_between(Site from, Site to) const {
-  // As above. A fan that is open has one boundary halfedge that leaves its vertex, and one that leads there.
-  Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
-  while (leaving.is_valid()) {
-    const Halfedge out = mesh_.halfedge_handle(leaving);
-    if (mesh_.is_boundary(out) && to_site(out) == to) return out;
-    leaving = vertices_.next(leaving);
-    if (!leaving.is_valid() || !entering.is_valid()) break;
-    const Halfedge next = mesh_.halfedge_handle(entering);
-    if (mesh_.is_boundary(next))
-      if (const Halfedge in = mesh_.prev_halfedge_handle(next); from_site(in) == from) return in;
-    entering = vertices_.next(entering);
-  }
-  return Halfedge();
-}
-
-Face Front::triangle_on(Site a, Site b, Site c) const {
-  Leaving out_of(mesh_, vertices_, a);
-  for (Halfedge h = out_of.next(); h.is_valid(); h = out_of.next()) {
-    if (mesh_.is_boundary(h) || to_site(h) != b) continue;
-    const Halfedge next = mesh_.next_halfedge_handle(h);
-    if (to_site(next) == c && mesh_.next_halfedge_handle(next) == mesh_.prev_halfedge_handle(h))
-      return mesh_.face_handle(h);
-  }
-  return Face();
+std::size_t Front::level(Face f) const {
+  require(f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < faces_, "level: no such face");
+  const auto begun = std::upper_bound(faces_before_.begin(), faces_before_.end(), static_cast<std::size_t>(f.idx()));
+  return static_cast<std::size_t>(begun - faces_before_.begin());
 }
 
 /// Whether the triangle has the side for itself, or finds it on the boundary.
@@ -378,6 +318,7 @@ LevelTransfer Front::next_level() {
     ++transfer.reactivated;
   }
   frozen_.clear();
+  faces_before_.push_back(faces_);
   return transfer;
 }
 

@@ -102,12 +102,21 @@ class MESHOPS_API Front {
   /// The halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
   /// Cost: the lesser of the numbers of edges at both sites.
   Halfedge edge_between(Site from, Site to) const;
+  /// All of them, in any order: there are several only where who asks says himself what is glued.
+  /// Cost: that of edge_between() where no edge joins them.
+  std::vector<Halfedge> edges_between(Site from, Site to) const;
   /// The boundary halfedge from a site to another; an invalid handle when there is none.
   /// Cost: the lesser of the numbers of fans at both sites.
   Halfedge boundary_between(Site from, Site to) const;
   /// The triangle with these corners in this order, whichever is first; an invalid handle when there is none.
   /// Cost: the number of edges at the first.
   Face triangle_on(Site a, Site b, Site c) const;
+
+  /// The number of transfers to a next level so far.
+  std::size_t level() const { return faces_before_.size(); }
+  /// What level() was when a face was inserted; 0 for those that the front began with. Also after finish().
+  /// Cost: the logarithm of the number of levels. Throws ContractViolation when there is no such face; detached ones count.
+  std::size_t level(Face f) const;
 
   /// Why create() and attach() would refuse; nothing when they would not. A triangle has three distinct sites, which
   /// exist or are the next new ones; on none of them do all faces close; and no face lies on its side of its edges yet.
@@ -249,9 +258,10 @@ class MESHOPS_API Front {
   std::vector<Halfedge> active_;  // a queue from head_ on; what is no longer active is passed over
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  std::vector<Site> carried_;       // by the last transfer
-  std::size_t carried_before_ = 0;  // the number of sites then; later ones have been added since
-  std::vector<Site> reopened_;      // that had turned inner and are on the boundary again, or free
+  std::vector<Site> carried_;              // by the last transfer
+  std::size_t carried_before_ = 0;         // the number of sites then; later ones have been added since
+  std::vector<Site> reopened_;             // that had turned inner and are on the boundary again, or free
+  std::vector<std::size_t> faces_before_;  // of each transfer, dead ones included
 };
 
 template <typename Glues>

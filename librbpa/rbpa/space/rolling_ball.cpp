@@ -43,19 +43,18 @@ class RollingBall::Inside {
   Inside(std::span<const Point3> points, std::span<const Point3> normals, double radius)
       : Inside(points, normals, space::ScaledPoints(points, radius)) {}
 
-  std::size_t points() const { return points_.size(); }
+  std::span<const Point3> points() const { return points_; }
 
-  std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    if (site(a) == none || site(b) == none || site(c) == none || a == b) return std::nullopt;
-    return fits_double_ ? roll<double>(a, b, c) : roll<long double>(a, b, c);
+  std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const {
+    if (site(a) == none || site(b) == none || a == b) return {};
+    return fits_double_ ? rolls<double>(a, b) : rolls<long double>(a, b);
   }
   std::vector<Triangle> triangles_from(std::uint32_t first) const {
-    meshops::require(first < points(), "RollingBall: no such point");
+    meshops::require(first < points_.size(), "RollingBall: no such point");
     const space::Site v = site(first);
     if (v == none) return {};
-    space::RingFinder finder;
     space::Rings rings;
-    finder.find(cells_, fits_double_, v, v + 1, rings);
+    space::find_rings(cells_, fits_double_, v, v + 1, rings);
     std::vector<Triangle> found;
     const auto index = cells_.input_index();
     for (auto cycle = rings.points.begin(); cycle != rings.points.end();) {
@@ -68,7 +67,7 @@ class RollingBall::Inside {
     return found;
   }
   bool agrees(const Triangle& triangle) const {
-    for (const std::uint32_t corner : triangle) meshops::require(corner < points(), "RollingBall: no such point");
+    for (const std::uint32_t corner : triangle) meshops::require(corner < points_.size(), "RollingBall: no such point");
     return agreement_(triangle[0], triangle[1], triangle[2]);
   }
 
@@ -87,7 +86,7 @@ class RollingBall::Inside {
     std::vector<std::uint32_t> input;
   };
 
-  space::Site site(std::uint32_t index) const { return index < points() ? site_[index] : none; }
+  space::Site site(std::uint32_t index) const { return index < points_.size() ? site_[index] : none; }
 
   template <typename Real>
   Near near_to(std::uint32_t index) const {
@@ -119,17 +118,18 @@ class RollingBall::Inside {
   }
 
   template <typename Real>
-  std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const {
     const Near near = near_to<Real>(a);
     const auto found = std::find(near.input.begin(), near.input.end(), b);
-    if (found == near.input.end()) return std::nullopt;
+    if (found == near.input.end()) return {};
     const auto end = static_cast<std::size_t>(found - near.input.begin());
-    std::optional<std::uint32_t> touched;
+    std::vector<Roll> all;
     space::EdgeRoll<Real>(cells_.sites()[site(a)], end, cells_.radius(), near.points)
-        .for_each_free_arc([&](std::size_t left, std::size_t p) {
-          if (near.input[left] == c) touched = near.input[p];
+        .for_each_free_arc([&](std::size_t left, std::size_t touched) {
+          all.push_back({near.input[left], near.input[touched]});
         });
-    return touched;
+    std::sort(all.begin(), all.end(), [](const Roll& r, const Roll& s) { return r.from < s.from; });
+    return all;
   }
 
   std::vector<Point3> points_, normals_;
@@ -154,9 +154,14 @@ RollingBall::RollingBall(RollingBall&&) noexcept = default;
 RollingBall& RollingBall::operator=(RollingBall&&) noexcept = default;
 RollingBall::~RollingBall() = default;
 
-std::size_t RollingBall::points() const { return inside_->points(); }
+std::span<const Point3> RollingBall::points() const { return inside_->points(); }
 std::optional<std::uint32_t> RollingBall::roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  return inside_->roll(a, b, c);
+  for (const Roll& roll : inside_->rolls(a, b))
+    if (roll.from == c) return roll.to;
+  return std::nullopt;
+}
+std::vector<RollingBall::Roll> RollingBall::rolls(std::uint32_t a, std::uint32_t b) const {
+  return inside_->rolls(a, b);
 }
 std::vector<RollingBall::Triangle> RollingBall::triangles_from(std::uint32_t first) const {
   return inside_->triangles_from(first);

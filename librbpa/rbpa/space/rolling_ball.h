@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -32,13 +31,22 @@ class RBPA_API RollingBall {
   RollingBall& operator=(RollingBall&&) noexcept;
   ~RollingBall();
 
-  /// The number of points, with all that are equal.
-  std::size_t points() const;
+  /// By their input indices, with all that are equal.
+  std::span<const Point3> points() const;
 
   /// The ball rests on the exposed triangle (a, b, c) and rolls over the side from a to b until it touches a point.
   /// Returns: that point p, which may be c again; the ball rests on (b, a, p) now, and roll(b, a, p) is c. Nothing when it does
   ///          not rest on (a, b, c), or a point is named that stands for none.
   std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+
+  /// From the exposed triangle (a, b, from) to (b, a, to).
+  struct Roll {
+    std::uint32_t from, to;
+    friend bool operator==(const Roll&, const Roll&) = default;
+  };
+  /// All that roll(a, b, …) and roll(b, a, …) can tell, in ascending order of `from`: so the exposed triangles that have a side
+  /// between these points, (a, b, from) and (b, a, to) of each. Nothing when a point is named that stands for none.
+  std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
   /// The exposed triangles of which `first` is the least corner, in lexicographic order: of all points together, each once.
   /// Throws: ContractViolation when there is no such point.

@@ -22,7 +22,6 @@ template <typename Keep, typename IsNeeded>
 void assemble(const space::Cells& cells, bool fits_double, std::size_t input_points, Threads& threads,
               const SurfaceOptions& options, Keep keep, IsNeeded is_needed, Surface& surface) {
   struct Workspace {
-    space::RingFinder finder;
     space::Rings rings;
     std::size_t triangles;
   };
@@ -32,7 +31,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   in_order<Workspace>(
       threads, assembly.parts(),
       [&](std::size_t part, Workspace& w) {
-        w.finder.find(cells, fits_double, assembly.first_in(part), assembly.end_of(part), w.rings);
+        space::find_rings(cells, fits_double, assembly.first_in(part), assembly.end_of(part), w.rings);
         w.triangles = assembly.add(part, w.rings, keep, is_needed);
       },
       [&](std::size_t, Workspace& w) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rbpa/space/check_input.h"
-#include "rbpa/space/levels/around_edges.h"
+#include "rbpa/space/facing_sides.h"
 #include "rbpa/space/levels/excerpt.h"
 #include "rbpa/space/levels/interior.h"
 #include "rbpa/space/levels/part_below.h"
@@ -17,7 +17,6 @@
 namespace rbpa {
 namespace {
 
-using space::EdgeSide;
 using Triangle = std::array<std::uint32_t, 3>;
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
@@ -94,7 +93,7 @@ class Level {
 
   void glue() {
     std::vector<EdgeSide> sides = open_sides();
-    for (const auto& [i, j] : space::facing_sides(points_, sides)) {
+    for (const auto& [i, j] : facing_sides(points_, sides)) {
       const EdgeSide &s = sides[i], &t = sides[j];
       if (!are_glued(s, t)) continue;
       surface_.neighbors[s.triangle][s.across] = t.triangle;

@@ -233,6 +233,14 @@ TEST_SUITE("front") {
     CHECK(second.left_behind == 1);
     CHECK(second.reactivated == 4);
     check_sound(mesh);
+    // Each face has the level at which it came, however many transfers follow.
+    front.next_level();
+    const Face last = front.create(5, 6, 7).face;
+    CHECK(front.level() == 3);
+    for (const Face f : mesh.faces()) CHECK(front.level(f) == (f == last ? 3u : f.idx() == 0 ? 0u : 1u));
+    CHECK_THROWS_AS(front.level(Face(5)), ContractViolation);
+    front.finish();
+    CHECK(front.level(last) == 3);
   }
 
   TEST_CASE("a site with several fans goes on as long as one of them is on the boundary") {

@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "meshops/front/engine.h"
@@ -101,6 +103,25 @@ TEST_SUITE("gluing") {
     CHECK(counts.components == 2);
     CHECK(counts.vertices == 8);  // two fans at 0 and at 1
     CHECK(counts.boundary_curves == 2);
+
+    TestMesh mesh;
+    Front front(mesh, 6);
+    Given policy = book;
+    advance(front, policy);
+    std::set<Site> left, right;
+    for (const auto& [from, to] : {std::pair<Site, Site>{0, 1}, {1, 0}}) {
+      const std::vector<Halfedge> edges = front.edges_between(from, to);
+      REQUIRE(edges.size() == 2);
+      CHECK(edges[0] != edges[1]);
+      for (const Halfedge h : edges) {
+        CHECK(front.from_site(h) == from);
+        CHECK(front.to_site(h) == to);
+        (from == 0 ? left : right).insert(front.to_site(mesh.next_halfedge_handle(h)));
+      }
+    }
+    CHECK(left == std::set<Site>{2, 4});
+    CHECK(right == std::set<Site>{3, 5});
+    CHECK(front.edges_between(2, 3).empty());
   }
 
   TEST_CASE("a site around which all faces close has a further fan") {

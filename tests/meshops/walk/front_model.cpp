@@ -91,6 +91,7 @@ void FrontModel::add(const std::array<Site, 3>& corners) {
   for (const Site s : corners) sites_ = std::max<std::size_t>(sites_, s + std::size_t{1});
   const Cycle face = canonical({corners.begin(), corners.end()});
   faces_.insert(face);
+  level_of_[face] = level_;
   for (const Arrow& side : sides_of(face)) {
     sides_.insert(side);
     if (boundary_.erase(side) == 0) boundary_[back(side)] = State::active;
@@ -121,6 +122,7 @@ std::vector<Site> FrontModel::carried() const {
 }
 
 void FrontModel::next_level() {
+  ++level_;
   for (auto& [arrow, state] : boundary_)
     if (state == State::frozen) state = State::active;
 }

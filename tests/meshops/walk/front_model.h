@@ -54,6 +54,12 @@ class FrontModel {
   /// What the next transfer carries.
   std::vector<Site> carried() const;
   void next_level();
+  std::size_t level() const { return level_; }
+  /// How many transfers there were before a face of the model came.
+  std::size_t level(const Cycle& face) const {
+    const auto added = level_of_.find(face);
+    return added == level_of_.end() ? 0 : added->second;
+  }
 
  private:
   struct Star {
@@ -67,6 +73,8 @@ class FrontModel {
   std::set<Cycle> faces_;
   std::set<Arrow> sides_;
   std::map<Arrow, State> boundary_;
+  std::size_t level_ = 0;
+  std::map<Cycle, std::size_t> level_of_;  // without those that were there at the beginning
 };
 
 }  // namespace meshops::test

@@ -331,6 +331,9 @@ class FrontWalk {
     demand(throws([&] { (void)front_->is_free(s); }) == !there, "is_free() knows its sites");
     demand(throws([&] { front_->for_each_fan(s, [](Vertex) {}); }) == !there, "for_each_fan() knows its sites");
     demand(throws([&] { (void)front_->edge_between(s, 0); }) == !there, "edge_between() knows its sites");
+    demand(throws([&] { (void)front_->edges_between(s, 0); }) == !there, "edges_between() knows its sites");
+    if (h.idx() < 0 || static_cast<std::size_t>(h.idx()) >= mesh_->n_faces())
+      demand(throws([&] { (void)front_->level(Face(h.idx())); }), "level() knows its faces");
     demand(throws([&] { (void)front_->site(Vertex(h.idx())); }) ==
                (h.idx() < 0 || static_cast<std::size_t>(h.idx()) >= mesh_->n_vertices()),
            "site() knows its vertices");
@@ -350,11 +353,14 @@ class FrontWalk {
     std::size_t count = 0;
     for (int f = 0; f < static_cast<int>(mesh_->n_faces()); ++f)
       if (is_live(*mesh_, Face(f)) && mesh_->halfedge_handle(Face(f)).is_valid()) {
-        faces.insert(cycle(Face(f)));
+        const Cycle face = cycle(Face(f));
+        faces.insert(face);
         ++count;
+        demand(front_->level(Face(f)) == model_->level(face), "a face is of the level at which it was inserted");
       }
     demand(faces == model_->faces() && count == faces.size(), "the mesh has the faces of the model");
     demand(front_->faces() == count, "faces() counts them");
+    demand(front_->level() == model_->level(), "level() counts transfers");
     if (!has_spare_) demand(validate(*mesh_).empty(), "the mesh is sound");
   }
 
@@ -401,6 +407,8 @@ class FrontWalk {
     const Halfedge h = front_->edge_between(s, t);
     demand(h.is_valid() == (model_->has_side({s, t}) || model_->has_side({t, s})), "edge_between() finds every edge");
     if (h.is_valid()) demand(front_->from_site(h) == s && front_->to_site(h) == t, "and in the right direction");
+    demand(front_->edges_between(s, t) == (h.is_valid() ? std::vector{h} : std::vector<Halfedge>{}),
+           "edges_between() finds the same");
     const Halfedge in = front_->boundary_between(s, t);
     demand(in.is_valid() == model_->boundary().contains({s, t}), "boundary_between() finds every boundary halfedge");
     if (in.is_valid()) demand(front_->from_site(in) == s && front_->to_site(in) == t, "and in the right direction");

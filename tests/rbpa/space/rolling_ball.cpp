@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -22,7 +24,7 @@ TEST_SUITE_BEGIN("space");
 
 TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to their neighbours; nowhere else") {
   Random random(95);
-  std::size_t triangles = 0, elsewhere = 0;
+  std::size_t triangles = 0, elsewhere = 0, several = 0;
   for (int k = 0; k < space_kinds; ++k)
     for (int trial = 0; trial < 20; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -30,12 +32,13 @@ TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to th
       const double radius = space_radius(points, random);
       const Surface exposed = rbpa::exposed_triangles(points, radius);
       const RollingBall ball(points, radius);
-      REQUIRE(ball.points() == points.size());
+      REQUIRE(std::equal(ball.points().begin(), ball.points().end(), points.begin(), points.end()));
       std::vector<Triangle> found;
       for (std::uint32_t i = 0; i < points.size(); ++i)
         for (const Triangle& t : ball.triangles_from(i)) found.push_back(t);
       CHECK(found == exposed.triangles);
       int wrong = 0;
+      std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<RollingBall::Roll>> about;
       for (std::size_t t = 0; t < exposed.triangles.size(); ++t)
         for (std::size_t side = 0; side < 3; ++side) {
           const Triangle& from = exposed.triangles[t];
@@ -45,6 +48,14 @@ TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to th
           wrong += canonical({{b, a, *p}}) != std::vector{exposed.triangles[exposed.neighbors[t][side]]};
           wrong += ball.roll(b, a, *p) != c;
           wrong += !ball.agrees(from);
+          if (p) about[{a, b}].push_back({c, *p});
+        }
+      for (std::uint32_t a = 0; a <= points.size(); ++a)
+        for (std::uint32_t b = 0; b <= points.size(); ++b) {
+          auto expected = about[{a, b}];
+          std::sort(expected.begin(), expected.end(), [](const auto& r, const auto& s) { return r.from < s.from; });
+          wrong += ball.rolls(a, b) != expected;
+          several += expected.size() > 1;
         }
       CHECK(wrong == 0);
       triangles += found.size();
@@ -59,6 +70,7 @@ TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to th
     }
   CHECK(triangles > 1500);
   CHECK(elsewhere > 1500);
+  CHECK(several > 100);
 }
 
 TEST_CASE("a triangle agrees when its normal has a positive product with those of all points at its corners") {
@@ -107,7 +119,7 @@ TEST_CASE("a rolling ball refuses what surface() refuses, and points that are no
   CHECK_FALSE(ball.agrees({0, 1, 3}));
   CHECK_THROWS_AS(ball.triangles_from(4), meshops::ContractViolation);
   CHECK_THROWS_AS(ball.agrees({0, 1, 4}), meshops::ContractViolation);
-  CHECK(RollingBall(Points3{}, 1).points() == 0);
+  CHECK(RollingBall(Points3{}, 1).points().empty());
 }
 
 TEST_SUITE_END();

@@ -14,7 +14,6 @@
 #include "meshops/core/validate.h"
 #include "rbpa/core/error.h"
 #include "rbpa/core/triangle_arrays.h"
-#include "rbpa/space/levels/around_edges.h"
 #include "rbpa/space/levels/part_below.h"
 #include "rbpa/space/surface_mesh.h"
 #include "space/model.h"
@@ -215,36 +214,6 @@ TEST_CASE("radii that do not ascend are refused") {
        {-1.0, 0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     CHECK(refusal({1, bad}).find("expected a finite number above 0") != std::string::npos);
   CHECK(refusal({1, 2}).empty());
-}
-
-TEST_CASE("sides at an edge face the next one around it, and only if that is turned toward them") {
-  // About the edge from 0 to 1, upward; apexes at twelve directions, 30 degrees apart.
-  Points3 points = {{0, 0, 0}, {0, 0, 1}};
-  for (int i = 0; i < 12; ++i) points.push_back({std::cos(i * M_PI / 6), std::sin(i * M_PI / 6), 0.3});
-  Random random(305);
-  std::size_t count = 0;
-  for (int trial = 0; trial < 300; ++trial) {
-    std::vector<rbpa::space::EdgeSide> sides;
-    std::vector<int> at(12, 0);  // 1: the positive side comes after; -1: before
-    for (std::uint32_t i = 0; i < 12; ++i) {
-      at[i] = random.chance(0.4) ? 0 : random.chance(0.5) ? 1 : -1;
-      if (at[i] == 1) sides.push_back({0, 1, 2 + i, i, 0});
-      if (at[i] == -1) sides.push_back({1, 0, 2 + i, i, 0});
-    }
-    random.shuffle(sides);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> expected, actual;
-    for (std::uint32_t i = 0; i < 12; ++i) {
-      if (at[i] != 1) continue;
-      std::uint32_t j = (i + 1) % 12;
-      while (at[j] == 0) j = (j + 1) % 12;
-      if (at[j] == -1) expected.emplace(i, j);
-    }
-    for (const auto& [i, j] : rbpa::space::facing_sides(points, sides))
-      actual.emplace(sides[i].triangle, sides[j].triangle);
-    CHECK(actual == expected);
-    count += expected.size();
-  }
-  CHECK(count > 300);
 }
 
 TEST_SUITE_END();

@@ -18,119 +18,55 @@
 #include <hwy/highway.h>
 
 #include "rbpa/space/star/free_region-inl.h"
-
-#ifndef RBPA_SPACE_STAR_FIND_RINGS_ONCE
-#define RBPA_SPACE_STAR_FIND_RINGS_ONCE
-namespace rbpa::space {
-
-/// For eight bits, the numbers of those that are set and then of the others, four bits each.
-inline constexpr std::array<std::uint64_t, 256> in_front = [] {
-  std::array<std::uint64_t, 256> all{};
-  for (std::uint64_t bits = 0; bits < 256; ++bits) {
-    int at = 0;
-    for (const std::uint64_t wanted : {1u, 0u})
-      for (std::uint64_t lane = 0; lane < 8; ++lane)
-        if ((bits >> lane & 1) == wanted) all[bits] |= lane << (4 * at++);
-  }
-  return all;
-}();
-
-/// Points about a site, coordinate by coordinate.
-struct Surroundings {
-  std::vector<double> x, y, z, square, number;
-  std::size_t count = 0;
-
-  void reserve(std::size_t most) {
-    if (x.size() >= most) return;
-    for (auto* of : {&x, &y, &z, &square, &number}) of->resize(most + most / 2);
-  }
-};
-
-struct RingFinder::Workspace {
-  Surroundings around;     // sites in the cells around one
-  Surroundings near, far;  // of one site, what a ball there can touch or hold, as seen from it
-  std::vector<std::uint32_t> order;
-  double share = 0.25;  // of the square of two radii, within which there are about as many as bound a region
-};
-
-}  // namespace rbpa::space
-#endif
+#include "rbpa/space/star/neighbor.h"
+#include "rbpa/space/star/reach-inl.h"
+#include "rbpa/space/star/surroundings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using rbpa::HWY_NAMESPACE::bits_of;
-
-/// Moves the lanes of set bits to the front. (Where vectors are compressed by the library or the processor, it may take longer
-/// than all of the rest.)
-template <typename D>
-HWY_INLINE auto lanes_in_front(D d, std::uint64_t bits) {
-  const hn::RebindToUnsigned<D> du;
-  const auto lanes = hn::Shr(hn::Set(du, in_front[bits]), hn::ShiftLeft<2>(hn::Iota(du, 0)));
-  return hn::IndicesFromVec(d, hn::And(lanes, hn::Set(du, 7)));
-}
-
-/// The points of `around` within two radii of v, v left out: near ones and others, as seen from v.
-void look_around(const Surroundings& around, const Point3& v, double farthest, double nearby, Surroundings& near,
-                 Surroundings& far) {
-  const hn::CappedTag<double, 8> d;
-  const auto vx = hn::Set(d, v.x), vy = hn::Set(d, v.y), vz = hn::Set(d, v.z);
-  near.reserve(around.count + hn::Lanes(d));
-  far.reserve(around.count + hn::Lanes(d));
-  near.count = far.count = 0;
-  for (std::size_t i = 0; i < around.count; i += hn::Lanes(d)) {
-    const auto x = hn::LoadU(d, &around.x[i]) - vx, y = hn::LoadU(d, &around.y[i]) - vy,
-               z = hn::LoadU(d, &around.z[i]) - vz, number = hn::LoadU(d, &around.number[i]);
-    const auto square = x * x + y * y + z * z;
-    const auto is_other = square > hn::Zero(d), is_near = hn::And(is_other, square <= hn::Set(d, nearby)),
-               is_far = hn::And(square > hn::Set(d, nearby), square <= hn::Set(d, farthest));
-    const auto store = [&](auto mask, Surroundings& to) {
-      const std::uint64_t bits = bits_of(d, mask);
-      if (bits == 0) return;
-      const auto lanes = lanes_in_front(d, bits);
-      // Whole vectors are stored, as there is room.
-      hn::StoreU(hn::TableLookupLanes(x, lanes), d, &to.x[to.count]);
-      hn::StoreU(hn::TableLookupLanes(y, lanes), d, &to.y[to.count]);
-      hn::StoreU(hn::TableLookupLanes(z, lanes), d, &to.z[to.count]);
-      hn::StoreU(hn::TableLookupLanes(number, lanes), d, &to.number[to.count]);
-      hn::StoreU(hn::TableLookupLanes(square, lanes), d, &to.square[to.count]);
-      to.count += static_cast<std::size_t>(std::popcount(bits));
-    };
-    store(is_near, near);
-    store(is_far, far);
-  }
-}
-
-/// The rings of one site, by caps; false where the region is lost.
+/// The rings of one site after the other, by caps.
 class RegionSearch {
  public:
-  RegionSearch(const Cells& cells, RingFinder::Workspace& workspace) : cells_(cells), w_(workspace) {}
+  explicit RegionSearch(const Cells& cells) : cells_(cells) {}
 
-  bool find(Site v, Rings& found) {
-    const Surroundings &near = w_.near, &far = w_.far;
+  /// Returns: false where the region is lost. Requires: what is around v has been gathered.
+  bool find(Surroundings& around, Site v, Rings& found) {
     const std::span<const Point3> sites = cells_.sites();
     const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {
       return Ball<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p]);
     };
-    const auto take = [&](const Surroundings& of, std::size_t i) {
-      return region_.take({{of.x[i], of.y[i], of.z[i]},
-                           of.square[i] / 2,
-                           std::sqrt(of.square[i]),
-                           static_cast<std::size_t>(of.number[i])},
-                          is_in_ball);
-    };
     region_.begin(cells_.radius());
-    sort_near();
-    for (std::size_t i = 0; i < near.count && !region_.is_empty(); ++i)
-      if (!take(near, w_.order[i])) return false;
+    float from = look_near(around, v);
+    if (near_.empty()) return true;
+    const std::size_t few = std::min<std::size_t>(near_.size(), FewCaps::most);
+    if (near_.size() > few) sort_near();
+    std::size_t taken = 0;
+    if (region_.start({near_.data(), few}))
+      taken = few;
+    else if (near_.size() == few)
+      sort_near();
+    for (; taken < near_.size() && !region_.is_empty(); ++taken)
+      if (!region_.take(near_[taken], is_in_ball)) return false;
     // Where a few corners tell how far anything reaches, all others at once; else those come first that are nearer.
-    const double whole = 4 * cells_.radius() * cells_.radius() * (1 + 0x1p-40);
-    for (double from = 0, to = w_.share * whole; from < whole && far.count != 0 && !region_.is_empty(); from = to) {
-      to = region_.tell_reach(reach_) ? whole : std::min(2 * to, whole);
-      if (!take_far(from, to, take)) return false;
+    for (float to = from; from < Surroundings::whole && !region_.is_empty(); from = to) {
+      region_.tell_reach(reach_);
+      std::size_t told = region_.caps();
+      to = reach_.is_told() ? Surroundings::whole : std::min(2 * to, Surroundings::whole);
+      const bool is_certain = around.for_each_reaching(reach_, from, to, [&](Site p) {
+        const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
+        if (region_.is_empty() || !reach_.is_within(neighbor)) return true;
+        if (!region_.take(neighbor, is_in_ball)) return false;
+        // It is not worth while each time where it may not be told again.
+        if (region_.caps() - told >= (reach_.is_told() ? 1 : 4)) {
+          region_.tell_reach(reach_);
+          told = region_.caps();
+        }
+        return true;
+      });
+      if (!is_certain) return false;
     }
     if (!region_.finish(is_in_ball)) return false;
     region_.for_each_cycle([&](std::uint32_t site) { found.points.push_back(site); },
@@ -139,64 +75,43 @@ class RegionSearch {
   }
 
  private:
-  /// Those at distances whose squares are above `from` and at most `to`; what is beyond the last one is never looked at.
-  template <typename Take>
-  bool take_far(double from, double to, Take take) {
-    const hn::CappedTag<double, 8> d;
-    const Surroundings& far = w_.far;
-    for (std::size_t i = 0; i < far.count && !region_.is_empty(); i += hn::Lanes(d)) {
-      const auto square = hn::LoadU(d, &far.square[i]);
-      std::uint64_t wanted = bits_of(d, hn::And(square > hn::Set(d, from), square <= hn::Set(d, to)));
-      if (i + hn::Lanes(d) > far.count) wanted &= (std::uint64_t{1} << (far.count - i)) - 1;
-      if (wanted == 0 || (wanted &= reached_of(i)) == 0) continue;
-      for (; wanted != 0; wanted &= wanted - 1)
-        if (!take(far, i + static_cast<std::size_t>(std::countr_zero(wanted)))) return false;
-      region_.tell_reach(reach_);
+  /// Fills near_ with about as many as bound a region. Returns: the square of the distance, in radii, up to which.
+  float look_near(Surroundings& around, Site v) {
+    constexpr double wanted = 8;  // of which about six bound a region
+    constexpr std::size_t least = 4;
+    const std::span<const Point3> sites = cells_.sites();
+    while (true) {
+      const float square = static_cast<float>(share_) * Surroundings::whole;
+      const Surroundings::Near near = around.within(sites[v], square);
+      if (near.sites.size() <= least && near.sites.size() < near.all) {
+        share_ = std::min(1.0, 4 * share_);
+        continue;
+      }
+      near_.clear();
+      for (const Site p : near.sites)
+        if (p != v) near_.push_back(Neighbor::seen_from(sites[v], sites[p], p));
+      share_ = std::min(1.0, wanted / static_cast<double>(near.all));
+      return square;
     }
-    return true;
   }
 
   void sort_near() {
-    const Surroundings& near = w_.near;
-    w_.order.resize(near.count);
-    for (std::uint32_t i = 0; i < near.count; ++i) {
-      std::uint32_t at = i;
-      for (; at > 0 && near.square[w_.order[at - 1]] > near.square[i]; --at) w_.order[at] = w_.order[at - 1];
-      w_.order[at] = i;
-    }
-  }
-
-  /// Those of the far points from i on that may take something away.
-  std::uint64_t reached_of(std::size_t i) const {
-    const hn::CappedTag<double, 8> d;
-    const Surroundings& far = w_.far;
-    const auto x = hn::LoadU(d, &far.x[i]), y = hn::LoadU(d, &far.y[i]), z = hn::LoadU(d, &far.z[i]);
-    const auto power = hn::LoadU(d, &far.square[i]) * hn::Set(d, 0.5);
-    // The corners are told up to a share of the radius.
-    const auto error = (hn::Abs(x) + hn::Abs(y) + hn::Abs(z)) * hn::Set(d, 2 * FreeRegion::max_error * cells_.radius());
-    auto most = hn::Set(d, -1.0);
-    for (std::size_t k = 0; k < reach_.count; ++k) {
-      const auto product =
-          hn::MulAdd(hn::Set(d, reach_.x[k]), x,
-                     hn::MulAdd(hn::Set(d, reach_.y[k]), y, hn::MulAdd(hn::Set(d, reach_.z[k]), z, error)));
-      most = hn::Max(most, hn::NegMulAdd(hn::Set(d, reach_.share[k]), power, product));
-    }
-    return bits_of(d, most > hn::Zero(d));
+    std::sort(near_.begin(), near_.end(), [](const Neighbor& p, const Neighbor& q) { return p.power < q.power; });
   }
 
   const Cells& cells_;
-  RingFinder::Workspace& w_;
+  double share_ = 0.25;  // of the square of two radii, within which to look first
+  std::vector<Neighbor> near_;
   FreeRegion region_;
-  FreeRegion::Reach reach_;
+  Reach reach_;
 };
 
-/// The rings of one site by rolling about each edge. Requires: near holds all points within two radii, far none.
+/// The rings of one site by rolling about each edge. Requires: all sites within two radii, by distance.
 template <typename Real>
-void roll_about_all(const Cells& cells, Site v, RingFinder::Workspace& w, Rings& found) {
+void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Rings& found) {
   const std::span<const Point3> sites = cells.sites();
   std::vector<Point3> places;
-  for (const std::uint32_t i : w.order) places.push_back(sites[static_cast<Site>(w.near.number[i])]);
-  const auto site = [&](std::size_t i) { return static_cast<Site>(w.near.number[w.order[i]]); };
+  for (const Site p : others) places.push_back(sites[p]);
   // The ball leaves (v, about, left) and comes to (v, touched, about).
   struct Arc {
     std::size_t about, left, touched;
@@ -215,7 +130,7 @@ void roll_about_all(const Cells& cells, Site v, RingFinder::Workspace& w, Rings&
     std::size_t i = start;
     do {
       is_done[i] = 1;
-      found.points.push_back(site(arcs[i].about));
+      found.points.push_back(others[arcs[i].about]);
       const Arc next = {arcs[i].touched, arcs[i].about, 0};
       i = static_cast<std::size_t>(std::lower_bound(arcs.begin(), arcs.end(), next,
                                                     [](const Arc& p, const Arc& q) {
@@ -228,77 +143,43 @@ void roll_about_all(const Cells& cells, Site v, RingFinder::Workspace& w, Rings&
 }
 
 template <typename Real>
-void roll_at(const Cells& cells, Site v, RingFinder::Workspace& w, Rings& found) {
+void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& found) {
   const std::span<const Point3> sites = cells.sites();
   // Rounded outward, by more than the roundings of a distance.
   const Real radius = cells.radius(), farthest = 4 * radius * radius * (1 + Real(0x1p-40));
-  std::vector<std::pair<Real, std::uint32_t> > order;
-  w.near.reserve(w.around.count);
-  w.near.count = 0;
-  for (std::size_t i = 0; i < w.around.count; ++i) {
-    const auto p = static_cast<Site>(w.around.number[i]);
+  std::vector<std::pair<Real, Site> > order;
+  for (const Site p : around) {
     const Vector3<Real> away = from<Real>(sites[v], sites[p]);
     const Real square = dot(away, away);
     if (p != v && !(square > farthest)) order.emplace_back(square, p);
   }
   std::sort(order.begin(), order.end());
-  w.near.reserve(order.size());
-  w.order.clear();
-  for (const auto& [square, p] : order) {
-    w.near.number[w.near.count] = p;
-    w.order.push_back(static_cast<std::uint32_t>(w.near.count++));
-  }
+  std::vector<Site> others;
+  for (const auto& [square, p] : order) others.push_back(p);
   ++found.rolled;
-  roll_about_all<Real>(cells, v, w, found);
+  roll_about_all<Real>(cells, v, others, found);
 }
 
 }  // namespace
 
-void find_rings(const Cells& cells, bool fits_double, Site first, Site last, RingFinder::Workspace& w, Rings& found) {
-  const std::span<const Point3> sites = cells.sites();
-  const double whole = 4 * cells.radius() * cells.radius() * (1 + 0x1p-40);
-  constexpr double wanted = 8;  // near points, of which about six bound a region
-  constexpr std::size_t few = 4;
+void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found) {
   found.points.clear();
   found.first.clear();
   found.rolled = 0;
-  Cells::Around around(cells);
-  RegionSearch search(cells, w);
+  Cells::Around cells_around(cells);
+  Surroundings around;
+  RegionSearch search(cells);
   for (std::size_t cell = cells.cell_of(first); first < last; ++cell) {
-    w.around.count = 0;
-    around.for_each_run(cell, [&](Site begin, Site end) {
-      w.around.reserve(w.around.count + (end - begin) + 8);
-      double *const x = w.around.x.data(), *const y = w.around.y.data(), *const z = w.around.z.data(),
-                    *const number = w.around.number.data();
-      std::size_t i = w.around.count;
-      for (Site p = begin; p < end; ++p) {
-        x[i] = sites[p].x;
-        y[i] = sites[p].y;
-        z[i] = sites[p].z;
-        number[i++] = p;
-      }
-      w.around.count = i;
-    });
-    // What is read beyond the end is as far as can be.
-    for (std::size_t i = w.around.count; i < w.around.count + 8; ++i)
-      w.around.x[i] = std::numeric_limits<double>::infinity();
-    for (Site v = first; v < std::min(last, cells.first_in(cell + 1)); ++v, ++first) {
-      found.first.push_back(static_cast<std::uint32_t>(found.points.size()));
+    around.gather(cells, cells_around, cell);
+    for (; first < std::min(last, cells.first_in(cell + 1)); ++first) {
       const std::size_t start = found.points.size();
+      found.first.push_back(static_cast<std::uint32_t>(start));
       if (fits_double) {
-        look_around(w.around, sites[v], whole, whole * w.share, w.near, w.far);
-        const std::size_t all = w.near.count + w.far.count;
-        while (w.near.count < std::min<std::size_t>(all, few)) {
-          w.share *= 4;
-          look_around(w.around, sites[v], whole, whole * w.share, w.near, w.far);
-        }
-        if (all == 0) continue;
-        w.share = std::min(1.0, wanted / static_cast<double>(all));
-        if (search.find(v, found)) continue;
+        if (search.find(around, first, found)) continue;
         found.points.resize(start);
-        roll_at<double>(cells, v, w, found);
+        roll_at<double>(cells, first, around.sites(), found);
       } else {
-        roll_at<long double>(cells, v, w, found);
+        roll_at<long double>(cells, first, around.sites(), found);
       }
     }
   }
@@ -315,11 +196,8 @@ namespace {
 HWY_EXPORT(find_rings);
 }  // namespace
 
-RingFinder::RingFinder() : workspace_(std::make_unique<Workspace>()) {}
-RingFinder::~RingFinder() = default;
-
-void RingFinder::find(const Cells& cells, bool fits_double, Site first, Site last, Rings& found) {
-  HWY_DYNAMIC_DISPATCH(find_rings)(cells, fits_double, first, last, *workspace_, found);
+void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found) {
+  HWY_DYNAMIC_DISPATCH(find_rings)(cells, fits_double, first, last, found);
 }
 
 }  // namespace rbpa::space

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "rbpa/space/search/cells.h"
@@ -24,22 +23,8 @@ struct Rings {
   std::size_t rolled = 0;            // sites at which every edge was rolled about
 };
 
-/// Used again for other cells.
-class RingFinder {
- public:
-  RingFinder();
-  ~RingFinder();
-  RingFinder(const RingFinder&) = delete;
-  RingFinder& operator=(const RingFinder&) = delete;
-
-  struct Workspace;
-
-  /// Replaces `found` by the rings of the sites first … last − 1.
-  /// Requires: where `fits_double`, it holds for sites and radius (search/scale.h).
-  void find(const Cells& cells, bool fits_double, Site first, Site last, Rings& found);
-
- private:
-  std::unique_ptr<Workspace> workspace_;
-};
+/// Replaces `found` by the rings of the sites first … last − 1.
+/// Requires: where `fits_double`, it holds for sites and radius (search/scale.h).
+void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found);
 
 }  // namespace rbpa::space

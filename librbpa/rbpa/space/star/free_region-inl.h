@@ -26,6 +26,11 @@
 #include <utility>
 
 #include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/star/few_caps-inl.h"
+#include "rbpa/space/star/limits.h"
+#include "rbpa/space/star/neighbor.h"
+#include "rbpa/space/star/reach-inl.h"
+#include "rbpa/space/star/taken_caps-inl.h"
 #include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,25 +43,40 @@ namespace hn = hwy::HWY_NAMESPACE;
 class FreeRegion {
  public:
   using Vector = Vector3<double>;
-  /// A point other than v: where it is from v, half the square of its distance, and that.
-  struct Neighbor {
-    Vector at;
-    double power, length;
-    std::size_t number;
-  };
 
-  static constexpr std::size_t capacity = 64, max_neighbors = 256, max_waiting = 64;
-  static constexpr double max_error = 1e-7;  // of centres, as a share of the radius
+  static constexpr std::size_t capacity = 64, max_waiting = 64;
 
   /// The whole sphere.
   void begin(double radius) {
     radius_ = radius;
     square_ = radius * radius;
-    count_ = waiting_ = 0;
-    live_ = 0;
+    waiting_ = 0;
+    caps_.begin(radius);
+    live_ = held_ = 0;
     top_ = 0;
-    has_begun_ = false;
+    has_begun_ = is_parted_ = false;
   }
+
+  /// Takes the caps of a few points away at once, from the whole sphere.
+  /// Returns: false, and the whole sphere is there, where not all is certain.
+  bool start(std::span<const Neighbor> points) {
+    if (!few_.find(points, radius_)) return false;
+    for (const Neighbor& p : points) caps_.push(p);
+    has_begun_ = true;
+    const std::span<const FewCaps::Corner> corners = few_.corners();
+    bool is_whole = corners.size() < capacity;
+    for (std::size_t k = 0; k < corners.size() && is_whole; ++k)
+      add(static_cast<std::uint32_t>(corners[k].about), static_cast<int>(corners[k].left), corners[k].at,
+          corners[k].error);
+    for (std::size_t k = 0; k < corners.size() && is_whole; ++k)
+      link(static_cast<int>(k), static_cast<int>(corners[k].next));
+    for (std::size_t k = 0; k < corners.size() && is_whole; ++k) is_whole = cut_long_arc(static_cast<int>(k));
+    if (!is_whole) begin(radius_);
+    return is_whole;
+  }
+
+  /// How many caps bound or have bounded it: where there are no more, the region is the same.
+  std::size_t caps() const { return caps_.count(); }
 
   /// Nothing is left, whatever is taken away.
   bool is_empty() const { return has_begun_ && live_ == 0; }
@@ -76,10 +96,12 @@ class FreeRegion {
       const Outcome of_q = cut(q, is_in_ball);  // the region may have changed since q was tried
       if (of_q == Outcome::lost) return false;
       if (of_q == Outcome::taken) return take(p, is_in_ball);
-      if (!both.are_certain || !are_free(both) || count_ + 2 > max_neighbors) return false;
-      const auto number = static_cast<std::uint32_t>(count_);
-      neighbors_[count_++] = p;
-      neighbors_[count_++] = q;
+      if (!both.are_certain || !caps_.leave_free(both.left, both.error) || !caps_.leave_free(both.right, both.error) ||
+          caps_.count() + 2 > TakenCaps::most)
+        return false;
+      const auto number = static_cast<std::uint32_t>(caps_.count());
+      caps_.push(p);
+      caps_.push(q);
       const int a = add(number, static_cast<int>(number) + 1, both.left, both.error),
                 b = a == none ? none : add(number + 1, static_cast<int>(number), both.right, both.error);
       if (b == none) return false;
@@ -104,49 +126,27 @@ class FreeRegion {
     return true;
   }
 
-  /// How far p reaches into the region at most: p takes nothing away where c · p ≤ share · power of p for all corners c. For
-  /// regions that are on one side of a plane through v, which caps cover; otherwise the shares are minus infinity.
-  struct Reach {
-    std::array<double, capacity> x, y, z, share;
-    std::size_t count = 0;
-  };
-  /// Returns: whether all shares are finite.
-  bool tell_reach(Reach& reach) const {
-    reach.count = 0;
-    if (!has_begun_) {  // all of the sphere is there
-      reach.count = 1;
-      reach.x[0] = reach.y[0] = reach.z[0] = 0;
-      reach.share[0] = -std::numeric_limits<double>::infinity();
-      return false;
-    }
-    if (live_ == 0) return true;
-    bool is_told = true;
-    const bool is_parted = covers_equator(sum_of_cycle(std::countr_zero(live_)));
-    std::uint64_t left = live_;
-    while (left != 0) {
+  /// Where it is not told, any point may reach the region.
+  void tell_reach(Reach& reach) {
+    reach.begin(radius_, top_, has_begun_);
+    if (!has_begun_) return;
+    for (std::uint64_t left = live_, part = 0; left != 0 && reach.is_told(); left &= ~part) {
       const int start = std::countr_zero(left);
-      const Vector sum = sum_of_cycle(start);
-      const double length = std::sqrt(dot(sum, sum));
-      double least = std::numeric_limits<double>::infinity();
-      const std::size_t first = reach.count;
+      Vector sum = {0, 0, 0};
+      part = 0;
       int k = start;
       do {
-        const auto i = static_cast<std::size_t>(k);
-        const std::size_t n = reach.count++;
-        reach.x[n] = x_[i];
-        reach.y[n] = y_[i];
-        reach.z[n] = z_[i];
-        least = std::min(least, x_[i] * sum.x + y_[i] * sum.y + z_[i] * sum.z);
-        left &= ~(std::uint64_t{1} << k);
-        k = next_[i];
+        sum = plus(sum, corner(k));
+        part |= std::uint64_t{1} << k;
+        k = next_[static_cast<std::size_t>(k)];
       } while (k != start);
-      const double depth = least / length;  // of the corners, along their mean direction
-      const double share = is_parted && depth > slack * radius_ ? (depth / radius_) * (1 - slack)
-                                                                : -std::numeric_limits<double>::infinity();
-      for (std::size_t n = first; n < reach.count; ++n) reach.share[n] = share;
-      is_told = is_told && std::isfinite(share);
+      // Caps that cover a circle once do so for ever.
+      is_parted_ = is_parted_ || caps_.cover_equator(sum);
+      if (is_parted_)
+        reach.add({x_.data(), y_.data(), z_.data(), top_}, part, sum);
+      else
+        reach.give_up();
     }
-    return is_told;
   }
 
   /// Calls visit(number) for the points about which the ball rolls, cycle by cycle, and end() after each cycle: from x to
@@ -159,7 +159,7 @@ class FreeRegion {
       int k = start;
       do {
         const auto i = static_cast<std::size_t>(k);
-        if (left_[i] != none) visit(static_cast<std::uint32_t>(neighbors_[about_[i]].number));
+        if (left_[i] != none) visit(static_cast<std::uint32_t>(caps_[about_[i]].number));
         left &= ~(std::uint64_t{1} << k);
         k = next_[i];
       } while (k != start);
@@ -169,9 +169,6 @@ class FreeRegion {
 
  private:
   static constexpr double unit_roundoff = 0x1p-53;
-  static constexpr double slack = 1e-6;  // of directions, as a share of lengths
-  static constexpr double max_flatness =
-      1e-10;  // of a triangle and its ball: their squares, below which it is not certain
   static constexpr int none = -1;
 
   enum class Outcome { taken, inside, lost };
@@ -188,9 +185,6 @@ class FreeRegion {
     std::uint64_t middle_on, far_side_on;  // arcs that the direction of p may be on, and the one away from it
   };
 
-  static Vector scaled(const Vector& u, double s) { return {u.x * s, u.y * s, u.z * s}; }
-  static Vector plus(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y, u.z + v.z}; }
-  static Vector minus(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
   Vector corner(int k) const {
     const auto i = static_cast<std::size_t>(k);
     return {x_[i], y_[i], z_[i]};
@@ -201,8 +195,8 @@ class FreeRegion {
     const double nn = dot(n, n), pp = 2 * p.power, qq = 2 * q.power, whole = 4 * square_ * nn;
     const double clearance = whole - pp * qq * dot(w, w);
     Rests both;
-    both.are_certain = clearance > max_flatness * whole;
-    both.cannot = clearance < -max_flatness * pp * qq * square_;
+    both.are_certain = clearance > limits::flatness * whole;
+    both.cannot = clearance < -limits::flatness * pp * qq * square_;
     if (!both.are_certain) return both;
     const double inverse = 0.5 / nn, rise = std::sqrt(clearance) * inverse;
     const Vector to_p = cross(q.at, n), to_q = cross(n, p.at);
@@ -210,7 +204,7 @@ class FreeRegion {
     both.left = plus(middle, up);
     both.right = minus(middle, up);
     both.error = unit_roundoff * radius_ * (384 * pp * qq * inverse + 32 * whole / clearance + 32);
-    both.are_certain = both.error < max_error * radius_;
+    both.are_certain = both.error < limits::error * radius_;
     return both;
   }
 
@@ -235,7 +229,7 @@ class FreeRegion {
   void link(int a, int b) {
     const auto i = static_cast<std::size_t>(a);
     next_[i] = static_cast<std::uint8_t>(b);
-    const Neighbor& q = neighbors_[about_[i]];
+    const Neighbor& q = caps_[about_[i]];
     const Vector from = cross(q.at, corner(a)), to = cross(corner(b), q.at);
     from_x_[i] = from.x;
     from_y_[i] = from.y;
@@ -243,7 +237,7 @@ class FreeRegion {
     to_x_[i] = to.x;
     to_y_[i] = to.y;
     to_z_[i] = to.z;
-    side_error_[i] = slack * radius_ * q.length;
+    side_error_[i] = limits::slack * radius_ * q.length;
   }
 
   /// Where a turn by an angle is from 0 to 4, monotonously, of multiples of its sine and cosine; what is within the slack of 0
@@ -251,8 +245,8 @@ class FreeRegion {
   static double turn(double sine, double cosine) {
     const double share = sine / (std::abs(sine) + std::abs(cosine));
     if (cosine < 0) return 2 - share;
-    if (share > slack) return share;
-    return share < -slack ? 4 + share : 0;
+    if (share > limits::slack) return share;
+    return share < -limits::slack ? 4 + share : 0;
   }
 
   /// Puts corners that are no triangles on the arc from a, until no part has 120 degrees.
@@ -260,11 +254,11 @@ class FreeRegion {
     while (true) {
       const auto i = static_cast<std::size_t>(a);
       const int b = next_[i];
-      const Neighbor& q = neighbors_[about_[i]];
+      const Neighbor& q = caps_[about_[i]];
       const Vector middle = scaled(q.at, 0.5), u = minus(corner(a), middle), v = minus(corner(b), middle);
       const double square = square_ - q.power / 2;  // of the circle's radius
       const double sine = dot(q.at, cross(u, v)), cosine = dot(u, v);
-      if (sine > 2 * slack * q.length * square && cosine > -square / 2) return true;
+      if (sine > 2 * limits::slack * q.length * square && cosine > -square / 2) return true;
       const double angle = turn(sine / q.length, cosine);
       if (angle < 1 || (angle < 2 && cosine > -square / 2)) return true;
       // Not in the very middle, where symmetric points would meet it.
@@ -277,7 +271,7 @@ class FreeRegion {
         if (angle > 2) m = scaled(m, -1);
       }
       m = scaled(m, std::sqrt(square / dot(m, m)));
-      const int k = add(about_[i], none, plus(middle, m), max_error * 1e-3 * radius_);
+      const int k = add(about_[i], none, plus(middle, m), limits::error * 1e-3 * radius_);
       if (k == none) return false;
       link(k, b);
       link(a, k);
@@ -318,7 +312,7 @@ class FreeRegion {
     const double along = dot(p.at, q.at), qq = 2 * q.power;
     const double across = std::sqrt(std::max(0.0, 2 * p.power - along * along / qq));
     const double reach = std::sqrt(std::max(0.0, square_ - qq / 4)) * across;
-    return {along / 2 + reach - p.power, along / 2 - reach - p.power, slack * 1e-2 * radius_ * size};
+    return {along / 2 + reach - p.power, along / 2 - reach - p.power, limits::slack * 1e-2 * radius_ * size};
   }
 
   /// Tries those again that wait.
@@ -334,7 +328,7 @@ class FreeRegion {
 
   template <typename IsInBall>
   Outcome cut(const Neighbor& p, IsInBall is_in_ball) {
-    if (count_ == max_neighbors) return Outcome::lost;
+    if (caps_.count() == TakenCaps::most) return Outcome::lost;
     const double size = std::abs(p.at.x) + std::abs(p.at.y) + std::abs(p.at.z);
     const Signs signs = signs_of(p, size);
     std::uint64_t dead = signs.dead;
@@ -342,7 +336,7 @@ class FreeRegion {
       const int k = std::countr_zero(left);
       const auto i = static_cast<std::size_t>(k);
       if (left_[i] == none) return Outcome::lost;
-      if (is_in_ball(neighbors_[about_[i]].number, neighbors_[static_cast<std::size_t>(left_[i])].number, p.number))
+      if (is_in_ball(caps_[about_[i]].number, caps_[static_cast<std::size_t>(left_[i])].number, p.number))
         dead |= std::uint64_t{1} << k;
     }
     std::uint64_t dead_after = 0;
@@ -357,7 +351,7 @@ class FreeRegion {
     // Where p's direction is on an arc with free ends, or that away from it on one whose ends are held, the middle may differ.
     for (std::uint64_t left = bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
-      const OnCircle on = on_circle(p, size, neighbors_[about_[static_cast<std::size_t>(k)]]);
+      const OnCircle on = on_circle(p, size, caps_[about_[static_cast<std::size_t>(k)]]);
       if (on.most < -on.error)
         bitten &= ~(std::uint64_t{1} << k);
       else if (!(on.most > on.error && is_between(k, p, size, 1)))
@@ -365,7 +359,7 @@ class FreeRegion {
     }
     for (std::uint64_t left = spared; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
-      const OnCircle on = on_circle(p, size, neighbors_[about_[static_cast<std::size_t>(k)]]);
+      const OnCircle on = on_circle(p, size, caps_[about_[static_cast<std::size_t>(k)]]);
       if (on.least > on.error)
         spared &= ~(std::uint64_t{1} << k);
       else if (!(on.least < -on.error && is_between(k, p, size, -1)))
@@ -373,14 +367,14 @@ class FreeRegion {
     }
     const std::uint64_t changed = bitten | spared | crossed;
     if (changed == 0) {
-      if (!covers_circle(p)) return dead == 0 ? Outcome::inside : Outcome::lost;
-      if (dead != 0) neighbors_[count_++] = p;
+      if (!caps_.hold_some_of_circle(p)) return dead == 0 ? Outcome::inside : Outcome::lost;
+      if (dead != 0) caps_.push(p);
       live_ &= ~dead;
       return Outcome::taken;
     }
 
-    const std::size_t number = count_;
-    neighbors_[count_++] = p;
+    const std::size_t number = caps_.count();
+    caps_.push(p);
     held_ = dead;  // their places are not used again before all is linked
     live_ &= ~dead;
     std::array<int, capacity> entries, exits;
@@ -403,7 +397,7 @@ class FreeRegion {
           at = 0;
         else
           ++known_count;
-        known[at] = rests(p, neighbors_[q]);
+        known[at] = rests(p, caps_[q]);
         known_about[at] = q;
         if (!known[at].are_certain) return Outcome::lost;
       }
@@ -440,34 +434,6 @@ class FreeRegion {
     return std::min(sign * from, sign * to) > side_error_[i] * size;
   }
 
-  /// Neither of the two centres is in a cap, for certain.
-  bool are_free(const Rests& both) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Neighbor& q = neighbors_[i];
-      const double error = both.error * 2 * q.length;  // Σ|qᵢ| is at most √3 |q|
-      if (dot(both.left, q.at) - q.power > -error || dot(both.right, q.at) - q.power > -error) return false;
-    }
-    return true;
-  }
-
-  /// Some point has a point of p's circle in its cap.
-  bool covers_circle(const Neighbor& p) const {
-    // Away from the axis that it is most along.
-    const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
-    const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
-                        : size.y <= size.z                   ? Vector{0, 1, 0}
-                                                             : Vector{0, 0, 1};
-    const Vector across = cross(p.at, axis);
-    const double square = square_ - p.power / 2;
-    if (!(square > 0)) return false;
-    const Vector z = plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Neighbor& q = neighbors_[i];
-      if (dot(z, q.at) - q.power > slack * radius_ * q.length) return true;
-    }
-    return false;
-  }
-
   /// The arcs of p's own circle: from each entry to the exit that is next.
   Outcome pair(const Neighbor& p, std::span<const int> entries, std::span<const int> exits) {
     const Vector middle = scaled(p.at, 0.5);
@@ -487,7 +453,7 @@ class FreeRegion {
           second = angle;
         }
       }
-      if (second - least < slack || (used >> best & 1) != 0) return Outcome::lost;
+      if (second - least < limits::slack || (used >> best & 1) != 0) return Outcome::lost;
       used |= std::uint64_t{1} << best;
       link(entry, best);
     }
@@ -496,50 +462,13 @@ class FreeRegion {
     return Outcome::taken;
   }
 
-  Vector sum_of_cycle(int start) const {
-    Vector sum = {0, 0, 0};
-    int k = start;
-    do {
-      sum = plus(sum, corner(k));
-      k = next_[static_cast<std::size_t>(k)];
-    } while (k != start);
-    return sum;
-  }
-
-  /// Caps cover the circle of centres square to an axis, so that each part of the region is on one side of it.
-  bool covers_equator(const Vector& axis) const {
-    constexpr std::size_t samples = 16;
-    constexpr double gap = 0.1964;  // from any place to a sample, as a share of the radius: more than 2 sin(pi / 32)
-    constexpr double c1 = 0.92387953251128674, s1 = 0.38268343236508977, c2 = 0.70710678118654752;
-    alignas(64) static constexpr double cosine[samples] = {1,  c1,  c2,  s1,  0, -s1, -c2, -c1,
-                                                           -1, -c1, -c2, -s1, 0, s1,  c2,  c1};
-    alignas(64) static constexpr double sine[samples] = {0, s1,  c2,  c1,  1,  c1,  c2,  s1,
-                                                         0, -s1, -c2, -c1, -1, -c1, -c2, -s1};
-    const double square = dot(axis, axis);
-    if (!(square > 1e-6 * square_)) return false;
-    const Vector other = std::abs(axis.x) < std::abs(axis.y) ? Vector{1, 0, 0} : Vector{0, 1, 0};
-    Vector u = cross(axis, other);
-    u = scaled(u, 1 / std::sqrt(dot(u, u)));
-    const Vector v = scaled(cross(axis, u), 1 / std::sqrt(square));
-    const hn::CappedTag<double, 8> d;
-    std::uint64_t covered = 0;
-    for (std::size_t n = 0; n < count_ && covered != 0xffff; ++n) {
-      const Neighbor& q = neighbors_[n];
-      const auto qu = hn::Set(d, radius_ * dot(q.at, u)), qv = hn::Set(d, radius_ * dot(q.at, v)),
-                 needed = hn::Set(d, q.power + gap * radius_ * q.length);
-      for (std::size_t i = 0; i < samples; i += hn::Lanes(d))
-        covered |= rbpa::HWY_NAMESPACE::bits_of(
-                       d, hn::MulAdd(hn::Load(d, cosine + i), qu, hn::Mul(hn::Load(d, sine + i), qv)) > needed)
-                   << i;
-    }
-    return covered == 0xffff;
-  }
-
   double radius_ = 0, square_ = 0;
-  std::size_t count_ = 0, waiting_ = 0;
-  bool has_begun_ = false;                         // there have been corners
-  std::array<Neighbor, max_neighbors> neighbors_;  // whose caps are away
-  std::array<Neighbor, max_waiting> waits_;        // whose circles are free as a whole
+  std::size_t waiting_ = 0;
+  bool has_begun_ = false;  // there have been corners
+  bool is_parted_ = false;  // caps cover a great circle, so that each part is on one side of a plane
+  FewCaps few_;
+  TakenCaps caps_;
+  std::array<Neighbor, max_waiting> waits_;  // whose circles are free as a whole
   std::uint64_t live_ = 0, held_ = 0;
   std::size_t top_ = 0;  // places below it have been used
   // Of each corner k: the ball rests on (v, about, left) there, or on no third point; and the arc from it, about the same.

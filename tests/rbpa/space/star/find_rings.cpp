@@ -14,7 +14,7 @@
 using namespace rbpa_test;
 using rbpa::Threads;
 using rbpa::space::Cells;
-using rbpa::space::RingFinder;
+using rbpa::space::find_rings;
 using rbpa::space::Rings;
 using rbpa::space::Site;
 
@@ -31,9 +31,8 @@ struct Found {
 };
 
 Found turns_of(const Cells& cells, bool by_regions) {
-  RingFinder finder;
   Rings rings;
-  finder.find(cells, by_regions, 0, static_cast<Site>(cells.sites().size()), rings);
+  find_rings(cells, by_regions, 0, static_cast<Site>(cells.sites().size()), rings);
   REQUIRE(rings.first.size() == cells.sites().size() + 1);
   Found found{.turns = {}, .rolled = rings.rolled};
   for (Site v = 0; v < cells.sites().size(); ++v)

@@ -1,11 +1,11 @@
-#include "rbpa/space/levels/around_edges.h"
+#include "rbpa/space/facing_sides.h"
 
 #include <algorithm>
 #include <tuple>
 
 #include "rbpa/space/predicate/exact.h"
 
-namespace rbpa::space {
+namespace rbpa {
 namespace {
 
 std::pair<std::uint32_t, std::uint32_t> ends(const EdgeSide& side) {
@@ -18,11 +18,11 @@ bool opens(const EdgeSide& side) { return side.from < side.to; }
 void sort_around(std::span<const Point3> points, std::span<EdgeSide> sides) {
   const auto [low, high] = ends(sides.front());
   const Point3 &a = points[low], &b = points[high], &start = points[sides.front().apex];
-  const auto half = [&](const EdgeSide& side) { return -exact::orientation(a, b, start, points[side.apex]); };
+  const auto half = [&](const EdgeSide& side) { return -space::exact::orientation(a, b, start, points[side.apex]); };
   std::sort(sides.begin() + 1, sides.end(), [&](const EdgeSide& s, const EdgeSide& t) {
     const int first = half(s), second = half(t);
     if (first != second) return first < second;
-    return exact::orientation(a, b, points[s.apex], points[t.apex]) > 0;
+    return space::exact::orientation(a, b, points[s.apex], points[t.apex]) > 0;
   });
 }
 
@@ -46,4 +46,4 @@ std::vector<std::pair<std::size_t, std::size_t>> facing_sides(std::span<const Po
   return pairs;
 }
 
-}  // namespace rbpa::space
+}  // namespace rbpa

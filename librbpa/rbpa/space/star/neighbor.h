@@ -1,0 +1,35 @@
+// What: a point as another one sees it.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "rbpa/core/point3.h"
+#include "rbpa/space/predicate/ball.h"
+
+namespace rbpa::space {
+
+inline Vector3<double> scaled(const Vector3<double>& u, double s) { return {u.x * s, u.y * s, u.z * s}; }
+inline Vector3<double> plus(const Vector3<double>& u, const Vector3<double>& v) {
+  return {u.x + v.x, u.y + v.y, u.z + v.z};
+}
+inline Vector3<double> minus(const Vector3<double>& u, const Vector3<double>& v) {
+  return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+
+/// A point other than v: where it is from v, half the square of its distance, and that; and a number, by which it is asked for.
+struct Neighbor {
+  Vector3<double> at;
+  double power, length;
+  std::size_t number;
+
+  static Neighbor seen_from(const Point3& v, const Point3& p, std::size_t number) {
+    const Vector3<double> at = from<double>(v, p);
+    const double square = dot(at, at);
+    return {at, square / 2, std::sqrt(square), number};
+  }
+  /// The sum of the sizes of its coordinates.
+  double size() const { return std::abs(at.x) + std::abs(at.y) + std::abs(at.z); }
+};
+
+}  // namespace rbpa::space

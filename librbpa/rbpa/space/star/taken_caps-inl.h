@@ -1,0 +1,124 @@
+// What: the caps that are away from the sphere of a ball's centres: whether they cover a place, a circle, a great circle.
+// Law:  what is said is certain. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
+#if defined(RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_
+#undef RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_
+#else
+#define RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "rbpa/space/star/limits.h"
+#include "rbpa/space/star/neighbor.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rbpa::space {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+class TakenCaps {
+ public:
+  using Vector = Vector3<double>;
+  static constexpr std::size_t most = 256;
+
+  void begin(double radius) {
+    radius_ = radius;
+    count_ = 0;
+  }
+  /// Requires: fewer than `most` are there.
+  void push(const Neighbor& p) {
+    points_[count_] = p;
+    x_[count_] = p.at.x;
+    y_[count_] = p.at.y;
+    z_[count_] = p.at.z;
+    power_[count_] = p.power;
+    length_[count_++] = p.length;
+  }
+  std::size_t count() const { return count_; }
+  const Neighbor& operator[](std::size_t i) const { return points_[i]; }
+
+  /// A centre that is known up to `error` is in none of them.
+  bool leave_free(const Vector& center, double error) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Neighbor& q = points_[i];
+      if (dot(center, q.at) - q.power > -error * 2 * q.length) return false;  // Σ|qᵢ| is at most √3 |q|
+    }
+    return true;
+  }
+
+  /// Some cap holds a place of p's circle.
+  bool hold_some_of_circle(const Neighbor& p) const {
+    // Away from the axis that it is most along.
+    const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
+    const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
+                        : size.y <= size.z                   ? Vector{0, 1, 0}
+                                                             : Vector{0, 0, 1};
+    const Vector across = cross(p.at, axis);
+    const double square = radius_ * radius_ - p.power / 2;
+    if (!(square > 0)) return false;
+    const Vector place = plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
+    const hn::CappedTag<double, 8> d;
+    for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
+      const auto depth = hn::Sub(along(i, place), hn::Load(d, &power_[i]));
+      const auto is_in = depth > hn::Mul(hn::Set(d, limits::slack * radius_), hn::Load(d, &length_[i]));
+      if (!hn::AllFalse(d, hn::And(is_in, hn::FirstN(d, count_ - i)))) return true;
+    }
+    return false;
+  }
+
+  /// They cover the circle of centres square to an axis.
+  bool cover_equator(const Vector& axis) const {
+    constexpr std::size_t samples = 16;
+    constexpr double gap = 0.1964;  // from any place to a sample, as a share of the radius: more than 2 sin(pi / 32)
+    constexpr double c1 = 0.92387953251128674, s1 = 0.38268343236508977, c2 = 0.70710678118654752;
+    static constexpr double cosine[samples] = {1, c1, c2, s1, 0, -s1, -c2, -c1, -1, -c1, -c2, -s1, 0, s1, c2, c1};
+    static constexpr double sine[samples] = {0, s1, c2, c1, 1, c1, c2, s1, 0, -s1, -c2, -c1, -1, -c1, -c2, -s1};
+    const double square = dot(axis, axis);
+    if (!(square > 1e-6 * radius_ * radius_)) return false;
+    const Vector other = std::abs(axis.x) < std::abs(axis.y) ? Vector{1, 0, 0} : Vector{0, 1, 0};
+    const Vector across = cross(axis, other);
+    const Vector u = scaled(across, radius_ / std::sqrt(dot(across, across))),
+                 v = scaled(cross(axis, u), 1 / std::sqrt(square));
+    const hn::CappedTag<double, 8> d;
+    std::uint32_t covered = 0;
+    for (std::size_t n = 0; n < count_ && covered != 0xffff; n += hn::Lanes(d)) {
+      const auto qu = along(n, u), qv = along(n, v),
+                 needed = hn::IfThenElse(
+                     hn::FirstN(d, count_ - n),
+                     hn::MulAdd(hn::Load(d, &length_[n]), hn::Set(d, gap * radius_), hn::Load(d, &power_[n])),
+                     hn::Set(d, std::numeric_limits<double>::infinity()));
+      for (std::size_t i = 0; i < samples; ++i)
+        if (!hn::AllFalse(d, hn::MulAdd(hn::Set(d, cosine[i]), qu, hn::Mul(hn::Set(d, sine[i]), qv)) > needed))
+          covered |= 1U << i;
+    }
+    return covered == 0xffff;
+  }
+
+ private:
+  HWY_INLINE hn::Vec<hn::CappedTag<double, 8> > along(std::size_t i, const Vector& w) const {
+    const hn::CappedTag<double, 8> d;
+    return hn::MulAdd(hn::Load(d, &x_[i]), hn::Set(d, w.x),
+                      hn::MulAdd(hn::Load(d, &y_[i]), hn::Set(d, w.y), hn::Mul(hn::Load(d, &z_[i]), hn::Set(d, w.z))));
+  }
+
+  double radius_ = 0;
+  std::size_t count_ = 0;
+  std::array<Neighbor, most> points_;
+  alignas(64) std::array<double, most> x_{}, y_{}, z_{}, power_{}, length_{};  // theirs
+};
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace rbpa::space
+HWY_AFTER_NAMESPACE();
+
+#endif
