@@ -28,12 +28,11 @@ PointFormat parse_format(const std::string& path, const std::optional<std::strin
   return known;
 }
 
-/// An option that was given is about another format.
-void require(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
+}  // namespace
+
+void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
   if (!fits) throw WrongUsage(option + ": found a format " + found + ", expected " + expected);
 }
-
-}  // namespace
 
 PointSource parse_source(const PointArguments& arguments) {
   if (arguments.points.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
@@ -49,20 +48,20 @@ PointSource parse_source(const PointArguments& arguments) {
 
   const PointFormat format = source.format;
   const bool text = format == PointFormat::text, ogr = format == PointFormat::ogr;
-  if (arguments.columns) require(text, "--columns", "with fixed columns", "text");
-  if (arguments.skip_invalid) require(text, "--skip-invalid", "without lines of points", "text");
+  if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
+  if (arguments.skip_invalid) require_format(text, "--skip-invalid", "without lines of points", "text");
   if (arguments.where) {
     const std::optional<FieldNames> names = fields_of(format);
-    require(names.has_value(), "--where", "without fields beside the points", "las or text");
+    require_format(names.has_value(), "--where", "without fields beside the points", "las or text");
     source.where = Condition(*arguments.where, *names);
   }
   if (arguments.vertices)
-    require(text || ogr || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
-            "without lines and polygons", "geojson, wkt, or text with a column of it");
-  if (arguments.layer) require(ogr, "--layer", "without layers", "one of GDAL");
+    require_format(text || ogr || format == PointFormat::wkt || format == PointFormat::geojson, "--vertices",
+                   "without lines and polygons", "geojson, wkt, or text with a column of it");
+  if (arguments.layer) require_format(ogr, "--layer", "without layers", "one of GDAL");
   const bool image = format == PointFormat::png || format == PointFormat::pgm;
-  if (arguments.pixels.foreground) require(image, "--foreground", "without pixels", "png or pgm");
-  if (arguments.pixels.threshold) require(image, "--threshold", "without pixels", "png or pgm");
+  if (arguments.pixels.foreground) require_format(image, "--foreground", "without pixels", "png or pgm");
+  if (arguments.pixels.threshold) require_format(image, "--threshold", "without pixels", "png or pgm");
   return source;
 }
 

@@ -27,4 +27,7 @@ struct PointArguments {
 /// the value, or an option that is about another format.
 PointSource parse_source(const PointArguments& arguments);
 
+/// Throws WrongUsage unless an option that was given fits the format: "--where: found a format FOUND, expected EXPECTED".
+void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);
+
 }  // namespace rbpa::app

@@ -20,6 +20,15 @@ inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& f
 }
 
 template <typename Arguments>
+void add_selection_options(CLI::App& verb, Arguments& arguments) {
+  add_switch(verb, "--skip-invalid", arguments.skip_invalid,
+             "Leave out lines of text that are no point, and say how many");
+  verb.add_option("--where", arguments.where,
+                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
+      ->type_name("CONDITION");
+}
+
+template <typename Arguments>
 void add_format_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--format", arguments.format,
                   "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
@@ -29,11 +38,7 @@ void add_format_options(CLI::App& verb, Arguments& arguments) {
           "--columns", arguments.columns,
           "Columns of text that are x and y: numbers from 1, or header names; by default as the header says, else 1,2")
       ->type_name("X,Y");
-  add_switch(verb, "--skip-invalid", arguments.skip_invalid,
-             "Leave out lines of text that are no point, and say how many");
-  verb.add_option("--where", arguments.where,
-                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
-      ->type_name("CONDITION");
+  add_selection_options(verb, arguments);
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
   verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
       ->type_name("CRS");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/point_arguments.h"
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/same_file.h"
@@ -60,10 +61,17 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
                          .targets = {},
                          .width = parse_width(arguments.width),
                          .run = parse_run(arguments.run)};
+  const bool text = request.format == SpaceFormat::text;
   if (arguments.columns) {
-    if (request.format != SpaceFormat::text)
-      throw WrongUsage("--columns: found a format with fixed columns, expected text");
+    require_format(text, "--columns", "with fixed columns", "text");
     request.choice.columns = parse_space_columns(*arguments.columns);
+  }
+  if (arguments.skip_invalid) require_format(text, "--skip-invalid", "without lines of points", "text");
+  request.choice.skip_invalid = arguments.skip_invalid;
+  if (arguments.where) {
+    const std::optional<FieldNames> names = fields_of(request.format);
+    require_format(names.has_value(), "--where", "without fields beside the points", "las or text");
+    request.choice.where = Condition(*arguments.where, *names);
   }
   if (request.normals == NormalSource::none && request.radii.size() > 1)
     throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +

@@ -16,6 +16,8 @@ struct SurfaceArguments {
   std::string points;  ///< the file
   std::optional<std::string> format;
   std::optional<std::string> columns;
+  std::optional<std::string> where;
+  bool skip_invalid = false;
   std::string radius;
   std::optional<std::string> normals;
   std::vector<std::string> outputs;

@@ -126,9 +126,9 @@ void write_surface_stats(OutputFile& file, const SurfaceFacts& facts) {
 
 void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
   Json report = base(facts);
-  report["unused"] = Json::array();
+  report["unused_points"] = Json::array();
   for (const UnusedPoint& point : facts.unused)
-    report["unused"].push_back(
+    report["unused_points"].push_back(
         {{"point", point.index}, {"cause", unused_names[static_cast<std::size_t>(point.cause)]}});
   report["holes"] = Json::array();
   for (const Hole& hole : facts.holes) {

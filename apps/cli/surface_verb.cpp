@@ -153,7 +153,7 @@ void SurfaceRun::write_target(OutputFile& file, const SurfaceTarget& target) {
       for (const RimEdge& edge : hole.edges) rims.push_back({edge.from, edge.to});
     std::vector<std::uint32_t> unused;
     for (const UnusedPoint& point : facts_.unused) unused.push_back(point.index);
-    return write_surface_png(file, {file_.points, surface_.triangles, rims, unused}, request_.width);
+    return write_surface_png(file, {file_.points, surface_.triangles, rims, unused, file_.colors}, request_.width);
   }
   // An .npy file has the canonical order whatever other files have.
   if (target.format == SurfaceFormat::npy)

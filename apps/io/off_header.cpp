@@ -7,17 +7,18 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and N is one of them.
+/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and which of them.
 struct Keyword {
   explicit Keyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {
       if (word.substr(0, prefix.size()) != prefix) continue;
       word.remove_prefix(prefix.size());
-      normals = prefix == "N";
+      normals = normals || prefix == "N";
+      colors = colors || prefix == "C";
     }
     known = word == "OFF";
   }
-  bool known = false, normals = false;
+  bool known = false, normals = false, colors = false;
 };
 
 }  // namespace
@@ -40,7 +41,12 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
   const std::optional<std::size_t> vertices = parse_count(take_word(rest));
   if (!vertices)
     bad_input(at_line(name, lines.number()), in_quotes(counts), "the numbers of vertices, faces and edges");
-  const OffHeader header{keyword.known && keyword.normals, *vertices, lines.number(), rest, lines};
+  const OffHeader header{.normals = keyword.known && keyword.normals,
+                         .colors = keyword.known && keyword.colors,
+                         .vertices = *vertices,
+                         .line = lines.number(),
+                         .counts = rest,
+                         .lines = lines};
   // The shortest vertex line is "0 0" and its end, but for the last.
   if (*vertices > (lines.rest().size() + 1) / 4)
     bad_input(name, counted(lines.rest().size(), "byte") + " of data", announced(header, *vertices, "vertex line"));

@@ -11,6 +11,7 @@ namespace rbpa::app {
 
 struct OffHeader {
   bool normals;  ///< N is among the prefixes: three numbers behind the coordinates of a vertex
+  bool colors;   ///< C is: red, green, blue and mostly opacity behind these
   std::size_t vertices;
   std::size_t line;         ///< that says so
   std::string_view counts;  ///< its words behind the number of vertices

@@ -35,7 +35,26 @@ Vector upward(const Vector& axis) {
   return axis[largest] < 0 ? Vector(-axis) : axis;
 }
 
-/// Rows are right, up, and to the viewer.
+/// Which axis of the coordinates, 1 or 2, is upright for a viewer that far along each. Nobody knows which one the points'
+/// maker meant: y as in most models, z as in most scans. It is the one that is not looked along; where both are seen, y, unless
+/// the points are much taller in z.
+Eigen::Index upright(const Vector& viewer, const Vector& variances) {
+  constexpr double taller = 1.5;
+  Eigen::Index along = 0;
+  viewer.cwiseAbs().maxCoeff(&along);
+  if (along != 0) return 3 - along;
+  return variances.z() > taller * taller * variances.y() ? 2 : 1;
+}
+
+/// Rows are right, up, and to the viewer, where an axis points up.
+Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
+  const Vector up = (axis - axis.dot(viewer) * viewer).normalized();
+  Eigen::Matrix3d view;
+  view << up.cross(viewer).transpose(), up.transpose(), viewer.transpose();
+  return view;
+}
+
+/// The view of points: rows as those of with_upright(). The viewer, 45 degrees from the axis or more, stays 25 from it.
 Eigen::Matrix3d directions(std::vector<Vector> points) {
   // Sums of floating-point numbers depend on their order.
   std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
@@ -46,11 +65,13 @@ Eigen::Matrix3d directions(std::vector<Vector> points) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Vector& p : points) covariance += (p - mean) * (p - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  const Vector up = upward(axes.eigenvectors().col(2)), viewer = upward(axes.eigenvectors().col(0));
-  Eigen::Matrix3d view;
-  view << up.cross(viewer).transpose(), up.transpose(), viewer.transpose();
+  const Vector viewer = upward(axes.eigenvectors().col(0));
+  const Vector axis = Vector::Unit(upright(viewer, covariance.diagonal()));
   constexpr double degree = std::numbers::pi / 180;
-  return Eigen::AngleAxisd(20 * degree, Vector::UnitX()) * Eigen::AngleAxisd(-25 * degree, Vector::UnitY()) * view;
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(20 * degree, Vector::UnitX()) * Eigen::AngleAxisd(-25 * degree, Vector::UnitY()))
+          .toRotationMatrix();
+  return with_upright(axis, with_upright(axis, viewer).transpose() * turn.row(2).transpose());
 }
 
 }  // namespace

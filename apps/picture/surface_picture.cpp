@@ -108,16 +108,26 @@ class DepthCanvas {
 };
 
 /// Light comes from the viewer's upper left. y is down, so what is counter-clockwise for the viewer has a negative area.
-Colour shade(const Place& a, const Place& b, const Place& c) {
+Colour shade(const Place& a, const Place& b, const Place& c, const Colour& front_own) {
   const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   const double length = std::hypot(n[0], n[1], n[2]);
   const bool front = n[2] >= 0;
   const double toward = length > 0 ? (front ? 1 : -1) * (-0.4 * n[0] + 0.45 * n[1] + 0.8 * n[2]) / length : 1;
   const double light = 0.42 + 0.58 * std::clamp(toward, 0.0, 1.0);
-  const Colour& own = front ? front_colour : back_colour;
+  const Colour& own = front ? front_own : back_colour;
   const auto lit = [&](std::uint8_t part) { return static_cast<std::uint8_t>(std::lround(part * light)); };
   return {lit(own.red), lit(own.green), lit(own.blue)};
+}
+
+/// The mean of the colours at the corners, or that of surfaces without any.
+Colour own_colour(const SurfacePicture& picture, const std::array<std::uint32_t, 3>& t) {
+  if (picture.colors.empty()) return front_colour;
+  const auto mean = [&](std::size_t k) {
+    return static_cast<std::uint8_t>((picture.colors[t[0]][k] + picture.colors[t[1]][k] + picture.colors[t[2]][k] + 1) /
+                                     3);
+  };
+  return {mean(0), mean(1), mean(2)};
 }
 
 }  // namespace
@@ -135,7 +145,7 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
   for (const auto& t : picture.triangles) {
     go_on();
     const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
-    canvas.triangle(a, b, c, shade(a, b, c));
+    canvas.triangle(a, b, c, shade(a, b, c, own_colour(picture, t)));
   }
   // Thicker than what is nearer than they are by as much: a rim is seen along its whole length.
   const double radius = side * std::max(1.0, width / 700.0);

@@ -192,6 +192,17 @@ TEST_SUITE("fill") {
     CHECK(nothing.err.find("there is no triangle: there is no polygon") != std::string::npos);
   }
 
+  TEST_CASE("rings of files of Triangle begin at any vertex") {
+    const Folder folder;
+    for (const std::string order : {"0 4 0\n1 0 0\n2 0 4\n", "0 0 4\n1 4 0\n2 0 0\n", "0 0 0\n1 0 4\n2 4 0\n"}) {
+      CAPTURE(order);
+      folder.file("t.poly", "3 2\n" + order + "3\n0 0 1\n0 1 2\n0 2 0\n0\n");
+      const Outcome outcome = folder.rbpa("fill t.poly --size 9 -o t.off");
+      CHECK(outcome.code == 0);
+      CHECK(outcome.err == "rbpa: 1 polygon with 0 holes, area 8, 1 triangle on 3 points -> t.off\n");
+    }
+  }
+
   TEST_CASE("files of Triangle that are none, with the line") {
     const Folder folder;
     const auto poly = [&](const std::string& text, const std::string& message) {

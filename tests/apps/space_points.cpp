@@ -177,11 +177,45 @@ TEST_SUITE("points of space") {
                                    "colours are left out, as red, green and blue are not three of type uchar"});
   }
 
-  TEST_CASE("OFF has the normals of its prefix N, and nothing else") {
+  TEST_CASE("OFF has the normals of its prefix N and the colours of its prefix C, and nothing else") {
     is(read("OFF\n2 1 0\n0.5 -1 2 9 9 9\n3 4e-3 1e6\n3 0 1 0\n", SpaceFormat::off));
     is(read("NOFF\n2 0 0\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n", SpaceFormat::off), normals);
-    is(read("STCNOFF 2 0 0\n0.5 -1 2 0 0 2 1 1 1 1\n3 4e-3 1e6 -1 .25 0 1 1 1 1\n", SpaceFormat::off), normals);
-    is(read("COFF\n2 0 0\n0.5 -1 2 1 1 1 1\n3 4e-3 1e6 1 1 1 1\n", SpaceFormat::off));
+    is(read("STCNOFF 2 0 0\n0.5 -1 2 0 0 2 1 2 255 1 0 0\n3 4e-3 1e6 -1 .25 0 128 0 7 1 0 1\n", SpaceFormat::off),
+       normals, colors);
+    is(read("COFF\n2 0 0\n0.5 -1 2 1 2 255 # red\n3 4e-3 1e6 128 0 7 255\n", SpaceFormat::off), {}, colors);
+    is(read("COFF\n2 0 0\n0.5 -1 2 1 1 1 1\n3 4e-3 1e6 0 0.5 1 1\n", SpaceFormat::off), {},
+       {{255, 255, 255}, {0, 128, 255}});
+  }
+
+  TEST_CASE("OBJ has the colours behind its vertices, from 0 to 1, or to 255 where one is greater than 1") {
+    const auto with = [](const std::string& first, const std::string& second) {
+      return read("v 0.5 -1 2 " + first + "\nvn 0 0 2\nv 3 4e-3 \\\n1e6 " + second + "\nvn -1 .25 0\n",
+                  SpaceFormat::obj);
+    };
+    is(with("1 2 255", "128 0 7 # said"), normals, colors);
+    is(with(".0039 0.0078431 1 1", "0.50196 0 0.027451"), normals, colors);
+    is(with("1 1 1", "0 1 0"), normals, {{255, 255, 255}, {0, 255, 0}});
+    CHECK(with("1 2 255", "128 0 7").remarks.empty());
+    // A fourth number is a weight.
+    is(with("1", "1"), normals);
+    CHECK(with("", "1").remarks.empty());
+  }
+
+  TEST_CASE("colours of text that are there in part, or are none, are left out, and that is said") {
+    const auto says = [](const std::string& text, SpaceFormat format, const std::string& why) {
+      const SpacePoints file = read(text, format);
+      is(file);
+      CHECK(file.remarks == std::vector<std::string>{"colours are left out, as " + why});
+    };
+    const std::string first = "v 0.5 -1 2", second = "\nv 3 4e-3 1e6";
+    says(first + " 1 1 1" + second + " 1\n", SpaceFormat::obj, "line 2 has none");
+    says(first + " 1 1 x" + second + " 1 1 1\n", SpaceFormat::obj, "line 1 has none");
+    says(first + " 0 0 0" + second + " 1 256 1\n", SpaceFormat::obj,
+         "line 2 has a channel of '256', and not from 0 to 1 or to 255");
+    says(first + " 0 0 -0.1" + second + " 1 1 1\n", SpaceFormat::obj,
+         "line 1 has a channel of '-0.1', and not from 0 to 1 or to 255");
+    says("COFF\n2 0 0\n0.5 -1 2\n3 4e-3 1e6\n", SpaceFormat::off, "line 3 has none");
+    CHECK(read("COFF\n0 0 0\n", SpaceFormat::off).remarks.empty());
   }
 
   TEST_CASE("normals of OBJ are those that faces give, else those in order") {
@@ -263,6 +297,72 @@ TEST_SUITE("points of space") {
       CHECK(some.points == Places{{0.01, 0.02, -100}});
       CHECK(some.remarks == std::vector<std::string>{"1 of 2 points are as --where asks"});
     }
+  }
+
+  TEST_CASE("LAS has the colours of every format that has any, of 16 bits or 8, and black is none") {
+    for (unsigned format = 0; format <= 10; ++format) {
+      CAPTURE(format);
+      LasFile file{.minor = 4, .format = format};
+      file.points = {{.red = 0x0123, .green = 0x02ff, .blue = 0xffff},
+                     {.classification = 1, .red = 9, .green = 9, .blue = 9},
+                     {.red = 0x8000, .green = 0, .blue = 0x0700}};
+      const bool has = format == 2 || format == 3 || format == 5 || format == 7 || format == 8 || format == 10;
+      SpaceChoice choice;
+      choice.where = Condition("classification == 0", names_of_las_fields());
+      CHECK(space_points_in(bytes_of(file), "p", SpaceFormat::las, choice).colors == (has ? colors : Colors{}));
+      file.points = {{.red = 1, .green = 2, .blue = 255}, {.red = 128, .blue = 7}};
+      CHECK(read(bytes_of(file), SpaceFormat::las).colors == (has ? colors : Colors{}));
+      file.points = {{}, {}};
+      CHECK(read(bytes_of(file), SpaceFormat::las).colors.empty());
+    }
+  }
+
+  TEST_CASE("lines that are no point are left out and counted, if that is asked for") {
+    const auto skipping = [](const std::string& text) {
+      return space_points_in(text, "p", SpaceFormat::text, {.skip_invalid = true});
+    };
+    const SpacePoints bare = skipping("x,y,z\nNA,NA,NA\n0.5,-1,2\n1,2\n3,4,1e999\n3,4e-3,1e6\n,,\n1,2,3,4\n");
+    is(bare);
+    CHECK(bare.remarks ==
+          std::vector<std::string>{"5 lines are left out: the first is p:2: found 'NA', expected a number"});
+    // A point without its normal is none.
+    const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
+    is(file, normals);
+    CHECK(file.remarks ==
+          std::vector<std::string>{"2 lines are left out: the first is p:2: found a normal of length 0, "
+                                   "expected one of another length"});
+    CHECK(skipping("1 2 3\n").remarks.empty());
+    CHECK_THROWS_WITH_AS(skipping("x,y,z\n1,2,NA\n"),
+                         "p: found 1 line and no point, expected at least one (p:2: found 'NA', expected a number)",
+                         BadInput);
+  }
+
+  TEST_CASE("--where takes lines of a table by columns that its header names") {
+    const auto where = [](const std::string& text, const std::string& condition, bool skip = false) {
+      SpaceChoice choice{.skip_invalid = skip};
+      choice.where = Condition(condition, names_of_columns());
+      return space_points_in(text, "p", SpaceFormat::text, choice);
+    };
+    const std::string text = "x;y;z;class\n9;9;9;2\n0,5;-1;2;6\nNA;9;9;5\n3;0,004;1e6;6\n";
+    const SpacePoints file = where(text, "class == 6");
+    is(file);
+    CHECK(file.remarks.back() == "2 of 4 lines are as --where asks");
+    is(where("z,nx,ny,nz,y,x\n2,0,0,2,-1,0.5\n9,1,1,1,9,9\n1e6,-1,.25,0,4e-3,3\n", "x < 9"), normals);
+    CHECK(where(text, "class == 7").points.empty());
+    const SpacePoints both = where("x,y,z,n\n0.5,-1,2,1\n9,NA,9,1\n9,9,9,NA\n9,9,9,0\n3,4e-3,1e6,1\n", "n == 1", true);
+    is(both);
+    CHECK(both.remarks.size() == 2);
+    CHECK(both.remarks[0] == "3 of 4 lines are as --where asks");  // the point of one of them is none
+    CHECK(both.remarks[1] == "2 lines are left out: the first is p:3: found 'NA', expected a number");
+    CHECK_THROWS_WITH_AS(where("1 2 3\n", "n == 1"),
+                         "p: found no header line, expected one with the names that --where asks for", BadInput);
+    CHECK_THROWS_WITH_AS(where("x,y,z\n1,2,3\n", "n == 1"), "p:1: found 'x,y,z', expected a header with a column 'n'",
+                         BadInput);
+    CHECK_THROWS_WITH_AS(
+        where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
+        "p:2: found 'NA', expected a number in a column that --where asks for (--skip-invalid leaves out "
+        "lines that are no point)",
+        BadInput);
   }
 
   TEST_CASE("a path is read, compressed or not") {

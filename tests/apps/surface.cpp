@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/las_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -108,6 +109,72 @@ TEST_SUITE("surface") {
     for (const json& edge : hole["edges"]) loop += " " + std::to_string(edge["from"].get<int>() + 1);
     loop += " " + std::to_string(hole["edges"][0]["from"].get<int>() + 1) + "\n";
     CHECK(lines.ends_with(loop));
+  }
+
+  TEST_CASE("what --stats and --json both have is the same, and unused points are listed beside their number") {
+    const Folder folder;
+    folder.file("s.xyz", "9 9 9 0 0 1\n" + sphere(500, 0.7) + "5 5 5 0 0 1\n");
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --json --stats s.json");
+    CHECK(outcome.code == 0);
+    const json report = json::parse(outcome.out), stats = json::parse(folder.content("s.json"));
+    std::size_t shared = 0;
+    for (const auto& [key, value] : report.items())
+      if (stats.contains(key)) {
+        CAPTURE(key);
+        CHECK(stats[key] == value);
+        ++shared;
+      }
+    CHECK(shared == 12);
+    CHECK(report.size() == shared + 2);
+    CHECK(report["unused"] == 2);
+    const int last = report["points"].get<int>() - 1;
+    CHECK(report["unused_points"] ==
+          json({{{"point", 0}, {"cause", "no_ball_rests"}}, {{"point", last}, {"cause", "no_ball_rests"}}}));
+    CHECK(report["holes"].size() == report["boundary_curves"]);
+  }
+
+  TEST_CASE("--where and --skip-invalid say which points count, of formats that have such") {
+    const Folder folder;
+    const std::string sphere_of_file = sphere(500);
+    std::string table = "x y z nx ny nz keep\n";
+    for (std::size_t begin = 0; begin < sphere_of_file.size();) {
+      const std::size_t end = sphere_of_file.find('\n', begin);
+      table += sphere_of_file.substr(begin, end - begin) + " 1\n" + "0 0 0 0 0 1 0\nNA 0 0 0 0 1 1\n";
+      begin = end + 1;
+    }
+    folder.file("s.xyz", sphere_of_file);
+    folder.file("t.csv", table);
+    CHECK(folder.rbpa("surface s.xyz --radius 0.3 -o s.npy").code == 0);
+    const Outcome outcome = folder.rbpa("surface t.csv --radius 0.3 --where \"keep == 1\" --skip-invalid -o t.npy");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.starts_with(
+        "rbpa: t.csv: 1000 of 1500 lines are as --where asks\n"
+        "rbpa: t.csv: 500 lines are left out: the first is t.csv:4: found 'NA', expected a number\n"));
+    CHECK(folder.content("t.npy") == folder.content("s.npy"));
+
+    LasFile las{.minor = 2, .format = 2};
+    las.points = {{.x = 0}, {.x = 100}, {.y = 100}, {.x = 50, .y = 50, .z = 10, .classification = 7}};
+    folder.file("p.las", bytes_of(las));
+    CHECK(folder.rbpa("surface p.las --radius 1 --normals none --where \"not (classification == 7)\" -o l.npy").code ==
+          0);
+    CHECK(indices_of(folder.content("l.npy")) == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 1});
+    CHECK(folder.rbpa("surface p.las --radius 1 --normals none -o l.npy").code == 0);
+    CHECK(indices_of(folder.content("l.npy")).size() > 6);
+
+    folder.file("p.off", "OFF\n1 0 0\n0 0 0\n");
+    refuses(folder, "p.off --radius 1 --skip-invalid -o m.off", 2,
+            "--skip-invalid: found a format without lines of points, expected text");
+    refuses(folder, "p.las --radius 1 --skip-invalid -o m.off", 2,
+            "--skip-invalid: found a format without lines of points, expected text");
+    refuses(folder, "p.off --radius 1 --where \"z > 1\" -o m.off", 2,
+            "--where: found a format without fields beside the points, expected las or text");
+    // In the words of the other verbs.
+    CHECK(folder.rbpa("surface p.las --radius 1 --where \"height > 1\" -o m.off").err ==
+          folder.rbpa("info p.las --where \"height > 1\"").err);
+    refuses(
+        folder, "p.las --radius 1 --where \"gps_time > 1\" -o m.off", 3,
+        "p.las: found point format 2 of LAS 1.2, expected one with gps_time, as --where asks: 1, 3, 4, 5, 6, 7, 8, 9, "
+        "10");
   }
 
   TEST_CASE("without normals both sides, the outer one first") {

@@ -21,6 +21,7 @@ SpaceChoice choice_of(std::size_t selector) {
   if (selector % 4 == 1) choice.columns = parse_space_columns("3,1,2");
   if (selector % 4 == 2) choice.columns = parse_space_columns("x,y,z,nx,ny,nz");
   if (selector % 4 == 3) choice.where = Condition("z > 1 or classification == 2", names_of_las_fields());
+  choice.skip_invalid = selector / 4 % 2 == 1;
   return choice;
 }
 

@@ -27,7 +27,8 @@ LasRecordReader::LasRecordReader(const LasHeader& header, const std::optional<Co
       x_(header.scale[0], header.offset[0]),
       y_(header.scale[1], header.offset[1]),
       z_(header.scale[2], header.offset[2]),
-      withheld_(find_las_field("withheld", header.format, header.minor)) {
+      withheld_(find_las_field("withheld", header.format, header.minor)),
+      red_(find_las_field("red", header.format, header.minor)) {
   for (const std::size_t axis : {0U, 1U}) require_range(header, axis, name);
   if (where) selects_.emplace(*where, LasRecords{header.format, header.minor, {x_, y_, z_}}, name);
 }
@@ -52,8 +53,14 @@ void LasRecordReader::take(const char* records, std::size_t count, std::vector<P
   });
 }
 
-void LasRecordReader::take(const char* records, std::size_t count, std::vector<Point3>& points) {
-  take_all(records, count, points, [this](const char* record) {
+void LasRecordReader::take(const char* records, std::size_t count, std::vector<Point3>& points,
+                           std::vector<std::array<std::uint16_t, 3>>& colors) {
+  take_all(records, count, points, [&](const char* record) {
+    if (red_) {
+      const char* const at = record + red_->offset;
+      colors.push_back(
+          {las_value<std::uint16_t>(at), las_value<std::uint16_t>(at + 2), las_value<std::uint16_t>(at + 4)});
+    }
     return Point3{x_(las_value<std::int32_t>(record)), y_(las_value<std::int32_t>(record + 4)),
                   z_(las_value<std::int32_t>(record + 8))};
   });

@@ -1,7 +1,9 @@
 // What: points from the records of a LAS file, in any number of parts.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +22,9 @@ class LasRecordReader {
 
   /// Appends the points of `count` records, of those that count. Throws Cancelled.
   void take(const char* records, std::size_t count, std::vector<Point>& points);
-  /// The same with their heights. Requires require_height().
-  void take(const char* records, std::size_t count, std::vector<Point3>& points);
+  /// The same with their heights, and red, green and blue where the records have them. Requires require_height().
+  void take(const char* records, std::size_t count, std::vector<Point3>& points,
+            std::vector<std::array<std::uint16_t, 3>>& colors);
   /// Throws BadInput when not all heights can be doubles.
   void require_height(const LasHeader& header, const std::string& name) const;
   /// Adds what there is to remark on all records so far.
@@ -35,6 +38,7 @@ class LasRecordReader {
   ScaledInteger x_, y_, z_;
   std::optional<Selection> selects_ = std::nullopt;
   std::optional<LasField> withheld_;
+  std::optional<LasField> red_;  // green and blue are behind it
 };
 
 }  // namespace rbpa::app

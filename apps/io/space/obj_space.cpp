@@ -4,6 +4,7 @@
 #include "io/interrupt.h"
 #include "io/obj_lines.h"
 #include "io/space/readers.h"
+#include "io/space/text_colors.h"
 #include "io/vertex_lines.h"
 
 namespace rbpa::app {
@@ -19,12 +20,16 @@ class ObjSpace {
       line_ = lines_.number();
       std::string_view rest = take_obj_line(lines_, joined_);
       const std::string_view word = take_word(rest);
-      if (word == "v") file_.points.push_back(take_point(rest));
+      if (word == "v") {
+        file_.points.push_back(take_point(rest));
+        colors_.take(rest, line_);
+      }
       if (word == "vn") normals_.push_back(take_point(rest));
       if (word == "f") take_face(rest);
     }
     if (file_.points.empty()) bad_input(name_, "no line 'v x y z'", "points");
     if (!normals_.empty()) settle_normals();
+    colors_.settle(false, file_);
     return std::move(file_);
   }
 
@@ -94,6 +99,7 @@ class ObjSpace {
   std::string joined_ = {};
   std::vector<Point3> normals_ = {};  ///< in the order of their lines
   std::vector<Corner> corners_ = {};
+  TextColors colors_ = {};
   SpacePoints file_ = {};
 };
 

@@ -5,6 +5,7 @@
 #include "io/failure.h"
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
+#include "io/las/selection.h"
 #include "io/number.h"
 #include "io/space/readers.h"
 
@@ -28,7 +29,7 @@ SpacePoints parse(std::string_view bytes, const std::string& name, SpaceFormat f
     case SpaceFormat::text:
       break;
   }
-  return read_space_table(bytes, name, choice.columns);
+  return read_space_table(bytes, name, choice);
 }
 
 std::string normal_of(std::size_t point, const std::string& name) {
@@ -42,6 +43,12 @@ void require_directions(const SpacePoints& file, const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<FieldNames> fields_of(SpaceFormat format) {
+  if (format == SpaceFormat::text) return names_of_columns();
+  if (format == SpaceFormat::las) return names_of_las_fields();
+  return std::nullopt;
+}
 
 void append_numbers(std::span<const double> values, SpacePoints& file, const std::string& name) {
   const std::size_t index = file.points.size();

@@ -18,8 +18,12 @@ struct SpaceChoice {
   /// Of text: x, y, z, or these and the normal's; absent: as the header names them, else the first three, and the three
   /// behind them when there are six.
   std::optional<std::vector<Column>> columns = std::nullopt;
-  std::optional<Condition> where = std::nullopt;  ///< of LAS: which points
+  std::optional<Condition> where = std::nullopt;  ///< of LAS and text: which points count
+  bool skip_invalid = false;                      ///< leave out lines of text that are no point
 };
+
+/// What SpaceChoice::where may name; nothing where points have no fields beside them.
+std::optional<FieldNames> fields_of(SpaceFormat format);
 
 /// The points in the order of the file. `path` "-" is standard input; a gzip file is read as what was compressed. Throws
 /// BadInput naming the file, the line or the point (counted from 0), what was found and what was expected, and nothing

@@ -11,23 +11,22 @@
 #include <vector>
 
 #include "io/condition.h"
+#include "io/space/read_space_points.h"
 #include "io/space/space_points.h"
-#include "io/table/columns.h"
 
 namespace rbpa::app {
 
 /// A table: separators, comments, quotes, decimal commas and headers as TextTable has them. Without a header 3 columns,
 /// or 6 with normals.
-SpacePoints read_space_table(std::string_view text, const std::string& name,
-                             const std::optional<std::vector<Column>>& columns);
+SpacePoints read_space_table(std::string_view text, const std::string& name, const SpaceChoice& choice);
 
 /// The vertices: x, y, z; nx, ny, nz and red, green, blue (of type uchar) when all three are there.
 SpacePoints read_ply_space(std::string_view bytes, const std::string& name);
 
-/// The vertices, with the normals of NOFF. Faces are not read.
+/// The vertices, with the normals of NOFF and the colours of COFF. Faces are not read.
 SpacePoints read_off_space(std::string_view text, const std::string& name);
 
-/// The lines "v" and "vn". A vertex has the normal that the corners of faces give it; where faces name none, there are
+/// The lines "v", with colours where they have six numbers or more, and "vn". A vertex has the normal that the corners of faces give it; where faces name none, there are
 /// normals when they are as many as vertices, in their order. Where neither says one for each vertex there are none.
 SpacePoints read_obj_space(std::string_view text, const std::string& name);
 
@@ -38,7 +37,7 @@ SpacePoints read_pcd_space(std::string_view bytes, const std::string& name);
 /// An array of shape (n, 3) or (n, 6) as read_npy_layout() has it.
 SpacePoints read_npy_space(std::string_view bytes, const std::string& name);
 
-/// x, y and z of every record, or of those that a condition selects.
+/// x, y and z of every record, or of those that a condition selects; red, green and blue unless all are black.
 SpacePoints read_las_space(std::string_view bytes, const std::string& name, const std::optional<Condition>& where);
 
 /// For readers of binary files: appends the point of 3 values, or with its normal of 6, which have to be finite.

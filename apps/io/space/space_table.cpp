@@ -9,6 +9,7 @@
 #include "io/table/field_text.h"
 #include "io/table/fields.h"
 #include "io/table/header.h"
+#include "io/table/line_selection.h"
 #include "io/table/separator.h"
 
 namespace rbpa::app {
@@ -16,21 +17,26 @@ namespace {
 
 class SpaceTable {
  public:
-  SpaceTable(std::string_view text, const std::string& name, const std::optional<std::vector<Column>>& columns)
-      : lines_(beyond_byte_order_mark(text, name)), name_(name), columns_(columns) {}
+  SpaceTable(std::string_view text, const std::string& name, const SpaceChoice& choice)
+      : lines_(beyond_byte_order_mark(text, name)),
+        name_(name),
+        columns_(choice.columns),
+        selection_(choice.where, choice.skip_invalid) {}
 
   SpacePoints read() {
     bool line = lines_.next_with_content();
     if (line && is_separator_hint(lines_.line())) line = lines_.next_with_content();
     const bool header = line && take_first_line();
     if (!line && is_by_name()) bad_input(name_, "no header line", "one with the column names");
+    if (line) find_fields(header);
     if (header) line = lines_.next_with_content();
     if (!line) return std::move(file_);
 
     separator_ = separator_of(lines_.line());
     reserve();
-    do read_line();
+    do selection_.attempt([this] { take_line(); });
     while (lines_.next_with_content());
+    selection_.tell(!file_.points.empty(), name_, file_.remarks);
     return std::move(file_);
   }
 
@@ -60,6 +66,13 @@ class SpaceTable {
     role_.assign(*std::max_element(place_.begin(), place_.end()) + 1, none);
     for (std::size_t i = 0; i < place_.size(); ++i) role_[place_[i]] = i;
     return header;
+  }
+
+  /// Those of --where, by the current line if it is the header.
+  void find_fields(bool header) {
+    if (!selection_.has_condition()) return;
+    const char separator = separator_of(lines_.line());
+    selection_.find_columns(header ? split(lines_.line(), separator) : std::vector<std::string_view>(), lines_, name_);
   }
 
   [[noreturn]] void refuse_width(const std::vector<std::string_view>& fields) const {
@@ -114,7 +127,20 @@ class SpaceTable {
     reserve_points(file_, count, place_.size() == 6, false);
   }
 
-  void read_line() {
+  /// The point of the current line, if it counts.
+  void take_line() {
+    const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
+    const auto take = [this](std::size_t count) { take_width(count); };
+    if (selection_.is_selected(Fields(lines_.line(), separator_), read, take)) read_point();
+  }
+
+  void take_width(std::size_t count) {
+    if (width_ == 0) width_ = count;
+    if (count != width_)
+      bad_input(here(), found_columns(count), std::to_string(width_) + " as in line " + std::to_string(first_line_));
+  }
+
+  void read_point() {
     Fields fields(lines_.line(), separator_);
     std::array<double, 6> value{};
     std::size_t count = 0;
@@ -125,14 +151,16 @@ class SpaceTable {
         fields.take();
       }
     }
-    if (width_ == 0) width_ = count;
-    if (count != width_)
-      bad_input(here(), found_columns(count), std::to_string(width_) + " as in line " + std::to_string(first_line_));
+    take_width(count);
+    const Point3 normal{value[3], value[4], value[5]};
+    if (place_.size() == 6 && normal == Point3{})
+      bad_input(here(), "a normal of length 0", "one of another length" + selection_.hint());
     file_.points.push_back({value[0], value[1], value[2]});
-    if (place_.size() == 6) file_.normals.push_back({value[3], value[4], value[5]});
+    if (place_.size() == 6) file_.normals.push_back(normal);
   }
 
-  double read_number(Fields& fields) {
+  /// `where`, for messages, is empty for what is read of a point.
+  double read_number(Fields& fields, std::string_view where = {}) {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
     if (number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end)) {
       all_whole_ = all_whole_ && std::trunc(number.value) == number.value;
@@ -146,7 +174,10 @@ class SpaceTable {
     }
     comma_.refuse_point(field, here());
     const ParsedNumber whole = parse_whole_number(field);
-    if (whole.fault != NumberFault::none) bad_input(here(), in_quotes(field), expected_instead(whole.fault));
+    if (whole.fault != NumberFault::none)
+      bad_input(here(), in_quotes(field),
+                expected_instead(whole.fault) + std::string(where) +
+                    (is_missing(field) || !where.empty() ? selection_.hint() : std::string()));
     all_whole_ = all_whole_ && std::trunc(whole.value) == whole.value;
     return whole.value;
   }
@@ -156,6 +187,7 @@ class SpaceTable {
   Lines lines_;
   const std::string& name_;
   const std::optional<std::vector<Column>>& columns_;
+  LineSelection selection_;
   SpacePoints file_ = {};
   std::vector<std::size_t> place_ = {};  // columns of x, y, z, and those of the normal
   std::vector<std::size_t> role_ = {};   // which of these a column is
@@ -168,9 +200,8 @@ class SpaceTable {
 
 }  // namespace
 
-SpacePoints read_space_table(std::string_view text, const std::string& name,
-                             const std::optional<std::vector<Column>>& columns) {
-  return SpaceTable(text, name, columns).read();
+SpacePoints read_space_table(std::string_view text, const std::string& name, const SpaceChoice& choice) {
+  return SpaceTable(text, name, choice).read();
 }
 
 }  // namespace rbpa::app

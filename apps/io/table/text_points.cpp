@@ -13,12 +13,17 @@
 #include "io/table/field_text.h"
 #include "io/table/fields.h"
 #include "io/table/header.h"
+#include "io/table/line_selection.h"
 #include "io/table/separator.h"
 
 namespace rbpa::app {
 class TextTable::Reader {
  public:
-  Reader(std::string name, TableRule rule) : lines_({}), name_(std::move(name)), rule_(std::move(rule)) {}
+  Reader(std::string name, TableRule rule)
+      : lines_({}),
+        name_(std::move(name)),
+        rule_(std::move(rule)),
+        selection_(std::move(rule_.where), rule_.skip_invalid) {}
 
   void read(std::string_view text) {
     if (lines_.number() == 0 && !has_text_) text = beyond_byte_order_mark(text, name_);
@@ -32,7 +37,7 @@ class TextTable::Reader {
     file_.points.reserve(std::min(count_line_ends(lines_.rest()) + 1, text.size() / 4 + 1));
     do {
       take_line();
-      if (width_ && !wkt_ && !comma_.is_used() && !rule_.where) read_plain_lines();
+      if (width_ && !wkt_ && !comma_.is_used() && !selection_.has_condition()) read_plain_lines();
     } while (lines_.next_with_content());
   }
 
@@ -40,7 +45,7 @@ class TextTable::Reader {
     const bool by_name = rule_.columns && (rule_.columns->x.number == 0 || rule_.columns->y.number == 0);
     if (by_name && (place_ == Place::hint || place_ == Place::header))
       bad_input(name_, "no header line", "one with the column names");
-    tell();
+    selection_.tell(any_points_ || !file_.points.empty(), name_, file_.remarks);
   }
 
   PointFile& file() { return file_; }
@@ -57,7 +62,8 @@ class TextTable::Reader {
     }
     if (place_ == Place::header) {
       const bool header = take_header();
-      if (rule_.where) find_fields(header);
+      selection_.find_columns(header ? split(header_, separator_of(header_)) : std::vector<std::string_view>(), lines_,
+                              name_);
       place_ = Place::first_data;
       if (!header) first_line_ = lines_.number();
       if (header && !lines_.next_with_content()) return false;
@@ -137,37 +143,6 @@ class TextTable::Reader {
     return header_.find_first_of(",;\t") == std::string_view::npos ? ';' : separator_of(header_);
   }
 
-  /// The columns of --where, by a header.
-  void find_fields(bool header) {
-    if (!header) bad_input(name_, "no header line", "one with the names that --where asks for");
-    const std::vector<std::string_view> names = split(header_, separator_of(header_));
-    for (const std::string& field : rule_.where->fields())
-      field_columns_.push_back(find_column(names, field, lines_, name_));
-    field_values_.resize(field_columns_.size());
-    selects_.emplace(*rule_.where);
-  }
-
-  /// Whether the current line counts.
-  bool is_selected() {
-    if (!selects_) return true;
-    Fields fields(lines_.line(), separator_);
-    std::size_t count = 0;
-    for (; !fields.at_end(); ++count) {
-      const auto asked = std::find(field_columns_.begin(), field_columns_.end(), count);
-      if (asked == field_columns_.end()) {
-        fields.take();
-        continue;
-      }
-      const double value = read_number(fields, " in a column that --where asks for");
-      for (std::size_t i = 0; i < field_columns_.size(); ++i)  // which may have been named in two ways
-        if (field_columns_[i] == count) field_values_[i] = value;
-    }
-    take_width(count);
-    const bool counts = (*selects_)(field_values_);
-    ++(counts ? selected_ : deselected_);
-    return counts;
-  }
-
   /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
   void read_plain_lines() {
     for (Point p; const char* behind = read_plain_line(p); lines_.pass_line(behind)) {
@@ -213,14 +188,14 @@ class TextTable::Reader {
     return at == end || *at == '\n' ? at : nullptr;
   }
 
-  /// The points of the current line, or a note that there are none.
+  /// The points of the current line, if it counts.
   void take_line() {
-    try {
-      if (is_selected()) wkt_ ? read_geometries() : read_point();
-    } catch (const BadInput& refusal) {
-      if (!rule_.skip_invalid) throw;
-      if (skipped_++ == 0) first_skipped_ = refusal.what();
-    }
+    selection_.attempt([this] {
+      const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
+      const auto take = [this](std::size_t count) { take_width(count); };
+      if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
+        wkt_ ? read_geometries() : read_point();
+    });
   }
 
   void read_point() {
@@ -266,7 +241,7 @@ class TextTable::Reader {
       bad_input(here(), fault.found, fault.expected);
     }
     if (file_.points.size() == first)
-      bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + skip_hint());
+      bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + selection_.hint());
     if (!geometries.crs()) return;
     if (file_.crs && file_.crs->code != geometries.crs()->code)
       bad_input(here(), geometries.crs()->text(), file_.crs->text() + " as in lines before");
@@ -274,7 +249,7 @@ class TextTable::Reader {
   }
 
   /// `where`, for messages, is empty for a coordinate.
-  double read_number(Fields& fields, const std::string& where = "") {
+  double read_number(Fields& fields, std::string_view where = {}) {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
     const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
     if (whole_field) return number.value;
@@ -284,8 +259,8 @@ class TextTable::Reader {
     const ParsedNumber whole = parse_whole_number(field);
     if (whole.fault != NumberFault::none)
       bad_input(here(), in_quotes(field),
-                expected_instead(whole.fault) + where +
-                    (is_missing(field) || !where.empty() ? skip_hint() : hint(whole.fault)));
+                expected_instead(whole.fault) + std::string(where) +
+                    (is_missing(field) || !where.empty() ? selection_.hint() : hint(whole.fault)));
     return whole.value;
   }
 
@@ -300,27 +275,11 @@ class TextTable::Reader {
     return value;
   }
 
-  std::string skip_hint() const {
-    return rule_.skip_invalid ? "" : " (--skip-invalid leaves out lines that are no point)";
-  }
-
   /// The first point has text where a number should be: others of its columns may be meant.
   std::string hint(NumberFault fault) const {
     if (fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
     if (split(lines_.line(), separator_).size() <= 2) return "";
     return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
-  }
-
-  /// What was selected, and what was left out.
-  void tell() {
-    if (selects_)
-      file_.remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
-                              " are as --where asks");
-    if (skipped_ == 0) return;
-    if (file_.points.empty() && !any_points_ && deselected_ == 0)
-      bad_input(name_, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
-    file_.remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
-                            " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
   }
 
   Lines lines_;
@@ -339,12 +298,7 @@ class TextTable::Reader {
   std::string header_ = {};                          // empty without one
   std::size_t first_point_ = 0;                      // its line
   DecimalComma comma_ = {};
-  std::vector<std::size_t> field_columns_ = {};  // of the fields of --where
-  std::vector<double> field_values_ = {};
-  std::optional<Decision> selects_ = std::nullopt;  // where there is a --where
-  std::size_t selected_ = 0, deselected_ = 0;       // lines
-  std::size_t skipped_ = 0;
-  std::string first_skipped_ = {};
+  LineSelection selection_;
 };
 
 TextTable::TextTable(const std::string& name, const TableRule& rule) : reader_(std::make_unique<Reader>(name, rule)) {}

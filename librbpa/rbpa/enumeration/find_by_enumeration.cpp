@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "rbpa/predicate/predicates.h"
@@ -16,6 +15,7 @@
 // After it: what follows is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
+#include "rbpa/enumeration/owned_points-inl.h"
 #include "rbpa/tile/circumradius_filter-inl.h"
 #include "rbpa/vector/mask_bits-inl.h"
 
@@ -36,8 +36,7 @@ class Enumeration {
         alpha_(alpha),
         at_(workspace.coordinates),
         front_(workspace.front),
-        labels_(own.labels),
-        owned_bits_(own.owned_bits),
+        owned_points_(own),
         near_rim_(own.near_rim),
         scaled_(std::min(alpha * at_.scale, 1.0)),
         reach_(static_cast<float>(2 * scaled_) * (1 + 0x1p-16f) + 0x1p-21f),
@@ -46,9 +45,10 @@ class Enumeration {
   bool run() {
     constexpr float max_cells = 0.99f;  // who is within reach is in a cell beside the point's
     if (!(reach_ <= max_cells * at_.cell) || !at_.unknown.empty()) return false;
-    label();
-    const Box around{owned_box_.x_low - reach_, owned_box_.x_high + reach_, owned_box_.y_low - reach_,
-                     owned_box_.y_high + reach_};
+    owned_points_.find(tile_, at_);
+    const OwnedPoints::Box& owned = owned_points_.box();
+    const OwnedPoints::Box around{owned.x_low - reach_, owned.x_high + reach_, owned.y_low - reach_,
+                                  owned.y_high + reach_};
     if (around.x_low < at_.x_low || around.x_high > at_.x_high || around.y_low < at_.y_low ||
         around.y_high > at_.y_high)
       return false;
@@ -72,19 +72,14 @@ class Enumeration {
   using D = hn::CappedTag<float, 16>;
   using DI = hn::RebindToSigned<D>;
   using V = hn::Vec<D>;
-  using Bits = std::uint64_t;
+  using Bits = OwnedPoints::Bits;
   using Exact = Predicates<double>;
 
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t at_once = 32, rows_at_once = 3;
   static constexpr std::size_t max_near = 48, near_padding = 16;  // bits of a word; a register more is written
   static constexpr std::size_t full = 1024;                       // triples; more than one pair can add fit beside them
-  static constexpr std::size_t word = 64;
-  static_assert(max_near < word);
-
-  struct Box {
-    float x_low, x_high, y_low, y_high;
-  };
+  static_assert(max_near < OwnedPoints::word);
 
   /// A point that is listed, and those within reach of it, in ascending order: from `next` on they come after it.
   struct Near {
@@ -95,42 +90,8 @@ class Enumeration {
     std::size_t count, next;
   };
 
-  static std::int32_t label_of(std::size_t point, bool is_owned) {
-    return static_cast<std::int32_t>(2 * point + std::size_t{is_owned});
-  }
-  static std::size_t point_of(std::int32_t label) { return static_cast<std::size_t>(label) / 2; }
+  static std::size_t point_of(std::int32_t label) { return OwnedPoints::point_of(label); }
   bool owns(std::size_t point) const { return tile_.owned[point] != 0; }
-
-  /// Labels ascend with the points.
-  void label() {
-    const std::size_t n = tile_.points.size();
-    if (labels_.size() < n + near_padding) labels_.resize(n + near_padding);
-    for (std::size_t v = 0; v < n; ++v) labels_[v] = label_of(v, tile_.owned[v] != 0);
-    owned_bits_.assign(n / word + 2, 0);
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    const D d;
-    const DI di;
-    V x_low = hn::Set(d, infinity), x_high = hn::Neg(x_low), y_low = x_low, y_high = x_high;
-    for (std::size_t v = 0; v < n; v += lanes) {
-      const auto is_owned =
-          hn::And(hn::And(hn::LoadU(di, labels_.data() + v), hn::Set(di, 1)) == hn::Set(di, 1), hn::FirstN(di, n - v));
-      owned_bits_[v / word] |= bits_of(di, is_owned) << v % word;
-      const auto owned = hn::RebindMask(d, is_owned);
-      const V x = hn::LoadU(d, at_.x.data() + v), y = hn::LoadU(d, at_.y.data() + v);
-      x_low = hn::IfThenElse(owned, hn::Min(x, x_low), x_low);
-      x_high = hn::IfThenElse(owned, hn::Max(x, x_high), x_high);
-      y_low = hn::IfThenElse(owned, hn::Min(y, y_low), y_low);
-      y_high = hn::IfThenElse(owned, hn::Max(y, y_high), y_high);
-    }
-    owned_box_ = {hn::GetLane(hn::MinOfLanes(d, x_low)), hn::GetLane(hn::MaxOfLanes(d, x_high)),
-                  hn::GetLane(hn::MinOfLanes(d, y_low)), hn::GetLane(hn::MaxOfLanes(d, y_high))};
-  }
-
-  /// Which points the tile owns, from one on, for at least max_near of them.
-  Bits owned_from(std::size_t point) const {
-    const std::size_t first = point / word, skipped = point % word;
-    return owned_bits_[first] >> skipped | owned_bits_[first + 1] << 1 << (word - 1 - skipped);
-  }
 
   /// Points of a row. False: too much is near them.
   bool take(int row, std::size_t first, std::size_t count) {
@@ -195,7 +156,7 @@ class Enumeration {
         in_row |= bits_of(d, dx * dx + dy * dy <= reach) << i;
       } while ((i += lanes) < count);
       near |= (in_row & lowest(count)) << place;
-      owned |= (owned_from(first) & lowest(count)) << place;
+      owned |= (owned_points_.from(first) & lowest(count)) << place;
       place += count;
     }
     const std::size_t self =
@@ -247,7 +208,7 @@ class Enumeration {
         const auto is_near = mask_of(d, here);
         hn::StoreU(hn::Compress(hn::LoadU(d, at_.x.data() + first + i), is_near), d, near.x + count);
         hn::StoreU(hn::Compress(hn::LoadU(d, at_.y.data() + first + i), is_near), d, near.y + count);
-        hn::StoreU(hn::Compress(hn::LoadU(di, labels_.data() + first + i), hn::RebindMask(di, is_near)), di,
+        hn::StoreU(hn::Compress(hn::LoadU(di, owned_points_.labels() + first + i), hn::RebindMask(di, is_near)), di,
                    near.label + count);
         count += static_cast<std::size_t>(std::popcount(here));
       } while ((i += lanes) < around);
@@ -388,12 +349,10 @@ class Enumeration {
   double alpha_;
   const TileCoordinates& at_;
   LocalFront& front_;
-  std::vector<std::int32_t>& labels_;
-  std::vector<Bits>& owned_bits_;
+  OwnedPoints owned_points_;
   std::vector<TilePatch::Neighbors>& near_rim_;
   double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
   float reach_, factor_;
-  Box owned_box_{};
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
   std::size_t taken_ = 0, wanted_ = 0;  // points, and triples of which they are the first
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];

@@ -15,34 +15,62 @@ namespace {
 
 Ring reversed(const Ring& ring) { return {{ring.points.rbegin(), ring.points.rend()}}; }
 
+/// Rings that do not meet, and which is in which.
+class ApartRings {
+ public:
+  ApartRings(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on)
+      : points_(points), rings_(rings) {
+    const RingName name = [](std::size_t ring) { return "ring " + std::to_string(ring); };
+    check_points(points, rings, name);
+    const NestedRings nested = nest_rings(points, rings, name, go_on);
+    if (nested.meet) throw InvalidInput(nested.meet->why + "; expected rings that do not meet");
+    place_ = nested.place;
+  }
+
+  std::vector<Polygon> polygons() const {
+    std::vector<Polygon> polygons = regions(false);
+    for (Polygon& polygon : polygons) measure(polygon, points_);
+    return polygons;
+  }
+
+  /// What is within holes, as polygons: with the shells in them for their holes.
+  std::vector<Polygon> holes() const { return regions(true); }
+
+ private:
+  /// What is directly within holes, or within shells: the rings around these turn counter-clockwise.
+  std::vector<Polygon> regions(bool within_holes) const {
+    std::vector<Polygon> regions;
+    std::vector<std::size_t> region_of(rings_.size());
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      if (place_[r].is_hole() != within_holes) continue;
+      region_of[r] = regions.size();
+      regions.push_back({.shell = turned(r, true)});
+    }
+    for (std::size_t r = 0; r < rings_.size(); ++r)
+      if (place_[r].is_hole() != within_holes && place_[r].inside)
+        regions[region_of[*place_[r].inside]].holes.push_back(turned(r, false));
+    return regions;
+  }
+
+  Ring turned(std::size_t r, bool counter_clockwise) const {
+    return place_[r].is_counter_clockwise == counter_clockwise ? rings_[r] : reversed(rings_[r]);
+  }
+
+  std::span<const Point> points_;
+  std::span<const Ring> rings_;
+  std::vector<RingPlace> place_;
+};
+
 }  // namespace
 
 std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                        const std::function<bool()>& go_on) {
-  const RingName name = [](std::size_t ring) { return "ring " + std::to_string(ring); };
-  check_points(points, rings, name);
-  const NestedRings nested = nest_rings(points, rings, name, go_on);
-  if (nested.meet) throw InvalidInput(nested.meet->why + "; expected rings that do not meet");
-  std::vector<Polygon> polygons;
-  std::vector<std::size_t> polygon_of(rings.size());
-  const auto oriented = [&](std::size_t r) {
-    return nested.place[r].is_counter_clockwise == nested.place[r].is_hole() ? reversed(rings[r]) : rings[r];
-  };
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (nested.place[r].is_hole()) continue;
-    polygon_of[r] = polygons.size();
-    polygons.push_back({.shell = oriented(r)});
-  }
-  for (std::size_t r = 0; r < rings.size(); ++r)
-    if (nested.place[r].is_hole()) polygons[polygon_of[*nested.place[r].inside]].holes.push_back(oriented(r));
-  for (Polygon& polygon : polygons) measure(polygon, points);
-  return polygons;
+  return ApartRings(points, rings, go_on).polygons();
 }
 
 std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                        std::span<const Point> in_holes, const std::function<bool()>& go_on) {
-  std::vector<Polygon> polygons = polygons_of_rings(points, rings, go_on);
-  // What is within a hole is as much a polygon: with the shells in it for its holes.
+  const ApartRings apart(points, rings, go_on);
   std::vector<Point> all(points.begin(), points.end());
   std::vector<std::uint32_t> queries;
   for (std::size_t i = 0; i < in_holes.size(); ++i) {
@@ -52,18 +80,8 @@ std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<
     queries.push_back(static_cast<std::uint32_t>(all.size()));
     all.push_back(in_holes[i]);
   }
-  std::vector<Polygon> insides;
-  for (const Polygon& polygon : polygons)
-    for (const Ring& hole : polygon.holes) insides.push_back({.shell = reversed(hole)});
+  const std::vector<Polygon> insides = apart.holes();
   Steps step(go_on);
-  const std::vector<std::optional<HoleOf>> nested = nesting(polygons, points, step);
-  std::vector<std::size_t> first_inside(polygons.size(), 0);
-  for (std::size_t p = 1; p < polygons.size(); ++p)
-    first_inside[p] = first_inside[p - 1] + polygons[p - 1].holes.size();
-  for (std::size_t p = 0; p < polygons.size(); ++p)
-    if (nested[p])
-      insides[first_inside[nested[p]->polygon] + nested[p]->hole].holes.push_back(reversed(polygons[p].shell));
-
   std::vector<bool> has_point(insides.size(), false);
   const std::vector<std::optional<std::uint32_t>> around = polygons_around(insides, all, queries, step);
   for (std::size_t i = 0; i < in_holes.size(); ++i) {
@@ -79,7 +97,7 @@ std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<
                        ": found it within another and no hole point in it, expected one: lines inside of a polygon are "
                        "not kept");
   }
-  return polygons;
+  return apart.polygons();
 }
 
 }  // namespace rbpa

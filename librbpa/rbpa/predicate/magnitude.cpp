@@ -38,7 +38,7 @@ Magnitude magnitude_bound(std::span<const Point> points) {
   for (const Point& p : points) {
     const Two<double> size = magnitudes(std::bit_cast<Two<double>>(p));
     greatest = size > greatest ? size : greatest;
-    least = (size < least) & (size > zero) ? size : least;
+    least = ((size < least) & (size > zero)) ? size : least;
   }
   const double low = std::min(least[0], least[1]), high = std::max(greatest[0], greatest[1]);
   if (high == 0) return {};

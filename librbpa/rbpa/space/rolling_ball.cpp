@@ -68,8 +68,7 @@ class RollingBall::Inside {
   }
   bool agrees(const Triangle& triangle) const {
     for (const std::uint32_t corner : triangle) meshops::require(corner < points_.size(), "RollingBall: no such point");
-    const auto disagreeing = agreement_.disagreeing(triangle);
-    return std::find(disagreeing.begin(), disagreeing.end(), true) == disagreeing.end();
+    return agreement_(triangle[0], triangle[1], triangle[2]);
   }
 
  private:

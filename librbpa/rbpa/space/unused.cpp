@@ -37,8 +37,7 @@ void ask_exposed(const space::Excerpt& near, const Surface& exposed, const space
   for (const auto& local : exposed.triangles) {
     const std::array triangle = {near.input[local[0]], near.input[local[1]], near.input[local[2]]};
     if (std::none_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) { return wanted[i] != 0; })) continue;
-    const auto disagreeing = agreement.disagreeing(triangle);
-    const bool agrees = std::find(disagreeing.begin(), disagreeing.end(), true) == disagreeing.end();
+    const bool agrees = agreement(triangle[0], triangle[1], triangle[2]);
     for (const std::uint32_t i : triangle)
       causes[i] = std::max(causes[i], agrees ? UnusedCause::blocked : UnusedCause::normals_disagree);
   }

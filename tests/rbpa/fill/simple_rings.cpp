@@ -150,6 +150,20 @@ TEST_CASE("of rings by even and odd depth are shells and holes, each in the smal
   CHECK(refused({{1.5, 0}, {0, 0.25}}).find("the ring through (5, -1)") != std::string::npos);
   CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {0.75, 0}}).find("hole point 3 at (0.75, 0)") != std::string::npos);
   CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {50, 0}}).find("hole point 3 at (50, 0)") != std::string::npos);
+
+  // Wherever rings begin.
+  for (int turn = 1; turn < 4; ++turn) {
+    CAPTURE(turn);
+    for (Ring& ring : rings) std::rotate(ring.points.begin(), ring.points.begin() + 1, ring.points.end());
+    const std::vector<Polygon> same = rbpa::polygons_of_rings(points, rings, in_holes);
+    REQUIRE(same.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(same[i].area == polygons[i].area);
+      CHECK(same[i].holes.size() == polygons[i].holes.size());
+    }
+    CHECK(refused({{1.5, 0}, {0, 0.25}}).find("the ring through ") != std::string::npos);
+    CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {0.75, 0}}).find("hole point 3 at (0.75, 0)") != std::string::npos);
+  }
 }
 
 TEST_SUITE_END();

@@ -1,12 +1,14 @@
 // What: whether triangles agree with the normals at their corners.
 // Law:  exact. At a corner count the normals of all points that are there.
-// Cost: as TriangleNormal, for each normal.
+// Cost: some nanoseconds in double, where points fit it; else as TriangleNormal, for each normal.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "rbpa/core/duplicate.h"
@@ -15,35 +17,106 @@
 
 namespace rbpa::space {
 
+/// Corners are numbers of places, and triangles are oriented and have a normal.
 class Agreement {
  public:
-  /// Keeps the spans. Requires: the duplicates among the points; a normal of each, or none at all: then all agrees.
-  Agreement(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates)
-      : points_(points), normals_(normals), duplicates_(duplicates.begin(), duplicates.end()) {
-    std::sort(duplicates_.begin(), duplicates_.end(), [](const Duplicate& d, const Duplicate& e) {
-      return d.stands_for != e.stands_for ? d.stands_for < e.stands_for : d.index < e.index;
-    });
+  /// One more normal at a place.
+  struct Further {
+    std::uint32_t place;
+    Point3 normal;
+  };
+
+  /// Keeps the spans. Requires: a normal of each place, or none at all: then all agrees. Whether the places fit double is what
+  /// scale_to_double() says.
+  Agreement(std::span<const Point3> places, std::span<const Point3> normals, std::vector<Further> further,
+            bool fits_double)
+      : places_(places), normals_(normals), further_(std::move(further)), fits_double_(fits_double) {
+    std::sort(further_.begin(), further_.end(),
+              [](const Further& a, const Further& b) { return a.place < b.place; });  // of one place in any order
   }
 
-  /// Of each corner of an oriented triangle with a normal, whether one of the normals there has no positive product with its own.
-  std::array<bool, 3> disagreeing(const std::array<std::uint32_t, 3>& triangle) const {
-    std::array<bool, 3> result = {false, false, false};
-    if (normals_.empty()) return result;
-    const TriangleNormal normal(points_[triangle[0]], points_[triangle[1]], points_[triangle[2]]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      result[k] = normal.sign_along(normals_[triangle[k]]) <= 0;
-      const auto others =
-          std::equal_range(duplicates_.begin(), duplicates_.end(), Duplicate{0, triangle[k]},
-                           [](const Duplicate& d, const Duplicate& e) { return d.stands_for < e.stands_for; });
-      for (auto other = others.first; other != others.second; ++other)
-        result[k] = result[k] || normal.sign_along(normals_[other->index]) <= 0;
+  /// Of input points, of any size. Requires: the duplicates among them.
+  Agreement(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates)
+      : Agreement(points, normals, further_of(normals, duplicates), false) {}
+
+  /// Whether the triangle's own normal has a positive product with all at its corners.
+  bool operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (normals_.empty()) return true;
+    if (fits_double_ && further_.empty()) {
+      const InDouble normal(places_[a], places_[b], places_[c]);
+      int certain = 0;
+      for (const std::uint32_t corner : {a, b, c}) {
+        const int sign = normal.sign_along(normals_[corner]);
+        if (sign < 0) return false;
+        certain += sign;
+      }
+      if (certain == 3) return true;
     }
-    return result;
+    const TriangleNormal normal(places_[a], places_[b], places_[c]);
+    return !disagrees_at(a, normal) && !disagrees_at(b, normal) && !disagrees_at(c, normal);
+  }
+
+  /// Of each corner, whether one of the normals there has no positive product with the triangle's own.
+  std::array<bool, 3> disagreeing(const std::array<std::uint32_t, 3>& triangle) const {
+    const auto [a, b, c] = triangle;
+    if (normals_.empty()) return {false, false, false};
+    const TriangleNormal normal(places_[a], places_[b], places_[c]);
+    return {disagrees_at(a, normal), disagrees_at(b, normal), disagrees_at(c, normal)};
+  }
+
+  /// Some triangle (v, x, y) may agree, of a cycle of places around v in which x follows y. False is certain.
+  bool may_agree(std::uint32_t v, std::span<const std::uint32_t> cycle) const {
+    if (!fits_double_ || normals_.empty()) return true;
+    for (std::size_t k = 0; k < cycle.size(); ++k) {
+      const std::uint32_t x = cycle[k], y = cycle[k == 0 ? cycle.size() - 1 : k - 1];
+      if (InDouble(places_[v], places_[x], places_[y]).sign_along(normals_[v]) >= 0) return true;
+    }
+    return false;
   }
 
  private:
-  std::span<const Point3> points_, normals_;
-  std::vector<Duplicate> duplicates_;  // by what they stand for
+  /// The normal of a triangle whose corners fit double.
+  class InDouble {
+   public:
+    InDouble(const Point3& a, const Point3& b, const Point3& c) {
+      const Vector3<double> u = from<double>(a, b), v = from<double>(a, c);
+      normal_ = cross(u, v);
+      magnitude_ = {std::abs(u.y * v.z) + std::abs(u.z * v.y), std::abs(u.z * v.x) + std::abs(u.x * v.z),
+                    std::abs(u.x * v.y) + std::abs(u.y * v.x)};
+    }
+
+    /// 0 when it is not certain.
+    int sign_along(const Point3& m) const {
+      const double product = normal_.x * m.x + normal_.y * m.y + normal_.z * m.z;
+      const double bound =
+          0x1p-50 * (magnitude_.x * std::abs(m.x) + magnitude_.y * std::abs(m.y) + magnitude_.z * std::abs(m.z));
+      if (!(bound > 0x1p-900)) return 0;  // products may have underflown
+      return product > bound ? 1 : product < -bound ? -1 : 0;
+    }
+
+   private:
+    Vector3<double> normal_, magnitude_;
+  };
+
+  static std::vector<Further> further_of(std::span<const Point3> normals, std::span<const Duplicate> duplicates) {
+    std::vector<Further> further;
+    if (!normals.empty())
+      for (const Duplicate& d : duplicates) further.push_back({d.stands_for, normals[d.index]});
+    return further;
+  }
+
+  bool disagrees_at(std::uint32_t corner, const TriangleNormal& normal) const {
+    if (normal.sign_along(normals_[corner]) <= 0) return true;
+    auto other = std::lower_bound(further_.begin(), further_.end(), corner,
+                                  [](const Further& f, std::uint32_t place) { return f.place < place; });
+    for (; other != further_.end() && other->place == corner; ++other)
+      if (normal.sign_along(other->normal) <= 0) return true;
+    return false;
+  }
+
+  std::span<const Point3> places_, normals_;
+  std::vector<Further> further_;  // by place
+  bool fits_double_;
 };
 
 }  // namespace rbpa::space

@@ -1,0 +1,92 @@
+// What: the command lines of the verbs of other advancing fronts: polygons to fill, points in space.
+#include <CLI/App.hpp>
+#include <string>
+
+#include "cli/shared_options.h"
+#include "cli/verbs.h"
+#include "program/exit_code.h"
+
+namespace rbpa::app {
+
+CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("fill", "Polygons with holes as triangles of a wanted size");
+  verb.add_option("POLYGON", arguments.polygons, "File of polygons, .gz or not, or - for standard input")->required();
+  verb.add_option("--format", arguments.format,
+                  "Format of POLYGON, where its ending does not say: " + std::string(polygon_formats))
+      ->type_name("NAME");
+  verb.add_option("--size", arguments.size,
+                  "Length that edges are to have, required, in units of the polygons; where others ask for less, the "
+                  "greatest")
+      ->type_name("H")
+      ->required();
+  verb.add_option(
+          "--size-at", arguments.size_at,
+          "Text with x, y and a size on each line: about the length of edges at that place, from which they grow")
+      ->type_name("FILE");
+  verb.add_option("--grade", arguments.grade,
+                  "How much sizes grow for each unit of distance: from those of --size-at (0.25 by default), and from "
+                  "the polygons' own edges, which without this ask for nothing")
+      ->type_name("G");
+  add_switch(verb, "--keep-boundary", arguments.keep_boundary,
+             "Leave the edges of the polygons whole; by default those that are longer than the size are cut");
+  add_output_options(verb, arguments, output_formats);
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa fill lake.geojson --size 0.01 -o lake.ply -o lake.png\n"
+      "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
+      "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
+      "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
+      "Polygons that cross or touch themselves or each other are refused, and the place is named.\n"
+      "Vertices of a mesh file are those of POLYGON in its order, then those on edges that were cut, then those "
+      "inside.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("surface", "Triangles through points in space, by a ball of a given radius");
+  verb.add_option("POINTS", arguments.points, "File of points in space, .gz or not, or - for standard input")
+      ->required();
+  verb.add_option("--format", arguments.format,
+                  "Format of POINTS, where its ending does not say: " + std::string(space_formats))
+      ->type_name("NAME");
+  verb.add_option("--columns", arguments.columns,
+                  "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names")
+      ->type_name("X,Y,Z[,NX,NY,NZ]");
+  add_selection_options(verb, arguments);
+  verb.add_option("--radius", arguments.radius,
+                  "Radius of the ball, required, in units of the points; several, ascending, close what the smaller "
+                  "ones left open; auto takes them from the gaps between the points")
+      ->type_name("R[,R2,...]|auto")
+      ->required();
+  verb.add_option("--normals", arguments.normals,
+                  "file, estimate, or none (both sides of everything the ball can touch); by default those of the "
+                  "file where it has any, else estimate")
+      ->type_name("NAME");
+  add_output_options(verb, arguments, surface_formats);
+  add_switch(verb, "--compact", arguments.compact,
+             "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  verb.add_option("--holes", arguments.holes, "Write the boundary curves as polylines, .obj")->type_name("FILE");
+  add_switch(verb, "--json", arguments.json, "Everything, with each hole and its causes, as JSON on standard output");
+  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa surface scan.ply --radius 0.01 -o mesh.ply -o picture.png\n"
+      "  rbpa surface scan.xyz --radius auto -o mesh.obj --holes holes.obj\n"
+      "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
+      "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"
+      "points are unused, is said.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,147 @@
+// What: the command lines of the verbs about points in the plane: what the shape of points is.
+#include <CLI/App.hpp>
+#include <string>
+
+#include "cli/shared_options.h"
+#include "cli/verbs.h"
+#include "io/ogr/ogr.h"
+#include "program/exit_code.h"
+
+namespace rbpa::app {
+
+CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
+  add_point_options(verb, arguments);
+  add_alpha_options(verb, arguments);
+  add_output_options(verb, arguments, output_formats);
+  add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
+  verb.add_option("--complex", arguments.complex,
+                  "solid, or full (with the edges and points of the alpha complex that are in no triangle)")
+      ->type_name("NAME")
+      ->capture_default_str();
+  add_method_options(verb, arguments.method);
+  verb.add_option("--search", arguments.method.search,
+                  "near, or paper (as it was published, slow); the result is the same")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--levels", arguments.levels,
+                  "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on "
+                  "standard output")
+      ->type_name("FILE");
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
+      "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
+      "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
+      "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
+      "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
+      "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
+      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n"
+      "The full complex is lines f, l and p of an .obj; of arrays.npy, which has the triangles, there are\n"
+      "arrays.edges.npy and arrays.points.npy beside it.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
+  CLI::App& verb =
+      *app.add_subcommand("alpha", "Every radius at which the complex changes, and which of them to choose");
+  add_point_options(verb, arguments);
+  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
+      ->type_name("K")
+      ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
+  CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
+  add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
+      ->excludes(json);
+  add_switch(verb, "--persistence", arguments.persistence, "Births and deaths of components and holes");
+  verb.add_option("--complex", arguments.complex,
+                  "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
+      ->type_name("NAME");
+  verb.add_option("-o,--output", arguments.picture,
+                  "Picture to write, .svg: the counts against alpha, and the persistence")
+      ->type_name("OUT");
+  add_run_options(verb, arguments.run, "No progress");
+  verb.footer(
+      "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
+      "are at most K solid components. A plateau is a range of alpha over which parts and holes hardly change; the "
+      "best is "
+      "recommended. Parts are solid components: they hang together through edges, components through points.\n\n"
+      "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
+      "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
+  CLI::App& verb =
+      *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
+  add_point_options(verb, arguments);
+  add_alpha_options(verb, arguments);
+  add_output_options(verb, arguments, std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""));
+  add_method_options(verb, arguments.method);
+  verb.add_option("--min-hole-area", arguments.min_hole_area,
+                  "Fill holes that enclose less, and what lies in them; inf fills all")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--min-part-area", arguments.min_part_area, "Drop polygons of less area, after holes are filled")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--isolated", arguments.isolated,
+                  "File for the points in no polygon, by its ending: " + std::string(isolated_formats) +
+                      (has_gdal() ? ", gpkg, fgb" : ""))
+      ->type_name("FILE");
+  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
+      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
+      "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n\n"
+      "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
+      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"
+      "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
+  add_point_options(verb, arguments);
+  add_switch(verb, "--json", arguments.json, "As JSON");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
+  verb.footer(
+      "The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
+      "Example:\n  rbpa info points.xy --json\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("report", "A page to look at: the complex at every radius, in a browser");
+  add_point_options(verb, arguments);
+  verb.add_option("-o,--output", arguments.output, "Page to write, .html; - is standard output")
+      ->type_name("OUT")
+      ->required();
+  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
+      ->type_name("K")
+      ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "One file with everything in it, for any browser, offline: a slider over alpha, counts, the persistence diagram, "
+      "and the shape as GeoJSON and SVG. About 110 bytes a point; smooth with some hundred thousand.\n\n"
+      "Example:\n  rbpa report points.xy -o report.html\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+}  // namespace rbpa::app

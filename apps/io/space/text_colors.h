@@ -1,0 +1,34 @@
+// What: colours that stand as numbers behind the vertices of a file of text.
+// Law:  one of each vertex, or none and a remark: a file that has them in part has none. Channels are from 0 to 1; where one
+//       of the file is greater, all are from 0 to 255.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/space/space_points.h"
+
+namespace rbpa::app {
+
+class TextColors {
+ public:
+  /// The first three words of what follows a vertex, in line `line`; there may be more. Other words are no colour.
+  void take(std::string_view rest, std::size_t line);
+
+  /// Those of all vertices of the file, once they are taken. It is no loss to have none, unless they are `announced`.
+  void settle(bool announced, SpacePoints& file) const;
+
+ private:
+  std::string fault(bool announced) const;
+
+  std::vector<std::array<float, 3>> channels_ = {};
+  double greatest_ = 0;
+  std::size_t line_without_ = 0;  // the first; 0: there is none
+  std::size_t line_beyond_ = 0;   // the first with a channel below 0 or above 255
+  std::string beyond_ = {};       // that channel
+};
+
+}  // namespace rbpa::app

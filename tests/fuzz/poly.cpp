@@ -1,0 +1,52 @@
+// The reader of polygons in .poly files: any bytes are polygons whose rings, of three vertices or more, share none, and that
+// cover something; or refused in a sentence of one line. The bytes are the file.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fuzz/sentence.h"
+#include "fuzz/target.h"
+#include "io/failure.h"
+#include "io/gis/poly_polygons.h"
+
+namespace {
+
+using namespace rbpa::app;
+
+void is_sound(const PolygonFile& file) {
+  const std::vector<rbpa::Point>& points = file.vertices.points;
+  for (const rbpa::Point& p : points) fuzz::require(std::isfinite(p.x) && std::isfinite(p.y), "vertices are finite");
+  std::vector<bool> used(points.size(), false);
+  const auto is_ring = [&](const rbpa::Ring& ring) {
+    fuzz::require(ring.points.size() >= 3, "a ring has three vertices or more");
+    for (const std::uint32_t v : ring.points) {
+      fuzz::require(v < points.size(), "a ring has vertices of the file");
+      fuzz::require(!used[v], "no vertex is in two rings, or in one twice");
+      used[v] = true;
+    }
+  };
+  for (const rbpa::Polygon& polygon : file.polygons) {
+    is_ring(polygon.shell);
+    for (const rbpa::Ring& hole : polygon.holes) is_ring(hole);
+    fuzz::require(polygon.area >= 0 && polygon.perimeter >= 0, "measures are numbers");
+  }
+}
+
+/// Where rings meet the library names both, which is what was found.
+void is_a_refusal(const std::string& message) {
+  if (message.find("; expected rings that do not meet") == std::string::npos) return fuzz::is_a_sentence(message);
+  fuzz::require(message.starts_with("FILE: ") && rbpa::app::printable(message) == message,
+                "a message is one line of visible characters, and says where");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  try {
+    is_sound(read_poly_polygons(bytes, "FILE"));
+  } catch (const BadInput& refusal) {
+    is_a_refusal(refusal.what());
+  }
+  return 0;
+}

@@ -1,0 +1,27 @@
+// What: a polygon for tests of filling, and why polygons are refused.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rbpa/core/error.h"
+#include "rbpa/fill/fill.h"
+#include "support/triangle.h"
+
+namespace rbpa_test {
+
+/// Of the first four points.
+inline rbpa::Polygon square() { return {.shell = {{0, 1, 2, 3}}}; }
+
+/// "" when they are filled.
+inline std::string refusal(const Points& points, const std::vector<rbpa::Polygon>& polygons,
+                           const rbpa::FillOptions& options = {.size = 1}) {
+  try {
+    rbpa::fill(points, polygons, options);
+  } catch (const rbpa::InvalidInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace rbpa_test
