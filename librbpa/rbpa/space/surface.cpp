@@ -23,6 +23,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
               const SurfaceOptions& options, Keep keep, IsNeeded is_needed, Surface& surface) {
   struct Workspace {
     space::Rings rings;
+    space::SurfaceAssembly::Part scratch;
     std::size_t triangles;
   };
   static_assert(space::SurfaceAssembly::none == Surface::none);
@@ -32,7 +33,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
       threads, assembly.parts(),
       [&](std::size_t part, Workspace& w) {
         space::find_rings(cells, fits_double, assembly.first_in(part), assembly.end_of(part), w.rings);
-        w.triangles = assembly.add(part, w.rings, keep, is_needed);
+        w.triangles = assembly.add(part, w.rings, keep, is_needed, w.scratch);
       },
       [&](std::size_t, Workspace& w) {
         triangles += w.triangles;

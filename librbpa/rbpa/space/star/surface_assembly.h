@@ -23,6 +23,17 @@ class SurfaceAssembly {
   static constexpr std::uint32_t none = 0xffffffff;  // stands for what is across where nothing is
   static constexpr std::size_t part_size = 256;      // sites: few enough that a run can be ended soon
 
+  /// A triangle (v, x, y); the ball rolls about x to (v, after, x), and about y to (v, y, before).
+  struct Owned {
+    Site x, y, before, after;
+  };
+  struct Part {
+    std::vector<Site> points;                // of the rings that are needed, as in Rings
+    std::vector<std::uint32_t> first;        // in points, of each site, and the end
+    std::vector<Owned> owned;                // triangles (v, x, y) of which v has the lowest index, in canonical order
+    std::vector<std::uint32_t> owned_first;  // in owned, of each site, and the end
+  };
+
   /// Keeps a reference.
   explicit SurfaceAssembly(const Cells& cells)
       : cells_(cells), parts_((cells.sites().size() + part_size - 1) / part_size) {}
@@ -35,9 +46,10 @@ class SurfaceAssembly {
 
   /// Takes the triangles of a part for which keep(v, x, y) holds; it is asked once for each triangle. A ring is needed unless
   /// is_needed(v, cycle) denies it for a cycle without any such triangle. For different parts in any order and thread.
+  /// What is in `scratch` does not matter; each thread has one, so that no memory comes and goes between what stays.
   /// Returns: how many.
   template <typename Keep, typename IsNeeded>
-  std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed);
+  std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed, Part& scratch);
 
   /// Fills in the triangles and what lies across their sides, once all parts are there.
   /// Throws: InvalidInput when there are more than can be numbered.
@@ -45,25 +57,16 @@ class SurfaceAssembly {
               std::vector<Triple>& neighbors) const;
 
  private:
-  /// A triangle (v, x, y); the ball rolls about x to (v, after, x), and about y to (v, y, before).
-  struct Owned {
-    Site x, y, before, after;
-  };
-  struct Part {
-    std::vector<Site> points;                // of the rings that are needed, as in Rings
-    std::vector<std::uint32_t> first;        // in points, of each site, and the end
-    std::vector<Owned> owned;                // triangles (v, x, y) of which v has the lowest index, in canonical order
-    std::vector<std::uint32_t> owned_first;  // in owned, of each site, and the end
-  };
-
   const Cells& cells_;
   std::vector<Part> parts_;
 };
 
 template <typename Keep, typename IsNeeded>
-std::size_t SurfaceAssembly::add(std::size_t number, const Rings& rings, Keep keep, IsNeeded is_needed) {
-  Part part;
-  part.points.reserve(rings.points.size());
+std::size_t SurfaceAssembly::add(std::size_t number, const Rings& rings, Keep keep, IsNeeded is_needed, Part& part) {
+  part.points.clear();
+  part.first.clear();
+  part.owned.clear();
+  part.owned_first.clear();
   const std::span<const std::uint32_t> index = cells_.input_index();
   for (Site v = first_in(number); v < end_of(number); ++v) {
     part.first.push_back(static_cast<std::uint32_t>(part.points.size()));
@@ -93,11 +96,7 @@ std::size_t SurfaceAssembly::add(std::size_t number, const Rings& rings, Keep ke
   }
   part.first.push_back(static_cast<std::uint32_t>(part.points.size()));
   part.owned_first.push_back(static_cast<std::uint32_t>(part.owned.size()));
-  part.points.shrink_to_fit();
-  part.owned.shrink_to_fit();
-  part.first.shrink_to_fit();
-  part.owned_first.shrink_to_fit();
-  parts_[number] = std::move(part);
+  parts_[number] = part;
   return parts_[number].owned.size();
 }
 
