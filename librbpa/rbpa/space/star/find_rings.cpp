@@ -1,12 +1,11 @@
 #include "rbpa/space/star/find_rings.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "rbpa/space/pivot/roll_about_edge.h"
 #include "rbpa/space/predicate/ball.h"

@@ -44,7 +44,7 @@ class FreeRegion {
  public:
   using Vector = Vector3<double>;
 
-  static constexpr std::size_t capacity = 64, max_waiting = 64;
+  static constexpr std::size_t capacity = Reach::most_corners, max_waiting = 64;
 
   /// The whole sphere.
   void begin(double radius) {
