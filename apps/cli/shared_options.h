@@ -28,6 +28,14 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("CONDITION");
 }
 
+inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
+  verb.add_option("--stats", file, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+}
+
+inline void add_width_option(CLI::App& verb, std::string& width) {
+  verb.add_option("--width", width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
+}
+
 template <typename Arguments>
 void add_format_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--format", arguments.format,
@@ -53,7 +61,7 @@ void add_format_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--threshold", arguments.pixels.threshold,
                   "Share of white from which on a pixel is light; 0.5 by default")
       ->type_name("T");
-  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  add_stats_option(verb, arguments.stats);
 }
 
 template <typename Arguments>
@@ -78,6 +86,15 @@ inline void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) 
           "Share of the points that min and auto are to cover, such as 0.99, so that outliers decide nothing; auto "
           "then leaves out small components as well; 1 by default")
       ->type_name("SHARE");
+}
+
+/// For the verbs that have no --alpha.
+template <typename Arguments>
+void add_auto_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
+      ->type_name("K")
+      ->capture_default_str();
+  add_cover_option(verb, arguments.cover);
 }
 
 template <typename Arguments>

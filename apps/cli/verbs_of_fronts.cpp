@@ -30,10 +30,8 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
   add_switch(verb, "--keep-boundary", arguments.keep_boundary,
              "Leave the edges of the polygons whole; by default those that are longer than the size are cut");
   add_output_options(verb, arguments, output_formats);
-  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
-  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
-      ->type_name("PIXELS")
-      ->capture_default_str();
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
   add_switch(verb, "-q,--quiet", arguments.quiet, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
@@ -73,10 +71,8 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
              "Leave out vertices that no triangle uses (.npy keeps input indices)");
   verb.add_option("--holes", arguments.holes, "Write the boundary curves as polylines, .obj")->type_name("FILE");
   add_switch(verb, "--json", arguments.json, "Everything, with each hole and its causes, as JSON on standard output");
-  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
-  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
-      ->type_name("PIXELS")
-      ->capture_default_str();
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"

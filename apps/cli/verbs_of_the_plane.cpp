@@ -29,9 +29,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
                   "Write what happened on each level of hrbpa and the topology after it, as csv or json; - is CSV on "
                   "standard output")
       ->type_name("FILE");
-  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
-      ->type_name("PIXELS")
-      ->capture_default_str();
+  add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
@@ -52,10 +50,7 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
   CLI::App& verb =
       *app.add_subcommand("alpha", "Every radius at which the complex changes, and which of them to choose");
   add_point_options(verb, arguments);
-  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
-      ->type_name("K")
-      ->capture_default_str();
-  add_cover_option(verb, arguments.cover);
+  add_auto_options(verb, arguments);
   CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
   add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
       ->excludes(json);
@@ -96,9 +91,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
                   "File for the points in no polygon, by its ending: " + std::string(isolated_formats) +
                       (has_gdal() ? ", gpkg, fgb" : ""))
       ->type_name("FILE");
-  verb.add_option("--width", arguments.width, "Width of pictures in pixels")
-      ->type_name("PIXELS")
-      ->capture_default_str();
+  add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
@@ -131,10 +124,7 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
   verb.add_option("-o,--output", arguments.output, "Page to write, .html; - is standard output")
       ->type_name("OUT")
       ->required();
-  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
-      ->type_name("K")
-      ->capture_default_str();
-  add_cover_option(verb, arguments.cover);
+  add_auto_options(verb, arguments);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "One file with everything in it, for any browser, offline: a slider over alpha, counts, the persistence diagram, "

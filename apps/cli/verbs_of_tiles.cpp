@@ -63,7 +63,7 @@ CLI::App* add_tile(CLI::App& app, TileArguments& arguments) {
                   "File to write, by its ending: " + std::string(tile_formats) + "; may be given once of each kind")
       ->type_name("OUT")
       ->allow_extra_args(false);
-  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  add_stats_option(verb, arguments.stats);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Example:\n"
@@ -91,7 +91,7 @@ CLI::App* add_merge(CLI::App& app, MergeArguments& arguments) {
           "--scratch", arguments.scratch,
           "Folder for what does not fit into memory at the end, new or empty; by default one beside the first OUT")
       ->type_name("DIR");
-  verb.add_option("--stats", arguments.stats, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  add_stats_option(verb, arguments.stats);
   add_switch(verb, "-q,--quiet", arguments.quiet, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"
