@@ -1,29 +1,34 @@
 // What: a grid over the sides of a front in the plane: does a new side cross the front? Copy it.
-// Law:  the answer of a look at every side of the front (tested); exact, as only the choice of cells is rounded: a coordinate
-//       that is no less than another never has a lesser cell, so that sides that cross have a cell in common.
+// Law:  the answer of a look at every side of the front (tested). Exact, with whole numbers for coordinates: of two the lesser
+//       never has the greater cell, so that sides that cross have a cell in common, and no product overflows. With doubles,
+//       give it exact predicates of yours in turn().
 // Cost: of a side no longer than a few times the mean distance of points, the sides near it; of a long one, its cells.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "meshops/front/front.h"
 #include "meshops/front/visitor.h"
-#include "rbpa/predicate/predicates.h"
+
+struct Place {
+  std::int64_t x, y;  ///< from −2³⁰ to 2³⁰
+};
 
 /// A visitor of the front: pass it to meshops::advance(), and it keeps in step. Sites are indices of places; with a policy
 /// that adds places, these are to be in the vector, inside the box of the others, before their triangle comes.
 class FrontGrid : public meshops::FrontVisitor {
  public:
-  explicit FrontGrid(const std::vector<rbpa::Point>& places) : places_(places) {
-    const auto [left, right] = std::ranges::minmax(places, {}, &rbpa::Point::x);
-    const auto [low, high] = std::ranges::minmax(places, {}, &rbpa::Point::y);
-    columns_ = rows_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(double(places.size()))));
+  explicit FrontGrid(const std::vector<Place>& places) : places_(places) {
+    const auto [left, right] = std::ranges::minmax(places, {}, &Place::x);
+    const auto [low, high] = std::ranges::minmax(places, {}, &Place::y);
+    columns_ = rows_ = 1 + static_cast<std::int64_t>(std::sqrt(double(places.size())));
     corner_ = {left.x, low.y};
-    width_ = (right.x - left.x) / double(columns_), height_ = (high.y - low.y) / double(rows_);
-    cells_.resize(columns_ * rows_);
+    width_ = 1 + (right.x - left.x) / columns_, height_ = 1 + (high.y - low.y) / rows_;
+    cells_.resize(static_cast<std::size_t>(columns_ * rows_));
   }
 
   /// The inner part of a side of the front crosses that of the side between a and b. Touching is no crossing, nor is a
@@ -37,10 +42,19 @@ class FrontGrid : public meshops::FrontVisitor {
   }
 
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle& t) { add(front, t.side); }
-  void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle& t) { add(front, t.side); }
+  void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle& t) {
+    add(front, t.side);
+  }
   void detached(const meshops::Front& front, const meshops::DetachedTriangle& t) {
     for (const meshops::Halfedge side : t.side)
       if (side.is_valid()) add(front, side);
+  }
+
+  /// 1 when a, b, c turn left, −1 when right, 0 when they are on a line.
+  int turn(meshops::Site a, meshops::Site b, meshops::Site c) const {
+    const Place &p = places_[a], &q = places_[b], &r = places_[c];
+    const std::int64_t area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    return (area > 0) - (area < 0);
   }
 
   bool cross(meshops::Site a, meshops::Site b, meshops::Site c, meshops::Site d) const {
@@ -52,10 +66,6 @@ class FrontGrid : public meshops::FrontVisitor {
     meshops::Site from, to;
     friend bool operator==(const Side&, const Side&) = default;
   };
-
-  int turn(meshops::Site a, meshops::Site b, meshops::Site c) const {
-    return rbpa::Predicates<long double>::orientation(places_[a], places_[b], places_[c]);
-  }
 
   /// Of a triangle that came, those sides that are at the front.
   void add(const meshops::Front& front, const std::array<meshops::Halfedge, 3>& sides) {
@@ -72,26 +82,24 @@ class FrontGrid : public meshops::FrontVisitor {
     });
   }
 
-  static std::size_t step(double from, double size, double at, std::size_t steps) {
-    const double number = size > 0 ? std::floor((at - from) / size) : 0;
-    return static_cast<std::size_t>(std::clamp(number, 0.0, double(steps - 1)));
+  static std::int64_t step(std::int64_t from, std::int64_t size, std::int64_t at, std::int64_t steps) {
+    return std::clamp<std::int64_t>((at - from) / size, 0, steps - 1);
   }
   /// Calls visit(cell) for the cells of the box around both places, until one says true.
   template <typename Visit>
   bool any_cell(meshops::Site a, meshops::Site b, Visit visit) {
-    const rbpa::Point &p = places_[a], &q = places_[b];
-    const std::size_t first = step(corner_.x, width_, std::min(p.x, q.x), columns_);
-    const std::size_t last = step(corner_.x, width_, std::max(p.x, q.x), columns_);
-    const std::size_t top = step(corner_.y, height_, std::max(p.y, q.y), rows_);
-    for (std::size_t row = step(corner_.y, height_, std::min(p.y, q.y), rows_); row <= top; ++row)
-      for (std::size_t column = first; column <= last; ++column)
-        if (visit(cells_[row * columns_ + column])) return true;
+    const Place &p = places_[a], &q = places_[b];
+    const std::int64_t first = step(corner_.x, width_, std::min(p.x, q.x), columns_);
+    const std::int64_t last = step(corner_.x, width_, std::max(p.x, q.x), columns_);
+    const std::int64_t top = step(corner_.y, height_, std::max(p.y, q.y), rows_);
+    for (std::int64_t row = step(corner_.y, height_, std::min(p.y, q.y), rows_); row <= top; ++row)
+      for (std::int64_t column = first; column <= last; ++column)
+        if (visit(cells_[static_cast<std::size_t>(row * columns_ + column)])) return true;
     return false;
   }
 
-  const std::vector<rbpa::Point>& places_;
-  rbpa::Point corner_;
-  double width_, height_;
-  std::size_t columns_, rows_;
+  const std::vector<Place>& places_;
+  Place corner_;
+  std::int64_t width_, height_, columns_, rows_;
   std::vector<std::vector<Side>> cells_;
 };

@@ -18,7 +18,7 @@ using meshops::Site;
 /// Every edge takes the nearest point that it can, of those left of it.
 class NearestByGrid {
  public:
-  NearestByGrid(const std::vector<rbpa::Point>& places, FrontGrid& grid) : places_(places), grid_(grid) {}
+  NearestByGrid(const std::vector<Place>& places, FrontGrid& grid) : places_(places), grid_(grid) {}
 
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     if (front.faces() > 0) return std::nullopt;
@@ -33,24 +33,24 @@ class NearestByGrid {
   std::size_t asked = 0, crossings = 0, wrong = 0;
 
  private:
-  int side(Site a, Site b, Site c) const {
-    return rbpa::Predicates<long double>::orientation(places_[a], places_[b], places_[c]);
-  }
-  double distance(Site a, Site b, Site s) const {
-    const double x = 2 * places_[s].x - places_[a].x - places_[b].x, y = 2 * places_[s].y - places_[a].y - places_[b].y;
+  std::int64_t distance(Site a, Site b, Site s) const {
+    const std::int64_t x = 2 * places_[s].x - places_[a].x - places_[b].x,
+                       y = 2 * places_[s].y - places_[a].y - places_[b].y;
     return x * x + y * y;
   }
   std::optional<Site> nearest(const Front& front, Site a, Site b) {
     std::optional<Site> best;
     for (Site s = 0; s < places_.size(); ++s)
-      if (side(a, b, s) > 0 && (!best || distance(a, b, s) < distance(a, b, *best)) && is_empty(a, b, s) &&
+      if (grid_.turn(a, b, s) > 0 && (!best || distance(a, b, s) < distance(a, b, *best)) && is_empty(a, b, s) &&
           !crosses(front, b, s) && !crosses(front, s, a))
         best = s;
     return best;
   }
   bool is_empty(Site a, Site b, Site c) const {
     for (Site s = 0; s < places_.size(); ++s)
-      if (s != a && s != b && s != c && side(a, b, s) >= 0 && side(b, c, s) >= 0 && side(c, a, s) >= 0) return false;
+      if (s != a && s != b && s != c && grid_.turn(a, b, s) >= 0 && grid_.turn(b, c, s) >= 0 &&
+          grid_.turn(c, a, s) >= 0)
+        return false;
     return true;
   }
   bool crosses(const Front& front, Site a, Site b) {
@@ -64,13 +64,13 @@ class NearestByGrid {
     return found;
   }
 
-  const std::vector<rbpa::Point>& places_;
+  const std::vector<Place>& places_;
   FrontGrid& grid_;
 };
 
 namespace {
 
-void run(const char* name, const std::vector<rbpa::Point>& places) {
+void run(const char* name, const std::vector<Place>& places) {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   Front front(mesh, places.size());
   FrontGrid grid(places);
@@ -78,19 +78,19 @@ void run(const char* name, const std::vector<rbpa::Point>& places) {
   meshops::advance(front, policy, grid);
   const meshops::TopologyReport topology = meshops::report(mesh, front.finish());
   std::printf("%s: %zu vertices, %zu triangles, %zu boundary curves; %s crossings, %zu of %s answers wrong\n", name,
-              topology.vertices, topology.faces, topology.boundary_curves, policy.crossings > 0 ? "some" : "no", policy.wrong,
-              policy.asked > 0 ? "all" : "no");
+              topology.vertices, topology.faces, topology.boundary_curves, policy.crossings > 0 ? "some" : "no",
+              policy.wrong, policy.asked > 0 ? "all" : "no");
 }
 
 }  // namespace
 
 int main() {
   std::mt19937 random(1985);
-  const auto whole = [&](unsigned below) { return double(random() % below); };
-  std::vector<rbpa::Point> scattered, rows, flat;
+  const auto whole = [&](std::uint32_t below) { return static_cast<std::int64_t>(random() % below); };
+  std::vector<Place> scattered, rows, flat;
   for (int i = 0; i < 200; ++i) scattered.push_back({whole(10000), whole(10000)});
-  for (int i = 0; i < 144; ++i) rows.push_back({double(i % 12), double(i / 12)});
-  for (int i = 0; i < 120; ++i) flat.push_back({whole(1000) * 1e-3, whole(1000) * 1e-200});
+  for (int i = 0; i < 144; ++i) rows.push_back({i % 12, i / 12});
+  for (int i = 0; i < 120; ++i) flat.push_back({whole(1000000000), whole(3)});
   run("scattered", scattered);
   run("rows", rows);
   run("nearly on a line", flat);

@@ -132,14 +132,15 @@ void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
   const auto stands_on = [&](Vertex v) { return Vertex(static_cast<int>(vertex[static_cast<std::size_t>(v.idx())])); };
   for (const Edge e : meshops::live_edges(regions)) {
     const Halfedge h = regions.halfedge_handle(e, 0);
-    const Halfedge of = mesh.find_halfedge(stands_on(regions.from_vertex_handle(h)), stands_on(regions.to_vertex_handle(h)));
+    const Halfedge of =
+        mesh.find_halfedge(stands_on(regions.from_vertex_handle(h)), stands_on(regions.to_vertex_handle(h)));
     const bool ends = mesh.is_boundary(mesh.edge_handle(of)) || is_crease(mesh.edge_handle(of));
     wrong_edges += regions.is_boundary(e) != ends;
   }
   const std::map<std::uint32_t, std::size_t> expected = flood(mesh, is_crease);
   const meshops::TopologyReport found = meshops::report(regions);
-  std::printf("%s: %zu triangles in %zu regions; %zu expected, %zu edges otherwise than they should be\n", name, found.faces,
-              found.components, expected.size(), wrong_edges);
+  std::printf("%s: %zu triangles in %zu regions; %zu expected, %zu edges otherwise than they should be\n", name,
+              found.faces, found.components, expected.size(), wrong_edges);
   for (const meshops::ComponentReport& region : found.per_component) std::printf(" %zu", region.faces);
   std::printf("\n");
 }

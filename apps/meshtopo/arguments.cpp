@@ -73,7 +73,8 @@ TopologyPlan plan(TopologyArguments arguments) {
   // `--repair MESH -o OUT`: what stands behind --repair is the mesh, as long as there is no other.
   if (!arguments.mesh && arguments.output && !arguments.repaired.empty())
     arguments.mesh = std::exchange(arguments.repaired, std::string());
-  if (!arguments.mesh) throw WrongUsage("MESH: found none, expected a mesh file, or - for standard input (see meshtopo --help)");
+  if (!arguments.mesh)
+    throw WrongUsage("MESH: found none, expected a mesh file, or - for standard input (see meshtopo --help)");
   TopologyPlan plan{.source = parse_source(*arguments.mesh, arguments.format),
                     .max_defects = parse_whole("--max-defects", arguments.max_defects, {}),
                     .quiet = arguments.quiet};
@@ -93,7 +94,8 @@ TopologyPlan plan(TopologyArguments arguments) {
     const std::string& path = output_is_mesh ? *arguments.output : arguments.repaired;
     plan.repaired = parse_repair_target(option, path, arguments.output_format);
     if (plan.report && path == "-" && plan.report->path == "-")
-      throw WrongUsage(option + " -: found standard output for the report and the mesh, expected another file or --quiet");
+      throw WrongUsage(option +
+                       " -: found standard output for the report and the mesh, expected another file or --quiet");
   }
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
   require_different(plan.outputs(), *arguments.mesh, "the mesh");

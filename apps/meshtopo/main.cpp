@@ -29,15 +29,16 @@ int main(int argc, char** argv) {
                  "Format of MESH, where its ending does not say: " + std::string(mesh_formats))
       ->type_name("NAME");
   app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
-  app.add_option("-o,--output", arguments.output,
-                 "File to write the report to, by its ending json or txt; - is standard output. With --repair that names no "
-                 "file, the mesh")
+  app.add_option(
+         "-o,--output", arguments.output,
+         "File to write the report to, by its ending json or txt; - is standard output. With --repair that names no "
+         "file, the mesh")
       ->type_name("OUT");
-  const CLI::Option* const repair =
-      app.add_option("--repair", arguments.repaired,
-                     "Write an oriented surface made of MESH, and say what was done: " + std::string(written_mesh_formats))
-          ->type_name("OUT")
-          ->expected(0, 1);
+  const CLI::Option* const repair = app.add_option("--repair", arguments.repaired,
+                                                   "Write an oriented surface made of MESH, and say what was done: " +
+                                                       std::string(written_mesh_formats))
+                                        ->type_name("OUT")
+                                        ->expected(0, 1);
   app.add_option("--output-format", arguments.output_format,
                  "Format of the repaired mesh, where its ending does not say")
       ->type_name("NAME");

@@ -321,7 +321,8 @@ TEST_SUITE("meshtopo --repair") {
     REQUIRE(folder.meshtopo("m.off -o d.off --repair -q").code == 0);
     REQUIRE(folder.meshtopo("--repair m.off -o e.off -q").code == 0);  // the mesh behind the flag of old
     REQUIRE(folder.meshtopo("--repair f.off m.off -q").code == 0);
-    for (const std::string name : {"b", "c", "d", "e", "f"}) CHECK(folder.content(name + ".off") == folder.content("a.off"));
+    for (const std::string name : {"b", "c", "d", "e", "f"})
+      CHECK(folder.content(name + ".off") == folder.content("a.off"));
     CHECK(folder.meshtopo("m.off --repair - --output-format off -q").out == folder.content("a.off"));
     CHECK(folder.meshtopo("--repair m.off").code == 2);
   }

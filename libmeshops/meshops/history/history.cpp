@@ -193,8 +193,9 @@ History::Sizes History::sizes() const { return {mesh_.n_vertices(), mesh_.n_edge
 
 void History::require_own() const {
   const Sizes expected = !done_.empty() ? done_.back().after : !undone_.empty() ? undone_.back().before : sizes();
-  require(sizes() == expected, "History: found another number of elements, expected that of the last step: the mesh was "
-                               "changed by others");
+  require(sizes() == expected,
+          "History: found another number of elements, expected that of the last step: the mesh was "
+          "changed by others");
 }
 
 void History::remember(Step step) {

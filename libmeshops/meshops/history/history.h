@@ -67,7 +67,7 @@ class MESHOPS_API History {
     });
   }
 
-  std::size_t steps() const { return done_.size(); }         ///< that undo() can take back
+  std::size_t steps() const { return done_.size(); }           ///< that undo() can take back
   std::size_t undone_steps() const { return undone_.size(); }  ///< that redo() can do again: none after another step
   /// Takes the last step back. Requires: steps() > 0. Throws ContractViolation.
   void undo();

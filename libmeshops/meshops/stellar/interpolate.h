@@ -20,7 +20,7 @@ namespace meshops {
 namespace detail {
 
 template <typename T>
-concept MeanNumber = std::floating_point<T> || (std::integral<T> && !std::same_as<T, bool>);
+concept MeanNumber = std::floating_point<T> ||(std::integral<T> && !std::same_as<T, bool>);
 
 /// A vector of OpenMesh: as many numbers as its type says.
 template <typename T>
@@ -39,7 +39,8 @@ T mean(std::span<const T> values) {
     for (const T value : values) sum += n == 2 ? value * T(0.5) : value * (T(1) / T(n));
     return sum;
   } else {
-    static_assert(std::numeric_limits<T>::digits <= 32, "the sum of large integers may not be exact: interpolate doubles");
+    static_assert(std::numeric_limits<T>::digits <= 32,
+                  "the sum of large integers may not be exact: interpolate doubles");
     double sum = 0;
     for (const T value : values) sum += static_cast<double>(value);
     return static_cast<T>(std::llround(sum / static_cast<double>(n)));
@@ -79,8 +80,8 @@ class Interpolate {
  public:
   explicit Interpolate(OpenMesh::VPropHandleT<Values>... properties) : properties_(properties...) {}
   template <detail::VertexProperties... Managers>
-  requires(sizeof...(Managers) > 0)
-  explicit Interpolate(const Managers&... properties) : properties_(properties.getRawProperty()...) {}
+  requires(sizeof...(Managers) > 0) explicit Interpolate(const Managers&... properties)
+      : properties_(properties.getRawProperty()...) {}
 
   template <typename Mesh, std::derived_from<SplitEffect> Effect>
   requires std::derived_from<Mesh, Connectivity>
@@ -102,7 +103,8 @@ class Interpolate {
   template <typename Mesh>
   void set_means(Mesh& mesh, Vertex v, std::span<const Vertex> of) const {
     const auto set = [&]<typename T>(OpenMesh::VPropHandleT<T> property) {
-      T values[3] = {mesh.property(property, of[0]), mesh.property(property, of[1]), mesh.property(property, of.back())};
+      T values[3] = {mesh.property(property, of[0]), mesh.property(property, of[1]),
+                     mesh.property(property, of.back())};
       mesh.property(property, v) = detail::mean(std::span<const T>(values, of.size()));
     };
     std::apply([&](const auto&... property) { (set(property), ...); }, properties_);
@@ -112,7 +114,6 @@ class Interpolate {
 };
 
 template <detail::VertexProperties... Managers>
-requires(sizeof...(Managers) > 0)
-explicit Interpolate(const Managers&...) -> Interpolate<typename Managers::Value...>;
+requires(sizeof...(Managers) > 0) explicit Interpolate(const Managers&...)->Interpolate<typename Managers::Value...>;
 
 }  // namespace meshops

@@ -33,27 +33,56 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
   }();
   const int what = any(16);
   switch (what) {
-    case 0: history.create_triangle(); break;
-    case 1: history.destroy_triangle(f); break;
-    case 2: history.glue(h, g); break;
-    case 3: history.glue(h, near); break;
-    case 4: history.unglue(h); break;
-    case 5: history.close_curve(h); break;
-    case 6: history.open_curve(f); break;
-    case 7: history.flip(mesh.edge_handle(h), keep); break;
-    case 8: history.collapse(h, keep); break;
-    case 9: history.weld_edge(h, keep); break;
-    case 10: history.weld_face(v, keep); break;
-    case 11: history.remove_vertex(v, keep); break;
-    case 12: history.insert_diagonal(h, near, keep); break;
-    case 13: history.remove_diagonal(h); break;
+    case 0:
+      history.create_triangle();
+      break;
+    case 1:
+      history.destroy_triangle(f);
+      break;
+    case 2:
+      history.glue(h, g);
+      break;
+    case 3:
+      history.glue(h, near);
+      break;
+    case 4:
+      history.unglue(h);
+      break;
+    case 5:
+      history.close_curve(h);
+      break;
+    case 6:
+      history.open_curve(f);
+      break;
+    case 7:
+      history.flip(mesh.edge_handle(h), keep);
+      break;
+    case 8:
+      history.collapse(h, keep);
+      break;
+    case 9:
+      history.weld_edge(h, keep);
+      break;
+    case 10:
+      history.weld_face(v, keep);
+      break;
+    case 11:
+      history.remove_vertex(v, keep);
+      break;
+    case 12:
+      history.insert_diagonal(h, near, keep);
+      break;
+    case 13:
+      history.remove_diagonal(h);
+      break;
     case 14:
       if (random() % 2)
         history.split_edge(h, keep);
       else
         history.split([&mesh, f] { return split_face(mesh, f, CarryOver()); });
       break;
-    default: history.split_vertex(h, random() % 3 ? std::optional(near) : std::nullopt, keep);
+    default:
+      history.split_vertex(h, random() % 3 ? std::optional(near) : std::nullopt, keep);
   }
   return what;
 }
