@@ -9,6 +9,7 @@
 #include "cli/text_of.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/number.h"
 #include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
@@ -117,6 +118,10 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   if (choice.rule == AlphaRule::plateau) {
     const std::vector<Plateau> found = plateaus(delaunay, points, all, until_interrupted());
     if (found.empty()) return std::nullopt;
+    if (!found.front().is_long && !run.quiet)
+      say("rbpa",
+          "no range of alpha stands out: the plateau is the longest there is, and may be chance (rbpa alpha POINTS "
+          "shows all)");
     if (choice.rank <= found.size()) return found[choice.rank - 1].alpha;
     throw WrongUsage("--alpha " + name_of(choice) + ": found " + counted(found.size(), "plateau") +
                      ", expected a rank that there is (rbpa alpha POINTS shows them)");

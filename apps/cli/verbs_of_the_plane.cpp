@@ -94,10 +94,13 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
+      "Which alpha: plateau first, over which the shape hardly changes. auto and min cover every point, and follow\n"
+      "the loneliest; with --cover 0.99 they leave 1 of 100 out, and may keep many parts and pinholes. A number where\n"
+      "you know which gaps are to stay open.\n\n"
       "Examples:\n"
       "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
-      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
       "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n\n"
       "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
       "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"

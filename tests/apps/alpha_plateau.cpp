@@ -37,6 +37,17 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("alpha plateau") {
+  TEST_CASE("--alpha plateau says when none stands out, and nothing when one does") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("two.xy", two_squares());
+    const std::string word = "no range of alpha stands out";
+    CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt").err.find(word) != std::string::npos);
+    CHECK(folder.rbpa("mesh p.xy --alpha plateau -o m.off").err.find(word) != std::string::npos);
+    CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt -q").err.empty());
+    CHECK(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err.find(word) == std::string::npos);
+  }
+
   TEST_CASE("two squares are recommended as two, with an outlier that ruins min and auto") {
     const Folder folder;
     folder.file("p.xy", two_squares());
