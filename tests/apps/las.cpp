@@ -303,9 +303,9 @@ TEST_SUITE("las") {
       const bool low = name.starts_with("low");
       const std::string remark = low ? "13 whole records behind the 7 points that the header says are left out"
                                      : "9 of 20 points that the header says are left out: the file ends before them";
-      for (const std::string verb :
-           {"mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
-            "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
+      for (const std::string& verb : std::vector<std::string>{
+               "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
+               "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
         CAPTURE(verb);
         const Outcome refused = folder.rbpa(verb);
         CHECK(refused.code == 3);
