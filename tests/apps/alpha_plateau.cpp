@@ -41,11 +41,17 @@ TEST_SUITE("alpha plateau") {
     const Folder folder;
     folder.file("p.xy", corner);
     folder.file("two.xy", two_squares());
-    const std::string word = "no range of alpha stands out";
-    CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt").err.find(word) != std::string::npos);
-    CHECK(folder.rbpa("mesh p.xy --alpha plateau -o m.off").err.find(word) != std::string::npos);
+    const std::string words =
+        "rbpa: --alpha plateau: no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS "
+        "shows the choices, and recommends auto)\n";
+    CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt").err.starts_with(words));
+    CHECK(folder.rbpa("mesh p.xy --alpha plateau -o m.off").err.starts_with(words));
+    CHECK(folder.rbpa("mesh p.xy --alpha plateau:1 -o m.off").err.starts_with(words));
+    CHECK(folder.rbpa("alpha p.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
     CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt -q").err.empty());
-    CHECK(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err.find(word) == std::string::npos);
+    CHECK(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err.find("stands out") == std::string::npos);
+    // A rank that is not there is all that is to be said.
+    CHECK(folder.rbpa("shape p.xy --alpha plateau:9 -o s.wkt").err.find("stands out") == std::string::npos);
   }
 
   TEST_CASE("two squares are recommended as two, with an outlier that ruins min and auto") {
