@@ -3,12 +3,14 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "cli/text_of.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/message.h"
 #include "io/number.h"
 #include "io/whole_number.h"
 #include "rbpa/filtration/filtration.h"
@@ -112,18 +114,24 @@ std::string name_of(const AlphaChoice& choice) {
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
   const SolidAlphaComplex delaunay = build(points, infinity, run);
-  const ProgressLine line("rbpa", !run.quiet, "choosing alpha");
+  std::optional<ProgressLine> line(std::in_place, "rbpa", !run.quiet, "choosing alpha");
   const Filtration all = filtration(delaunay, points, until_interrupted());
-  if (choice.rule == AlphaRule::plateau) {
-    const std::vector<Plateau> found = plateaus(delaunay, points, all, until_interrupted());
-    if (found.empty()) return std::nullopt;
-    if (choice.rank <= found.size()) return found[choice.rank - 1].alpha;
+  if (choice.rule != AlphaRule::plateau) {
+    Covering covering{.share = choice.cover};
+    if (choice.rule == AlphaRule::automatic) covering.max_components = choice.max_components;
+    return smallest_covering(delaunay, all, covering, until_interrupted());
+  }
+  const std::vector<Plateau> found = plateaus(delaunay, points, all, until_interrupted());
+  line.reset();  // nothing may be said beside it
+  if (found.empty()) return std::nullopt;
+  if (choice.rank > found.size())
     throw WrongUsage("--alpha " + name_of(choice) + ": found " + counted(found.size(), "plateau") +
                      ", expected a rank that there is (rbpa alpha POINTS shows them)");
-  }
-  Covering covering{.share = choice.cover};
-  if (choice.rule == AlphaRule::automatic) covering.max_components = choice.max_components;
-  return smallest_covering(delaunay, all, covering, until_interrupted());
+  if (!found.front().is_long && !run.quiet)
+    say("rbpa", "--alpha " + name_of(choice) +
+                    ": no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS shows the "
+                    "choices, and recommends auto)");
+  return found[choice.rank - 1].alpha;
 }
 
 std::string said(const AlphaChoice& choice, std::optional<double> alpha) {

@@ -52,7 +52,7 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   occupy_standard_streams();
   catch_interrupts();
-  CLI::App app("Solid alpha complexes of points in the plane, by restricted ball pivoting", "rbpa");
+  CLI::App app("Alpha shapes of points in the plane, and surfaces through points in space, by ball pivoting", "rbpa");
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
   app.require_subcommand(1);

@@ -49,7 +49,8 @@ PointSource parse_source(const PointArguments& arguments) {
   const PointFormat format = source.format;
   const bool text = format == PointFormat::text, ogr = format == PointFormat::ogr;
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
-  if (arguments.skip_invalid) require_format(text, "--skip-invalid", "without lines of points", "text");
+  if (arguments.skip_invalid)
+    require_format(text || format == PointFormat::las, "--skip-invalid", "without lines of points", "las or text");
   if (arguments.where) {
     const std::optional<FieldNames> names = fields_of(format);
     require_format(names.has_value(), "--where", "without fields beside the points", "las or text");

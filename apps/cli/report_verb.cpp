@@ -18,6 +18,7 @@
 #include "io/message.h"
 #include "io/output_file.h"
 #include "io/same_file.h"
+#include "io/unit.h"
 #include "report/write_report.h"
 
 namespace rbpa::app {
@@ -32,9 +33,10 @@ void check_output(const std::string& output) {
 }
 
 /// What is to be said of the points, and what is to be drawn.
-Report examine(const std::string& source, const std::vector<Point>& points, const Radii& asked, const RunOptions& run) {
+Report examine(const std::string& source, const PointFile& file, const Radii& asked, const RunOptions& run) {
+  const std::vector<Point>& points = file.points;
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
-  Report report{.source = source, .radii = asked};
+  Report report{.source = source, .unit = unit_of(file), .radii = asked};
   find_radii(report.radii, delaunay, points, true, run.quiet);
   report.recommended = recommended(report.radii);
   const ProgressLine line("rbpa", !run.quiet, "persistence");
@@ -55,10 +57,11 @@ void run_report(const ReportArguments& arguments) {
   if (arguments.stats) outputs.push_back(*arguments.stats);
   require_different(outputs, path, "points");
   Stopwatch watch;
-  const std::vector<Point> points = read(source, run.quiet).points;
+  const PointFile file = read(source, run.quiet);
+  const std::size_t points = file.points.size();
   Stats stats{.read_seconds = watch.lap()};
   const std::string source_name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-  const Report report = examine(source_name, points, asked, run);
+  const Report report = examine(source_name, file, asked, run);
   stats.build_seconds = watch.lap();
 
   OutputSet files;
@@ -70,12 +73,12 @@ void run_report(const ReportArguments& arguments) {
   }
   stats.write_seconds = watch.lap();
   if (arguments.stats) {
-    stats.points = points.size();
-    stats.threads = threads_used(points.size(), run.threads);
+    stats.points = points;
+    stats.threads = threads_used(points, run.threads);
     stats.distinct = report.radii.filtration.distinct;
-    OutputFile& file = files.add(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
+    OutputFile& numbers = files.add(*arguments.stats);
+    write_stats(numbers, stats);
+    numbers.finish();
   }
   files.publish();
   const std::size_t radii = report.radii.filtration.steps.size();
@@ -85,7 +88,7 @@ void run_report(const ReportArguments& arguments) {
     say("rbpa", std::string("the complex is empty at every alpha: ") + why);
   }
   if (!run.quiet)
-    say("rbpa", counted(points.size(), "point") + ", " + std::to_string(radii) +
+    say("rbpa", counted(points, "point") + ", " + std::to_string(radii) +
                     (radii == 1 ? " critical radius" : " critical radii") + " -> " +
                     (arguments.output == "-" ? "standard output" : arguments.output));
 }

@@ -3,7 +3,10 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace rbpa::app {
 namespace {
@@ -18,9 +21,14 @@ Json or_null(const std::optional<T>& value) {
 }  // namespace
 
 std::size_t peak_bytes() {
-  struct rusage usage {};
+  // exec() begins this count anew; that of getrusage() goes on from whoever started the program.
+  std::ifstream status("/proc/self/status");
+  constexpr std::string_view key = "VmHWM:";
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(key)) return std::strtoull(line.c_str() + key.size(), nullptr, 10) * 1024;  // kibibytes
+  struct rusage usage {};  // where /proc is not there
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kibibytes
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
 void write_stats(OutputFile& file, const Stats& stats) {

@@ -66,7 +66,9 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
     require_format(text, "--columns", "with fixed columns", "text");
     request.choice.columns = parse_space_columns(*arguments.columns);
   }
-  if (arguments.skip_invalid) require_format(text, "--skip-invalid", "without lines of points", "text");
+  if (arguments.skip_invalid)
+    require_format(text || request.format == SpaceFormat::las, "--skip-invalid", "without lines of points",
+                   "las or text");
   request.choice.skip_invalid = arguments.skip_invalid;
   if (arguments.where) {
     const std::optional<FieldNames> names = fields_of(request.format);

@@ -74,8 +74,13 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
 }
 
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
-  CLI::App& verb =
-      *app.add_subcommand("shape", "The alpha solid as polygons with holes, valid under OGC Simple Features");
+  CLI::App& verb = *app.add_subcommand(
+      "shape",
+      "The alpha solid as polygons with holes, valid under OGC Simple Features\n\n"
+      "Which alpha to choose: plateau first. It is a radius around which the shape hardly changes, and single points "
+      "far from the others do not decide it. A number, where you know which gaps are to stay open. min covers every "
+      "point, and auto does so in one piece, so that the loneliest point decides them; with --cover 0.99 they leave "
+      "out 1 point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""));
@@ -96,12 +101,12 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   verb.footer(
       "Examples:\n"
       "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
-      "  rbpa shape points.xy --alpha auto --cover 0.99 -o shape.wkt\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
-      "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n\n"
-      "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one\n"
-      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in.\n"
-      "Coordinates are those of the input, to the last bit, and areas are in their unit squared.\n" +
+      "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 --min-part-area 2 --min-hole-area 2 -o shape.wkt\n\n"
+      "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one "
+      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in. Coordinates are those of "
+      "the input, to the last bit, and areas are in their unit squared.\n" +
       std::string(exit_codes));
   return &verb;
 }

@@ -68,7 +68,7 @@ CLI::App* add_tile(CLI::App& app, TileArguments& arguments) {
   verb.footer(
       "Example:\n"
       "  rbpa tile tasks/tiles/000012.tile -o 12.partial -o 12.npy\n\n"
-      "What is finished is in files beside the partial, 12.polygons and 12.holes. Triangles have the indices of the\n"
+      "What is finished is in files beside the partial, 12.polygons and 12.holes. Triangles have the indices of the "
       "whole input. A task that is run again writes the same.\n" +
       std::string(exit_codes));
   return &verb;

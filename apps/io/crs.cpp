@@ -108,6 +108,12 @@ std::optional<Crs> crs_of_wkt(std::string_view text) {
 Crs parse_crs(const std::string& text) {
   const std::optional<Crs> crs = crs_of_name(text);
   if (!crs) throw WrongUsage("--crs: found " + in_quotes(text) + ", expected an authority and a code: EPSG:28992");
+  // Codes of systems are given out from this range. Which of them there are only EPSG's tables know.
+  constexpr int least = 1024, greatest = 32767;
+  if (crs->authority == "EPSG" &&
+      (crs->code.size() > 5 || std::stoi(crs->code) < least || std::stoi(crs->code) > greatest))
+    throw WrongUsage("--crs: found " + in_quotes(text) + ", expected a code of EPSG, from " + std::to_string(least) +
+                     " to " + std::to_string(greatest));
   return *crs;
 }
 

@@ -7,6 +7,7 @@
 
 #include "io/failure.h"
 #include "program/exit_code.h"
+#include "program/narrow_help.h"
 
 namespace rbpa::app {
 namespace {
@@ -171,7 +172,7 @@ std::string man_page(const CLI::App& app, const std::string& name) {
     page += (verb == verbs.front() ? "" : ".br\n") + roff_usage(program + " " + verb->get_name(), *verb) + "\n";
   page += ".SH OPTIONS\n" + roff_options(app);
   for (const CLI::App* verb : verbs) {
-    page += ".SH \"" + upper + " " + verb->get_name() + "\"\n" + roff(verb->get_description()) + "\n";
+    page += ".SH \"" + upper + " " + verb->get_name() + "\"\n" + roff_paragraphs(verb->get_description());
     page += roff_options(*verb) + ".PP\n" + roff_paragraphs(footer_of(*verb));
   }
   page += ".SH EXAMPLES\n" + roff_paragraphs(footer_of(app));
@@ -207,7 +208,7 @@ std::string zsh_completion(const CLI::App& app) {
   if (verbs.empty()) return text + zsh_arguments(app);
   text += "if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n  local -a verbs=(\n";
   for (const CLI::App* verb : verbs)
-    text += "    " + in_single_quotes(verb->get_name() + ":" + zsh_text(verb->get_description())) + "\n";
+    text += "    " + in_single_quotes(verb->get_name() + ":" + zsh_text(summary_of(*verb))) + "\n";
   text += "  )\n  _describe verb verbs\nelse\n  case $words[2] in\n";
   for (const CLI::App* verb : verbs)
     text += "    " + verb->get_name() + ")\n      shift words; (( CURRENT-- ))\n      " + zsh_arguments(*verb) +

@@ -1,4 +1,4 @@
-// What: the help of a program with no line longer than a terminal is wide.
+// What: the help of a program with no line longer than a terminal is wide, and its verbs with a line each.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -9,6 +9,12 @@
 #include <string>
 
 namespace rbpa::app {
+
+/// What a verb does, in a line: the first of its description. Paragraphs may follow, for its own help.
+inline std::string summary_of(const CLI::App& verb) {
+  const std::string description = verb.get_description();
+  return description.substr(0, description.find('\n'));
+}
 
 class NarrowHelp : public CLI::Formatter {
  public:
@@ -28,6 +34,12 @@ class NarrowHelp : public CLI::Formatter {
       }
     }
     return text;
+  }
+
+  std::string make_subcommand(const CLI::App* verb) const override {
+    std::ostringstream text;
+    CLI::detail::format_help(text, verb->get_display_name(true), summary_of(*verb), get_column_width());
+    return text.str();
   }
 };
 

@@ -72,6 +72,7 @@ std::string facts(const Report& report) {
                       {"min", radius(report.radii.least_covering)},
                       {"auto", radius(report.radii.least_connected)},
                       {"cover", report.radii.cover},
+                      {"unit", report.unit ? Json(*report.unit) : Json()},
                       {"plateaus", as_json(report.radii.plateaus)},
                       {"recommended", as_json(report.recommended)}};
   std::string text = facts.dump(2);

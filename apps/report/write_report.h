@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/output_file.h"
 #include "rbpa/filtration/filtration_arrays.h"
@@ -13,7 +14,8 @@
 namespace rbpa::app {
 
 struct Report {
-  std::string source;  ///< where the points come from, as people call it
+  std::string source;                                   ///< where the points come from, as people call it
+  std::optional<std::string_view> unit = std::nullopt;  ///< of the coordinates, by its name, where it is known
   Radii radii = {};
   std::optional<Recommendation> recommended = std::nullopt;  ///< none where there is no triangle
   FiltrationArrays arrays = {};

@@ -37,6 +37,23 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("alpha plateau") {
+  TEST_CASE("--alpha plateau says when none stands out, and nothing when one does") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    folder.file("two.xy", two_squares());
+    const std::string words =
+        "rbpa: --alpha plateau: no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS "
+        "shows the choices, and recommends auto)\n";
+    CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt").err.starts_with(words));
+    CHECK(folder.rbpa("mesh p.xy --alpha plateau -o m.off").err.starts_with(words));
+    CHECK(folder.rbpa("mesh p.xy --alpha plateau:1 -o m.off").err.starts_with(words));
+    CHECK(folder.rbpa("alpha p.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
+    CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt -q").err.empty());
+    CHECK(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err.find("stands out") == std::string::npos);
+    // A rank that is not there is all that is to be said.
+    CHECK(folder.rbpa("shape p.xy --alpha plateau:9 -o s.wkt").err.find("stands out") == std::string::npos);
+  }
+
   TEST_CASE("two squares are recommended as two, with an outlier that ruins min and auto") {
     const Folder folder;
     folder.file("p.xy", two_squares());

@@ -53,6 +53,17 @@ std::string features(const std::vector<std::string>& geometries, const std::stri
 }  // namespace
 
 TEST_SUITE("GeoJSON in") {
+  TEST_CASE("--crs takes no code of EPSG that cannot be one") {
+    const apps_test::Folder folder;
+    folder.file("p.xy", apps_test::corner);
+    for (const std::string code : {"99999999", "0", "1023", "32768", "99999999999999999999"})
+      CHECK(folder.rbpa("info p.xy --crs EPSG:" + code).err ==
+            "rbpa: --crs: found 'EPSG:" + code + "', expected a code of EPSG, from 1024 to 32767\n");
+    CHECK(folder.rbpa("info p.xy --crs EPSG:1024").code == 0);
+    CHECK(folder.rbpa("info p.xy --crs EPSG:32767").code == 0);
+    CHECK(folder.rbpa("info p.xy --crs ESRI:102100").code == 0);
+  }
+
   TEST_CASE("points, wherever they stand") {
     const std::vector<Point> expected = {{1, 2}, {-3.5, 400}};
     const std::string first = geometry("Point", "[1,2]"), second = geometry("Point", "[-3.5,4e2,9]");

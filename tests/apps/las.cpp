@@ -211,9 +211,8 @@ TEST_SUITE("las") {
       const bool said = std::any_of(found.remarks.begin(), found.remarks.end(), [](const std::string& remark) {
         return remark == "the system of coordinates has no EPSG code and is not carried over (--crs says one)" ||
                remark ==
-                   "the system of coordinates is EPSG:26995 in the unit 9003 of EPSG, which may not be its own, and is "
-                   "not "
-                   "carried over (--crs says which it is)";
+                   "the system of coordinates is EPSG:26995 in the unit 9003 of EPSG, and not its own, and is "
+                   "not carried over (--crs says which it is)";
       });
       CHECK(said == (!found.crs && !file.records.empty() && file.records.front().user == "LASF_Projection"));
       return found.crs ? found.crs->text() + (found.crs->degrees ? " in degrees" : "") : "none";
@@ -226,6 +225,9 @@ TEST_SUITE("las") {
     CHECK(crs({.records = {keys({{3072, 34737, 1, 26915}})}}) == "none");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26915}, {3076, 0, 1, 9001}})}}) == "EPSG:26915");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26995}, {3076, 0, 1, 9003}})}}) == "none");  // feet
+    // Systems that are in feet themselves, of either kind.
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 2903}, {3076, 0, 1, 9003}})}}) == "EPSG:2903");
+    CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 2222}, {3076, 0, 1, 9002}})}}) == "EPSG:2222");
     CHECK(crs({.records = {{"other", 34735, keys({{3072, 0, 1, 26915}}).data}}}) == "none");
     CHECK(crs({.records = {keys({{3072, 0, 1, 26915}}), text}}) == "EPSG:28992");
     CHECK(crs({.minor = 4, .format = 6, .extended = {newer}}) == "EPSG:32631");
@@ -267,14 +269,54 @@ TEST_SUITE("las") {
           name + "point records of 29 bytes, expected at least 30 of point format 6");
     CHECK(refusal(with(105, little(0, 2))).find("point records of 0 bytes") != std::string::npos);
     CHECK(refusal(good.substr(0, 464)) ==
-          name + "89 bytes of points, which are 2 whole records, expected 3 records of 30 bytes as the header says");
-    CHECK(refusal(with(247, little(~std::uint64_t{0}, 8))).find("expected 18446744073709551615 records") !=
+          name +
+              "2 whole records of 30 bytes, expected 3 as the header says (--skip-invalid reads those that are whole)");
+    CHECK(refusal(with(247, little(~std::uint64_t{0}, 8))).find("expected 18446744073709551615 as the header") !=
           std::string::npos);
     CHECK(refusal(with(131, little(0.0))) == name + "a scale of '0', expected a finite number other than 0");
     CHECK(refusal(with(139, little(std::nan("")))).find("a scale of 'nan'") != std::string::npos);
     CHECK(refusal(with(155, little(HUGE_VAL))) == name + "an offset of 'inf', expected a finite number");
     CHECK(refusal(with(131, little(1e300))).find("expected coordinates within the range of a double") !=
           std::string::npos);
+  }
+
+  TEST_CASE("a count in the header that is too low or too high is refused, or read as far as both go") {
+    const auto file = [](unsigned count) {
+      LasFile las{.minor = 4, .format = 6};
+      for (int i = 0; i < 20; ++i) las.points.push_back({.x = i, .y = i * i, .z = i % 3});
+      las.extended = {{"LASF_Projection", 2112, "PROJCS[\"x\",AUTHORITY[\"EPSG\",\"28992\"]]"}};
+      std::string bytes = bytes_of(las);
+      return bytes.replace(247, 8, little(count, 8)).replace(107, 4, little(count, 4));
+    };
+    // Records behind the points are none of them.
+    CHECK(read(file(20)).points.size() == 20);
+    CHECK(refusal(file(7)) ==
+          "p.las: found 20 whole records of 30 bytes, expected 7 as the header says (--skip-invalid reads as many as "
+          "it says)");
+
+    const Folder folder;
+    folder.file("low.las", file(7));
+    folder.file("high.las", file(20).substr(0, 375 + 30 * 11 + 13));
+    for (const std::string name : {"low.las", "high.las", "low.las.gz", "high.las.gz"}) {
+      CAPTURE(name);
+      if (name.ends_with(".gz")) REQUIRE(folder.run("/bin/gzip", "-kf " + name.substr(0, name.size() - 3)).code == 0);
+      const bool low = name.starts_with("low");
+      const std::string remark = low ? "13 whole records behind the 7 points that the header says are left out"
+                                     : "9 of 20 points that the header says are left out: the file ends before them";
+      for (const std::string& verb : std::vector<std::string>{
+               "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
+               "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
+        CAPTURE(verb);
+        const Outcome refused = folder.rbpa(verb);
+        CHECK(refused.code == 3);
+        CHECK(refused.err.find(low ? "expected 7 as the header says" : "expected 20 as the header says") !=
+              std::string::npos);
+        const Outcome taken = folder.rbpa(verb + " --skip-invalid");
+        CHECK(taken.code == 0);
+        CHECK(taken.err.find(remark) != std::string::npos);
+        CHECK(taken.err.find(low ? "rbpa: 7 points" : "rbpa: 11 points") != std::string::npos);
+      }
+    }
   }
 
   TEST_CASE("conditions: what they mean, and what is none") {

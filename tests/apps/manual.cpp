@@ -93,6 +93,39 @@ TEST_SUITE("manual") {
     CHECK(completed(folder, "meshtopo", "meshtopo --rep") == "--repair ");
   }
 
+  TEST_CASE(
+      "the title says what there is, in the plane and in space; verbs have a line each, and a description of their "
+      "own") {
+    const Folder folder;
+    const std::string help = folder.rbpa("help").out, title = help.substr(0, help.find('\n'));
+    CHECK(title == "Alpha shapes of points in the plane, and surfaces through points in space, by ball pivoting");
+    CHECK(folder.rbpa("--man").out.find(".SH NAME\nrbpa \\- " + title + "\n") != std::string::npos);
+    CHECK(help.find("  shape                       The alpha solid as polygons with holes, valid under OGC Simple\n"
+                    "                              Features\n"
+                    "  fill  ") != std::string::npos);
+    CHECK(folder.rbpa("--completion zsh")
+              .out.find("'shape:The alpha solid as polygons with holes, valid under OGC "
+                        "Simple Features'") != std::string::npos);
+  }
+
+  TEST_CASE(
+      "help shape begins with which alpha to choose: plateau first; so does its example, and --cover comes last") {
+    const Folder folder;
+    const std::string help = folder.rbpa("help shape").out;
+    const auto at = [&](const std::string& word) {
+      const std::size_t place = help.find(word);
+      CHECK_MESSAGE(place != std::string::npos, word);
+      return place;
+    };
+    CHECK(at("Which alpha to choose: plateau first.") < at("Usage: "));
+    CHECK(at("with --cover 0.99 they leave") < at("may then have many parts and pinholes"));
+    CHECK(at("may then have many parts and pinholes") < at("Usage: "));
+    CHECK(at("--alpha plateau -o") < at("--alpha auto --cover 0.99 "));
+    CHECK(help.find("rbpa shape") == at("rbpa shape [OPTIONS]"));
+    CHECK(help.find("  rbpa shape") == at("  rbpa shape points.xy --alpha plateau"));
+    CHECK(folder.rbpa("--man").out.find("Which alpha to choose: plateau first.") != std::string::npos);
+  }
+
   TEST_CASE("help VERB is VERB --help") {
     const Folder folder;
     CHECK(folder.rbpa("help").out == folder.rbpa("--help").out);

@@ -214,9 +214,9 @@ TEST_SUITE("ogr") {
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.shp --stats s.dbf").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o - --output-format shp").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.shp").code == 2);
-    const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 --crs EPSG:1 -o u.gpkg -q");
+    const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 --crs EPSG:1025 -o u.gpkg -q");
     CHECK(unknown.code == 1);
-    CHECK(unknown.err.starts_with("rbpa: cannot write GPKG: --crs EPSG:1: "));
+    CHECK(unknown.err.starts_with("rbpa: cannot write GPKG: --crs EPSG:1025: "));
     CHECK_FALSE(folder.has("u.gpkg"));
   }
 

@@ -16,6 +16,19 @@ const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 }
 
 TEST_SUITE("outputs") {
+  TEST_CASE("peak_bytes are those of the program, whoever started it") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    // The parent has touched 400 MB, and hands its place to the program.
+    const Outcome outcome =
+        folder.run("/usr/bin/python3", "-c 'import os; b = bytearray(b\"x\" * 400000000); os.execv(\"" RBPA_PROGRAM
+                                       "\", [\"rbpa\", \"info\", \"p.xy\", \"--stats\", \"s.json\"])'");
+    REQUIRE(outcome.code == 0);
+    const double peak = nlohmann::json::parse(folder.content("s.json")).at("peak_bytes").get<double>();
+    CHECK(peak > 1e6);
+    CHECK(peak < 2e8);
+  }
+
   TEST_CASE("the search makes no difference to the bytes") {
     const Folder folder;
     REQUIRE(folder.rbpa("mesh " + points + "--alpha 0.02 -o a.ply -o a.svg -o a.png -o a.npy -q").code == 0);

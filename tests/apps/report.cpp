@@ -204,6 +204,31 @@ TEST_SUITE("report") {
     CHECK(page == folder.rbpa("report p.xy -o - -q").out);
   }
 
+  TEST_CASE("the unit is that of the system of coordinates, or degrees by the names of columns; else it is not known") {
+    const Folder folder;
+    folder.file("p.xy", two_triangles);
+    folder.file("p.csv", "lon,lat\n0,0\n6,0\n0,8\n");
+    const auto unit = [&](const std::string& arguments) {
+      return Json::parse(element(page_of(folder, arguments), "facts"))["unit"];
+    };
+    CHECK(unit("p.xy").is_null());
+    CHECK(unit("p.csv") == "degree");
+    for (const auto& [code, expected] :
+         std::vector<std::pair<std::string, std::string>>{{"EPSG:28992", "metre"},
+                                                          {"EPSG:32632", "metre"},
+                                                          {"EPSG:25830", "metre"},
+                                                          {"EPSG:3857", "metre"},
+                                                          {"EPSG:7415", "metre"},
+                                                          {"EPSG:2903", "US survey foot"},
+                                                          {"EPSG:2994", "foot"},
+                                                          {"EPSG:4326", "degree"},
+                                                          {"OGC:CRS84", "degree"}})
+      CHECK(unit("p.xy --crs " + code) == expected);
+    // Feet of the Gold Coast, links, degrees of a system that is rare, heights, codes that are not given out, others' codes.
+    for (const char* code : {"EPSG:2136", "EPSG:3139", "EPSG:4120", "EPSG:5703", "EPSG:1500", "ESRI:102003"})
+      CHECK(unit("p.xy --crs " + std::string(code)).is_null());
+  }
+
   TEST_CASE("the page has all it needs in it, and may ask for nothing") {
     const Folder folder;
     folder.file("p.xy", two_triangles);

@@ -150,6 +150,8 @@ class LasBlocks final : public PointBlocks {
     require_content(bytes_);
     LasFrame frame = las_frame(source, size_of_content(bytes_));
     header_ = frame.header;
+    skip_invalid_ = source.skip_invalid;
+    if (!bytes_.is_packed()) settle_las_count(header_, skip_invalid_, bytes_.name(), about_.remarks);
     reader_.emplace(header_, source.where, bytes_.name());
     const LasCrs system = system_of(std::move(frame), source, bytes_.is_packed(), bytes_.file_size());
     about_.crs = system.crs;
@@ -162,18 +164,36 @@ class LasBlocks final : public PointBlocks {
     while (block.empty() && first_ < header_.count) {
       const std::size_t count = std::min(points_in_block, header_.count - first_);
       buffer_.resize(count * header_.length);
-      const std::size_t found = bytes_.read(buffer_.data(), buffer_.size());
-      if (found < buffer_.size()) too_short(bytes_, first_ + found / header_.length, header_.count);
-      reader_->take(buffer_.data(), count, block);
-      first_ += count;
+      const std::size_t whole = bytes_.read(buffer_.data(), buffer_.size()) / header_.length;
+      if (whole < count) {
+        header_.room = first_ + whole;
+        settle_las_count(header_, skip_invalid_, bytes_.name(), about_.remarks);
+      }
+      reader_->take(buffer_.data(), whole, block);
+      first_ += whole;
     }
-    if (block.empty()) reader_->tell(about_.remarks);
+    if (block.empty() && !ended_) end();
     return !block.empty();
   }
   std::uint64_t bytes_read() const override { return bytes_.bytes_read(); }
 
  private:
+  void end() {
+    ended_ = true;
+    if (bytes_.is_packed() && header_.room > header_.count) {
+      // How many records there are is known when the file is unpacked.
+      std::size_t more = 0;
+      buffer_.resize(header_.length);
+      while (header_.count + more < header_.room && bytes_.read(buffer_.data(), header_.length) == header_.length)
+        ++more;
+      header_.room = header_.count + more;
+      settle_las_count(header_, skip_invalid_, bytes_.name(), about_.remarks);
+    }
+    reader_->tell(about_.remarks);
+  }
+
   ByteBlocks bytes_;
+  bool skip_invalid_ = false, ended_ = false;
   LasHeader header_ = {};
   std::optional<LasRecordReader> reader_ = std::nullopt;
   std::vector<char> buffer_;

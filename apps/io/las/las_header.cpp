@@ -1,5 +1,6 @@
 #include "io/las/las_header.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/failure.h"
@@ -48,10 +49,15 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
     header.begin += signature;
     left -= signature;
   }
-  if (header.count > left / header.length)
-    bad_input(
-        name, counted(left, "byte") + " of points, which are " + counted(left / header.length, "whole record"),
-        std::to_string(header.count) + " records of " + std::to_string(header.length) + " bytes as the header says");
+  const std::size_t whole = left / header.length;
+  const auto ends_at = [&](std::size_t at) {
+    if (at >= header.begin && at <= size && (at - header.begin) / header.length >= header.count)
+      left = at - header.begin;
+  };
+  if (header.extended_records > 0) ends_at(header.extended_begin);
+  constexpr std::size_t has_waveforms = 235;
+  if (header.minor >= 3 && header.size >= has_waveforms) ends_at(las_value<std::uint64_t>(bytes.data() + 227));
+  header.room = std::min(whole, left / header.length);
 }
 
 }  // namespace
@@ -94,6 +100,25 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
   }
   find_points(header, bytes, size, name);
   return header;
+}
+
+void settle_las_count(LasHeader& header, bool skip_invalid, const std::string& name,
+                      std::vector<std::string>& remarks) {
+  if (header.count == header.room) return;
+  const std::string found = counted(header.room, "whole record") + " of " + counted(header.length, "byte");
+  if (!skip_invalid)
+    bad_input(name, found,
+              std::to_string(header.count) + " as the header says (--skip-invalid reads " +
+                  (header.count > header.room ? "those that are whole)" : "as many as it says)"));
+  if (header.count > header.room) {
+    remarks.push_back(std::to_string(header.count - header.room) + " of " + counted(header.count, "point") +
+                      " that the header says are left out: the file ends before them");
+    header.count = header.room;
+  } else {
+    remarks.push_back(counted(header.room - header.count, "whole record") + " behind the " +
+                      counted(header.count, "point") + " that the header says " +
+                      (header.room - header.count == 1 ? "is" : "are") + " left out");
+  }
 }
 
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {

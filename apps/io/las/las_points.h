@@ -13,6 +13,7 @@
 namespace rbpa::app {
 
 /// Coordinates are as scaled_integer.h has them. Throws BadInput.
-PointFile read_las_points(std::string_view bytes, const std::string& name, const std::optional<Condition>& where);
+PointFile read_las_points(std::string_view bytes, const std::string& name, const std::optional<Condition>& where,
+                          bool skip_invalid = false);
 
 }  // namespace rbpa::app

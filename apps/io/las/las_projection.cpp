@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "io/las/epsg_feet.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -35,10 +37,12 @@ LasCrs crs_of_keys(std::string_view data) {
   const auto is_code = [](unsigned code) { return code > 0 && code < of_the_user; };
   if (is_code(projected) && model != model_geographic) {
     const std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(projected));
-    if (unit == 0 || unit == metre) return named(crs);
+    const unsigned own = feet_of_epsg(projected).value_or(metre);
+    if (unit == 0 || unit == own) return named(crs);
     // Some write the code of the system in metres beside a unit of their own, feet.
     return {std::nullopt, "the system of coordinates is " + crs->text() + " in the unit " + std::to_string(unit) +
-                              " of EPSG, which may not be its own, and is not carried over (--crs says which it is)"};
+                              " of EPSG, and not its own, "
+                              "and is not carried over (--crs says which it is)"};
   }
   if (!is_code(geographic) || model == model_projected || projected != 0) return named(std::nullopt);
   std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(geographic));

@@ -37,7 +37,7 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
     case PointFormat::pgm:
       return {.points = read_pgm_points(bytes, name, source.pixels)};
     case PointFormat::las:
-      return read_las_points(bytes, name, source.where);
+      return read_las_points(bytes, name, source.where, source.skip_invalid);
     case PointFormat::geojson:
       return read_geojson_points(bytes, name, source.vertices);
     case PointFormat::wkt:

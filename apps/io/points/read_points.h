@@ -18,7 +18,7 @@ struct PointSource {
   PointFormat format = PointFormat::text;
   std::optional<Columns> columns = std::nullopt;    ///< of text; absent: as its header says, else the first two
   PixelRule pixels = {};                            ///< of images
-  bool skip_invalid = false;                        ///< leave out lines of text that are no point
+  bool skip_invalid = false;                        ///< leave out lines of text, and records of LAS, that are no point
   bool vertices = false;                            ///< take those of lines and polygons as points
   std::optional<Condition> where = std::nullopt;    ///< of LAS and text: which points count
   std::optional<Crs> crs = std::nullopt;            ///< of the points, whatever the file says

@@ -25,7 +25,7 @@ SpacePoints parse(std::string_view bytes, const std::string& name, SpaceFormat f
     case SpaceFormat::npy:
       return read_npy_space(bytes, name);
     case SpaceFormat::las:
-      return read_las_space(bytes, name, choice.where);
+      return read_las_space(bytes, name, choice);
     case SpaceFormat::text:
       break;
   }

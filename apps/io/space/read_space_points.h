@@ -19,7 +19,7 @@ struct SpaceChoice {
   /// behind them when there are six.
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< of LAS and text: which points count
-  bool skip_invalid = false;                      ///< leave out lines of text that are no point
+  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are no point
 };
 
 /// What SpaceChoice::where may name; nothing where points have no fields beside them.

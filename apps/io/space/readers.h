@@ -38,7 +38,7 @@ SpacePoints read_pcd_space(std::string_view bytes, const std::string& name);
 SpacePoints read_npy_space(std::string_view bytes, const std::string& name);
 
 /// x, y and z of every record, or of those that a condition selects; red, green and blue unless all are black.
-SpacePoints read_las_space(std::string_view bytes, const std::string& name, const std::optional<Condition>& where);
+SpacePoints read_las_space(std::string_view bytes, const std::string& name, const SpaceChoice& choice);
 
 /// For readers of binary files: appends the point of 3 values, or with its normal of 6, which have to be finite.
 void append_numbers(std::span<const double> values, SpacePoints& file, const std::string& name);

@@ -28,8 +28,9 @@ function pathOf(points, x, y) {
 }
 
 /** `view`: width, height, and of each point x and y in pixels; `regions`: triangles to light up, with their colour;
- *  `lines`: pairs of points to join, `dots`: points. Rings wholly outside the view are left out. */
-function svgOf({ width, height, x, y, polygons, regions, lines, dots, colours, title }) {
+ *  `lines`: pairs of points to join, `dots`: points; `bar`: that of the scale, or null. Rings wholly outside the view are
+ *  left out. */
+function svgOf({ width, height, x, y, polygons, regions, lines, dots, colours, bar, unit, title }) {
   const touches = (points) =>
     points.some((p) => x[p] >= 0) && points.some((p) => x[p] <= width) &&
     points.some((p) => y[p] >= 0) && points.some((p) => y[p] <= height);
@@ -53,6 +54,11 @@ function svgOf({ width, height, x, y, polygons, regions, lines, dots, colours, t
   for (const path of shape) parts.push(`<path d="${path}" fill="none" stroke="${colours.line}" stroke-width="1.5"/>`);
   for (const p of dots.filter((p) => touches([p])))
     parts.push(`<circle cx="${pixelText(x[p])}" cy="${pixelText(y[p])}" r="2" fill="${colours.isolated}"/>`);
+  if (bar !== null)
+    parts.push(
+      `<path d="M10 ${height - 16}v6h${pixelText(bar.pixels)}v-6" fill="none" stroke="${colours.text}" stroke-width="2"/>`,
+      `<text x="10" y="${height - 20}" font-family="sans-serif" font-size="12" fill="${colours.text}">${lengthText(bar.length, unit)}</text>`,
+    );
   parts.push("</svg>");
   return parts.join("\n") + "\n";
 }

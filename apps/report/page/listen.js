@@ -3,6 +3,7 @@
 
 function listen(page) {
   addEventListener("resize", () => page.resize());
+  listenToRatio(page);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     page.takeColours();
     page.drawPlots();
@@ -18,6 +19,16 @@ function listen(page) {
     });
   element("save-geojson").addEventListener("click", () => saveFile(page, "geojson", "application/geo+json", shapeAsGeojson(page)));
   element("save-svg").addEventListener("click", () => saveFile(page, "svg", "image/svg+xml", viewAsSvg(page)));
+}
+
+/** A window that goes to a finer screen keeps its size, and has more pixels. */
+function listenToRatio(page) {
+  const same = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+  const changed = () => {
+    page.resize();
+    listenToRatio(page);
+  };
+  same.addEventListener("change", changed, { once: true });
 }
 
 function listenToRadius(page) {

@@ -19,6 +19,7 @@ class Page {
   constructor() {
     this.complex = new Complex(decode((name) => element(`data-${name}`).textContent));
     this.view = new View(this.complex.data.points);
+    this.unit = this.complex.data.facts.unit;
     this.canvas = element("shape");
     this.context = this.canvas.getContext("2d", { alpha: false });
     this.snapshot = document.createElement("canvas");
@@ -60,6 +61,7 @@ class Page {
     const { facts, radii } = this.complex.data;
     const repeated = facts.points - facts.distinct;
     element("source").textContent = facts.source;
+    element("radius-unit").textContent = facts.unit === null ? "" : ` in ${{ metre: "metres", foot: "feet", "US survey foot": "US survey feet", degree: "degrees" }[facts.unit]}`;
     const radiiText = radii.length === 0 ? "no triangle at any radius" : `${radii.length.toLocaleString("en")} critical radii, from ${short(radii[0])} to ${short(radii[radii.length - 1])}`;
     element("size").textContent =
       `${facts.points.toLocaleString("en")} points${repeated > 0 ? ` (${repeated.toLocaleString("en")} repeated)` : ""}, ${radiiText}`;
@@ -169,7 +171,8 @@ class Page {
     for (const name of ["triangles", "solidComponents", "components", "holes", "covered", "isolated"])
       element(name).textContent = numbers[name].toLocaleString("en");
     element("share").textContent = `${share.toFixed(share > 99 && share < 100 ? 2 : 1)} %`;
-    element("area").textContent = String(numbers.area);
+    element("area").textContent = areaText(numbers.area, this.unit);
+    element("area").title = String(numbers.area);
     element("radius").value = String(this.alpha);
     for (const { button, alpha } of this.choiceButtons) button.setAttribute("aria-pressed", String(alpha === this.alpha));
     this.tellRadiusError("");
@@ -237,6 +240,7 @@ class Page {
   }
 
   draw() {
+    this.showScale();
     if (this.pending.view) {
       // On large sets a view takes longer than a frame: until it stands still, the last picture moves instead.
       if (this.held && this.layTime > 30) {
@@ -255,6 +259,18 @@ class Page {
     this.light(20000);
     this.paint(true, this.shown.isolated);
     this.finely = setTimeout(() => this.beginFine(), 150);
+  }
+
+  /** At most 140 pixels of the style sheet, and a third of the picture. */
+  scaleBar() {
+    return scaleBar(this.view, Math.min(140 * this.ratio, this.canvas.width / 3));
+  }
+
+  showScale() {
+    const bar = this.scaleBar();
+    element("scale-length").textContent = bar === null ? "" : lengthText(bar.length, this.unit);
+    element("scale-bar").style.width = `${bar === null ? 0 : bar.pixels / this.ratio}px`;
+    element("scale-bar").hidden = bar === null;
   }
 
   lay() {
@@ -325,17 +341,16 @@ class Page {
 
   resize() {
     const box = this.canvas.getBoundingClientRect();
+    const ratioBefore = this.ratio ?? 1;
     this.ratio = Math.min(2, devicePixelRatio || 1);
     const width = Math.max(1, Math.round(box.width * this.ratio)), height = Math.max(1, Math.round(box.height * this.ratio));
     if (this.raster?.width !== width || this.raster.height !== height) {
-      const first = this.raster === undefined;
       this.canvas.width = width;
       this.canvas.height = height;
       this.raster = new Raster(width, height);
       this.image = this.context.createImageData(width, height);
       this.pixels = new Uint32Array(this.image.data.buffer);
-      this.view.resize(width, height);
-      if (first) this.view.fit();
+      this.view.resize(width, height, this.ratio / ratioBefore);
       this.ask("view");
     }
     this.drawPlots();

@@ -25,6 +25,8 @@ function viewAsSvg(page) {
     lines: [...inner, ...free].map(ends),
     dots: shown.isolated ? isolatedInView(complex, view, count) : [],
     colours,
+    bar: page.scaleBar(),
+    unit: page.unit,
     title: `${complex.data.facts.source}, alpha ${page.alpha}`,
   });
 }

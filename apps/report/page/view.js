@@ -10,7 +10,7 @@ class View {
     this.x = new Float64Array(this.count);
     this.y = new Float64Array(this.count);
     this.normalise(points);
-    this.resize(1, 1);
+    Object.assign(this, { width: 1, height: 1 });
     this.fit();
   }
 
@@ -28,6 +28,7 @@ class View {
     }
     const middleX = (left + right) / 2, middleY = (bottom + top) / 2;
     const half = Math.max(right - left, top - bottom) / 2 || 1;
+    this.unit = half / power; // of the normalised plane, in that of the coordinates
     for (let p = 0; p < this.count; ++p) {
       this.u[p] = (this.u[p] - middleX) / half;
       this.v[p] = (this.v[p] - middleY) / half;
@@ -36,19 +37,20 @@ class View {
     this.halfHeight = (top - bottom) / 2 / half;
   }
 
-  /** Keeps what is in the middle, and its size. */
-  resize(width, height) {
-    const dx = (width - (this.width ?? width)) / 2, dy = (height - (this.height ?? height)) / 2;
+  /** What was fitted fits again. Once it was moved or zoomed, what is in the middle stays there, `by` times as large. */
+  resize(width, height, by = 1) {
+    const dx = this.left - this.width / 2, dy = this.top - this.height / 2;
     Object.assign(this, { width, height });
-    this.left += dx;
-    this.top += dy;
+    if (this.fitted) return this.show(this.fitted);
+    this.scale *= by;
+    this.left = width / 2 + dx * by;
+    this.top = height / 2 + dy * by;
   }
 
   /** These points, with a margin; of none all. */
   fit(points = []) {
-    if (points.length === 0) return this.show(-this.halfWidth, this.halfWidth, -this.halfHeight, this.halfHeight, 0.94);
-    const { left, right, bottom, top } = this.boxOf(points);
-    this.show(left, right, bottom, top, 0.94);
+    const all = { left: -this.halfWidth, right: this.halfWidth, bottom: -this.halfHeight, top: this.halfHeight };
+    this.show({ ...(points.length === 0 ? all : this.boxOf(points)), share: 0.94 });
   }
 
   /** In the normalised plane. */
@@ -64,7 +66,9 @@ class View {
   }
 
   /** A box of the normalised plane, as a share of the picture. */
-  show(left, right, bottom, top, share) {
+  show(box) {
+    const { left, right, bottom, top, share } = box;
+    this.fitted = box;
     const width = Math.max(right - left, 1e-14), height = Math.max(top - bottom, 1e-14);
     this.scale = share * Math.min(this.width / width, this.height / height);
     this.left = this.width / 2 - (this.scale * (left + right)) / 2;
@@ -72,12 +76,14 @@ class View {
   }
 
   pan(dx, dy) {
+    this.fitted = null;
     this.left += dx;
     this.top += dy;
   }
 
   /** What lies at (x, y) stays there. */
   zoom(factor, x, y) {
+    this.fitted = null;
     const limit = 1e14;
     const by = Math.min(limit, Math.max(0.05 * Math.min(this.width, this.height), this.scale * factor)) / this.scale;
     this.scale *= by;
@@ -94,6 +100,15 @@ class View {
     }
   }
 
+  /** That of some pixels, in the unit of the coordinates; and how many pixels a length is. */
+  lengthOf(pixels) {
+    return (pixels / this.scale) * this.unit;
+  }
+
+  pixelsOf(length) {
+    return (length / this.unit) * this.scale;
+  }
+
   /** Pixels between points that lie alike everywhere. */
   spacing() {
     return this.scale * Math.sqrt((4 * (this.halfWidth || 1e-3) * (this.halfHeight || 1e-3)) / Math.max(1, this.count));
@@ -106,7 +121,7 @@ class View {
     const seen = at(left) >= 0 && at(right) <= this.width && down(top) >= 0 && down(bottom) <= this.height;
     const large = Math.max(right - left, top - bottom) * this.scale >= 24;
     if (seen && large) return false;
-    this.show(left, right, bottom, top, large ? 0.8 : 0.3);
+    this.show({ left, right, bottom, top, share: large ? 0.8 : 0.3 });
     return true;
   }
 }

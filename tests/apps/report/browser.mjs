@@ -44,7 +44,10 @@ async function assertNumbers(tab, step, alpha = step?.alpha ?? 0) {
   for (const [id, name] of Object.entries(names)) assert.equal(await number(tab, id), step?.[name] ?? 0, id);
   assert.equal(await number(tab, "isolated"), critical.at(-1).covered - (step?.covered ?? 0));
   assert.equal(await tab.value(`document.getElementById("radius").value`), String(alpha));
-  assert.equal(await text(tab, "area"), String(step?.area ?? 0));
+  assert.equal(await tab.value(`document.getElementById("area").title`), String(step?.area ?? 0));
+  const area = step?.area ?? 0, shown = await text(tab, "area");
+  assert.match(shown, /^[\d.,]+(e-?\d+)? units²$/);
+  assert(Math.abs(parseFloat(shown.replaceAll(",", "")) - area) <= 0.0005001 * area, `${shown}, ${area}`);
 }
 
 const wide = await opened();
@@ -315,6 +318,89 @@ await test("on a phone all is within its width, and large enough for a finger", 
   for (let i = 1; i <= 10; ++i) await touch("touchMove", [150 - 6 * i, 300], [250 + 6 * i, 300]);
   await touch("touchEnd");
   assert(Math.abs((await phone.value("page.view.scale")) / scale - 2.2) < 0.25);
+});
+
+for (const [width, height] of [[1280, 900], [390, 800], [800, 390]])
+  await test(`at ${width} × ${height} nothing lies on the drawing, which has most of its width, and the picture fits again when the window changes`, async () => {
+    const tab = await opened({ width, height });
+    writeFileSync(join(folder, `${width}x${height}.png`), await tab.screenshot());
+    const drawing = await place(tab, "shape");
+    const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+    for (const id of ["zoom-in", "zoom-out", "fit-shape", "fit", "scale-bar", "scale-length", "radius", "source"]) {
+      const box = await place(tab, id);
+      assert(box.width > 0 && box.height > 0, id);
+      assert(!overlap(box, drawing), `${id} ${JSON.stringify(box)} lies on ${JSON.stringify(drawing)}`);
+    }
+    for (const id of ["zoom-in", "zoom-out", "fit-shape", "fit", "scale-bar"]) {
+      const { x, width: wide } = await place(tab, id);
+      assert(x >= 0 && x + wide <= width, `${id} is within the window`);
+    }
+    assert(drawing.width * drawing.height > 0.3 * width * height, JSON.stringify(drawing));
+    // Every pixel of the drawing is the canvas's own: what is there for a pointer is the canvas.
+    const others = await tab.value(`(({ left, top, width, height }) => {
+      let others = 0;
+      for (let i = 0; i < 20; ++i) for (let j = 0; j < 20; ++j)
+        others += document.elementFromPoint(left + ((i + 0.5) * width) / 20, top + ((j + 0.5) * height) / 20)?.id !== "shape";
+      return others;
+    })(document.getElementById("shape").getBoundingClientRect())`);
+    assert.equal(others, 0);
+
+    const resize = async (width, height, ratio = 1) => {
+      const before = await tab.value("page.canvas.width * 1e6 + page.canvas.height");
+      await tab.call("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: ratio, mobile: width < 600 });
+      await tab.until(`page.canvas.width * 1e6 + page.canvas.height !== ${before}`);
+      await drawn(tab);
+    };
+    const share = () => tab.value(`(() => {
+      const { view } = page, { left, right, bottom, top } = view.boxOf(page.complex.cornersAt(page.step));
+      const at = (u) => view.left + view.scale * u, down = (v) => view.top - view.scale * v;
+      return { size: Math.max((right - left) * view.scale / page.canvas.width, (top - bottom) * view.scale / page.canvas.height),
+        seen: at(left) >= 0 && at(right) <= page.canvas.width && down(top) >= 0 && down(bottom) <= page.canvas.height };
+    })()`);
+    for (const size of [[700, 500], [1000, 900], [360, 640], [1280, 720], [1270, 720, 2]]) {
+      await resize(...size);
+      const { size: found, seen } = await share();
+      assert(seen && Math.abs(found - 0.94) < 0.01, `${size}: ${found}`);
+    }
+    await resize(900, 700);
+    await focus(tab, "shape");
+    await tab.press("+");
+    await tab.press("ArrowRight");
+    await drawn(tab);
+    const middle = () => tab.value(`[(page.canvas.width / 2 - page.view.left) / page.view.scale, (page.view.top - page.canvas.height / 2) / page.view.scale, page.view.scale / page.ratio]`);
+    const before = await middle();
+    for (const size of [[1200, 800], [500, 700], [900, 700, 2], [1280, 720]]) {
+      await resize(...size);
+      (await middle()).forEach((value, i) => assert(Math.abs(value - before[i]) < 1e-6 * (1 + Math.abs(before[i])), `${size}: ${value}, ${before[i]}`));
+    }
+  });
+
+await test("the bar of the scale is as long as it says, and follows the zoom; with a system the units are its own", async () => {
+  const file = join(folder, "metres.html");
+  run("report", points, "--crs", "EPSG:28992", "-o", file, "-q");
+  for (const [html_, unit] of [[html, "units?"], [file, "m"]]) {
+    const tab = await opened({ width: 390, height: 800, ratio: 2 }, html_);
+    const seen = new Set();
+    for (let i = 0; i < 9; ++i) {
+      const length = Number((await text(tab, "scale-length")).match(new RegExp(`^([\\d.,]+) ${unit}$`))[1]);
+      assert.match(String(length), /^0?\.?0*[125]0*$/);
+      const { width } = await place(tab, "scale-bar");
+      // By the points: the leftmost and the rightmost.
+      const perPixel = await tab.value(`(() => {
+        const { points } = page.complex.data, last = points.length - 2;
+        return (points[last] - points[0]) / ((page.view.u[last / 2] - page.view.u[0]) * page.view.scale / page.ratio);
+      })()`);
+      assert(Math.abs((width * perPixel) / length - 1) < 0.03, `${width} pixels are ${width * perPixel}, and the bar says ${length}`);
+      assert(width > 40 && width <= 140);
+      seen.add(length);
+      await tab.value(`document.getElementById("zoom-in").click()`);
+      await drawn(tab);
+    }
+    assert(seen.size >= 4);
+  }
+  const tab = await opened({}, file);
+  assert.match(await text(tab, "area"), /^[\d.,]+ m²$/);
+  assert.equal(await tab.value(`document.querySelector("label[for=radius]").textContent`), "alpha, a radius in metres");
 });
 
 await test("points without a triangle have a page too", async () => {

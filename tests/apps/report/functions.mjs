@@ -23,7 +23,7 @@ const page = (() => {
   assert(begin > 0);
   const names = ["decode", "Complex", "Raster", "View", "LogAxis", "polygonsAt", "geojsonOf", "svgOf", "orientation",
     "longestPairs", "powerOfTenText", "short", "textOf", "freeEdgesInView", "isolatedInView", "noTriangle", "triangleOf",
-    "nextSide"];
+    "nextSide", "fourDigits", "lengthText", "areaText", "roundLength", "scaleBar"];
   return vm.runInThisContext(`(() => { ${script.slice(0, begin)}\nreturn { ${names.join(", ")} }; })()`);
 })();
 
@@ -264,6 +264,81 @@ test("an axis and its ticks agree, up to the ends of the range of double", () =>
     for (const power of ticks) assert(!/NaN|undefined/.test(page.powerOfTenText(power)));
   }
   assert.deepEqual([-1, 0, 1, 3, 5, 7, -5].map(page.powerOfTenText), ["0.1", "1", "10", "1000", "100000", "1e7", "1e-5"]);
+});
+
+test("numbers have four digits, and the unit of the coordinates, squared of areas", () => {
+  for (const [number, text] of [[0, "0"], [3819.51, "3,820"], [0.98514, "0.9851"], [12, "12"], [1.5, "1.5"], [123456.7, "123,500"],
+    [9999499, "9,999,000"], [9999500, "1.000e7"], [1.23456e300, "1.235e300"], [0.0001, "0.0001"], [0.00009, "9.000e-5"], [5e-324, "4.941e-324"],
+    [-42.424242, "-42.42"], [Infinity, "∞"]])
+    assert.equal(page.fourDigits(number), text);
+  for (const [area, unit, text] of [[3819.51, "metre", "3,820 m²"], [999949, "metre", "999,900 m²"], [999950, "metre", "1 km²"], [8.2e13, "metre", "8.200e7 km²"],
+    [3819.51, "foot", "3,820 ft²"], [2e6, "US survey foot", "2,000,000 US ft²"], [549.836, "degree", "549.8 deg²"], [3819.51, null, "3,820 units²"],
+    [0, null, "0 units²"]])
+    assert.equal(page.areaText(area, unit), text);
+  for (const [length, unit, text] of [[500, "metre", "500 m"], [1000, "metre", "1 km"], [2e5, "metre", "200 km"], [0.05, "metre", "0.05 m"], [2000, "foot", "2,000 ft"],
+    [5000, "US survey foot", "5,000 US ft"], [0.5, "degree", "0.5°"], [1, null, "1 unit"], [20, null, "20 units"], [1e-5, null, "1.000e-5 units"]])
+    assert.equal(page.lengthText(length, unit), text);
+});
+
+test("the bar is as long as one, two or five times a power of ten, and no such length is nearer to what there is room for", () => {
+  for (const [most, length] of [[1, 1], [1.99, 1], [2, 2], [4.999, 2], [5, 5], [9.99, 5], [10, 10], [1000, 1000], [999.9, 500], [0.3, 0.2],
+    [0.001, 0.001], [1e-5, 1e-5], [2e22, 2e22], [1.7e308, 1e308], [5e-324, 5e-324], [0, 0], [-1, 0], [NaN, 0], [Infinity, 0]])
+    assert.equal(page.roundLength(most), length);
+  for (let power = -307; power <= 307; ++power)
+    for (const digit of [1, 2, 5]) assert.equal(page.roundLength(Number(`${digit}e${power}`)), Number(`${digit}e${power}`));
+  for (const [name, complex] of Object.entries(complexes)) {
+    const { points } = complex.data;
+    const view = new page.View(points);
+    view.resize(800, 600);
+    const lengths = new Set();
+    for (let i = 0; i < 30; ++i) {
+      view.zoom(1.3, 100, 100);
+      view.project();
+      const bar = page.scaleBar(view, 140);
+      if (name === "minute" && bar === null) continue;
+      lengths.add(bar.length);
+      assert(/^[125](\.0+)?e/.test(bar.length.toExponential()) || bar.length < 1e-300, `${name}: ${bar.length}`);
+      assert(bar.pixels <= 140.0001 && (bar.pixels > 140 / 2.51 || bar.length < 1e-300), `${name}: ${bar.pixels}`);
+      // What lies between two points, in pixels of the picture and in the coordinates, has the ratio of the bar.
+      const [p, q] = [0, complex.pointCount - 1];
+      const apart = points[2 * q] / 4 - points[2 * p] / 4;
+      if (name !== "minute") assert(Math.abs((view.x[q] - view.x[p]) / 4 / apart / (bar.pixels / bar.length) - 1) < 1e-6, name);
+    }
+    if (name !== "minute") assert(lengths.size > 8, `${name}: the bar follows the zoom`);
+  }
+  assert.equal(page.scaleBar(new page.View(new Float64Array(0)), 140), null);
+});
+
+test("what was fitted fits again in another size; what was moved or zoomed keeps its middle", () => {
+  const complex = complexes.quakes;
+  const view = new page.View(complex.data.points);
+  const state = () => [view.scale, view.left, view.top];
+  const middle = () => [(view.width / 2 - view.left) / view.scale, (view.top - view.height / 2) / view.scale];
+  const near = (a, b) => a.forEach((value, i) => assert(Math.abs(value - b[i]) < 1e-9 * (1 + Math.abs(b[i])), `${a}, ${b}`));
+  const some = complex.cornersAt(complex.steps >> 1);
+  for (const points of [[], some]) {
+    view.resize(800, 600);
+    view.fit(points);
+    view.resize(390, 300);
+    const found = state();
+    view.fit(points);
+    assert.deepEqual(found, state());
+    view.resize(800, 600, 2);
+    view.fit(points);
+    for (const move of [() => view.pan(30, -10), () => view.zoom(1.5, 100, 200)]) {
+      view.fit(points);
+      move();
+      const { scale } = view, before = middle();
+      for (const [width, height] of [[390, 800], [1280, 900], [1, 1], [640, 480]]) {
+        view.resize(width, height);
+        assert.equal(view.scale, scale);
+        near(middle(), before);
+      }
+      view.resize(1280, 960, 2); // as many pixels again in each direction
+      assert.equal(view.scale, 2 * scale);
+      near(middle(), before);
+    }
+  }
 });
 
 test("the longest pairs come first", () => {

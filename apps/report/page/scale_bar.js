@@ -1,0 +1,52 @@
+// What: lengths and areas in the unit of the coordinates, and the bar that says how long a part of the picture is.
+"use strict";
+
+/** What stands behind a number, by the name of the unit in the page's facts. */
+const unitSigns = {
+  metre: { length: " m", area: " m²" },
+  foot: { length: " ft", area: " ft²" },
+  "US survey foot": { length: " US ft", area: " US ft²" },
+  degree: { length: "°", area: " deg²" },
+  none: { length: " units", area: " units²" },
+};
+
+const signsOf = (unit) => unitSigns[unit] ?? unitSigns.none;
+
+/** Four significant digits, thousands apart. */
+function fourDigits(number) {
+  if (!Number.isFinite(number)) return "∞";
+  const size = Math.abs(number);
+  if (size !== 0 && (size >= 9999500 || size < 1e-4)) return number.toExponential(3).replace("+", "");
+  return number.toLocaleString("en", { maximumSignificantDigits: 4 });
+}
+
+/** In metres or in kilometres, whichever is shorter to read; in feet, degrees, or units that are not known. */
+function lengthText(length, unit) {
+  if (unit === "metre" && Number(length.toPrecision(4)) >= 1000) return `${fourDigits(length / 1000)} km`;
+  if (unit === null && length === 1) return "1 unit";
+  return fourDigits(length) + signsOf(unit).length;
+}
+
+function areaText(area, unit) {
+  if (unit === "metre" && Number(area.toPrecision(4)) >= 1e6) return `${fourDigits(area / 1e6)} km²`;
+  return fourDigits(area) + signsOf(unit).area;
+}
+
+/** The greatest of 1, 2 and 5 times a power of ten that is at most `most`; 0 where there is none. */
+function roundLength(most) {
+  if (!(most > 0 && most < Infinity)) return 0;
+  for (let power = Math.floor(Math.log10(most)) + 1; power >= -324; --power)
+    for (const digit of [5, 2, 1]) {
+      const length = Number(`${digit}e${power}`);
+      if (length <= most) return length;
+    }
+  return 0;
+}
+
+/** The bar of a view that is at most `most` pixels long: its length, and how many pixels that is; null where the view has
+ *  no length that a double can say. */
+function scaleBar(view, most) {
+  const length = roundLength(view.lengthOf(most));
+  const pixels = view.pixelsOf(length);
+  return length > 0 && pixels > 0 && pixels <= most * (1 + 1e-9) ? { length, pixels } : null;
+}
