@@ -30,14 +30,14 @@ std::vector<std::array<std::uint8_t, 3>> colors_of(const std::vector<Wide>& wide
 }  // namespace
 
 SpacePoints read_las_space(std::string_view bytes, const std::string& name, const SpaceChoice& choice) {
-  LasHeader header = read_las_header(bytes, name);
+  const LasHeader header = read_las_header(bytes, name);
   LasRecordReader reader(header, choice.where, name);
   reader.require_height(header, name);
   SpacePoints file;
-  settle_las_count(header, choice.skip_invalid, name, file.remarks);
-  if (!choice.where) file.points.reserve(header.count);  // whose records are all there
+  const std::size_t count = header.count.settle(choice.skip_invalid, name, file.remarks);
+  if (!choice.where) file.points.reserve(count);  // whose records are all there
   std::vector<Wide> colors;
-  reader.take(bytes.data() + header.begin, header.count, file.points, colors);
+  reader.take(bytes.data() + header.begin, count, file.points, colors);
   file.colors = colors_of(colors);
   reader.tell(file.remarks);
   return file;
