@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "io/las/las_header.h"
+#include "io/las/las_projection.h"
 #include "io/las/las_record_reader.h"
+#include "io/points/longitude.h"
 #include "io/space/readers.h"
 
 namespace rbpa::app {
@@ -39,6 +41,8 @@ SpacePoints read_las_space(std::string_view bytes, const std::string& name, cons
   std::vector<Wide> colors;
   reader.take(bytes.data() + header.begin, count, file.points, colors);
   file.colors = colors_of(colors);
+  if (const LasCrs system = las_crs(bytes, header); system.crs && system.crs->degrees && !file.points.empty())
+    file.remarks.push_back(remark_on_degrees(file.points));
   reader.tell(file.remarks);
   return file;
 }
