@@ -16,7 +16,10 @@ bash tests/install_packages.sh "${packages[@]}"
 export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache} CCACHE_DEPEND=1
 export CCACHE_DIR=${CCACHE_DIR-$PWD/build/ccache}
 build() {
-  cmake --preset "$1"
+  local python=()
+  # All that it needs is installed by now. Said here, as a build folder of before may have it cached as OFF.
+  case $1 in release | clang | shared | gdal) python=(-DRBPA_BUILD_PYTHON=ON) ;; esac
+  cmake --preset "$1" "${python[@]}"
   cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}"
 }
 if [ "$preset" = nightly ]; then

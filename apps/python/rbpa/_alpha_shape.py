@@ -135,6 +135,7 @@ class AlphaShape(Outlined):
         self.points = points
         self.alpha = alpha
         self.__dict__.update(made)
+        freeze(*made.values())
         self._unchanged = Unchanged(points)
 
     @cached_property

@@ -126,7 +126,10 @@ class Filtration:
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any]:
         """(components, holes) at a radius, or at each of an array of radii: the Betti numbers b0 and b1."""
-        step = np.searchsorted(self.alpha, np.asarray(alpha, dtype=float), side="right")
+        radii = np.asarray(alpha, dtype=float)
+        if np.isnan(radii).any():
+            raise _core.InvalidInput("alpha: found nan, expected radii")
+        step = np.searchsorted(self.alpha, radii, side="right")
         components, holes = (np.insert(of, 0, 0)[step] for of in (self.components, self.holes))
         return (int(components), int(holes)) if step.ndim == 0 else (components, holes)
 

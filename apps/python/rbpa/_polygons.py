@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Iterator, overload
 
 import numpy as np
 
+from rbpa._input import freeze
+
 if TYPE_CHECKING:
     from rbpa._input import Floats, Indices
 
@@ -71,6 +73,7 @@ class Polygons(Sequence[Polygon]):
     def __init__(self, points: Floats, flat: dict[str, Any]) -> None:
         self._points = points
         self._flat = flat
+        freeze(*(array for array in flat.values() if isinstance(array, np.ndarray)))
         self.area: float = flat["area"]
         self.perimeter: float = flat["perimeter"]
 
