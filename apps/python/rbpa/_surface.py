@@ -10,7 +10,7 @@ from typing import Any, Optional, Union
 import numpy as np
 import numpy.typing as npt
 
-from rbpa import _core
+from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, Unchanged
 from rbpa._input import as_count, as_points, as_threads, freeze
@@ -254,6 +254,22 @@ class Surface:
         found = _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
         freeze(*found)
         return found
+
+    def mesh(self) -> meshops.Mesh:
+        """A halfedge mesh of it, a new one with each call: face i is triangle i, and goes on where `neighbors` says.
+
+        Always an oriented manifold: sheets that have a point or an edge in common and do not go on in each other have vertices
+        of their own there. ``mesh.point_of_vertex`` says on which point each stands; unused points have none. The triangles
+        alone do not say which sheet goes on in which: ``rbpa.meshops.Mesh(surface.triangles)`` refuses such edges.
+        """
+        made = meshops.Mesh()
+        _core.surface_mesh(made, self.points, self.triangles, self.neighbors)
+        return made
+
+    def report(self) -> meshops.Report:
+        """The topology of `mesh()`, in total and per component: sheets that only touch are apart. The same as
+        ``surface.mesh().report()``; with ``mesh.point_of_vertex`` what touches in a point hangs together."""
+        return self.mesh().report()
 
     @property
     def unused(self) -> Indices:
