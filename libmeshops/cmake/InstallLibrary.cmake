@@ -33,7 +33,7 @@ function(rbpa_hide_symbols target)
   set_target_properties(${target} PROPERTIES
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
-  if(BUILD_SHARED_LIBS OR RBPA_BUILD_PYTHON)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides, for those who link us into their own
+  if(BUILD_SHARED_LIBS OR RBPA_BUILD_PYTHON OR RBPA_POSITION_INDEPENDENT)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides, for those who link us into their own
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   endif()
 endfunction()
