@@ -133,6 +133,8 @@ Question question_of(const StreamRequest& request) {
     struct stat status {};
     if (stat(source.path.c_str(), &status) != 0)
       bad_input(source.path, errno == ENOENT ? "no such file" : std::strerror(errno), "a file of points");
+    if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))  // a folder is refused where it is read
+      bad_input(source.path, "a pipe, a socket or a device", "a file, which can be read twice");
     constexpr std::int64_t second = 1'000'000'000;
     question.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),
                                status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});
@@ -194,6 +196,14 @@ Manifest load_manifest(const Scratch& scratch, const Question& question) {
     require(manifest.next_index <= manifest.points, "more points than there are");
     const bool has_tiles = manifest.pass == Manifest::Pass::compute || manifest.files_done > 0;
     require(manifest.tiles.size() == (has_tiles ? manifest.tree.tiles() : 0), "files of other tiles");
+    std::uint64_t owned = 0;
+    for (const TileSummary& tile : manifest.tiles) {
+      require(tile.owned <= tile.points && tile.owned <= manifest.points - owned,
+              "tiles of more points than there are");
+      owned += tile.owned;
+    }
+    require(manifest.pass != Manifest::Pass::compute || owned == manifest.points,
+            "tiles of fewer points than there are");
     return manifest;
   } catch (const WrongUsage&) {
     throw;

@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <random>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -58,6 +60,22 @@ Lock lock_file(const std::string& path, int flags, int& descriptor) {
   if (!is_busy && is_same_file(descriptor, path)) return Lock::ours;
   close(std::exchange(descriptor, -1));
   return is_busy ? Lock::busy : Lock::gone;
+}
+
+/// ".rbpa-stream-PROCESS-RANDOM": processes of two containers can have one number.
+std::string new_name() {
+  char random[16];
+  std::snprintf(random, sizeof random, "-%08x", std::random_device()());
+  return std::string(beginning) + std::to_string(getpid()) + random;
+}
+
+/// Gives a folder another name unless there is something of that name. Returns 0, or the error.
+int rename_to_new(const std::string& from, const std::string& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != ENOSYS && errno != EINVAL) return errno;
+  // On a disk that cannot do this at once, an empty folder that comes between would be replaced.
+  if (access(to.c_str(), F_OK) == 0) return EEXIST;
+  return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 /// Whether there may be a process with the number in the folder's name.
@@ -121,17 +139,19 @@ std::string folder_of(const StreamRequest& request) {
 }  // namespace
 
 Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.has_value()) {
+  std::string beside;
   if (is_asked_for_) {
     folder_ = *request.scratch;
     while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
   } else {
-    const std::string beside = folder_of(request);
+    beside = folder_of(request);
     clear_dead(beside);
-    folder_ = beside + "/" + std::string(beginning) + std::to_string(getpid());
   }
   constexpr int often = 1000;
-  for (int i = 0; i < often; ++i)
+  for (int i = 0; i < often; ++i) {
+    if (!is_asked_for_) folder_ = beside + "/" + new_name();
     if (make(request)) return;
+  }
   throw Failure(folder_ + ": found it removed again and again, expected a folder that stays");
 }
 
@@ -235,9 +255,10 @@ bool Scratch::make_marked() const {
   const int created =
       open((unmarked + "/" + created_name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0666);
   if (created >= 0) close(created);
-  fs::rename(unmarked, folder_, error);
-  if (error && !fs::is_directory(folder_)) throw Failure(folder_ + ": cannot make the folder: " + error.message());
-  return !error;
+  const int reason = rename_to_new(unmarked, folder_);
+  if (reason != 0 && !fs::is_directory(folder_, error))
+    throw Failure(folder_ + ": cannot make the folder: " + std::strerror(reason));
+  return reason == 0;
 }
 
 void Scratch::clear_rows() const {

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -42,7 +41,7 @@ ScratchFile::ScratchFile(const std::string& path, Mode mode)
   struct stat status {};
   if (fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) return;
   close(descriptor_);
-  throw Failure(path_ + ": found a folder, a pipe or a device, expected a file");
+  bad_input(path_, "a folder, a pipe or a device", "a file");
 }
 
 ScratchFile::~ScratchFile() { close(descriptor_); }
@@ -168,7 +167,7 @@ std::string json_text(std::string_view bytes) {
 std::string bytes_of_json_text(std::string_view text) {
   const auto digit = [](char c) {
     const char* const at = c == '\0' ? nullptr : std::strchr(hex, c);
-    if (at == nullptr) throw std::runtime_error("a name with a % that no two digits follow");
+    if (at == nullptr) throw BadInput("a name with a % that no two digits follow");
     return static_cast<unsigned>(at - hex);
   };
   std::string bytes;
@@ -177,7 +176,7 @@ std::string bytes_of_json_text(std::string_view text) {
       bytes += text[i];
       continue;
     }
-    if (text.size() - i < 3) throw std::runtime_error("a name with a % that no two digits follow");
+    if (text.size() - i < 3) throw BadInput("a name with a % that no two digits follow");
     bytes += static_cast<char>(digit(text[i + 1]) << 4U | digit(text[i + 2]));
     i += 2;
   }

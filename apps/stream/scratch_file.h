@@ -7,7 +7,8 @@
 
 namespace rbpa::app {
 
-/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below.
+/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below; BadInput
+/// where there is something else of that name.
 class ScratchFile {
  public:
   enum class Mode { read, write, append, update };  // write begins anew; update writes into what is there

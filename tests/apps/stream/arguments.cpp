@@ -1,6 +1,5 @@
 // What the verb takes, and what it says.
 #include <doctest/doctest.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -130,12 +129,4 @@ TEST_CASE("too many points within 2 alpha: where, how many, and what would do") 
   const std::string enough = text.substr(at + 11, text.find(' ', at + 11) - at - 11);
   CHECK(folder.rbpa("stream p.f64xy --alpha 5 --memory " + enough + " -o p.wkt -q").code == 0);
   CHECK(folder.names() == std::vector<std::string>{"p.f64xy", "p.wkt"});
-}
-
-TEST_CASE("a pipe is refused at once, and names may have any bytes") {
-  const Folder folder;
-  REQUIRE(mkfifo(folder.path("f.npy").c_str(), 0666) == 0);
-  CHECK(said(folder, "f.npy --alpha 1 -o t.npy", 3).find("which can be read twice") != std::string::npos);
-  folder.file("caf\xe9.xy", square);
-  CHECK(folder.rbpa("stream caf?.xy --alpha 1 -o t.npy -q").code == 0);
 }
