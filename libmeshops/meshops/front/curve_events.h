@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "meshops/core/reach.h"
+#include "meshops/front/engine_side.h"
 #include "meshops/front/front.h"
 
 namespace meshops::detail {
@@ -44,11 +45,14 @@ inline std::array<Vertex, 3> corners(const Connectivity& mesh, Face triangle) {
 
 /// Tells the events that make `now` of `before` curves. Several are said to be joined first, and then split.
 template <typename Visitor>
-void tell_curves(const Front& front, std::size_t before, const DistinctCurves& now, Visitor& visitor) {
-  if (before == 0 && now.count() > 0) visitor.curve_begun(front, now[0]);
-  for (; before > 1; --before) visitor.curves_joined(front, now.count() > 0 ? now[0] : Halfedge());
-  for (std::size_t i = 1; i < now.count(); ++i) visitor.curve_split(front, now[i - 1], now[i]);
-  if (now.count() == 0) visitor.curve_closed(front);
+void tell_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor) {
+  const Front& front = changed;
+  EngineSide(changed).tell([&] {
+    if (before == 0 && now.count() > 0) visitor.curve_begun(front, now[0]);
+    for (; before > 1; --before) visitor.curves_joined(front, now.count() > 0 ? now[0] : Halfedge());
+    for (std::size_t i = 1; i < now.count(); ++i) visitor.curve_split(front, now[i - 1], now[i]);
+    if (now.count() == 0) visitor.curve_closed(front);
+  });
 }
 
 }  // namespace meshops::detail

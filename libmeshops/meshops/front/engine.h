@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "meshops/front/curve_events.h"
+#include "meshops/front/engine_side.h"
 #include "meshops/front/order.h"
 #include "meshops/front/policy.h"
 #include "meshops/front/visitor.h"
@@ -26,7 +27,7 @@ void insert(Front& front, const Fit& fit, Visitor& visitor, Tell tell) {
   std::size_t before = 0;
   if constexpr (Visitor::follows_curves) before = DistinctCurves(front.mesh(), fit.sides.side).count();
   const InsertedTriangle triangle = front.insert(fit);
-  tell(triangle);
+  EngineSide(front).tell([&] { tell(triangle); });
   if constexpr (Visitor::follows_curves)
     tell_curves(front, before, DistinctCurves(front.mesh(), corners(front.mesh(), triangle.face)), visitor);
 }
@@ -36,7 +37,7 @@ void detach(Front& front, Face f, Visitor& visitor) {
   std::size_t before = 0;
   if constexpr (Visitor::follows_curves) before = DistinctCurves(front.mesh(), corners(front.mesh(), f)).count();
   const DetachedTriangle triangle = front.detach(f);
-  visitor.detached(std::as_const(front), triangle);
+  EngineSide(front).tell([&] { visitor.detached(std::as_const(front), triangle); });
   if constexpr (Visitor::follows_curves)
     tell_curves(front, before, DistinctCurves(front.mesh(), triangle.side), visitor);
 }
@@ -44,15 +45,17 @@ void detach(Front& front, Face f, Visitor& visitor) {
 template <typename Visitor>
 void freeze(Front& front, Halfedge h, Visitor& visitor) {
   front.freeze(h);
-  visitor.frozen(std::as_const(front), h);
+  EngineSide(front).tell([&] { visitor.frozen(std::as_const(front), h); });
 }
 
 /// Where a triangle goes, given by its corners or by a halfedge and the apex: glued as its sites tell, or as the policy
 /// says.
 template <typename Policy, typename... Place>
-Fit fit(const Front& front, Policy& policy, Place... place) {
+Fit fit(Front& front, Policy& policy, Place... place) {
   if constexpr (GluingFrontPolicy<Policy>)
-    return front.fit(place..., [&](Halfedge side, Site apex) { return policy.glues(front, side, apex); });
+    return front.fit(place..., [&](Halfedge side, Site apex) {
+      return EngineSide(front).ask([&] { return policy.glues(std::as_const(front), side, apex); });
+    });
   else
     return front.fit(place...);
 }
@@ -70,14 +73,14 @@ void follow(Front& front, Policy& policy, Halfedge h, const Proposal& proposal, 
       return;
     }
   } else if (proposal.apex()) {
-    const Fit fit = detail::fit(seen, policy, h, *proposal.apex());
+    const Fit fit = detail::fit(front, policy, h, *proposal.apex());
     refusal = fit.refusal;
     if (!refusal) {
       insert(front, fit, visitor, [&](const InsertedTriangle& triangle) { visitor.attached(seen, h, triangle); });
       return;
     }
   }
-  if (refusal) visitor.refused(seen, h, *refusal);
+  if (refusal) EngineSide(front).tell([&] { visitor.refused(seen, h, *refusal); });
   freeze(front, h, visitor);
 }
 
@@ -87,15 +90,15 @@ bool begin(Front& front, Policy& policy, Visitor& visitor) {
   const Front& seen = front;
   std::optional<std::array<Site, 3>> refused;
   for (;;) {
-    const std::optional<std::array<Site, 3>> seed = policy.seed(seen);
+    const std::optional<std::array<Site, 3>> seed = EngineSide(front).ask([&] { return policy.seed(seen); });
     // A policy that says the same again knows no other.
     if (!seed || seed == refused) return false;
-    const Fit fit = detail::fit(seen, policy, (*seed)[0], (*seed)[1], (*seed)[2]);
+    const Fit fit = detail::fit(front, policy, (*seed)[0], (*seed)[1], (*seed)[2]);
     if (!fit.refusal) {
       insert(front, fit, visitor, [&](const InsertedTriangle& triangle) { visitor.seeded(seen, triangle); });
       return true;
     }
-    visitor.seed_refused(seen, *seed, *fit.refusal);
+    EngineSide(front).tell([&] { visitor.seed_refused(seen, *seed, *fit.refusal); });
     refused = seed;
   }
 }
@@ -104,19 +107,23 @@ bool begin(Front& front, Policy& policy, Visitor& visitor) {
 
 /// Advances the active front until it runs dry, and then from seed to seed until no seed is left, or the same is refused
 /// twice in a row. After Front::next_level() it begins with what was frozen.
-/// Throws: whatever the policy or the visitor throws; the mesh is sound then, and what was active still is.
+/// Throws: whatever the policy or the visitor throws, a key's order and moves included; the mesh is sound then, what was
+///         active or in hand is active, and another advance() asks about it, in the order in which this one would have.
+///         ContractViolation when the mesh is changed meanwhile, or the front: by the policy at all, by the visitor other
+///         than by activate() and freeze().
 template <FrontPolicy Policy, typename Visitor>
 void advance(Front& front, Policy& policy, Visitor&& visitor) {
   typename detail::OrderOf<Policy>::type order(front, policy);
+  const detail::EngineSide engine(front);
   Halfedge h;
   try {
     do {
       for (h = order.next(); h.is_valid(); h = order.next())
-        detail::follow(front, policy, h, policy.propose(std::as_const(front), h), visitor);
+        detail::follow(front, policy, h,
+                       engine.ask([&]() -> Proposal { return policy.propose(std::as_const(front), h); }), visitor);
     } while (detail::begin(front, policy, visitor));
   } catch (...) {
-    if (front.is_boundary(h) && !front.is_frozen(h)) front.activate(h);
-    order.give_back();
+    order.give_back(h);
     throw;
   }
 }

@@ -34,53 +34,57 @@ class Leaving {
 }  // namespace
 
 Halfedge Front::edge_between(Site from, Site to) const {
+  require_intact();
   // Around both in turns: a site with many edges must not make its neighbours slow.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   for (;;) {
     const Halfedge out = out_of.next();
-    if (!out.is_valid() || to_site(out) == to) return out;
+    if (!out.is_valid() || end(out) == to) return out;
     const Halfedge back = back_from.next();
     if (!back.is_valid()) return back;
-    if (to_site(back) == from) return mesh_.opposite_halfedge_handle(back);
+    if (end(back) == from) return mesh_.opposite_halfedge_handle(back);
   }
 }
 
 std::vector<Halfedge> Front::edges_between(Site from, Site to) const {
+  require_intact();
   // In turns, too; who is around first has met all.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   std::vector<Halfedge> met_out, met_back;
   for (;;) {
     const Halfedge out = out_of.next();
     if (!out.is_valid()) return met_out;
-    if (to_site(out) == to) met_out.push_back(out);
+    if (end(out) == to) met_out.push_back(out);
     const Halfedge back = back_from.next();
     if (!back.is_valid()) return met_back;
-    if (to_site(back) == from) met_back.push_back(mesh_.opposite_halfedge_handle(back));
+    if (end(back) == from) met_back.push_back(mesh_.opposite_halfedge_handle(back));
   }
 }
 
 Halfedge Front::boundary_between(Site from, Site to) const {
+  require_intact();
   // As above. A fan that is open has one boundary halfedge that leaves its vertex, and one that leads there.
   Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
   while (leaving.is_valid()) {
     const Halfedge out = mesh_.halfedge_handle(leaving);
-    if (mesh_.is_boundary(out) && to_site(out) == to) return out;
+    if (mesh_.is_boundary(out) && end(out) == to) return out;
     leaving = vertices_.next(leaving);
     if (!leaving.is_valid() || !entering.is_valid()) break;
     const Halfedge next = mesh_.halfedge_handle(entering);
     if (mesh_.is_boundary(next))
-      if (const Halfedge in = mesh_.prev_halfedge_handle(next); from_site(in) == from) return in;
+      if (const Halfedge in = mesh_.prev_halfedge_handle(next); start(in) == from) return in;
     entering = vertices_.next(entering);
   }
   return Halfedge();
 }
 
 Face Front::triangle_on(Site a, Site b, Site c) const {
+  require_intact();
   Leaving out_of(mesh_, vertices_, a);
   for (Halfedge h = out_of.next(); h.is_valid(); h = out_of.next()) {
-    if (mesh_.is_boundary(h) || to_site(h) != b) continue;
+    if (mesh_.is_boundary(h) || end(h) != b) continue;
     const Halfedge next = mesh_.next_halfedge_handle(h);
-    if (to_site(next) == c && mesh_.next_halfedge_handle(next) == mesh_.prev_halfedge_handle(h))
+    if (end(next) == c && mesh_.next_halfedge_handle(next) == mesh_.prev_halfedge_handle(h))
       return mesh_.face_handle(h);
   }
   return Face();

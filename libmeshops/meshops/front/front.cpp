@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "meshops/core/validate.h"
 #include "meshops/handle/extract_triangle.h"
@@ -9,6 +10,9 @@
 
 namespace meshops {
 namespace {
+
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+constexpr ElementCounts finished{never, never, never};
 
 SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
   if (site_of_vertex.empty()) return {mesh, mesh.n_vertices()};
@@ -22,6 +26,7 @@ Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
   require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
   require(supply > 0, "Front: supply is 0");
   mesh.resize(sites, 0, 0);
+  count_elements();
 }
 
 Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
@@ -29,6 +34,7 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
   require(has_status(mesh), "Front: the mesh needs status of every kind to mark what is deleted");
   if (const auto defects = validate(mesh); !defects.empty())
     throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
+  count_elements();
   edges_ = dead_edges_ = mesh.n_edges();
   faces_ = dead_faces_ = mesh.n_faces();
   for_each_face(mesh, [&](Face) { --dead_faces_; });
@@ -43,7 +49,8 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
 }
 
 Front::Front(AssembledPatches&& assembled, std::size_t supply)
-    : mesh_(assembled.mesh_),
+    : mesh_(assembled.unchanged()),
+      counts_(assembled.counts_),
       vertices_(std::move(assembled.vertices_)),
       supply_(supply),
       edges_(mesh_.n_edges()),
@@ -54,6 +61,19 @@ Front::Front(AssembledPatches&& assembled, std::size_t supply)
   for (const Halfedge h : active_) set_state(h, State::active);
   for (const auto& [first, end] : assembled.holes_)
     for (int e = first; e < end; ++e) set_aside(Halfedge(2 * e + 1));
+}
+
+void Front::violated() const {
+  require(counts_ != finished, "Front: the front is finished");
+  throw ContractViolation("Front: the mesh was changed by others: it has " + describe(ElementCounts::of(mesh_)) +
+                          "; expected " + describe(counts_));
+}
+
+void Front::changed_while_called() const {
+  throw ContractViolation(
+      caller_ == Caller::policy
+          ? "Front: the policy changed the front while it was asked"
+          : "Front: the visitor changed the front while it was called, other than activate() and freeze() do");
 }
 
 void Front::supply(std::size_t edges, std::size_t faces) {
@@ -68,6 +88,7 @@ Halfedge Front::Supply::edge(Vertex from, Vertex to) {
 }
 
 bool Front::is_boundary(Halfedge h) const {
+  require_intact();
   return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_ && is_live(mesh_, h) && mesh_.is_boundary(h);
 }
 
@@ -90,7 +111,8 @@ bool Front::finds_side(Fit& fit, unsigned side) const {
 
 /// With what is asked of every triangle: its corners.
 Fit Front::at_corners(Site a, Site b, Site c) const {
-  Fit fit({a, b, c});
+  require_intact();
+  Fit fit({a, b, c}, *this, revision());
   std::size_t end = sites();  // of old and new ones
   for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
   for (unsigned i = 0; i < 3; ++i) {
@@ -104,7 +126,7 @@ Fit Front::at_corners(Site a, Site b, Site c) const {
 
 /// The same at a boundary halfedge.
 Fit Front::at_side(Halfedge h, Site apex) const {
-  Fit fit({0, 0, apex});
+  Fit fit({0, 0, apex}, *this, revision());
   if (!is_boundary(h)) {
     fit.refusal = Refusal{RefusalKind::no_boundary_halfedge, 0, 0, h.idx()};
     return fit;
@@ -160,10 +182,36 @@ void Front::refuse_closed(Fit& fit) const {
   }
 }
 
+/// As if nothing was known of it: what is made by hand, and what was changed since fit(), may be anything.
+void Front::check(const Fit& fit) const {
+  const auto refuse = [](const Refusal& refusal) { throw ContractViolation("insert: " + describe(refusal)); };
+  if (fit.refusal) refuse(*fit.refusal);
+  if (fit.front_ != nullptr) {
+    require(fit.front_ == this, "insert: the fit is one of another front");
+    require(fit.revision_ == revision(),
+            "insert: the fit is stale: a triangle was attached or detached since it was made");
+  }
+  const auto& [a, b, c] = fit.corners;
+  if (const auto refusal = at_corners(a, b, c).refusal) refuse(*refusal);
+  for (unsigned i = 0; i < 3; ++i) {
+    const Halfedge h = fit.sides.side[i];
+    if (!h.is_valid()) continue;
+    if (!is_boundary(h)) refuse({RefusalKind::no_boundary_halfedge, 0, 0, h.idx()});
+    require(start(h) == fit.corners[i] && end(h) == fit.corners[(i + 1) % 3],
+            "insert: a given side does not run between its corners");
+  }
+}
+
 InsertedTriangle Front::insert(const Fit& fit) {
+  require_changeable();
+  check(fit);
+  return put(fit);
+}
+
+InsertedTriangle Front::put(const Fit& fit) {
   std::size_t new_edges = 0;
   for (unsigned i = 0; i < 3; ++i) {
-    while (fit.corners[i] >= sites()) add_site();
+    while (fit.corners[i] >= sites()) vertices_.add_site();
     new_edges += !fit.sides.side[i].is_valid();
   }
   if (edges_ + new_edges > mesh_.n_edges()) supply(std::max(new_edges, supply_), 0);
@@ -172,6 +220,7 @@ InsertedTriangle Front::insert(const Fit& fit) {
   for (unsigned i = 0; i < 3; ++i)
     if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid())
       sides.corner[i] = vertices_.take(fit.corners[i]);
+  count_elements();
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
   for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) vertices_.release(result.left_over[i]);
   for (unsigned i = 0; i < 3; ++i)
@@ -180,11 +229,13 @@ InsertedTriangle Front::insert(const Fit& fit) {
 }
 
 InsertedTriangle Front::insert_checked(const Fit& fit, const char* operation) {
+  require_changeable();
   if (fit.refusal) throw ContractViolation(std::string(operation) + ": " + describe(*fit.refusal));
-  return insert(fit);
+  return put(fit);
 }
 
 std::optional<Refusal> Front::detach_blocker(Face f) const {
+  require_intact();
   const Refusal refusal{RefusalKind::no_such_face, 0, 0, f.idx()};
   const auto because = [&](RefusalKind kind) { return Refusal{kind, 0, 0, f.idx()}; };
   if (f.idx() < 0 || static_cast<std::size_t>(f.idx()) >= faces_ || !is_live(mesh_, f)) return refusal;
@@ -197,6 +248,7 @@ std::optional<Refusal> Front::detach_blocker(Face f) const {
 }
 
 DetachedTriangle Front::detach(Face f) {
+  require_changeable();
   if (const auto refusal = detach_blocker(f)) throw ContractViolation("detach: " + describe(*refusal));
   require(has_status(mesh_), "detach: the mesh needs status of every kind to mark what is deleted");
   const TriangleRim rim = rim_of(mesh_, f);
@@ -205,7 +257,10 @@ DetachedTriangle Front::detach(Face f) {
   for (unsigned i = 0; i < 3; ++i) {
     const Site s = detached.corners[i] = site(rim.corner[i]);
     if (!is_on_boundary(s)) reopened_.push_back(s);
-    if (rim.is_passage[i]) second[i] = vertices_.take(s);
+    if (rim.is_passage[i]) {
+      second[i] = vertices_.take(s);
+      count_elements();
+    }
   }
   extract_triangle(mesh_, rim, second);
   ++dead_faces_;
@@ -232,19 +287,46 @@ void Front::set_state(Halfedge h, State state) {
 }
 
 Halfedge Front::next_queued() {
+  require_intact();
   while (head_ < active_.size())
-    if (const Halfedge h = active_[head_++]; is_active(h)) return h;
+    if (const Halfedge h = active_[head_++]; is_active(h)) {
+      require_live(h);
+      return h;
+    }
   active_.clear();
   head_ = 0;
   return Halfedge();
 }
 
+void Front::requeue(Halfedge in_hand, std::span<const Halfedge> next) {
+  if (!is_intact()) return;
+  std::vector<Halfedge> queue;
+  std::vector<bool> queued(edges_, false);
+  const auto add = [&](Halfedge h) {
+    if (state(h) != State::active) return;
+    auto is_queued = queued[static_cast<std::size_t>(h.idx()) / 2];
+    if (!is_queued) queue.push_back(h);
+    is_queued = true;
+  };
+  if (is_boundary(in_hand) && state(in_hand) == State::neither) {
+    set_state(in_hand, State::active);
+    add(in_hand);
+  }
+  for (const Halfedge h : next) add(h);
+  for (std::size_t i = head_; i < active_.size(); ++i) add(active_[i]);
+  for (int i = 0; i < static_cast<int>(2 * edges_); ++i) add(Halfedge(i));
+  active_ = std::move(queue);
+  head_ = 0;
+}
+
 void Front::activate(Halfedge h) {
+  require_states_changeable();
   require(is_boundary(h), "activate: not a boundary halfedge");
   if (!is_active(h)) queue(h);
 }
 
 void Front::freeze(Halfedge h) {
+  require_states_changeable();
   require(is_boundary(h), "freeze: not a boundary halfedge");
   if (!is_frozen(h)) set_aside(h);
 }
@@ -265,7 +347,13 @@ void Front::set_aside(Halfedge h) {
   set_state(h, State::frozen);
 }
 
+/// An active or frozen edge goes by the front only.
+void Front::require_live(Halfedge h) const {
+  require(is_live(mesh_, h), "Front: the mesh was changed by others: an edge of the front is marked deleted");
+}
+
 std::vector<BoundaryCurve> Front::curves() const {
+  require_intact();
   std::vector<BoundaryCurve> found;
   std::vector<bool> seen(2 * edges_, false);
   for (std::size_t i = 0; i < 2 * edges_; ++i) {
@@ -286,6 +374,7 @@ std::vector<BoundaryCurve> Front::curves_at(Site s) const {
 }
 
 LevelTransfer Front::next_level() {
+  require_changeable();
   const auto sort_and_unite = [](std::vector<Site>& some) {
     std::sort(some.begin(), some.end());
     some.erase(std::unique(some.begin(), some.end()), some.end());
@@ -300,10 +389,14 @@ LevelTransfer Front::next_level() {
   }
   // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
   std::vector<Site> on_boundary;
+  const auto note = [&](Halfedge h) {
+    require_live(h);
+    on_boundary.push_back(from_site(h));
+  };
   for (const Halfedge h : frozen_)
-    if (is_frozen(h)) on_boundary.push_back(from_site(h));
+    if (is_frozen(h)) note(h);
   for (std::size_t i = head_; i < active_.size(); ++i)
-    if (is_active(active_[i])) on_boundary.push_back(from_site(active_[i]));
+    if (is_active(active_[i])) note(active_[i]);
   sort_and_unite(on_boundary);
   std::vector<Site> free;
   std::copy_if(carried_.begin(), carried_.end(), std::back_inserter(free), [&](Site s) { return is_free(s); });
@@ -323,6 +416,7 @@ LevelTransfer Front::next_level() {
 }
 
 std::vector<Site> Front::finish() {
+  require_changeable();
   std::vector<Site> site_of;
   if (keeps_handles_) {
     site_of.resize(mesh_.n_vertices());
@@ -331,6 +425,7 @@ std::vector<Site> Front::finish() {
   } else {
     site_of = detail::compact(mesh_, vertices_, edges_, faces_);
   }
+  counts_ = finished;
   vertices_.clear();
   // Not = {}, which empties a vector and keeps its memory.
   state_ = std::vector<State>();

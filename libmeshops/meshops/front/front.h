@@ -15,7 +15,9 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/core/element_counts.h"
 #include "meshops/front/boundary_curve.h"
+#include "meshops/front/fit.h"
 #include "meshops/front/refusal.h"
 #include "meshops/handle/insert_triangle.h"
 #include "meshops/patch/assembled.h"
@@ -24,18 +26,8 @@
 namespace meshops {
 
 namespace detail {
-template <typename Policy>
-class LeastKeyFirst;
+class EngineSide;
 }  // namespace detail
-
-/// Where a triangle goes, and what it will be glued to; or why it cannot go there.
-struct Fit {
-  explicit Fit(const std::array<Site, 3>& sites) : corners(sites) {}
-
-  std::array<Site, 3> corners;
-  TriangleSides sides;  ///< those that are boundary halfedges already
-  std::optional<Refusal> refusal;
-};
 
 /// A triangle that is no longer there.
 struct DetachedTriangle {
@@ -51,6 +43,9 @@ struct LevelTransfer {
   std::size_t reactivated = 0;  ///< frozen halfedges that are active again
 };
 
+/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or takes some
+/// out (garbage_collection(), add_face()); after finish() nobody asks it for more than mesh(), edges(), faces(), sites(),
+/// frozen() and level(). Both are checked by every other member. Throws ContractViolation, which names the cause.
 class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
@@ -70,6 +65,9 @@ class MESHOPS_API Front {
   /// Goes on with what was assembled: sides beyond which a patch may have had more are active, the others frozen.
   explicit Front(AssembledPatches&& assembled, std::size_t supply = 1);
 
+  Front(const Front&) = delete;
+  Front& operator=(const Front&) = delete;
+
   const Connectivity& mesh() const { return mesh_; }
   /// The number of edges and faces of the mesh.
   std::size_t edges() const { return edges_ - dead_edges_; }
@@ -78,25 +76,38 @@ class MESHOPS_API Front {
   std::size_t sites() const { return vertices_.sites(); }
 
   /// One more site: for methods that place points while they run. Returns: its number, which is what sites() was.
-  Site add_site() { return vertices_.add_site(); }
+  Site add_site() {
+    require_changeable();
+    return vertices_.add_site();
+  }
 
   /// Throws ContractViolation when there is no such vertex, halfedge or site; likewise below.
-  Site site(Vertex v) const { return vertices_.site(v); }
-  Site from_site(Halfedge h) const { return site(mesh_.from_vertex_handle(checked(h))); }
-  Site to_site(Halfedge h) const { return site(mesh_.to_vertex_handle(checked(h))); }
+  Site site(Vertex v) const {
+    require_intact();
+    return vertices_.site(v);
+  }
+  Site from_site(Halfedge h) const { return start(checked(h)); }
+  Site to_site(Halfedge h) const { return end(checked(h)); }
 
   /// No triangle has a corner on this site.
-  bool is_free(Site s) const { return vertices_.is_free(s); }
+  bool is_free(Site s) const {
+    require_intact();
+    return vertices_.is_free(s);
+  }
   /// A fan on this site is on the boundary.
   bool is_on_boundary(Site s) const {
     bool found = false;
     for_each_fan(s, [&](Vertex v) { found = found || mesh_.is_boundary(v); });
     return found;
   }
-  /// Calls visit(Vertex) for each fan on the site: none when it is free.
+  /// Calls visit(Vertex) for each fan on the site: none when it is free. It must not change the mesh.
   template <typename Visit>
   void for_each_fan(Site s, Visit visit) const {
-    vertices_.for_each(s, visit);
+    require_intact();
+    vertices_.for_each(s, [&](Vertex v) {
+      visit(v);
+      require_intact();
+    });
   }
 
   /// The halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
@@ -140,7 +151,7 @@ class MESHOPS_API Front {
   Fit fit(Halfedge h, Site apex) const;
   /// The same for who knows which sides are glued, where sites do not tell: surfaces in space touch along edges, and have
   /// slits. Of the boundary halfedges between the sites of a side, the first is glued for which glues(halfedge, apex) is
-  /// true, the apex being the third corner; without any it is a new edge. All that is asked of the triangle itself is
+  /// true, the apex being the third corner; without any it is a new edge. It must not change the front. All that is asked of the triangle itself is
   /// that it is not there yet, and of its corners that they are distinct, and exist or are the next new ones.
   /// Cost: the numbers of fans at the corners, and of the edges at one.
   template <typename Glues>
@@ -151,8 +162,9 @@ class MESHOPS_API Front {
   Fit fit(Halfedge h, Site apex, Glues glues) const {
     return find_glued(at_side(h, apex), glues);
   }
-  /// Requires: `fit` has no refusal, and nothing was attached or detached since. Not checked: the unchecked way in, for
-  ///           who knows what fit() would say. `sides.corner` is not looked at.
+  /// Requires: `fit` has no refusal; nothing was attached or detached since this front made it; its corners are distinct, and
+  ///           exist or are the next new ones; its sides are boundary halfedges between them. Throws ContractViolation, mesh
+  ///           untouched.
   InsertedTriangle insert(const Fit& fit);
 
   /// Why detach() would refuse: there is no such face, it is no triangle, or none of its sides is on the boundary.
@@ -166,14 +178,21 @@ class MESHOPS_API Front {
   /// The next active halfedge, first in first out, which is then no longer active until it is made so, frozen or attached
   /// to; an invalid handle when the front has run dry.
   Halfedge pop() {
+    require_changeable();
     const Halfedge h = next_queued();
     if (h.is_valid()) take(h);
     return h;
   }
   /// A boundary halfedge of the mesh: false of any other handle.
   bool is_boundary(Halfedge h) const;
-  bool is_active(Halfedge h) const { return state(h) == State::active; }
-  bool is_frozen(Halfedge h) const { return state(h) == State::frozen; }
+  bool is_active(Halfedge h) const {
+    require_intact();
+    return state(h) == State::active;
+  }
+  bool is_frozen(Halfedge h) const {
+    require_intact();
+    return state(h) == State::frozen;
+  }
 
   /// Makes a boundary halfedge active: one that was popped, or one that is frozen, which wakes. Nothing when it is active.
   /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
@@ -215,19 +234,48 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
+  /// Neither finished nor changed by others.
+  bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
+  void require_intact() const {
+    if (!is_intact()) [[unlikely]]
+      violated();
+  }
+  [[noreturn, gnu::cold, gnu::noinline]] void violated() const;
+  /// Whom the engine is calling: a policy changes nothing meanwhile, a visitor activates and freezes only.
+  enum class Caller : std::uint8_t { user, policy, visitor };
+  void require_changeable() const {
+    require_intact();
+    if (caller_ != Caller::user) [[unlikely]]
+      changed_while_called();
+  }
+  [[noreturn, gnu::cold, gnu::noinline]] void changed_while_called() const;
+  void require_states_changeable() const {
+    require_intact();
+    if (caller_ == Caller::policy) [[unlikely]]
+      changed_while_called();
+  }
+  /// The number of triangles attached and detached so far, and of those it began with.
+  std::size_t revision() const { return faces_ + dead_faces_; }
+  /// After each change of its own.
+  void count_elements() { counts_ = ElementCounts::of(mesh_); }
+
   Halfedge checked(Halfedge h) const {
+    require_intact();
     require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: no such halfedge");
     return h;
   }
+  /// As from_site() and to_site(), of a halfedge that there is.
+  Site start(Halfedge h) const { return vertices_.site(mesh_.from_vertex_handle(h)); }
+  Site end(Halfedge h) const { return vertices_.site(mesh_.to_vertex_handle(h)); }
   State state(Halfedge h) const {
     const auto edge = static_cast<std::size_t>(h.idx()) / 2;
     return h.idx() >= 0 && edge < state_.size() && mesh_.is_boundary(h) ? state_[edge] : State::neither;
   }
   void set_state(Halfedge h, State state);
+  void require_live(Halfedge h) const;
   void queue(Halfedge h);
   void set_aside(Halfedge h);
-  template <typename Policy>
-  friend class detail::LeastKeyFirst;
+  friend class detail::EngineSide;
   /// The next in the queue that is active, and stays so.
   Halfedge next_queued();
   /// An active halfedge is so no longer. Returns: whether it was.
@@ -244,10 +292,15 @@ class MESHOPS_API Front {
   void refuse_twice(Fit& fit) const;
   bool finds_side(Fit& fit, unsigned side) const;
   void refuse_closed(Fit& fit) const;
+  void check(const Fit& fit) const;
+  InsertedTriangle put(const Fit& fit);
+  void requeue(Halfedge in_hand, std::span<const Halfedge> next);
   InsertedTriangle insert_checked(const Fit& fit, const char* operation);
 
   Connectivity& mesh_;
+  ElementCounts counts_;  // as the front left them; impossible ones when it is finished
   SiteVertices vertices_;
+  Caller caller_ = Caller::user;
   std::size_t supply_;
   bool keeps_handles_ = false;  // it began with a mesh of the user's
   std::size_t edges_ = 0;       // in use, dead ones included; there may be more in supply
@@ -267,6 +320,14 @@ class MESHOPS_API Front {
 template <typename Glues>
 Fit Front::find_glued(Fit fit, Glues glues) const {
   if (!fit.refusal) refuse_twice(fit);
+  const std::size_t before = revision();
+  // Glues may be asked by many threads, of a front that they only read.
+  const auto is_glued = [&](Halfedge h, Site apex) {
+    const bool yes = glues(h, apex);
+    require_intact();
+    require(revision() == before, "fit: glues() changed the front while it was asked");
+    return yes;
+  };
   for (unsigned i = 0; i < 3 && !fit.refusal; ++i) {
     const Site from = fit.corners[i], to = fit.corners[(i + 1) % 3];
     Halfedge& side = fit.sides.side[i];
@@ -274,7 +335,7 @@ Fit Front::find_glued(Fit fit, Glues glues) const {
     // An open fan has one boundary halfedge that leaves its vertex.
     for (Vertex v = vertices_.first(from); v.is_valid() && !side.is_valid(); v = vertices_.next(v)) {
       const Halfedge h = mesh_.halfedge_handle(v);
-      if (mesh_.is_boundary(h) && to_site(h) == to && glues(h, fit.corners[(i + 2) % 3])) side = h;
+      if (mesh_.is_boundary(h) && end(h) == to && is_glued(h, fit.corners[(i + 2) % 3])) side = h;
     }
   }
   return fit;

@@ -8,11 +8,13 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/core/element_counts.h"
 #include "meshops/patch/site_vertices.h"
 
 namespace meshops {
 
-/// The mesh is sound. It is done with finish(), or goes on as a Front.
+/// The mesh is sound. It is done with finish(), or goes on as a Front; either leaves nothing here, and nobody may have
+/// added or taken elements before. Throws ContractViolation. It can be moved, not copied.
 class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
@@ -28,9 +30,13 @@ class MESHOPS_API AssembledPatches {
  private:
   friend class PatchAssembler;
   friend class Front;
-  AssembledPatches(Connectivity& mesh, SiteVertices vertices) : mesh_(mesh), vertices_(std::move(vertices)) {}
+  AssembledPatches(Connectivity& mesh, SiteVertices vertices)
+      : mesh_(mesh), counts_(ElementCounts::of(mesh)), vertices_(std::move(vertices)) {}
+  /// Requires: what was assembled is here, and the mesh as it was. Throws ContractViolation.
+  Connectivity& unchanged() const;
 
   Connectivity& mesh_;
+  ElementCounts counts_;
   SiteVertices vertices_;
   std::vector<Halfedge> open_;  // boundary halfedges beyond which a patch may have had more
   std::vector<std::array<int, 2>>

@@ -49,8 +49,18 @@ std::vector<Site> detail::compact(Connectivity& mesh, const SiteVertices& vertic
   return site_of;
 }
 
+Connectivity& AssembledPatches::unchanged() const {
+  require(vertices_.vertices() == counts_.vertices, "AssembledPatches: finished, or moved to a front already");
+  if (const auto found = ElementCounts::of(mesh_); found != counts_)
+    throw ContractViolation("AssembledPatches: the mesh was changed by others: it has " + describe(found) +
+                            "; expected " + describe(counts_));
+  return mesh_;
+}
+
 std::vector<Site> AssembledPatches::finish() && {
-  return detail::compact(mesh_, vertices_, mesh_.n_edges(), mesh_.n_faces());
+  unchanged();
+  const SiteVertices vertices = std::move(vertices_);
+  return detail::compact(mesh_, vertices, mesh_.n_edges(), mesh_.n_faces());
 }
 
 }  // namespace meshops

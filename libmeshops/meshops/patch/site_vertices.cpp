@@ -50,8 +50,15 @@ void SiteVertices::list(int index) {
 }
 
 Vertex SiteVertices::take(Site s) {
-  if (is_first(s) && mesh_.is_isolated(Vertex(static_cast<int>(s)))) return Vertex(static_cast<int>(s));
+  const auto require_live = [this](Vertex v) {
+    require(is_live(mesh_, v), "Front: the mesh was changed by others: a vertex that waits is marked deleted");
+  };
+  if (const Vertex own(static_cast<int>(s)); is_first(s) && mesh_.is_isolated(own)) {
+    require_live(own);
+    return own;
+  }
   if (const int begin = first_listed(s); begin <= waiting) {
+    require_live(vertex(waiting - begin));
     link(s) = none;
     list(waiting - begin);
     return vertex(waiting - begin);
@@ -77,7 +84,10 @@ void SiteVertices::release(Vertex v) {
   if (index < 0) return;
   const Site s = further_[static_cast<std::size_t>(index)].site;
   int* to = &link(s);
-  while (*to != index) to = &further_[static_cast<std::size_t>(*to)].next;
+  while (*to != index) {
+    require(*to >= 0, "Front: the mesh was changed by others: a vertex is not listed at its site");
+    to = &further_[static_cast<std::size_t>(*to)].next;
+  }
   *to = further_[static_cast<std::size_t>(index)].next;
   if (!is_first(s) && first_listed(s) == none) {
     link(s) = waiting - index;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meshops/core/api.h"
@@ -22,6 +23,15 @@ class MESHOPS_API SiteVertices {
   SiteVertices(Connectivity& mesh, std::size_t sites) : mesh_(mesh), first_(sites) {}
   /// Vertex v stands on site_of[v].
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
+  /// There is one list of the vertices of a mesh: it can be moved, and then has no sites any more, but not be copied.
+  SiteVertices(SiteVertices&& other) noexcept
+      : mesh_(other.mesh_),
+        first_(std::exchange(other.first_, 0)),
+        further_(std::exchange(other.further_, {})),
+        listed_at_first_(std::exchange(other.listed_at_first_, {})),
+        listed_(std::exchange(other.listed_, {})),
+        spare_(std::exchange(other.spare_, {})) {}
+  SiteVertices(const SiteVertices&) = delete;
 
   /// Sites are 0 to sites() − 1, without those whose vertex was marked deleted before it could have a fan.
   std::size_t sites() const { return first_ + listed_.size(); }
@@ -51,7 +61,8 @@ class MESHOPS_API SiteVertices {
   void for_each(Site s, Visit visit) const {
     for (Vertex v = first(s); v.is_valid(); v = next(v)) visit(v);
   }
-  /// The same one by one; an invalid handle behind the last.
+  /// The same one by one; an invalid handle behind the last. Throws ContractViolation also where others took the faces of
+  /// a vertex that is listed.
   Vertex first(Site s) const {
     require(s < sites(), "Front: no such site");
     const Vertex own(static_cast<int>(s));
@@ -63,7 +74,7 @@ class MESHOPS_API SiteVertices {
   }
 
   /// An isolated vertex for another fan on the site, which lists it. It has the properties of the first vertex there,
-  /// if that has faces.
+  /// if that has faces. Throws ContractViolation where others marked it deleted.
   Vertex take(Site s);
   /// Takes back a vertex that is isolated again. The last on its site waits for the next triangle there; others serve
   /// any site, and are marked deleted meanwhile where the mesh can.
@@ -91,7 +102,11 @@ class MESHOPS_API SiteVertices {
   static constexpr int waiting = -2;  // waiting − i: vertex i of further_ waits for a fan
 
   bool is_first(Site s) const { return s < first_; }
-  Vertex listed(int index) const { return index < 0 ? Vertex() : vertex(index); }
+  Vertex listed(int index) const {
+    if (index < 0) return Vertex();
+    require(!mesh_.is_isolated(vertex(index)), "Front: the mesh was changed by others: a vertex has lost its faces");
+    return vertex(index);
+  }
   Vertex vertex(int index) const { return Vertex(static_cast<int>(first_) + index); }
   int index_of(Vertex v) const { return v.idx() - static_cast<int>(first_); }
   int first_listed(Site s) const {

@@ -146,15 +146,6 @@ TEST_SUITE("front") {
     CHECK_THROWS_AS((void)front.edge_between(0, 50), ContractViolation);
   }
 
-  TEST_CASE("a front that is finished has no sites") {
-    Closed on;
-    on.front.finish();
-    CHECK(on.front.sites() == 0);
-    CHECK(on.front.create_blocker(1, 2, 4)->kind == RefusalKind::no_such_site);
-    CHECK_THROWS_AS((void)on.front.is_free(0), ContractViolation);
-    CHECK_FALSE(on.front.pop().is_valid());
-  }
-
   TEST_CASE("every refusal has a name of its own and words") {
     std::set<std::string> names, words;
     for (int kind = 0; kind < 8; ++kind) {
