@@ -22,7 +22,7 @@ inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& f
 template <typename Arguments>
 void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
-             "Leave out lines of text that are no point, and say how many");
+             "Leave out lines of text, and records of LAS, that are no point, and say how many");
   verb.add_option("--where", arguments.where,
                   "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
       ->type_name("CONDITION");

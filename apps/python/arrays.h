@@ -1,5 +1,5 @@
 // What: NumPy arrays as the library's spans, and the library's vectors as NumPy arrays. Nothing is copied.
-// Law:  an array that is made here owns the vector, whose memory lives as long as the array; it cannot be written.
+// Law:  an array that is made here owns the vector, whose memory lives as long as the array; it can be written where no other sees the vector.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -52,11 +52,12 @@ class Kept {
   const Value& operator*() const { return *value_; }
   const Value* operator->() const { return value_; }
 
-  /// Numbers from `first` on, of these shape and distances in bytes.
+  /// Numbers from `first` on, of these shape and distances in bytes. Others may see them: read-only unless `is_alone`.
   template <typename Number>
-  py::array view(const void* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides) const {
+  py::array view(const void* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
+                 bool is_alone = false) const {
     py::array array(py::dtype::of<Number>(), std::move(shape), std::move(strides), first, owner_);
-    array.attr("setflags")(py::arg("write") = false);
+    if (!is_alone) array.attr("setflags")(py::arg("write") = false);
     return array;
   }
 
@@ -71,7 +72,7 @@ py::array rows(std::vector<Item> items) {
   constexpr std::size_t columns = sizeof(Item) / sizeof(Number);
   const Kept kept(std::move(items));
   return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size()), py::ssize_t(columns)},
-                                    {py::ssize_t(sizeof(Item)), py::ssize_t(sizeof(Number))});
+                                    {py::ssize_t(sizeof(Item)), py::ssize_t(sizeof(Number))}, true);
 }
 
 /// An item of a vector is a number.
@@ -79,7 +80,7 @@ template <typename Number, typename Item>
 py::array line(std::vector<Item> items) {
   static_assert(sizeof(Number) == sizeof(Item));
   const Kept kept(std::move(items));
-  return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size())}, {py::ssize_t(sizeof(Item))});
+  return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size())}, {py::ssize_t(sizeof(Item))}, true);
 }
 
 }  // namespace rbpa::python

@@ -10,6 +10,7 @@ import hashlib
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -31,7 +32,7 @@ def metadata() -> str:
     return (
         "Metadata-Version: 2.1\nName: rbpa\n"
         f"Version: {version()}\n"
-        "Summary: Alpha shapes, concave hulls and Delaunay triangulations in the plane, exact and fast\n"
+        "Summary: Alpha shapes, concave hulls and Delaunay triangulations in the plane, surfaces in space, exact and fast\n"
         "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n"
         "Description-Content-Type: text/markdown\n\n" + (ROOT / "docs" / "python.md").read_text()
     )
@@ -39,6 +40,8 @@ def metadata() -> str:
 
 def build_package(folder: pathlib.Path) -> pathlib.Path:
     """The package, built for the Python that runs this."""
+    if shutil.which("cmake") is None:
+        raise SystemExit("rbpa: found no cmake, expected it on the path (Debian: cmake)")
     configure = [
         "cmake", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release", "-DRBPA_BUILD_PYTHON=ON",
         "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}",

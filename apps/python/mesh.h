@@ -22,6 +22,15 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
     request_edge_status();
     request_face_status();
   }
+
+  /// The elements and links of a mesh that marks none as deleted. (OpenMesh would take the marks away, as that one has none.)
+  void take_links(OpenMesh::PolyConnectivity& other) {
+    other.request_vertex_status();
+    other.request_halfedge_status();
+    other.request_edge_status();
+    other.request_face_status();
+    assign_connectivity(other);
+  }
 };
 
 class Mesh {

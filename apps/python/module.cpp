@@ -43,7 +43,7 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_filtration(module);
   rbpa::python::bind_locator(module);
   rbpa::python::bind_partial(module);
-  rbpa::python::bind_surface(module);
   rbpa::python::bind_mesh(module);
+  rbpa::python::bind_surface(module);
   rbpa::python::bind_soups(module);
 }

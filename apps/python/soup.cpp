@@ -2,7 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include "meshops/core/contract.h"
 #include "meshops/topology/examine.h"
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
@@ -19,9 +18,7 @@ meshops::PolygonSoup soup_of(const Indices& corners, const Begins& begin, std::s
   soup.corners.assign(first, first + corners.size());
   soup.begin.clear();
   for (py::ssize_t i = 0; i < begin.size(); ++i) soup.begin.push_back(static_cast<std::size_t>(begin.data()[i]));
-  meshops::require(!soup.begin.empty() && soup.begin.front() == 0 && soup.begin.back() == soup.corners.size() &&
-                       std::is_sorted(soup.begin.begin(), soup.begin.end()),
-                   "faces: their beginnings are not in order");
+  meshops::require_parted(soup);
   return soup;
 }
 

@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "python/arrays.h"
+#include "python/mesh.h"
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/space/auto_radii.h"
 #include "rbpa/space/holes.h"
 #include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/surface_levels.h"
+#include "rbpa/space/surface_mesh.h"
 #include "rbpa/space/unused.h"
 
 namespace rbpa::python {
@@ -182,6 +184,21 @@ py::tuple unused_of(const Doubles& points, const MaybeDoubles& normals, const Do
   return py::make_tuple(line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes)));
 }
 
+/// Fills an empty mesh: face i is triangle i, glued where the surface is.
+void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
+  const auto input = points3_of(points, "points");
+  const auto corners = triples_of(triangles, "triangles"), others = triples_of(neighbors, "neighbors");
+  mesh.changed();
+  mesh.built_on = watched(corners.size(), py::none(), [&](Watch&) {
+    Surface surface;
+    surface.triangles.assign(corners.begin(), corners.end());
+    surface.neighbors.assign(others.begin(), others.end());
+    SurfaceMesh made = surface_mesh(input, std::move(surface));
+    mesh.kernel().take_links(made.mesh);
+    return std::move(made.input_index);
+  });
+}
+
 }  // namespace
 
 void bind_surface(py::module_& module) {
@@ -194,6 +211,8 @@ void bind_surface(py::module_& module) {
   module.def("surface_holes", &holes_of, arg("points").noconvert(), arg("normals").noconvert(),
              arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
              arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
+  module.def("surface_mesh", &mesh_of, arg("mesh"), arg("points").noconvert(), arg("triangles").noconvert(),
+             arg("neighbors").noconvert());
   module.def("surface_unused", &unused_of, arg("points").noconvert(), arg("normals").noconvert(),
              arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
              arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));

@@ -49,7 +49,11 @@ void ask(const Watch& watch, const py::object& progress, bool is_time_to_tell) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (progress.is_none() || !is_time_to_tell) return;
   const Progress now = watch.last();
-  if (progress(now.triangles, now.points).is(py::bool_(false))) throw Cancelled();
+  const py::object answer = progress(now.triangles, now.points);
+  if (answer.is_none()) return;
+  const int goes_on = PyObject_IsTrue(answer.ptr());
+  if (goes_on < 0) throw py::error_already_set();
+  if (goes_on == 0) throw Cancelled();
 }
 
 }  // namespace
@@ -57,6 +61,8 @@ void ask(const Watch& watch, const py::object& progress, bool is_time_to_tell) {
 void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress) {
   constexpr std::chrono::milliseconds between_looks(20);
   constexpr int looks_to_tell = 5;
+  if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    throw py::type_error("progress: found " + py::repr(progress).cast<std::string>() + ", expected a function or None");
   Watch watch;
   std::exception_ptr stopped, failed;
   if (is_short) {

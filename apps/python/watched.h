@@ -45,7 +45,7 @@ class Watch {
 };
 
 /// Runs work(watch), in a thread of its own unless `is_short`; the calling thread holds Python's lock, and lets it go.
-/// `progress` is None, or called as progress(triangles, points) every tenth of a second; what it raises, and False, ends
+/// `progress` is None, or called as progress(triangles, points) every tenth of a second; what it raises, and what is false but None, ends
 /// the work, and so does a signal whose handler raises.
 /// Throws: what the work throws; Cancelled; what Python raised.
 void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress);

@@ -54,12 +54,12 @@ void save(const ComputeState& state, const Scratch& scratch) {
                      {"sums", state.rows.sums},
                      {"polygons", {state.polygons.polygons.bytes, state.polygons.polygons.checksum}},
                      {"holes", {state.polygons.holes.bytes, state.polygons.holes.checksum}}};
-  replace_content(scratch.progress(), json.dump() + "\n");
+  replace_checked(scratch.progress(), json.dump());
   if (state.generation > 0) unlink(scratch.partials(state.generation - 1).c_str());
 }
 
 std::optional<ComputeState> load_state(const Scratch& scratch) {
-  const std::string text = scratch_content(scratch.progress());
+  const std::string text = checked_content(scratch.progress());
   if (text.empty()) return std::nullopt;
   try {
     const Json json = Json::parse(text);
@@ -72,8 +72,8 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
     state.polygons = {log("polygons"), log("holes")};
     return state;
   } catch (const std::exception& error) {
-    throw Failure(scratch.progress() + ": found no progress of rbpa stream (" + std::string(error.what()) +
-                  "), expected it; remove " + scratch.folder() + " and begin anew");
+    throw BadInput(scratch.progress() + ": found no progress of rbpa stream (" + std::string(error.what()) +
+                   "), expected it; remove " + scratch.folder() + " and begin anew");
   }
 }
 

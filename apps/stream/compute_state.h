@@ -24,7 +24,7 @@ struct ComputeState {
 
 void save(const ComputeState& state, const Scratch& scratch);
 
-/// Nothing where no tile was done. Throws Failure when the files are not what was written.
+/// Nothing where no tile was done. Throws BadInput when the files are not what was written.
 std::optional<ComputeState> load_state(const Scratch& scratch);
 
 }  // namespace rbpa::app

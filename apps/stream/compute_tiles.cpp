@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/failure.h"
 #include "io/interrupt.h"
 #include "rbpa/core/error.h"
 #include "stream/compute_state.h"
@@ -58,6 +59,7 @@ class Computation {
         progress_(request.shows_progress, "3/4 computing", manifest.points) {
     if (std::optional<ComputeState> state = load_state(scratch)) {
       state_ = std::move(*state);
+      require_plausible();
       rows_.resume(state_.rows);
       polygons_.resume(state_.polygons);
     } else {
@@ -93,6 +95,15 @@ class Computation {
       if (!failure_) failure_ = std::current_exception();
       turned_.notify_all();
     }
+  }
+
+  /// What is open is what the tree says of so many tiles.
+  void require_plausible() const {
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
+    if (state_.tiles_done > 0 && state_.tiles_done <= ends_.size() && state_.open.size() == open) return;
+    bad_input(scratch_.progress(), "the progress of another run",
+              "that of this one; remove " + scratch_.folder() + " and begin anew");
   }
 
   std::optional<std::size_t> take() {

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "io/failure.h"
 #include "io/number.h"
@@ -16,7 +19,7 @@ namespace rbpa::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int version = 1;
+constexpr int version = 2;
 
 std::string absolute(const std::string& path) {
   return path == "-" ? path : std::filesystem::absolute(path).lexically_normal().string();
@@ -29,11 +32,38 @@ Json json_of(const TileTree& tree) {
   return parts;
 }
 
+void require(bool is_so, const char* found) {
+  if (!is_so) throw std::runtime_error(found);
+}
+
+/// Parents before their parts, each part of one parent, tiles numbered from 0 on.
+void require_tree(const std::vector<TileTree::Part>& parts) {
+  using Kind = TileTree::Part::Kind;
+  require(!parts.empty(), "no tiles");
+  std::vector<bool> has_parent(parts.size(), false), is_tile(parts.size() / 2 + 1, false);
+  for (std::size_t at = 0; at < parts.size(); ++at) {
+    const TileTree::Part& part = parts[at];
+    require(at == 0 || has_parent[at], "a part of the plane without the one that it is of");
+    if (part.kind == Kind::tile) {
+      require(part.first < is_tile.size() && !is_tile[part.first], "a tile of a number that it cannot have");
+      is_tile[part.first] = true;
+      continue;
+    }
+    require(part.kind == Kind::cut_x || part.kind == Kind::cut_y, "a cut of an unknown kind");
+    require(std::isfinite(part.line), "a cut that is at no number");
+    for (const std::uint32_t of : {part.first, part.second}) {
+      require(of > at && of < parts.size() && !has_parent[of], "a part of the plane that it cannot have");
+      has_parent[of] = true;
+    }
+  }
+}
+
 TileTree tree_of(const Json& json) {
   std::vector<TileTree::Part> parts;
   for (const Json& part : json)
     parts.push_back({static_cast<TileTree::Part::Kind>(part.at(0).get<int>()), part.at(1).get<double>(),
                      part.at(2).get<std::uint32_t>(), part.at(3).get<std::uint32_t>()});
+  require_tree(parts);
   return TileTree(std::move(parts));
 }
 
@@ -52,10 +82,17 @@ std::vector<TileSummary> tiles_of(const Json& json) {
 
 Json json_of(const Question& question) {
   Json inputs = Json::array();
-  for (const InputFile& file : question.inputs) inputs.push_back({file.path, file.size, file.changed});
-  return {{"inputs", inputs},          {"options", question.options},     {"alpha", question.alpha},
-          {"memory", question.memory}, {"tile_size", question.tile_size}, {"keep_tiles", question.keep_tiles},
-          {"tasks", question.tasks},   {"targets", question.targets}};
+  for (const InputFile& file : question.inputs) inputs.push_back({json_text(file.path), file.size, file.changed});
+  Json targets = Json::array();
+  for (const std::string& path : question.targets) targets.push_back(json_text(path));
+  return {{"inputs", inputs},
+          {"options", json_text(question.options)},
+          {"alpha", question.alpha},
+          {"memory", question.memory},
+          {"tile_size", question.tile_size},
+          {"keep_tiles", question.keep_tiles},
+          {"tasks", question.tasks},
+          {"targets", targets}};
 }
 
 /// Throws WrongUsage "--resume: found X, expected Y as the run in FOLDER has".
@@ -65,10 +102,10 @@ void require_same(const Json& before, const Question& question, const std::strin
   const std::string run = " of the run in " + folder;
   const Json &old_inputs = before.at("inputs"), &inputs = now.at("inputs");
   for (std::size_t i = 0; i < std::min(old_inputs.size(), inputs.size()); ++i) {
-    const std::string name = in_quotes(inputs[i].at(0).get<std::string>());
+    const std::string name = in_quotes(bytes_of_json_text(inputs[i].at(0).get<std::string>()));
     if (inputs[i].at(0) != old_inputs[i].at(0))
       throw WrongUsage("--resume: found the input " + name + ", expected " +
-                       in_quotes(old_inputs[i].at(0).get<std::string>()) + run);
+                       in_quotes(bytes_of_json_text(old_inputs[i].at(0).get<std::string>())) + run);
     if (inputs[i] != old_inputs[i])
       throw WrongUsage("--resume: found " + name + " changed, expected it as it was when the run in " + folder +
                        " began");
@@ -96,6 +133,8 @@ Question question_of(const StreamRequest& request) {
     struct stat status {};
     if (stat(source.path.c_str(), &status) != 0)
       bad_input(source.path, errno == ENOENT ? "no such file" : std::strerror(errno), "a file of points");
+    if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))  // a folder is refused where it is read
+      bad_input(source.path, "a pipe, a socket or a device", "a file, which can be read twice");
     constexpr std::int64_t second = 1'000'000'000;
     question.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),
                                status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});
@@ -128,17 +167,20 @@ void save(const Manifest& manifest, const Scratch& scratch) {
     json["next_index"] = manifest.next_index;
     json["tiles"] = json_of(manifest.tiles);
   }
-  replace_content(scratch.manifest(), json.dump() + "\n");
+  replace_checked(scratch.manifest(), json.dump());
 }
 
 Manifest load_manifest(const Scratch& scratch, const Question& question) {
-  const std::string text = scratch_content(scratch.manifest());
+  const std::string text = checked_content(scratch.manifest());
   try {
     const Json json = Json::parse(text);
     if (json.at("version") != version) throw std::runtime_error("another version");
     require_same(json.at("question"), question, scratch.folder());
     Manifest manifest{.question = question, .workers = json.at("workers")};
-    manifest.pass = static_cast<Manifest::Pass>(json.at("pass").get<int>());
+    const int pass = json.at("pass");
+    require(0 <= pass && pass <= static_cast<int>(Manifest::Pass::compute), "an unknown pass");
+    require(manifest.workers > 0, "no workers");
+    manifest.pass = static_cast<Manifest::Pass>(pass);
     if (manifest.pass == Manifest::Pass::count) return manifest;
     manifest.points = json.at("points");
     const Json& box = json.at("box");
@@ -150,12 +192,24 @@ Manifest load_manifest(const Scratch& scratch, const Question& question) {
     manifest.files_done = json.at("files_done");
     manifest.next_index = json.at("next_index");
     manifest.tiles = tiles_of(json.at("tiles"));
+    require(manifest.files_done <= question.inputs.size(), "more files than there are");
+    require(manifest.next_index <= manifest.points, "more points than there are");
+    const bool has_tiles = manifest.pass == Manifest::Pass::compute || manifest.files_done > 0;
+    require(manifest.tiles.size() == (has_tiles ? manifest.tree.tiles() : 0), "files of other tiles");
+    std::uint64_t owned = 0;
+    for (const TileSummary& tile : manifest.tiles) {
+      require(tile.owned <= tile.points && tile.owned <= manifest.points - owned,
+              "tiles of more points than there are");
+      owned += tile.owned;
+    }
+    require(manifest.pass != Manifest::Pass::compute || owned == manifest.points,
+            "tiles of fewer points than there are");
     return manifest;
   } catch (const WrongUsage&) {
     throw;
   } catch (const std::exception& error) {
-    throw Failure(scratch.manifest() + ": found no manifest of rbpa stream (" + std::string(error.what()) +
-                  "), expected one; remove " + scratch.folder() + " and begin anew");
+    throw BadInput(scratch.manifest() + ": found no manifest of rbpa stream (" + std::string(error.what()) +
+                   "), expected one; remove " + scratch.folder() + " and begin anew");
   }
 }
 

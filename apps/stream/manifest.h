@@ -62,7 +62,7 @@ std::uint64_t id_of(const Manifest& manifest);
 
 void save(const Manifest& manifest, const Scratch& scratch);
 
-/// The manifest of a run that asked the same. Throws WrongUsage saying what is different, Failure when it is none.
+/// The manifest of a run that asked the same. Throws WrongUsage saying what is different, BadInput when it is none.
 Manifest load_manifest(const Scratch& scratch, const Question& question);
 
 }  // namespace rbpa::app

@@ -53,8 +53,8 @@ void take_rest(RecordReader& from, std::uint64_t size, std::string& record) {
 
 void require_same(bool is_so, const std::string& path, const char* what, const Scratch& scratch) {
   if (!is_so)
-    throw Failure(path + ": found other " + what + " than were written; remove " + scratch.folder() +
-                  " and begin anew");
+    throw BadInput(path + ": found other " + what + " than were written; remove " + scratch.folder() +
+                   " and begin anew");
 }
 
 /// The holes that were taken, by polygon and in order.

@@ -34,7 +34,7 @@ class PolygonLog {
  public:
   explicit PolygonLog(const Scratch& scratch);
 
-  /// Goes on where the files had come to. Throws Failure when there is less.
+  /// Goes on where the files had come to. Throws BadInput when there is less.
   void resume(const LogState& state);
   void add(std::span<const CornerPolygon> polygons);
   /// Holes of polygons that will be added, with the names of these.
@@ -45,7 +45,7 @@ class PolygonLog {
   /// All that was added is in the files.
   LogState flush();
 
-  /// Gives all to `sink` in order. Throws Failure when a file is not as it was written, Cancelled.
+  /// Gives all to `sink` in order. Throws BadInput when a file is not as it was written, Cancelled.
   void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:

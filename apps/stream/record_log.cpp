@@ -15,8 +15,8 @@ void RecordLog::resume(const RecordState& state) {
   state_ = state;
   ScratchFile file(path_, ScratchFile::Mode::append);
   if (file.size() < state.bytes)
-    throw Failure(path_ + ": found less than was written; remove " + path_.substr(0, path_.rfind('/')) +
-                  " and begin anew");
+    throw BadInput(path_ + ": found less than was written; remove " + path_.substr(0, path_.rfind('/')) +
+                   " and begin anew");
   file.cut(state.bytes);
 }
 
@@ -39,7 +39,7 @@ std::string_view RecordReader::take(std::uint64_t size) {
     used_ = 0;
     const std::size_t before = buffer_.size();
     const auto require = [&](bool is_so) {
-      if (!is_so) throw Failure(path_ + ": found a file that was cut off, expected it as it was written");
+      if (!is_so) throw BadInput(path_ + ": found a file that was cut off, expected it as it was written");
     };
     require(size - before <= end_ - at_);
     buffer_.resize(before + std::min<std::uint64_t>(end_ - at_, std::max<std::uint64_t>(size - before, ahead_)));

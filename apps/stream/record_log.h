@@ -1,5 +1,5 @@
 // What: records in a file of scratch, one behind the other, with a checksum of them all.
-// Law:  what is read is what was written, or Failure.
+// Law:  what is read is what was written, or BadInput.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class RecordLog {
  public:
   explicit RecordLog(std::string path) : path_(std::move(path)) {}
 
-  /// Goes on where the file had come to. Throws Failure when there is less.
+  /// Goes on where the file had come to. Throws BadInput when there is less.
   void resume(const RecordState& state);
   template <typename T>
   void append(const T& value) {
@@ -49,7 +49,7 @@ class RecordReader {
       : file_(file), path_(path), at_(at), end_(file.size()), ahead_(ahead) {}
 
   bool at_end() const { return at_ == end_ && used_ == buffer_.size(); }
-  /// The next bytes, until the next call. Throws Failure when the file has fewer.
+  /// The next bytes, until the next call. Throws BadInput when the file has fewer.
   std::string_view take(std::uint64_t size);
   template <typename T>
   T take() {

@@ -3,16 +3,20 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <random>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "io/failure.h"
@@ -28,6 +32,8 @@ constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "prog
                                  "progress.json.new", "polygons",          "holes"};
 constexpr const char* created_name = "created";  // the folder is ours, and goes with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
+constexpr const char* dead_name = ".dead-";
+constexpr const char* unmarked_name = ".rbpa-new";  // of a folder that is not marked yet, or no more
 
 std::string numbered(const std::string& folder, const char* part, std::uint64_t number) {
   std::string digits = std::to_string(number);
@@ -35,13 +41,41 @@ std::string numbered(const std::string& folder, const char* part, std::uint64_t 
   return folder + "/" + part + "/" + digits;
 }
 
-/// Opens and locks the file, or returns -1 when somebody else has it.
-int locked(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+enum class Lock { ours, busy, gone };
+
+/// Whether the path still names the open file.
+bool is_same_file(int descriptor, const std::string& path) {
+  struct stat open_one {
+  }, named{};
+  return fstat(descriptor, &open_one) == 0 && lstat(path.c_str(), &named) == 0 && open_one.st_dev == named.st_dev &&
+         open_one.st_ino == named.st_ino;
+}
+
+/// Locks the file, which is `descriptor` where it is ours.
+Lock lock_file(const std::string& path, int flags, int& descriptor) {
+  descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | flags, 0666);
+  if (descriptor < 0 && errno == ENOENT) return Lock::gone;
   if (descriptor < 0) throw Failure(path + ": cannot create: " + std::strerror(errno));
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
-  close(descriptor);
-  return -1;
+  const bool is_busy = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (!is_busy && is_same_file(descriptor, path)) return Lock::ours;
+  close(std::exchange(descriptor, -1));
+  return is_busy ? Lock::busy : Lock::gone;
+}
+
+/// ".rbpa-stream-PROCESS-RANDOM": processes of two containers can have one number.
+std::string new_name() {
+  char random[16];
+  std::snprintf(random, sizeof random, "-%08x", std::random_device()());
+  return std::string(beginning) + std::to_string(getpid()) + random;
+}
+
+/// Gives a folder another name unless there is something of that name. Returns 0, or the error.
+int rename_to_new(const std::string& from, const std::string& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != ENOSYS && errno != EINVAL) return errno;
+  // On a disk that cannot do this at once, an empty folder that comes between would be replaced.
+  if (access(to.c_str(), F_OK) == 0) return EEXIST;
+  return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 /// Whether there may be a process with the number in the folder's name.
@@ -52,24 +86,41 @@ bool is_alive(const fs::path& folder) {
 }
 
 /// Removes folders beside the targets whose runs are dead.
+///
+/// Why no run loses its folder to another that starts at the same time: a folder is only used by who has locked the file in
+/// it and has then seen that the path still names the locked file (Lock::ours). It is only removed by who is in the same
+/// position, and who gives it another name first, while the file is locked. So if the owner is first, the other finds the
+/// lock taken and lets go. If the other is first, the owner finds the lock taken, or no folder of the name, or another file
+/// than it has locked: it makes a new folder. An empty folder without a lock may go at any time; its owner does the same.
 void clear_dead(const std::string& beside) {
   std::error_code error;
   std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(beside, error))
-    if (entry.path().filename().string().starts_with(beginning) && entry.is_directory(error))
-      found.push_back(entry.path());
+  for (fs::directory_iterator at(beside, error), end; !error && at != end; at.increment(error)) {
+    std::error_code none;
+    if (at->path().filename().string().starts_with(beginning) && at->is_directory(none)) found.push_back(at->path());
+  }
   for (const fs::path& folder : found) {
     const std::string lock = folder.string() + lock_name;
-    if (access(lock.c_str(), F_OK) != 0) {  // about to be one, or never more
-      if (!is_alive(folder)) {
-        fs::remove(folder / created_name, error);
-        fs::remove(folder, error);
-      }
+    if (folder.filename().string().find(dead_name) != std::string::npos) {  // nobody's
+      fs::remove_all(folder, error);
       continue;
     }
-    const int descriptor = open(lock.c_str(), O_RDWR | O_CLOEXEC);
-    if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
-    if (descriptor >= 0) close(descriptor);
+    if (access(lock.c_str(), F_OK) != 0) {  // about to be one, or never more
+      if (is_alive(folder)) continue;
+      fs::remove(folder / created_name, error);
+      fs::remove(folder, error);
+      continue;
+    }
+    int descriptor = -1;
+    try {
+      if (lock_file(lock, 0, descriptor) != Lock::ours) continue;
+    } catch (const Failure&) {
+      continue;  // of another user
+    }
+    const fs::path dead = folder.string() + dead_name + std::to_string(getpid());
+    fs::rename(folder, dead, error);
+    if (!error) fs::remove_all(dead, error);
+    close(descriptor);
   }
 }
 
@@ -88,24 +139,28 @@ std::string folder_of(const StreamRequest& request) {
 }  // namespace
 
 Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.has_value()) {
+  std::string beside;
   if (is_asked_for_) {
     folder_ = *request.scratch;
     while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
   } else {
-    const std::string beside = folder_of(request);
+    beside = folder_of(request);
     clear_dead(beside);
-    folder_ = beside + "/" + std::string(beginning) + std::to_string(getpid());
   }
-  make(request);
+  constexpr int often = 1000;
+  for (int i = 0; i < often; ++i) {
+    if (!is_asked_for_) folder_ = beside + "/" + new_name();
+    if (make(request)) return;
+  }
+  throw Failure(folder_ + ": found it removed again and again, expected a folder that stays");
 }
 
-void Scratch::make(const StreamRequest& request) {
+bool Scratch::make(const StreamRequest& request) {
   const std::string option = request.tasks ? "--tasks" : "--scratch";
   std::error_code error;
-  is_new_ = fs::create_directory(folder_, error);
+  is_new_ = is_asked_for_ ? make_marked() : fs::create_directory(folder_, error);
   if (error || !fs::is_directory(folder_))
     throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
-  if (is_new_) mark_as_created();
   has_run_ = fs::exists(manifest());
   if (!is_new_ && !has_run_) {
     // Some of it is left of a run that was killed before it had begun.
@@ -122,11 +177,16 @@ void Scratch::make(const StreamRequest& request) {
   if (has_run_ && !request.resume)
     throw WrongUsage(option + ": found a run in " + folder_ +
                      ", expected --resume to go on with it, or another folder");
-  lock_ = locked(folder_ + lock_name);
-  if (lock_ < 0) throw Failure(folder_ + ": found another run at work in it, expected none");
-  if (!has_run_) return clear_leftovers();
+  const Lock lock = lock_file(folder_ + lock_name, O_CREAT, lock_);
+  if (lock == Lock::gone || (lock == Lock::busy && !is_asked_for_)) return false;
+  if (lock == Lock::busy) throw Failure(folder_ + ": found another run at work in it, expected none");
+  if (!has_run_) {
+    clear_leftovers();
+    return true;
+  }
   for (const char* part : parts) fs::create_directory(folder_ + "/" + part, error);
   if (error) throw Failure(folder_ + ": cannot make a folder in it: " + error.message());
+  return true;
 }
 
 Scratch::~Scratch() {
@@ -156,8 +216,19 @@ void Scratch::clear(bool keep_tiles) {
     if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
   if (keep_tiles || !fs::exists(created)) return;
-  fs::remove(created, error);
-  fs::remove(folder_, error);  // where nothing else came into it
+  // A folder without its mark would be taken for a user's, so it loses its name before. Where something else came into it,
+  // it stays.
+  const auto is_other = [](const fs::directory_entry& entry) { return entry.path().filename() != created_name; };
+  const fs::directory_iterator entries(folder_, error);
+  if (error || std::any_of(begin(entries), end(entries), is_other)) {
+    fs::remove(created, error);
+    return;
+  }
+  const std::string unmarked = folder_ + unmarked_name;
+  fs::rename(folder_, unmarked, error);
+  if (error) return;
+  fs::remove(unmarked + "/" + created_name, error);
+  fs::remove(unmarked, error);
 }
 
 void Scratch::clear_leftovers() const {
@@ -170,9 +241,24 @@ void Scratch::clear_leftovers() const {
   }
 }
 
-void Scratch::mark_as_created() const {
-  const int created = open((folder_ + "/" + created_name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+/// A folder has its name when it has its mark. What a killed run has left without is used again.
+bool Scratch::make_marked() const {
+  std::error_code error;
+  const std::string unmarked = folder_ + unmarked_name;
+  if (fs::exists(fs::symlink_status(folder_, error))) {
+    fs::remove(unmarked + "/" + created_name, error);
+    fs::remove(unmarked, error);
+    return false;
+  }
+  fs::create_directory(unmarked, error);
+  if (error) throw Failure(folder_ + ": cannot make the folder: " + error.message());
+  const int created =
+      open((unmarked + "/" + created_name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0666);
   if (created >= 0) close(created);
+  const int reason = rename_to_new(unmarked, folder_);
+  if (reason != 0 && !fs::is_directory(folder_, error))
+    throw Failure(folder_ + ": cannot make the folder: " + std::strerror(reason));
+  return reason == 0;
 }
 
 void Scratch::clear_rows() const {

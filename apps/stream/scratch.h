@@ -41,9 +41,9 @@ class Scratch {
   void clear_rows() const;
 
  private:
-  void make(const StreamRequest& request);
+  bool make(const StreamRequest& request);  // false: another took it away
   void clear_leftovers() const;
-  void mark_as_created() const;
+  bool make_marked() const;
 
   std::string folder_;
   bool is_asked_for_, is_new_ = false, has_run_ = false;

@@ -35,8 +35,13 @@ int flags_of(ScratchFile::Mode mode) {
 }  // namespace
 
 ScratchFile::ScratchFile(const std::string& path, Mode mode)
-    : path_(path), descriptor_(open(path.c_str(), flags_of(mode) | O_CLOEXEC, 0666)) {
+    // A pipe in the place of a file would keep a blocking open waiting for ever.
+    : path_(path), descriptor_(open(path.c_str(), flags_of(mode) | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666)) {
   if (descriptor_ < 0) fail("cannot open");
+  struct stat status {};
+  if (fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) return;
+  close(descriptor_);
+  bad_input(path_, "a folder, a pipe or a device", "a file");
 }
 
 ScratchFile::~ScratchFile() { close(descriptor_); }
@@ -113,6 +118,69 @@ void replace_content(const std::string& path, std::string_view bytes) {
   const std::string beside = path + ".new";
   ScratchFile(beside, ScratchFile::Mode::write).write(bytes);
   rename_scratch(beside, path);
+}
+
+namespace {
+
+constexpr std::size_t checksum_digits = 8;
+constexpr char hex[] = "0123456789ABCDEF";
+
+/// A line: the checksum of what is before.
+std::string last_line(std::string_view text) {
+  const std::uint32_t sum = checksum_of(text);
+  std::string line;
+  for (std::size_t digit = checksum_digits; digit-- > 0;) line += hex[sum >> 4 * digit & 15U];
+  return line += '\n';
+}
+
+}  // namespace
+
+void replace_checked(const std::string& path, std::string_view text) {
+  std::string bytes(text);
+  bytes += '\n';
+  replace_content(path, bytes + last_line(bytes));
+}
+
+std::string checked_content(const std::string& path) {
+  std::string bytes = scratch_content(path);
+  if (bytes.empty() && access(path.c_str(), F_OK) != 0) return bytes;
+  const std::size_t size = bytes.size() - std::min(bytes.size(), checksum_digits + 1);
+  if (std::string_view(bytes).substr(size) != last_line(std::string_view(bytes).substr(0, size)))
+    bad_input(path, "a file that was cut off or changed",
+              "it as it was written; remove " + path.substr(0, path.rfind('/')) + " and begin anew");
+  bytes.resize(size);
+  return bytes;
+}
+
+std::string json_text(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80 && byte != '%')
+      text += c;
+    else
+      (text += '%') += {hex[byte >> 4U], hex[byte & 15U]};
+  }
+  return text;
+}
+
+std::string bytes_of_json_text(std::string_view text) {
+  const auto digit = [](char c) {
+    const char* const at = c == '\0' ? nullptr : std::strchr(hex, c);
+    if (at == nullptr) throw BadInput("a name with a % that no two digits follow");
+    return static_cast<unsigned>(at - hex);
+  };
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      bytes += text[i];
+      continue;
+    }
+    if (text.size() - i < 3) throw BadInput("a name with a % that no two digits follow");
+    bytes += static_cast<char>(digit(text[i + 1]) << 4U | digit(text[i + 2]));
+    i += 2;
+  }
+  return bytes;
 }
 
 void rename_scratch(const std::string& from, const std::string& to) {

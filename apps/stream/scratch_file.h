@@ -7,7 +7,8 @@
 
 namespace rbpa::app {
 
-/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below.
+/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below; BadInput
+/// where there is something else of that name.
 class ScratchFile {
  public:
   enum class Mode { read, write, append, update };  // write begins anew; update writes into what is there
@@ -37,6 +38,15 @@ std::string scratch_content(const std::string& path);
 
 /// The content of the file becomes `bytes`, all at once.
 void replace_content(const std::string& path, std::string_view bytes);
+
+/// The same with a checksum behind, which checked_content() takes off. Throws BadInput naming the file when it is not so;
+/// empty when there is no file.
+void replace_checked(const std::string& path, std::string_view text);
+std::string checked_content(const std::string& path);
+
+/// Bytes as text that is valid in JSON, whatever they are, and back: '%' and what is not ASCII as %XX.
+std::string json_text(std::string_view bytes);
+std::string bytes_of_json_text(std::string_view text);
 
 /// A file gets the name of another, which is gone.
 void rename_scratch(const std::string& from, const std::string& to);

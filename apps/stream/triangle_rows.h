@@ -32,7 +32,7 @@ class TriangleRows {
   /// takes a quarter of that at most.
   TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes);
 
-  /// Goes on where the files had come to. Throws Failure when they are not as they were.
+  /// Goes on where the files had come to. Throws BadInput when they are not as they were.
   void resume(const RowsState& state);
   /// Requires: the smallest index first, all of them below the number of points.
   void add(std::span<const TriangleRow> triangles);
@@ -41,7 +41,7 @@ class TriangleRows {
 
   bool are_short() const { return short_; }
   /// Calls write(bytes) with all rows in order, as they lie in memory of a little-endian machine. With about so many bytes
-  /// of memory; throws Failure when a file is not as it was written.
+  /// of memory; throws BadInput when a file is not as it was written.
   void sorted(std::uint64_t memory, const std::function<void(std::string_view bytes)>& write) const;
 
  private:

@@ -45,7 +45,7 @@ constexpr std::size_t kinds_beside = 2;
 std::string_view name_of(SideFile::Kind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 
 Json json_of(const SideFile& file, const fs::path& folder) {
-  return {name_of(file.kind), fs::absolute(file.path).lexically_normal().lexically_relative(folder).string(),
+  return {name_of(file.kind), json_text(fs::absolute(file.path).lexically_normal().lexically_relative(folder).string()),
           file.items, file.bytes, file.checksum};
 }
 
@@ -53,7 +53,8 @@ SideFile side_file_of(const Json& json, const fs::path& folder) {
   const auto kind = std::find(std::begin(kinds), std::end(kinds), json.at(0).get<std::string>());
   if (kind == std::end(kinds)) bad_input(json.dump(), "a file of another kind", "polygons, holes or triangles");
   return {static_cast<SideFile::Kind>(kind - std::begin(kinds)),
-          (folder / json.at(1).get<std::string>()).lexically_normal().string(), json.at(2), json.at(3), json.at(4)};
+          (folder / bytes_of_json_text(json.at(1).get<std::string>())).lexically_normal().string(), json.at(2),
+          json.at(3), json.at(4)};
 }
 
 }  // namespace

@@ -47,11 +47,11 @@ RunFacts run_facts_of(const Json& json) {
 }
 
 void save(const RunFacts& run, const std::string& path) {
-  replace_content(path, Json({{"format", format}, {"version", version}, {"run", json_of(run)}}).dump() + "\n");
+  replace_checked(path, Json({{"format", format}, {"version", version}, {"run", json_of(run)}}).dump());
 }
 
 RunFacts load_run_facts(const std::string& path) {
-  const std::string text = scratch_content(path);
+  const std::string text = checked_content(path);
   const std::string expected = "the one that rbpa stream --tasks writes beside the folder of the tiles";
   if (text.empty()) bad_input(path, "no file, or an empty one", expected);
   try {

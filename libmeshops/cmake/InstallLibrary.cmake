@@ -33,7 +33,7 @@ function(rbpa_hide_symbols target)
   set_target_properties(${target} PROPERTIES
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
-  if(BUILD_SHARED_LIBS OR RBPA_BUILD_PYTHON)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides, for those who link us into their own
+  if(BUILD_SHARED_LIBS OR RBPA_BUILD_PYTHON OR RBPA_POSITION_INDEPENDENT)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides, for those who link us into their own
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   endif()
 endfunction()
@@ -56,5 +56,5 @@ function(rbpa_install_library name)
     ${CMAKE_CURRENT_BINARY_DIR}/${name}Config.cmake ${CMAKE_CURRENT_BINARY_DIR}/${name}ConfigVersion.cmake
     DESTINATION ${config_dir} COMPONENT development)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${pkgconfig_dir} COMPONENT development)
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT development)
+  install(FILES ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT development)
 endfunction()

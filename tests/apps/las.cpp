@@ -319,6 +319,57 @@ TEST_SUITE("las") {
     }
   }
 
+  TEST_CASE("a header that counts no points, as of a writer that broke off, gives all when what is wrong is left out") {
+    const auto file = [](unsigned minor, unsigned count) {
+      LasFile las{.minor = minor, .format = minor < 4 ? 0U : 6U};
+      for (int i = 0; i < 20; ++i) las.points.push_back({.x = i, .y = i * i, .z = i % 3});
+      std::string bytes = bytes_of(las);
+      if (minor == 4) bytes.replace(247, 8, little(count, 8));
+      return bytes.replace(107, 4, little(count, 4));
+    };
+    CHECK(
+        refusal(file(2, 0)) ==
+        "p.las: found 20 whole records of 20 bytes, expected 0 as the header says (--skip-invalid reads all of them)");
+    const Folder folder;
+    for (const unsigned minor : {0U, 2U, 4U})
+      for (const bool packed : {false, true})
+        for (const bool cut : {false, true}) {
+          CAPTURE(minor);
+          CAPTURE(packed);
+          CAPTURE(cut);
+          std::string bytes = file(minor, 0), name = "p.las";
+          if (cut) bytes.resize(bytes.size() - 3);
+          folder.file(name, bytes);
+          if (packed) REQUIRE(folder.run("/bin/gzip", "-kf " + name).code == 0);
+          if (packed) name += ".gz";
+          const std::string points = cut ? "19" : "20";
+          for (const std::string& verb : std::vector<std::string>{
+                   "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
+                   "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
+            CAPTURE(verb);
+            CHECK(folder.rbpa(verb).code == 3);
+            const Outcome taken = folder.rbpa(verb + " --skip-invalid");
+            CHECK(taken.code == 0);
+            CHECK(taken.err.find("the header says that there are no points, and all " + points +
+                                 " whole records behind it are read") != std::string::npos);
+            CHECK(taken.err.find("rbpa: " + points + " points") != std::string::npos);
+          }
+        }
+    // Nothing counted, nothing there.
+    CHECK(read(bytes_of(LasFile{})).points.empty());
+  }
+
+  TEST_CASE("a signature before the points of version 1.0 is none of a point of a cut file") {
+    LasFile las{.minor = 0};
+    for (int i = 0; i < 5; ++i) las.points.push_back({.x = i, .y = i * i});
+    las.signature_counts = true;
+    std::string bytes = bytes_of(las);
+    bytes.resize(bytes.size() - 7);
+    PointSource source{.path = "p.las", .format = PointFormat::las, .skip_invalid = true};
+    CHECK(points_in(bytes, "p.las", source).points ==
+          std::vector<Point>{{0, 0}, {0.01, 0.01}, {0.02, 0.04}, {0.03, 0.09}});
+  }
+
   TEST_CASE("conditions: what they mean, and what is none") {
     LasFile file{.minor = 4, .format = 7, .scale = {1, 1, 1}};
     for (unsigned i = 0; i < 64; ++i)

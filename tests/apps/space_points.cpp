@@ -133,7 +133,7 @@ TEST_SUITE("points of space") {
     CHECK(file.remarks[0] ==
           "the columns 'X', 'Y', 'Z', 'normal_x', 'normal_y', 'Normal_Z' are read, as the header says "
           "(--columns chooses others)");
-    is(table("x,y,z,r,g,b\n0.5,-1,2,0,0,0\n3,4e-3,1e6,1,2,3\n"));  // six, and no normals
+    is(table("x,y,z,a,b,c\n0.5,-1,2,0,0,0\n3,4e-3,1e6,1,2,3\n"));  // six, and no normals
     is(table("easting,northing,height\n0.5,-1,2\n3,4e-3,1e6\n"));
   }
 
@@ -142,6 +142,76 @@ TEST_SUITE("points of space") {
     is(table("h,b,a,n\n2,-1,0.5,9\n1e6,4e-3,3,9\n", "a,B, h"));
     is(table("h,2005,2006\n0.5,-1,2\n3,4e-3,1e6\n", "h,2,3"));  // the first line is a header, as one is named
     is(table("0.5 -1 2 2 0 0\n3 4e-3 1e6 0 .25 -1\n", "1,2,3,6,5,4"), {{0, 0, 2}, {-1, .25, 0}});
+  }
+
+  TEST_CASE("a header names colours, in whatever order, beside normals or without") {
+    for (const std::string names : {"r,g,b", "red,green,blue", "R,G,B", "Red,Green,Blue"}) {
+      CAPTURE(names);
+      is(table("x,y,z," + names + "\n0.5,-1,2,1,2,255\n3,4e-3,1e6,128,0,7\n"), {}, colors);
+      is(table("x,y,z,nx,ny,nz," + names + "\n0.5,-1,2,0,0,2,1,2,255\n3,4e-3,1e6,-1,.25,0,128,0,7\n"), normals, colors);
+      is(table("x,y,z," + names + "\n0.5,-1,2,1,2,255\n3,4e-3,1e6,128,0,7\n", "x,y,z"), {}, colors);
+    }
+    is(table("blue z green n y red x\n255 2 2 q -1 1 0.5\n7 1e6 0 q 4e-3 128 3\n"), {}, colors);
+    // Of 16 bits, and from 0 to 1.
+    is(table("x,y,z,r,g,b\n0.5,-1,2,256,767,65535\n3,4e-3,1e6,32768,255,1792\n"), {}, colors);
+    CHECK(table("x,y,z,r,g,b\n0,0,0,1,0.5,0\n").colors == Colors{{255, 128, 0}});
+    // Meant otherwise, or not all there.
+    CHECK(table("x,y,z,r,g,b\n1,1,1,1,2,3\n", "x,y,z,r,g,b").normals == Places{{1, 2, 3}});
+    CHECK(table("x,y,z,r,g\n1,1,1,1,2\n").colors.empty());
+    const SpacePoints partly = table("x,y,z,r,g,b\n1,1,1,1,2,3\n1,2,3,NA,3,4\n");
+    CHECK(partly.colors.empty());
+    CHECK(partly.points.size() == 2);
+    CHECK(partly.remarks == std::vector<std::string>{"colours are left out, as line 3 has none"});
+  }
+
+  TEST_CASE(
+      "six unnamed columns have colours where all of the last three are whole numbers, else normals; it is said") {
+    const std::string as_colors =
+        "columns 4 to 6 are read as colours, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)";
+    const std::string as_normals = "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)";
+    const SpacePoints with_colors = table("0.5 -1 2 1 2 255\n3 4e-3 1e6 128 0 7\n");
+    is(with_colors, {}, colors);
+    CHECK(with_colors.remarks == std::vector<std::string>{as_colors});
+    is(table("0.5 -1 2 256 767 65535\n3 4e-3 1e6 32768 255 1792\n"), {}, colors);
+    CHECK(table("1 2 3 0 0 0\n1 2 4 0 2 0\n").colors == Colors{{0, 0, 0}, {0, 2, 0}});
+    const SpacePoints with_normals = table("0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n");
+    is(with_normals, normals);
+    CHECK(with_normals.remarks == std::vector<std::string>{as_normals});
+    // The last line decides as the first does: a fraction, a number below 0, one too great, none above 1.
+    for (const std::string last : {"1 0.5 0", "-1 0 0", "65536 0 0", "1 0 1"}) {
+      CAPTURE(last);
+      const std::string before = last == "1 0 1" ? "1 2 3 1 0 0\n" : "1 2 3 7 8 9\n";
+      const SpacePoints file = table(before + "4 5 6 " + last + "\n");
+      CHECK(file.colors.empty());
+      CHECK(file.normals.size() == 2);
+      CHECK(file.remarks == std::vector<std::string>{as_normals});
+    }
+    // A normal without a direction is refused wherever it is seen that it is one, or left out.
+    const std::string zero = "1 2 3 0 0 0\n1 2 4 0.5 2 0\n";
+    CHECK_THROWS_WITH_AS(table(zero), doctest::Contains("p:1: found a normal of length 0"), BadInput);
+    SpaceChoice choice{.skip_invalid = true};
+    const SpacePoints rest = space_points_in(zero, "p", SpaceFormat::text, choice);
+    CHECK(rest.points == Places{{1, 2, 4}});
+    CHECK(rest.normals == Places{{0.5, 2, 0}});
+    CHECK(rest.remarks.size() == 2);
+    CHECK(table("0 0 1 0 0 2\n", "1,2,3,4,5,6").remarks.empty());
+  }
+
+  TEST_CASE("longitudes, latitudes and heights are points of space, and what that means is said") {
+    const SpacePoints file = table("height,lat,lon\n100,60,5\n110,60,6\n");
+    CHECK(file.points == Places{{5, 60, 100}, {6, 60, 110}});
+    REQUIRE(file.remarks.size() == 2);
+    CHECK(file.remarks[1] ==
+          "x and y are degrees and z is none, and a ball is round in neither; a degree of longitude is 0.50 of one of "
+          "latitude there (ogr2ogr -t_srs or pdal translate project them)");
+    CHECK(table("x,y,z\n5,60,100\n").remarks.empty());
+    LasFile las{.scale = {1, 1, 1}, .points = {{.x = 5, .y = 60, .z = 100}}};
+    las.records = {{"LASF_Projection", 34735,
+                    little(1, 2) + little(1, 2) + little(0, 2) + little(2, 2) + little(1024, 2) + little(0, 2) +
+                        little(1, 2) + little(2, 2) + little(2048, 2) + little(0, 2) + little(1, 2) + little(4326, 2)}};
+    const SpacePoints of_las = read(bytes_of(las), SpaceFormat::las);
+    REQUIRE(of_las.remarks.size() == 1);
+    CHECK(of_las.remarks[0].starts_with("x and y are degrees"));
   }
 
   TEST_CASE("a decimal comma is one") {
@@ -329,7 +399,8 @@ TEST_SUITE("points of space") {
     const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
     is(file, normals);
     CHECK(file.remarks ==
-          std::vector<std::string>{"2 lines are left out: the first is p:2: found a normal of length 0, "
+          std::vector<std::string>{"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)",
+                                   "2 lines are left out: the first is p:2: found a normal of length 0, "
                                    "expected one of another length"});
     CHECK(skipping("1 2 3\n").remarks.empty());
     CHECK_THROWS_WITH_AS(skipping("x,y,z\n1,2,NA\n"),

@@ -60,6 +60,7 @@ TEST_SUITE("surface") {
     CHECK(outcome.out.empty());
     CHECK(
         outcome.err ==
+        "rbpa: s.xyz: columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)\n"
         "rbpa: 500 points, normals of the file, radius 0.3: 996 triangles, 1 component, 0 boundary curves, genus 0 -> "
         "m.ply, m.off, m.obj, m.stl, m.npy, m.png\n");
     for (const std::string name : {"m.ply", "m.off", "m.obj", "m.stl"}) {
@@ -164,8 +165,6 @@ TEST_SUITE("surface") {
     folder.file("p.off", "OFF\n1 0 0\n0 0 0\n");
     refuses(folder, "p.off --radius 1 --skip-invalid -o m.off", 2,
             "--skip-invalid: found a format without lines of points, expected las or text");
-    refuses(folder, "p.las --radius 1 --skip-invalid -o m.off", 2,
-            "--skip-invalid: found a format without lines of points, expected las or text");
     refuses(folder, "p.off --radius 1 --where \"z > 1\" -o m.off", 2,
             "--where: found a format without fields beside the points, expected las or text");
     // In the words of the other verbs.
@@ -175,6 +174,16 @@ TEST_SUITE("surface") {
         folder, "p.las --radius 1 --where \"gps_time > 1\" -o m.off", 3,
         "p.las: found point format 2 of LAS 1.2, expected one with gps_time, as --where asks: 1, 3, 4, 5, 6, 7, 8, 9, "
         "10");
+  }
+
+  TEST_CASE("colours of a table are those of the surface") {
+    const Folder folder;
+    folder.file("c.csv", "x,y,z,r,g,b\n0,0,0,255,0,1\n1,0,0,0,7,0\n0,1,0,3,4,5\n");
+    CHECK(folder.rbpa("surface c.csv --radius 2 --normals none -o m.ply").code == 0);
+    const std::string ply = folder.content("m.ply");
+    CHECK(ply.find("property uchar red\nproperty uchar green\nproperty uchar blue\n") != std::string::npos);
+    CHECK(ply.find(std::string("\xFF\0\x01", 3)) != std::string::npos);
+    CHECK(ply.find(std::string("\x03\x04\x05", 3)) != std::string::npos);
   }
 
   TEST_CASE("without normals both sides, the outer one first") {

@@ -2,6 +2,7 @@
 
 import ast
 import doctest
+import functools
 import pathlib
 import pydoc
 import re
@@ -56,7 +57,7 @@ def test_help_says_what_everything_is(name):
     assert thing.__doc__ and thing.__module__ == "rbpa"
     if isinstance(thing, type):
         for member, value in vars(thing).items():
-            if not member.startswith("_") and callable(value):
+            if not member.startswith("_") and (callable(value) or isinstance(value, (property, functools.cached_property))):
                 assert value.__doc__, f"{name}.{member}"
 
 

@@ -102,11 +102,3 @@ def test_nothing_is_copied():
     del f
     rbpa.filtration(uniform(100, 2))
     assert holes.tolist() == expected
-
-
-def test_plots_show_the_counts():
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    f = rbpa.filtration(ring(200))
-    axes = f.plot()
-    assert np.array_equal(axes.lines[1].get_ydata(), f.holes) and np.array_equal(axes.lines[0].get_xdata(), f.alpha)
-    pyplot.close("all")

@@ -1,5 +1,7 @@
 """What users give: every form of points that says what it means is taken, every other is refused with a sentence."""
 
+import decimal
+import fractions
 import math
 import types
 
@@ -148,3 +150,22 @@ def test_points_are_not_written():
     points.setflags(write=False)
     assert len(rbpa.alpha_shape(points).simplices)
     assert len(rbpa.Delaunay(points).find_simplex(points)) == 100
+
+
+def test_a_number_is_a_number_in_every_argument():
+    for half in (0.5, np.float32(0.5), np.array(0.5), fractions.Fraction(1, 2), decimal.Decimal("0.5")):
+        assert rbpa.alpha_shape(POINTS, half).alpha == 0.5
+        assert rbpa.alpha_shape(POINTS, cover=half).alpha == rbpa.alpha_shape(POINTS, cover=0.5).alpha
+    assert np.array_equal(rbpa.alpha_shape(POINTS, 0.1, threads=np.array(1)).simplices, EXPECTED)
+    for wrong in (True, np.True_, np.array(True), "1", 1j, np.complex128(1), None, [1.0]):
+        with pytest.raises(rbpa.InvalidInput):
+            rbpa.alpha_shape(POINTS, wrong)
+        with pytest.raises(rbpa.InvalidInput):
+            rbpa.alpha_shape(POINTS, cover=wrong)
+
+
+def test_no_radius_has_no_betti_numbers():
+    f = rbpa.filtration(POINTS)
+    for wrong in (math.nan, [0.1, math.nan]):
+        with pytest.raises(rbpa.InvalidInput, match="alpha: found nan"):
+            f.betti(wrong)

@@ -177,3 +177,20 @@ def test_the_end_of_python_does_not_wait_for_anything():
     code = "import rbpa, numpy; s = rbpa.alpha_shape(numpy.random.rand(60000, 2), 0.01); print(len(s.polygons) > 0)"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert (ran.stdout, ran.stderr, ran.returncode) == ("True\n", "", 0)
+
+
+@pytest.mark.parametrize("answer", [False, np.False_, 0])
+def test_what_is_false_ends_the_run(answer):
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.Delaunay(np.concatenate([MANY] * 3), progress=lambda *_: answer)
+
+
+@pytest.mark.parametrize("answer", [None, True, np.True_, 1])
+def test_none_and_what_is_true_let_it_go_on(answer):
+    assert rbpa.Delaunay(MANY, progress=lambda *_: answer).nsimplex > 0
+
+
+@pytest.mark.parametrize("points", [MANY[:10], MANY])
+def test_progress_that_cannot_be_called_is_refused(points):
+    with pytest.raises(TypeError, match="progress: found 3, expected a function or None"):
+        rbpa.Delaunay(points, progress=3)

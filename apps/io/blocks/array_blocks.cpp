@@ -127,8 +127,8 @@ LasFrame las_frame(const PointSource& source, std::size_t size) {
 LasCrs system_of(LasFrame frame, const PointSource& source, bool packed, std::size_t size) {
   LasHeader& header = frame.header;
   frame.bytes.resize(std::min(frame.bytes.size(), header.begin));
-  const bool has_more = !packed && header.extended_records > 0 && header.extended_begin < size &&
-                        header.extended_begin >= header.begin + header.count * header.length;
+  const bool has_more =
+      !packed && header.extended_records > 0 && header.extended_begin < size && header.extended_begin > header.begin;
   if (has_more) {
     ByteBlocks bytes(source.path, false);
     bytes.skip(header.extended_begin);
@@ -151,7 +151,11 @@ class LasBlocks final : public PointBlocks {
     LasFrame frame = las_frame(source, size_of_content(bytes_));
     header_ = frame.header;
     skip_invalid_ = source.skip_invalid;
-    if (!bytes_.is_packed()) settle_las_count(header_, skip_invalid_, bytes_.name(), about_.remarks);
+    if (bytes_.is_packed()) {
+      count_ = header_.count.sought(skip_invalid_);
+    } else {
+      settle(header_.count);
+    }
     reader_.emplace(header_, source.where, bytes_.name());
     const LasCrs system = system_of(std::move(frame), source, bytes_.is_packed(), bytes_.file_size());
     about_.crs = system.crs;
@@ -161,16 +165,13 @@ class LasBlocks final : public PointBlocks {
 
   bool next(std::vector<Point>& block) override {
     block.clear();
-    while (block.empty() && first_ < header_.count) {
-      const std::size_t count = std::min(points_in_block, header_.count - first_);
+    while (block.empty() && first_ < count_) {
+      const std::size_t count = std::min(points_in_block, count_ - first_);
       buffer_.resize(count * header_.length);
       const std::size_t whole = bytes_.read(buffer_.data(), buffer_.size()) / header_.length;
-      if (whole < count) {
-        header_.room = first_ + whole;
-        settle_las_count(header_, skip_invalid_, bytes_.name(), about_.remarks);
-      }
       reader_->take(buffer_.data(), whole, block);
       first_ += whole;
+      if (whole < count) settle(header_.count.with_room(first_));
     }
     if (block.empty() && !ended_) end();
     return !block.empty();
@@ -178,26 +179,29 @@ class LasBlocks final : public PointBlocks {
   std::uint64_t bytes_read() const override { return bytes_.bytes_read(); }
 
  private:
+  void settle(const LasCount& count) {
+    count_ = count.settle(skip_invalid_, bytes_.name(), about_.remarks);
+    is_settled_ = true;
+  }
+
   void end() {
     ended_ = true;
-    if (bytes_.is_packed() && header_.room > header_.count) {
+    if (!is_settled_) {
       // How many records there are is known when the file is unpacked.
-      std::size_t more = 0;
+      std::size_t found = first_;
       buffer_.resize(header_.length);
-      while (header_.count + more < header_.room && bytes_.read(buffer_.data(), header_.length) == header_.length)
-        ++more;
-      header_.room = header_.count + more;
-      settle_las_count(header_, skip_invalid_, bytes_.name(), about_.remarks);
+      while (found < header_.count.room() && bytes_.read(buffer_.data(), header_.length) == header_.length) ++found;
+      settle(header_.count.with_room(found));
     }
     reader_->tell(about_.remarks);
   }
 
   ByteBlocks bytes_;
-  bool skip_invalid_ = false, ended_ = false;
+  bool skip_invalid_ = false, is_settled_ = false, ended_ = false;
   LasHeader header_ = {};
   std::optional<LasRecordReader> reader_ = std::nullopt;
   std::vector<char> buffer_;
-  std::size_t first_ = 0;
+  std::size_t first_ = 0, count_ = 0;
 };
 
 }  // namespace

@@ -43,8 +43,10 @@ struct ByteBlocks::Unpacking {
 };
 
 ByteBlocks::ByteBlocks(const std::string& path, bool unpacks)
-    : name_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    // A pipe that nobody writes to would keep a blocking open waiting for ever.
+    : name_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
   const std::string expected = "a file of points";
+  if (descriptor_ < 0 && errno == ENXIO) bad_input(path, "a socket or a device", "a file, which can be read twice");
   if (descriptor_ < 0) bad_input(path, errno == ENOENT ? "no such file" : std::strerror(errno), expected);
   try {
     const struct stat status = status_of(descriptor_, name_);

@@ -36,6 +36,7 @@ bool begins_with_signature(std::string_view data) {
 }
 
 void find_points(LasHeader& header, std::string_view bytes, std::size_t size, const std::string& name) {
+  const std::size_t claimed = point_count(bytes, header);
   const std::size_t begin = las_value<std::uint32_t>(bytes.data() + 96);
   if (begin < header.size || begin > size)
     bad_input(name, "an offset to point data of " + std::to_string(begin),
@@ -45,19 +46,20 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
   constexpr std::size_t signature = 2;
   const bool is_signed =
       header.minor == 0 && begin <= bytes.size() && begins_with_signature(bytes.substr(begin)) && left >= signature;
-  if (is_signed && header.count <= (left - signature) / header.length) {
+  // It is counted among them where only so they fit.
+  const bool fits_only_with_it = claimed <= left / header.length && claimed > (left - signature) / header.length;
+  if (is_signed && !fits_only_with_it) {
     header.begin += signature;
     left -= signature;
   }
   const std::size_t whole = left / header.length;
   const auto ends_at = [&](std::size_t at) {
-    if (at >= header.begin && at <= size && (at - header.begin) / header.length >= header.count)
-      left = at - header.begin;
+    if (at >= header.begin && at <= size && (at - header.begin) / header.length >= claimed) left = at - header.begin;
   };
   if (header.extended_records > 0) ends_at(header.extended_begin);
   constexpr std::size_t has_waveforms = 235;
   if (header.minor >= 3 && header.size >= has_waveforms) ends_at(las_value<std::uint64_t>(bytes.data() + 227));
-  header.room = std::min(whole, left / header.length);
+  header.count = {claimed, std::min(whole, left / header.length), header.length};
 }
 
 }  // namespace
@@ -88,7 +90,6 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
   if (header.length < las_record_size(format))
     bad_input(name, "point records of " + counted(header.length, "byte"),
               "at least " + std::to_string(las_record_size(format)) + " of point format " + std::to_string(format));
-  header.count = point_count(bytes, header);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     header.scale[axis] = las_value<double>(at + 131 + 8 * axis);
     header.offset[axis] = las_value<double>(at + 155 + 8 * axis);
@@ -100,25 +101,6 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
   }
   find_points(header, bytes, size, name);
   return header;
-}
-
-void settle_las_count(LasHeader& header, bool skip_invalid, const std::string& name,
-                      std::vector<std::string>& remarks) {
-  if (header.count == header.room) return;
-  const std::string found = counted(header.room, "whole record") + " of " + counted(header.length, "byte");
-  if (!skip_invalid)
-    bad_input(name, found,
-              std::to_string(header.count) + " as the header says (--skip-invalid reads " +
-                  (header.count > header.room ? "those that are whole)" : "as many as it says)"));
-  if (header.count > header.room) {
-    remarks.push_back(std::to_string(header.count - header.room) + " of " + counted(header.count, "point") +
-                      " that the header says are left out: the file ends before them");
-    header.count = header.room;
-  } else {
-    remarks.push_back(counted(header.room - header.count, "whole record") + " behind the " +
-                      counted(header.count, "point") + " that the header says " +
-                      (header.room - header.count == 1 ? "is" : "are") + " left out");
-  }
 }
 
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {

@@ -1,5 +1,5 @@
 // What: the public header block of a LAS file, versions 1.0 to 1.4.
-// Law:  once settle_las_count() is content, every record that it speaks of lies within the file.
+// Law:  LasCount::settle() counts records that lie within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and those before it.
 #pragma once
 
@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "io/las/las_count.h"
 #include "io/scalar.h"
 
 namespace rbpa::app {
@@ -26,8 +26,7 @@ struct LasHeader {
   unsigned format;  ///< of point records, 0 to 10
   std::size_t size;
   std::size_t records;                           ///< variable length records, which begin behind the header
-  std::size_t count;                             ///< of points, as it says
-  std::size_t room;                              ///< for so many whole records there is, up to what follows the points
+  LasCount count;                                ///< of points, as it says and up to what follows them
   std::size_t length;                            ///< of a point record, with whatever follows the fields of its format
   std::size_t begin;                             ///< of the first
   std::size_t extended_begin, extended_records;  ///< variable length records behind the points, from 1.4 on
@@ -39,10 +38,6 @@ LasHeader read_las_header(std::string_view bytes, const std::string& name);
 
 /// The same of a file of `size` bytes of which `bytes` are the first: its header, or all before its points and two more.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
-
-/// Makes `count` what is to be read. Throws BadInput when the header counts more points than the file has whole records,
-/// or fewer; with `skip_invalid` it is the smaller of the two, and `remarks` says what was left out.
-void settle_las_count(LasHeader& header, bool skip_invalid, const std::string& name, std::vector<std::string>& remarks);
 
 /// Throws BadInput when the scale or the offset of x, y or z (0, 1, 2) gives no coordinates. read_las_header() has looked
 /// at x and y; the height matters where it is asked for.

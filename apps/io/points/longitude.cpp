@@ -15,9 +15,10 @@ struct Box {
   Point least, greatest;
 };
 
-Box box_of(const std::vector<Point>& points) {
-  Box box{points.front(), points.front()};
-  for (const Point& p : points)
+template <typename P>
+Box box_of(const std::vector<P>& points) {
+  Box box{{points.front().x, points.front().y}, {points.front().x, points.front().y}};
+  for (const P& p : points)
     box = {{std::min(box.least.x, p.x), std::min(box.least.y, p.y)},
            {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};
   return box;
@@ -59,6 +60,15 @@ void shift_longitude(PointFile& file, const std::string& name) {
     if (p.x < 0) p.x += 360;
   }
   file.degrees = true;
+}
+
+std::string remark_on_degrees(const std::vector<Point3>& points) {
+  if (points.empty()) return "";
+  const Box box = box_of(points);
+  if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360)
+    return "longitudes and latitudes are expected: are x and y degrees?";
+  return "x and y are degrees and z is none, and a ball is round in neither; a degree of longitude is " +
+         share_of_latitude(box) + " of one of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
 
 void remark_on_degrees(PointFile& file) {

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "io/las/las_header.h"
+#include "io/las/las_projection.h"
 #include "io/las/las_record_reader.h"
+#include "io/points/longitude.h"
 #include "io/space/readers.h"
 
 namespace rbpa::app {
@@ -30,15 +32,17 @@ std::vector<std::array<std::uint8_t, 3>> colors_of(const std::vector<Wide>& wide
 }  // namespace
 
 SpacePoints read_las_space(std::string_view bytes, const std::string& name, const SpaceChoice& choice) {
-  LasHeader header = read_las_header(bytes, name);
+  const LasHeader header = read_las_header(bytes, name);
   LasRecordReader reader(header, choice.where, name);
   reader.require_height(header, name);
   SpacePoints file;
-  settle_las_count(header, choice.skip_invalid, name, file.remarks);
-  if (!choice.where) file.points.reserve(header.count);  // whose records are all there
+  const std::size_t count = header.count.settle(choice.skip_invalid, name, file.remarks);
+  if (!choice.where) file.points.reserve(count);  // whose records are all there
   std::vector<Wide> colors;
-  reader.take(bytes.data() + header.begin, header.count, file.points, colors);
+  reader.take(bytes.data() + header.begin, count, file.points, colors);
   file.colors = colors_of(colors);
+  if (const LasCrs system = las_crs(bytes, header); system.crs && system.crs->degrees && !file.points.empty())
+    file.remarks.push_back(remark_on_degrees(file.points));
   reader.tell(file.remarks);
   return file;
 }

@@ -17,7 +17,8 @@
 namespace rbpa::app {
 
 /// A table: separators, comments, quotes, decimal commas and headers as TextTable has them. Without a header 3 columns,
-/// or 6 with normals.
+/// or 6, of which the last three are colours where all are whole numbers up to 65535 and one is greater than 1, else
+/// normals.
 SpacePoints read_space_table(std::string_view text, const std::string& name, const SpaceChoice& choice);
 
 /// The vertices: x, y, z; nx, ny, nz and red, green, blue (of type uchar) when all three are there.

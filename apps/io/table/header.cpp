@@ -28,6 +28,8 @@ constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", 
                                              "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
 constexpr std::string_view normal_names[3][4] = {
     {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
+constexpr std::string_view color_names[3][4] = {
+    {"r", "red", "colorr", "colourr"}, {"g", "green", "colorg", "colourg"}, {"b", "blue", "colorb", "colourb"}};
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 
@@ -76,12 +78,20 @@ std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>&
   const std::vector<std::string> names = all_folded(header);
   const std::optional<NamedColumns> plane = find_coordinates(header);
   const std::optional<std::size_t> z = find_first(names, height_names);
-  if (!plane || plane->degrees || !z) return {};
+  if (!plane || !z) return {};
   std::vector<std::size_t> places = {plane->x, plane->y, *z};
   for (const auto& axis : normal_names)
     if (const std::optional<std::size_t> n = find_first(names, axis)) places.push_back(*n);
   if (places.size() < 6) places.resize(3);
   return places;
+}
+
+std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>& header) {
+  const std::vector<std::string> names = all_folded(header);
+  std::vector<std::size_t> places;
+  for (const auto& channel : color_names)
+    if (const std::optional<std::size_t> place = find_first(names, channel)) places.push_back(*place);
+  return places.size() == 3 ? places : std::vector<std::size_t>();
 }
 
 bool is_longitude(std::string_view name) { return is_one_of(known_names().front().x, name); }

@@ -15,6 +15,7 @@ from rbpa._core import InvalidInput
 from rbpa._input import Alpha, Floats, Indices, Progress, Unchanged
 from rbpa._input import as_count, as_points, as_radius, as_share, as_threads, freeze
 from rbpa._plateau import Plateau
+from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
 
 
@@ -135,6 +136,7 @@ class AlphaShape(Outlined):
         self.points = points
         self.alpha = alpha
         self.__dict__.update(made)
+        freeze(*made.values())
         self._unchanged = Unchanged(points)
 
     @cached_property
@@ -166,19 +168,25 @@ class AlphaShape(Outlined):
         ax : matplotlib axes, optional
             Where to draw; the current axes by default.
         triangles : bool
-            Draws the triangles' sides too.
+            Draws the triangles' sides too: the paler the shorter they are on the page, and not at all where they would be a
+            blot. Zoom by the limits of `ax`, set before.
         points : bool
-            Draws the points, isolated ones in red.
+            Draws the points, isolated ones in red; the smaller and paler the denser they are.
         style
             Of the polygons, for matplotlib.patches.PathPatch.
         """
         ax = self.polygons.plot(ax, **style)
-        x, y = self.points.T
+        if points:  # the view is to have all of them
+            ax.update_datalim(self.points)
+            ax.autoscale_view()
+        scale = page_scale(ax)
         if triangles and len(self.simplices):
-            ax.triplot(x, y, self.simplices, color="#6b8ba4", linewidth=0.4)
+            sides = side_style(scale * median_side(self.points, self.simplices))
+            if sides:
+                ax.triplot(*self.points.T, self.simplices, color="#6b8ba4", **sides)
         if points:
-            ax.plot(x, y, ".", color="#333333", markersize=2)
-            ax.plot(x[self.isolated], y[self.isolated], ".", color="#cc3311", markersize=3)
+            draw_dots(ax, self.points, scale, 1.4, "#333333")
+            draw_dots(ax, self.points[self.isolated], scale, 2.1, "#cc3311")
         return ax
 
     def __repr__(self) -> str:

@@ -76,6 +76,7 @@ class Delaunay:
         self.neighbors = made["neighbors"]
         self.convex_hull = made["boundary"]
         self.duplicates = made["duplicates"]
+        freeze(*made.values())
         self._unchanged = Unchanged(self.points)
 
     def find_simplex(self, xi: npt.ArrayLike, bruteforce: bool = False, tol: Optional[float] = None) -> Any:
@@ -107,7 +108,9 @@ class Delaunay:
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
         """(indptr, indices): the neighbours of point k are indices[indptr[k]:indptr[k + 1]], ascending."""
-        return _core.vertex_neighbors(self.simplices, len(self.points))
+        lists = _core.vertex_neighbors(self.simplices, len(self.points))
+        freeze(*lists)
+        return lists
 
     @cached_property
     def vertex_to_simplex(self) -> Indices:
@@ -115,6 +118,7 @@ class Delaunay:
         of = np.full(len(self.points), -1, dtype=np.int32)
         for corner in range(3):
             of[self.simplices[:, corner]] = np.arange(len(self.simplices), dtype=np.int32)
+        freeze(of)
         return of
 
     @cached_property
@@ -124,23 +128,29 @@ class Delaunay:
         Int32 of shape (d, 3).
         """
         point, vertex = self.duplicates.T
-        return np.column_stack((point, self.vertex_to_simplex[vertex], vertex)).astype(np.int32)
+        of: Indices = np.column_stack((point, self.vertex_to_simplex[vertex], vertex)).astype(np.int32)
+        freeze(of)
+        return of
 
     @property
     def npoints(self) -> int:
+        """The number of points, duplicates included."""
         return len(self.points)
 
     @property
     def nsimplex(self) -> int:
+        """The number of triangles."""
         return len(self.simplices)
 
     @property
     def min_bound(self) -> Floats:
+        """The least x and the least y of the points."""
         bound: Floats = self.points.min(axis=0)
         return bound
 
     @property
     def max_bound(self) -> Floats:
+        """The largest x and the largest y of the points."""
         bound: Floats = self.points.max(axis=0)
         return bound
 

@@ -11,6 +11,7 @@ from rbpa import _core
 from rbpa._input import Floats, Integers, Progress, Unchanged
 from rbpa._input import as_count, as_points, as_share, as_threads, freeze
 from rbpa._plateau import Plateau
+from rbpa._plot import axes_or_current, label_axes
 
 _COLUMNS = ("alpha", "triangles", "solid_components", "components", "holes", "covered", "area")
 
@@ -126,7 +127,10 @@ class Filtration:
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any]:
         """(components, holes) at a radius, or at each of an array of radii: the Betti numbers b0 and b1."""
-        step = np.searchsorted(self.alpha, np.asarray(alpha, dtype=float), side="right")
+        radii = np.asarray(alpha, dtype=float)
+        if np.isnan(radii).any():
+            raise _core.InvalidInput("alpha: found nan, expected radii")
+        step = np.searchsorted(self.alpha, radii, side="right")
         components, holes = (np.insert(of, 0, 0)[step] for of in (self.components, self.holes))
         return (int(components), int(holes)) if step.ndim == 0 else (components, holes)
 
@@ -159,14 +163,40 @@ class Filtration:
 
     def plot(self, ax: Any = None) -> Any:
         """Draws components and holes against the radius with matplotlib, on logarithmic scales, and returns the axes."""
-        import matplotlib.pyplot as plt
-
-        if ax is None:
-            ax = plt.gca()
+        ax = axes_or_current(ax)
         for of, label in ((self.components, "components"), (self.holes, "holes")):
             ax.step(self.alpha, of, where="post", label=label, linewidth=1)
-        ax.set(xscale="log", yscale="symlog", xlabel="alpha")
+        ax.set_xscale("log")
+        ax.set_yscale("symlog", linthresh=1)
+        ax.set_ylim(bottom=-0.1)  # so that a line at 0 is seen
+        label_axes(ax, "alpha (a radius, in the units of the points)", "number")
         ax.legend()
+        return ax
+
+    def plot_persistence(self, ax: Any = None, *, complex: str = "solid") -> Any:
+        """Draws the persistence diagram with matplotlib, and returns the axes: a dot for each component and hole, born at x
+        and dying at y, on logarithmic scales. The farther from the diagonal the longer it lives; on the line at the top are
+        those that never die, on the left edge those that are there from radius 0 on. `complex` as in `persistence`.
+        """
+        ax = axes_or_current(ax)
+        pairs = [self.persistence(dimension, complex=complex) for dimension in (0, 1)]
+        radii = np.concatenate([np.ravel(of) for of in pairs])
+        radii = radii[np.isfinite(radii) & (radii > 0)]
+        low, last = (radii.min() / 1.5, radii.max()) if len(radii) else (0.1, 1.0)
+        never = 2 * last
+        ax.plot([low, never], [low, never], color="#999999", linewidth=0.8)
+        ax.axhline(never, color="#999999", linewidth=0.8, linestyle="--")
+        note: dict[str, Any] = {"textcoords": "offset points", "color": "#666666", "fontsize": 8}
+        ax.annotate("never", (never, never), xytext=(-4, 4), ha="right", **note)
+        if any((of[:, 0] == 0).any() for of in pairs):
+            ax.axvline(low, color="#999999", linewidth=0.8, linestyle="--")
+            ax.annotate("from 0 on", (low, never), xytext=(4, -10), **note)
+        for of, name in zip(pairs, ("components", "holes")):
+            shown = np.clip(of, low, never)
+            ax.plot(*shown.T, ".", label=name, markersize=3, markeredgewidth=0, alpha=0.5)
+        ax.set(xscale="log", yscale="log", xlim=(low / 1.3, 1.5 * never), ylim=(low / 1.3, 1.5 * never))
+        label_axes(ax, "born at alpha (a radius, in the units of the points)", "dies at alpha")
+        ax.legend(loc="lower right", markerscale=3)
         return ax
 
     def __repr__(self) -> str:

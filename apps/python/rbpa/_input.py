@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import decimal
 import numbers
 import os
 from typing import Any, Callable, Optional, Union
@@ -80,9 +81,21 @@ def _hint(points: npt.ArrayLike, array: npt.NDArray[Any], name: str, columns: in
     return ""
 
 
+def as_scalar(value: Any) -> Any:
+    """Of a 0-d array the number in it; anything else as it is."""
+    return value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
+
+
+def is_number(value: Any) -> bool:
+    """Real, also exact (Fraction, Decimal) and NumPy's; no truth value and no text."""
+    kinds = (numbers.Real, decimal.Decimal, np.floating, np.integer)
+    return isinstance(value, kinds) and not isinstance(value, (bool, np.bool_))
+
+
 def as_radius(alpha: float) -> float:
     """A number; whether it is a radius is for the library to say."""
-    if isinstance(alpha, (bool, np.bool_)) or not isinstance(alpha, (numbers.Real, np.number)):
+    alpha = as_scalar(alpha)
+    if not is_number(alpha):
         raise InvalidInput(f"alpha: found {alpha!r}, expected a radius (a number > 0, or inf), {RULES}")
     try:
         return float(alpha)
@@ -91,13 +104,15 @@ def as_radius(alpha: float) -> float:
 
 
 def as_count(value: int, name: str, least: int) -> int:
+    value = as_scalar(value)
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
         raise InvalidInput(f"{name}: found {value!r}, expected a whole number, {least} or more")
     return min(int(value), 2**31 - 1)  # as good as any larger number
 
 
 def as_share(value: float, name: str) -> float:
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, np.number)) or not 0 < value <= 1:
+    value = as_scalar(value)
+    if not is_number(value) or not 0 < value <= 1:
         raise InvalidInput(f"{name}: found {value!r}, expected a share of the points, > 0 and <= 1")
     return float(value)
 

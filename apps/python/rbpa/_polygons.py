@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any, Iterator, overload
 
 import numpy as np
 
+from rbpa._input import freeze
+from rbpa._plot import axes_or_current, label_axes, outline_width, page_scale
+
 if TYPE_CHECKING:
     from rbpa._input import Floats, Indices
 
@@ -71,6 +74,7 @@ class Polygons(Sequence[Polygon]):
     def __init__(self, points: Floats, flat: dict[str, Any]) -> None:
         self._points = points
         self._flat = flat
+        freeze(*(array for array in flat.values() if isinstance(array, np.ndarray)))
         self.area: float = flat["area"]
         self.perimeter: float = flat["perimeter"]
 
@@ -138,20 +142,24 @@ class Polygons(Sequence[Polygon]):
         return MultiPolygon([(p.exterior, p.interiors) for p in self])
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draws the polygons with matplotlib. `style` goes to matplotlib.patches.PathPatch. Returns the axes."""
-        import matplotlib.pyplot as plt
+        """Draws the polygons with matplotlib, outlines the thinner the more there is of them. `style` goes to
+        matplotlib.patches.PathPatch. Returns the axes."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
-        if ax is None:
-            ax = plt.gca()
+        ax = axes_or_current(ax)
         rings = [ring for p in self for ring in p._rings()]
         if rings:
             codes = [np.r_[Path.MOVETO, np.full(len(r) - 2, Path.LINETO), Path.CLOSEPOLY] for r in rings]
             look = {"facecolor": "#9ecae1", "edgecolor": "#08519c", "alpha": 0.8, **style}
-            ax.add_patch(PathPatch(Path(np.concatenate(rings), np.concatenate(codes)), **look))
+            patch = ax.add_patch(PathPatch(Path(np.concatenate(rings), np.concatenate(codes)), **look))
             ax.autoscale_view()
+            ax.set_aspect("equal")
+            if not {"linewidth", "lw"} & set(style):
+                scale, box = page_scale(ax), ax.dataLim
+                patch.set_linewidth(outline_width(scale * self.perimeter, scale * scale * box.width * box.height))
         ax.set_aspect("equal")
+        label_axes(ax, "x", "y")
         return ax
 
     def __repr__(self) -> str:

@@ -10,7 +10,7 @@ from typing import Any, Optional, Union
 import numpy as np
 import numpy.typing as npt
 
-from rbpa import _core
+from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, Unchanged
 from rbpa._input import as_count, as_points, as_threads, freeze
@@ -43,8 +43,10 @@ def estimate_normals(
     Returns
     -------
     float64 array of shape (n, 3)
-        Unit vectors; equal points have equal ones. Closed surfaces have them outward, each piece by itself; planes and
-        terrains upward; a scan from one side all to one side of it, which may be the wrong one: negate them then.
+        Unit vectors; equal points have equal ones. The sign is a guess: it is carried from neighbour to neighbour, and
+        one wrong step turns a whole part. Round closed pieces mostly come out outward, planes and terrains upward; thin
+        or sharp ones may not (of a closed sword 53 of 100 were inward, of a fish 13). Where the side matters give
+        normals of your own. The array is yours to write into.
 
     Raises
     ------
@@ -116,6 +118,7 @@ def surface(
     vectors: Optional[Floats]
     if normals is None or (isinstance(normals, str) and normals == "estimate"):
         vectors = _core.estimate_normals(array, 16, workers, progress)
+        freeze(vectors)
     elif isinstance(normals, str):
         if normals != "none":
             raise InvalidInput(f"normals: found {normals!r}, expected an array of shape (n, 3), 'estimate' or 'none'")
@@ -227,7 +230,7 @@ class Surface:
         self.normals = normals
         self.radii = radii.copy()
         self.__dict__.update(made)
-        freeze(self.radii)
+        freeze(self.radii, *made.values())
         self._unchanged = [Unchanged(array) for array in (points, normals) if array is not None]
 
     def _made(self) -> tuple[Floats, Indices, Indices, Indices, Indices]:
@@ -248,7 +251,25 @@ class Surface:
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
-        return _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
+        found = _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
+        freeze(*found)
+        return found
+
+    def mesh(self) -> meshops.Mesh:
+        """A halfedge mesh of it, a new one with each call: face i is triangle i, and goes on where `neighbors` says.
+
+        Always an oriented manifold: sheets that have a point or an edge in common and do not go on in each other have vertices
+        of their own there. ``mesh.point_of_vertex`` says on which point each stands; unused points have none. The triangles
+        alone do not say which sheet goes on in which: ``rbpa.meshops.Mesh(surface.triangles)`` refuses such edges.
+        """
+        made = meshops.Mesh()
+        _core.surface_mesh(made, self.points, self.triangles, self.neighbors)
+        return made
+
+    def report(self) -> meshops.Report:
+        """The topology of `mesh()`, in total and per component: sheets that only touch are apart. The same as
+        ``surface.mesh().report()``; with ``mesh.point_of_vertex`` what touches in a point hangs together."""
+        return self.mesh().report()
 
     @property
     def unused(self) -> Indices:

@@ -16,7 +16,8 @@ namespace meshops {
 /// last point. Face i is face i of the soup, and its halfedge is the first side. Edges are in the order of their ends.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the soup has no defects but pinches (find_defects()).
-/// Throws:   ContractViolation that names the first other defect, mesh untouched; Cancelled, mesh empty.
+/// Throws:   ContractViolation that names the first other defect, or as require_parted(), mesh untouched; Cancelled, mesh
+///           empty.
 /// Cost:     near-linear; nothing is looked up that the kernel would have to search for.
 MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup, const GoOn& go_on = {});
 

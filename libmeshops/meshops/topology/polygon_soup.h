@@ -6,13 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/api.h"
+
 namespace meshops {
 
-/// Points are numbers from 0; a face is the cycle of its corners. Any lists at all are a soup.
+/// Points are numbers from 0; a face is the cycle of its corners. Any cycles at all are a soup: of any length, out of
+/// range, repeated. `begin` has to part `corners` into faces, which whoever reads a soup checks (require_parted()).
 struct PolygonSoup {
   std::size_t points = 0;
   std::vector<std::uint32_t> corners;    ///< of all faces, one after the other
-  std::vector<std::size_t> begin = {0};  ///< face f has the corners begin[f] to begin[f + 1]
+  std::vector<std::size_t> begin = {0};  ///< face f has the corners begin[f] to begin[f + 1]; 0 first, ascending
 
   std::size_t faces() const { return begin.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t f) const {
@@ -23,5 +26,9 @@ struct PolygonSoup {
     begin.push_back(corners.size());
   }
 };
+
+/// Throws ContractViolation, which names the place, unless `begin` parts `corners` into faces: it begins with 0, does not
+/// descend, and ends with the number of corners. Cost: linear in the faces; no corner is read.
+MESHOPS_API void require_parted(const PolygonSoup& soup);
 
 }  // namespace meshops

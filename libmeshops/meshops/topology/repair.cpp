@@ -41,6 +41,7 @@ class Repairer {
 
   /// The faces worth keeping: without points named twice in a row, not degenerate, each once.
   void take_faces() {
+    require_parted(given_);
     PolygonSoup cleaned;
     cleaned.points = given_.points;
     for (PolygonSoup* soup : {&cleaned, &result_.soup}) {

@@ -47,7 +47,7 @@ MESHOPS_API std::string describe(const RepairStep& step);
 /// as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet, or two
 /// that cannot agree on a direction; of these faces only two stay joined that hang together around both ends some
 /// other way.
-/// Throws: ContractViolation when there are 2³⁰ corners, points or faces, or more; Cancelled.
+/// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

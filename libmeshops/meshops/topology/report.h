@@ -64,7 +64,7 @@ struct TopologyReport {
 /// Of any soup. Faces that are degenerate, repeated or out of range are passed over (find_defects() names them). At a
 /// non-manifold edge the pieces end: its faces are apart there, in `per_component` and `boundary_curves`, but not in
 /// the totals.
-/// Throws: ContractViolation when there are 2³⁰ corners, points or faces, or more; Cancelled.
+/// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own. Where

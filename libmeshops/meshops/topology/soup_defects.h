@@ -43,7 +43,7 @@ MESHOPS_API std::string_view name(SoupDefectKind kind);
 MESHOPS_API std::string describe(const SoupDefect& defect);
 
 /// Every defect, in the order of the kinds, and of the points or faces within a kind.
-/// Throws: ContractViolation when there are 2³⁰ corners, points or faces, or more; Cancelled.
+/// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

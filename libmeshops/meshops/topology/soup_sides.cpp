@@ -131,7 +131,8 @@ void sort_by_high(Iterator first, Iterator last, Steps& step) {
   }
 }
 
-void require_handles_suffice(const PolygonSoup& soup) {
+void require_readable(const PolygonSoup& soup) {
+  require_parted(soup);
   constexpr std::size_t limit = std::size_t{1} << 30U;
   require(soup.corners.size() < limit && soup.points < limit && soup.faces() < limit,
           "a soup has 2^30 corners, points or faces, or more");
@@ -140,7 +141,7 @@ void require_handles_suffice(const PolygonSoup& soup) {
 }  // namespace
 
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on) {
-  require_handles_suffice(soup);
+  require_readable(soup);
   FaceFaults faults{std::vector<FaceFault>(soup.faces()), {}};
   std::vector<std::uint32_t> scratch;
   Steps step(go_on);
@@ -153,7 +154,7 @@ FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on) {
 }
 
 bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on) {
-  require_handles_suffice(soup);
+  require_readable(soup);
   std::vector<std::uint32_t> scratch;
   Steps step(go_on);
   for (std::size_t f = 0; f < soup.faces(); ++f) {

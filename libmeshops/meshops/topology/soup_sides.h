@@ -21,7 +21,8 @@ struct FaceFaults {
   std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats; empty without any
 };
 
-/// Throws ContractViolation when the soup is too large for handles: 2³⁰ corners, points or faces. Cancelled.
+/// Throws ContractViolation as require_parted(), and when the soup is too large for handles: 2³⁰ corners, points or faces.
+/// Cancelled.
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
 
 /// Every corner is a point, every face has three corners or more, and none twice: all that is left to find is

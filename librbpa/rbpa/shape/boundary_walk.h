@@ -24,7 +24,8 @@ class BoundaryWalk {
 
   /// A boundary side that no curve has passed.
   bool is_new(const BoundarySide& side) const {
-    return neighbor(side) == TriangleArrays::none && (seen_[side.triangle] >> side.across & 1U) == 0;
+    return neighbor(side) == TriangleArrays::none &&
+           (static_cast<unsigned>(seen_[side.triangle]) >> side.across & 1U) == 0;
   }
 
   /// The points of the whole curve of a side that is new, with the triangles to the right; none of its sides is new any
@@ -38,7 +39,7 @@ class BoundaryWalk {
   template <typename Visit>
   void walk_from(BoundarySide side, Visit visit) {
     for (; is_new(side); side = side_before(side)) {
-      seen_[side.triangle] = static_cast<std::uint8_t>(seen_[side.triangle] | 1U << side.across);
+      seen_[side.triangle] = static_cast<std::uint8_t>(static_cast<unsigned>(seen_[side.triangle]) | 1U << side.across);
       visit(side);
     }
   }

@@ -108,7 +108,8 @@ std::string refusal(const Folder& folder, const std::string& arguments) {
 TEST_CASE("killed at any moment, and again, a run is gone on with") {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> share(0, 1.05);
-  for (int moment = 0; moment < robustness::moments; ++moment) {
+  const int moments = robustness::moments > 8 ? 150 : robustness::moments;  // two kills each, in the mean
+  for (int moment = 0; moment < moments; ++moment) {
     CAPTURE(moment);
     const Folder folder;
     make_input(folder, some);
@@ -135,7 +136,9 @@ TEST_CASE("a signal ends a run at once; its scratch stays only where one was nam
       if (child.has_ended()) continue;  // a fast machine
       const auto start = Clock::now();
       child.send(SIGINT);
-      CHECK(child.wait() == Ending{130, 0});
+      const Ending ending = child.wait();
+      if (ending == Ending{0, 0} && seconds_since(start) < 0.1) continue;  // it was all but done
+      CHECK(ending == Ending{130, 0});
       CHECK(seconds_since(start) < 2);  // a third of a second where nobody else is at work
       std::vector<std::string> names = {"a.f64xy", "b.f64xy"};
       if (named) names.push_back("scratch");
@@ -220,7 +223,8 @@ TEST_CASE("another question is not what the run in the scratch was about") {
   folder.file("b.f64xy", content.substr(0, content.size() / 2));
   check("a.f64xy b.f64xy --alpha 3 -o t.npy", "changed");
   folder.file("s/manifest.json", "{}");
-  CHECK(refusal(folder, same + " --resume").find("found no manifest") != std::string::npos);
+  CHECK(refusal(folder, same + " --resume").find("s/manifest.json: found a file that was cut off or changed") !=
+        std::string::npos);
 }
 
 TEST_CASE("another run is at work in the folder") {

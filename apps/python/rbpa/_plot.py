@@ -1,0 +1,79 @@
+"""How thick and how dark what is drawn with matplotlib is: so that as many strokes and dots as there may be are no blot.
+
+Lengths are in points of the page, 1/72 inch. What is denser than the page can show is drawn thinner and then paler, sides of triangles at last not at all.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from rbpa._input import Floats, Indices
+
+_INK = 0.3  # the share of the page that strokes or dots cover where they are dense
+_PALEST = 0.05  # so that a dot apart from the others is seen
+_LINE = 0.4  # the width of a side where there is room
+_CELL = 8.0  # in which points are counted
+_LEAST_SIDE = 1.5  # triangles with shorter sides are not told apart
+
+
+def axes_or_current(ax: Any) -> Any:
+    import matplotlib.pyplot as plt
+
+    return plt.gca() if ax is None else ax
+
+
+def label_axes(ax: Any, x: str, y: str) -> None:
+    """Those that the user has set stay."""
+    if not ax.get_xlabel():
+        ax.set_xlabel(x)
+    if not ax.get_ylabel():
+        ax.set_ylabel(y)
+
+
+def page_scale(ax: Any) -> float:
+    """How long a unit of the data is on the page, in axes of equal aspect as they are now."""
+    ax.apply_aspect()
+    pixels = np.diff(ax.transData.transform([(0.0, 0.0), (1.0, 0.0)]), axis=0)[0, 0]
+    return float(abs(pixels) * 72 / ax.figure.dpi)
+
+
+def median_side(points: Floats, simplices: Indices) -> float:
+    """The median, which few far points do not change."""
+    corners = points[simplices]
+    sides = corners - np.roll(corners, 1, axis=1)
+    return float(np.median(np.hypot(sides[..., 0], sides[..., 1])))
+
+
+def spacing_on_page(points: Floats, scale: float) -> float:
+    """How far from each other points lie around the median one."""
+    cells = np.floor(points * (scale / _CELL)) @ [1, 1j]
+    _, cell_of, counts = np.unique(cells, return_inverse=True, return_counts=True)
+    return float(_CELL / math.sqrt(np.median(counts[cell_of])))
+
+
+def side_style(length: float) -> dict[str, float] | None:
+    """Of the sides of triangles that are so long on the page; None where they would be a blot."""
+    if length < _LEAST_SIDE:
+        return None
+    covered = 2 * math.sqrt(3) * _LINE / length  # of a page of equilateral triangles
+    return {"linewidth": _LINE, "alpha": min(1.0, _INK / covered)}
+
+
+def dot_style(distance: float, diameter: float) -> dict[str, float]:
+    """Of dots that are so far from each other on the page."""
+    size = min(diameter, max(0.6 * distance, 0.5))
+    alpha = min(1.0, _INK * (distance / size) ** 2) if size < diameter else 1.0
+    return {"markersize": size, "markeredgewidth": 0.0, "alpha": max(_PALEST, alpha)}
+
+
+def draw_dots(ax: Any, points: Floats, scale: float, diameter: float, color: str) -> None:
+    if len(points):
+        ax.plot(*points.T, ".", color=color, **dot_style(spacing_on_page(points, scale), diameter))
+
+
+def outline_width(length: float, page: float) -> float:
+    """Of outlines that are so long on so large a page."""
+    return min(1.0, _INK * page / length) if length > 0 else 1.0

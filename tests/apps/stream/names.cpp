@@ -1,0 +1,108 @@
+// Names may have any bytes; what is no file is refused at once.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "support/program.h"
+#include "support/random.h"
+
+using namespace apps_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string points() {
+  rbpa_test::Random random(51);
+  std::string text;
+  for (int i = 0; i < 400; ++i)
+    text += std::to_string(random.below(2000)) + " " + std::to_string(random.below(2000)) + "\n";
+  return text;
+}
+
+/// `rbpa ARGUMENTS`, which is killed when it hangs.
+Outcome limited(const Folder& folder, const std::string& arguments) {
+  return folder.run("timeout", std::string("-s KILL 60 ") + RBPA_PROGRAM + " " + arguments);
+}
+
+void check_refused(const Folder& folder, const std::string& arguments, const std::string& part) {
+  CAPTURE(arguments);
+  const Outcome outcome = limited(folder, arguments);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 3);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.err.find(part) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("names in Latin-1 are names: of inputs, targets, scratch, tasks, tiles, partials") {
+  const std::string e = "\xe9";
+  const Folder plain, folder;
+  plain.file("p.xy", points());
+  REQUIRE(plain.rbpa("stream p.xy --alpha 90 --tile-size 60 -o t.npy -o p.wkt -q").code == 0);
+  folder.file("p" + e + ".xy", points());
+  const auto check = [&](const std::string& triangles, const std::string& polygons) {
+    CHECK(folder.content(triangles) == plain.content("t.npy"));
+    CHECK(folder.content(polygons) == plain.content("p.wkt"));
+  };
+  const std::string question = "stream 'p" + e + ".xy' --alpha 90 --tile-size 60 -q ";
+  const std::string targets = "-o 't" + e + ".npy' -o 'p" + e + ".wkt' ";
+  CHECK(folder.rbpa(question + targets + "--stats 's" + e + ".json'").code == 0);
+  check("t" + e + ".npy", "p" + e + ".wkt");
+  CHECK(folder.has("s" + e + ".json"));
+
+  const std::string scratch = "--scratch 's" + e + "' --keep-tiles ";
+  CHECK(folder.rbpa(question + targets + scratch).code == 0);
+  CHECK(folder.rbpa(question + targets + scratch + "--resume").code == 0);
+  check("t" + e + ".npy", "p" + e + ".wkt");
+  const Outcome other = folder.rbpa(question + "-o 'q" + e + ".npy' " + scratch + "--resume");
+  CHECK(other.code == 2);
+  CHECK(other.err.find("--resume: found 1 target") != std::string::npos);
+  folder.file("q" + e + "%E9.xy", points());
+  const Outcome name =
+      folder.rbpa("stream 'q" + e + "%E9.xy' --alpha 90 --tile-size 60 -q " + targets + scratch + "--resume");
+  CHECK(name.code == 2);
+  CHECK(name.err.find("--resume: found the input ") != std::string::npos);
+
+  CHECK(folder.rbpa(question + "--tasks 'T" + e + "' -o 'u" + e + ".npy' -o 'u" + e + ".wkt'").code == 0);
+  CHECK(folder.run("make", "-s -j2 -f 'T" + e + "/Makefile'").code == 0);
+  check("u" + e + ".npy", "u" + e + ".wkt");
+  CHECK(folder.rbpa(question + "--tasks 'V" + e + "' -o 'v" + e + ".npy' -o 'v" + e + ".wkt'").code == 0);
+  CHECK(folder.run("sh", "-e 'V" + e + "/1-tiles.txt'").code == 0);
+  CHECK(folder.rbpa("merge 'V" + e + "'/partials/1-*.partial -o 'w" + e + ".npy' -o 'w" + e + ".wkt' -q").code == 0);
+  check("w" + e + ".npy", "w" + e + ".wkt");
+  CHECK(folder.rbpa("tile 'V" + e + "/tiles/000001.tile' -o 'x" + e + ".partial' -q").code == 0);
+}
+
+TEST_CASE("a pipe or a device is refused at once, before anything is made of files beside it") {
+  const Folder folder;
+  folder.file("p.xy", points());
+  REQUIRE(folder.rbpa("stream p.xy --alpha 90 --tile-size 60 --tasks T -o t.npy -o p.wkt -q").code == 0);
+  REQUIRE(folder.run("sh", "-e T/1-tiles.txt").code == 0);
+  for (const char* name : {"f.npy", "f.xy", "f.las", "f.csv.gz"}) {
+    REQUIRE(mkfifo(folder.path(name).c_str(), 0666) == 0);
+    for (const std::string before : {"", "p.xy "})
+      check_refused(
+          folder, "stream " + before + name + " --alpha 1 -o t.npy",
+          std::string(name) + ": found a pipe, a socket or a device, expected a file, which can be read twice");
+    fs::remove(folder.path(name));
+  }
+  check_refused(folder, "stream /dev/null --format xy --alpha 1 -o t.npy",
+                "/dev/null: found a pipe, a socket or a device");
+  for (const std::string name : {"T/tiles/000001.tile", "T/run.json"}) {
+    const std::string content = folder.content(name);
+    fs::remove(folder.path(name));
+    REQUIRE(mkfifo(folder.path(name).c_str(), 0666) == 0);
+    check_refused(folder, "tile T/tiles/000001.tile -o a.partial",
+                  name.substr(2) + ": found a folder, a pipe or a device, expected a file");
+    fs::remove(folder.path(name));
+    folder.file(name, content);
+  }
+  fs::remove(folder.path("T/partials/1-000001.partial"));
+  REQUIRE(mkfifo(folder.path("T/partials/1-000001.partial").c_str(), 0666) == 0);
+  check_refused(folder, "merge T/partials/1-*.partial -o m.wkt",
+                "1-000001.partial: found a folder, a pipe or a device, expected a file");
+}
