@@ -17,8 +17,8 @@
 #include "io/interrupt.h"
 #include "io/message.h"
 #include "io/output_file.h"
+#include "io/points/unit.h"
 #include "io/same_file.h"
-#include "io/unit.h"
 #include "report/write_report.h"
 
 namespace rbpa::app {

@@ -71,6 +71,27 @@ TEST_SUITE("readme") {
     }
   }
 
+  TEST_CASE("which alpha to choose is said before the examples, plateau first; --cover comes later, with its warning") {
+    const std::string readme = read_file(RBPA_README);
+    const auto at = [](const std::string& page, const std::string& words) {
+      const std::size_t place = page.find(words);
+      CHECK_MESSAGE(place != std::string::npos, words);
+      return place;
+    };
+    const std::string choose = "**Which alpha to choose:** `plateau` first.";
+    CHECK(at(readme, choose) < at(readme, "```console"));
+    CHECK(at(readme, "$ rbpa shape") == at(readme, "$ rbpa shape tests/data/mol_2xhe_xy.xy --alpha plateau"));
+    // What the comment says of the example with --cover is what both examples print.
+    const std::size_t cover = at(readme, "$ rbpa shape tests/data/mol_2xhe_xy.xy --alpha auto --cover 0.99");
+    CHECK(at(readme, "12 parts and 29\n# pinholes, where plateau has 1 part and none.") < cover);
+    CHECK(readme.find("12 polygons with 29 holes", cover) != std::string::npos);
+    CHECK(at(readme, "1 polygon with 0 holes, area 3819.51, alpha plateau") < cover);
+    const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
+    const std::string page = read_file((root / "docs/which_alpha.md").string());
+    CHECK(at(page, "**Which alpha to choose.** `plateau` first.") < at(page, "| you want | type |"));
+    CHECK(at(page, "| `--alpha plateau` |") < at(page, "| `--alpha auto`"));
+  }
+
   TEST_CASE("so it is with tasks, which make runs") {
     const Folder folder;
     std::filesystem::create_directory(folder.path("tests"));

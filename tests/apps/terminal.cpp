@@ -66,6 +66,14 @@ const std::string gone = "\r\x1b[K";
 }  // namespace
 
 TEST_SUITE("terminal") {
+  TEST_CASE("that no plateau stands out is said when the line of progress is gone") {
+    const Folder folder;
+    const std::string points = folder.file("p.xy", corner);
+    const std::string seen = seen_of_rbpa({"shape", points, "--alpha", "plateau", "-o", folder.path("s.wkt")});
+    CHECK(contains(seen, "choosing alpha, "));
+    CHECK(contains(seen, gone + "rbpa: --alpha plateau: no range of alpha stands out"));
+  }
+
   TEST_CASE(
       "every part of a run says on a terminal that it goes on, and leaves nothing there; with --quiet none does") {
     const Folder folder;

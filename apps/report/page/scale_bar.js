@@ -12,12 +12,13 @@ const unitSigns = {
 
 const signsOf = (unit) => unitSigns[unit] ?? unitSigns.none;
 
-/** Four significant digits, thousands apart. */
+/** Four significant digits, thousands apart; fewer where they are the whole number. */
 function fourDigits(number) {
   if (!Number.isFinite(number)) return "∞";
-  const size = Math.abs(number);
-  if (size !== 0 && (size >= 9999500 || size < 1e-4)) return number.toExponential(3).replace("+", "");
-  return number.toLocaleString("en", { maximumSignificantDigits: 4 });
+  const size = Math.abs(number), isExact = Number(number.toPrecision(4)) === number;
+  if (size !== 0 && (size >= 9999500 || size < 1e-4))
+    return number.toExponential(isExact ? undefined : 3).replace("+", "");
+  return number.toLocaleString("en", { maximumSignificantDigits: 4, minimumSignificantDigits: isExact ? 1 : 4 });
 }
 
 /** In metres or in kilometres, whichever is shorter to read; in feet, degrees, or units that are not known. */

@@ -268,15 +268,15 @@ test("an axis and its ticks agree, up to the ends of the range of double", () =>
 
 test("numbers have four digits, and the unit of the coordinates, squared of areas", () => {
   for (const [number, text] of [[0, "0"], [3819.51, "3,820"], [0.98514, "0.9851"], [12, "12"], [1.5, "1.5"], [123456.7, "123,500"],
-    [9999499, "9,999,000"], [9999500, "1.000e7"], [1.23456e300, "1.235e300"], [0.0001, "0.0001"], [0.00009, "9.000e-5"], [5e-324, "4.941e-324"],
+    [9999499, "9,999,000"], [9999500, "1.000e7"], [2e7, "2e7"], [0.250006, "0.2500"], [0.25, "0.25"], [162, "162"], [1.23456e300, "1.235e300"], [0.0001, "0.0001"], [0.00009, "9e-5"], [5e-324, "5e-324"],
     [-42.424242, "-42.42"], [Infinity, "∞"]])
     assert.equal(page.fourDigits(number), text);
-  for (const [area, unit, text] of [[3819.51, "metre", "3,820 m²"], [999949, "metre", "999,900 m²"], [999950, "metre", "1 km²"], [8.2e13, "metre", "8.200e7 km²"],
+  for (const [area, unit, text] of [[3819.51, "metre", "3,820 m²"], [999949, "metre", "999,900 m²"], [999950, "metre", "1.000 km²"], [8.2e13, "metre", "8.2e7 km²"],
     [3819.51, "foot", "3,820 ft²"], [2e6, "US survey foot", "2,000,000 US ft²"], [549.836, "degree", "549.8 deg²"], [3819.51, null, "3,820 units²"],
     [0, null, "0 units²"]])
     assert.equal(page.areaText(area, unit), text);
   for (const [length, unit, text] of [[500, "metre", "500 m"], [1000, "metre", "1 km"], [2e5, "metre", "200 km"], [0.05, "metre", "0.05 m"], [2000, "foot", "2,000 ft"],
-    [5000, "US survey foot", "5,000 US ft"], [0.5, "degree", "0.5°"], [1, null, "1 unit"], [20, null, "20 units"], [1e-5, null, "1.000e-5 units"]])
+    [5000, "US survey foot", "5,000 US ft"], [0.5, "degree", "0.5°"], [1, null, "1 unit"], [20, null, "20 units"], [1e-5, null, "1e-5 units"]])
     assert.equal(page.lengthText(length, unit), text);
 });
 

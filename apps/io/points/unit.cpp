@@ -1,4 +1,4 @@
-#include "io/unit.h"
+#include "io/points/unit.h"
 
 #include <algorithm>
 #include <charconv>
