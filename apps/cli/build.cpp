@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "cli/progress.h"
+#include "io/failure.h"
 #include "io/message.h"
 
 namespace rbpa::app {
@@ -14,6 +15,9 @@ PointFile read(const PointSource& source, bool quiet) {
   const std::string name = source.path == "-" ? "standard input" : source.path;
   for (const std::string& remark : file.remarks)
     if (!quiet) say("rbpa", name + ": " + remark);
+  if (file.heights.differ() && !quiet)
+    say("rbpa",
+        name + ": z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
   return file;
 }
 

@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// read_points() with a progress line, and what there is to remark, unless quiet.
+/// read_points() with a progress line, what there is to remark, and that heights are left out, unless quiet.
 PointFile read(const PointSource& source, bool quiet);
 
 /// rbpa() with a progress line unless quiet. Throws Cancelled after a signal.

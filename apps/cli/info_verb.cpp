@@ -26,6 +26,7 @@ struct Info {
   std::size_t distinct = 0;
   std::optional<Box> box = std::nullopt;  ///< none when there are no points
   std::optional<Crs> crs = std::nullopt;
+  bool flattened = false;                        ///< heights that differ were left out
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); none when the area is zero
 };
 
@@ -53,7 +54,8 @@ Info examine(std::vector<Point> points, bool shown) {
 std::string for_people(const Info& info) {
   std::string text = "points      " + std::to_string(info.points) + "\n";
   text += "distinct    " + std::to_string(info.distinct) + "\n";
-  text += "duplicates  " + std::to_string(info.points - info.distinct) + "\n";
+  text += "duplicates  " + std::to_string(info.points - info.distinct) +
+          (info.flattened && info.points > info.distinct ? "  (of x and y; z was ignored)\n" : "\n");
   if (info.crs) text += "crs         " + info.crs->text() + "\n";
   if (info.box) {
     text += "box         x " + text_of(info.box->least.x) + " .. " + text_of(info.box->greatest.x) + "\n";
@@ -93,6 +95,7 @@ void run_info(const InfoArguments& arguments) {
   Stats stats{.read_seconds = watch.lap()};
   Info info = examine(std::move(given.points), !arguments.quiet);
   info.crs = given.crs;
+  info.flattened = given.heights.differ();
 
   OutputSet files;
   if (arguments.stats) {

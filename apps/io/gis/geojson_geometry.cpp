@@ -29,12 +29,13 @@ const char* GeoJsonGeometry::add(double coordinate) {
   return nullptr;
 }
 
-const char* GeoJsonGeometry::close(std::vector<Point>& points) {
+const char* GeoJsonGeometry::close(std::vector<Point>& points, Heights& heights) {
   if (coordinates_ == 1) return "one number";
   if (coordinates_ > 0) {
     if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
     depth_ = open_;
     points.push_back({position_[0], position_[1]});
+    if (coordinates_ > 2) heights.take(position_[2]);
     coordinates_ = 0;
   } else if (depth_ == open_ + 1) {
     ends_.push_back(points.size());

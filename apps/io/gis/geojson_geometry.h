@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/heights.h"
 #include "rbpa/core/point.h"
 #include "rbpa/shape/polygons.h"
 
@@ -30,7 +31,7 @@ class GeoJsonGeometry {
 
   const char* open();
   const char* add(double coordinate);
-  const char* close(std::vector<Point>& points);
+  const char* close(std::vector<Point>& points, Heights& heights);
 
   /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
   /// positions lay in other brackets than the kind has.
@@ -41,7 +42,7 @@ class GeoJsonGeometry {
   int open_ = 0;                 // brackets
   int depth_ = 0;                // of the positions so far; 0: none
   std::size_t coordinates_ = 0;  // in the position that is not at its end
-  std::array<double, 2> position_{};
+  std::array<double, 3> position_{};
   std::vector<std::size_t> ends_ = {};   // of the innermost lists of positions, as counts of all points
   std::vector<std::size_t> lists_ = {};  // of these, as counts of ends
 };

@@ -143,7 +143,7 @@ class Events {
   bool end_array() {
     if (passes_over(-1)) return true;
     Frame& frame = frames_.back();
-    if (frame.slot == Slot::coordinates) return check(frame.geometry->close(file_.points));
+    if (frame.slot == Slot::coordinates) return check(frame.geometry->close(file_.points, file_.heights));
     frame.in_list = false;
     return true;
   }

@@ -101,20 +101,27 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   skip_space();
   const std::string_view begin = text_;
   std::string name = upper(take_word());
+  measured_ = false;
   // "POINT Z (", "POINTZ(" and "POINT(" are all in use.
   const auto is_known = [&](std::string_view word) {
     return word == "GEOMETRYCOLLECTION" ||
            std::any_of(std::begin(kinds), std::end(kinds), [&](const Kind& kind) { return kind.name == word; });
   };
   for (const std::string_view dimension : {"ZM", "Z", "M"})
-    if (!is_known(name) && name.ends_with(dimension)) name.resize(name.size() - dimension.size());
+    if (!is_known(name) && name.ends_with(dimension)) {
+      name.resize(name.size() - dimension.size());
+      measured_ = dimension == "M";
+    }
   if (!is_known(name)) {
     text_ = begin;
     refuse("a geometry, such as 'POINT (1 2)'");
   }
   const std::string_view behind_name = text_;
   std::string word = upper(take_word());
-  if (is_dimension(word)) word = upper(take_word());
+  if (is_dimension(word)) {
+    measured_ = word == "M";
+    word = upper(take_word());
+  }
   if (word == "EMPTY") return;
   if (!word.empty()) {
     text_ = behind_name;
@@ -198,6 +205,7 @@ void WktGeometries::take_position(std::vector<Point>& points) {
       refuse("a number");
     }
     if (i < 2) coordinate[i] = number.value;
+    if (i == 2 && !measured_) heights_.take(number.value);
     text_.remove_prefix(static_cast<std::size_t>(number.end - text_.data()));
     if (!text_.empty() && !is_space(text_.front()) && text_.front() != ',' && text_.front() != ')')
       refuse("a blank, ',' or ')' behind a number");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/crs.h"
+#include "io/heights.h"
 #include "rbpa/core/point.h"
 #include "rbpa/shape/polygons.h"
 
@@ -34,6 +35,9 @@ class WktGeometries {
   /// Appends the points of the next geometry; false when there is none. Throws WktFault.
   bool next(std::vector<Point>& points);
 
+  /// Third coordinates so far, but for measures.
+  const Heights& heights() const { return heights_; }
+
   /// The system that an SRID has named, if any.
   const std::optional<Crs>& crs() const { return crs_; }
 
@@ -55,6 +59,8 @@ class WktGeometries {
   bool vertices_;
   std::vector<Polygon>* polygons_ = nullptr;
   std::optional<Crs> crs_ = std::nullopt;
+  bool measured_ = false;  // the third coordinate of the current geometry is a measure
+  Heights heights_ = {};
 };
 
 }  // namespace rbpa::app

@@ -19,6 +19,7 @@ PointFile read_all(WktGeometries& geometries, std::string_view text, const std::
     bad_input(at_line(name, before + 1), fault.found, fault.expected);
   }
   file.crs = geometries.crs();
+  file.heights = geometries.heights();
   return file;
 }
 

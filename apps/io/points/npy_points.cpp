@@ -119,13 +119,17 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
   return layout;
 }
 
-std::vector<Point> read_npy_points(std::string_view bytes, const std::string& name) {
+PointFile read_npy_points(std::string_view bytes, const std::string& name) {
   const NpyLayout array = read_npy_layout(bytes, bytes.size(), name);
   const char* data = bytes.data() + array.data;
   const std::size_t item = array.item();
-  if (array.columns_first)
-    return load_points({array.rows, data, data + array.rows * item, item, array.type, array.type, array.order}, name);
-  return load_points({array.rows, data, data + item, array.row(), array.type, array.type, array.order}, name);
+  const std::size_t stride = array.columns_first ? item : array.row(),
+                    column = array.columns_first ? array.rows * item : item;
+  PointFile file{.points =
+                     load_points({array.rows, data, data + column, stride, array.type, array.type, array.order}, name)};
+  for (std::size_t i = 0; array.columns == 3 && i < array.rows && !file.heights.differ(); ++i)
+    file.heights.take(load_number(array.type, data + 2 * column + i * stride, array.order));
+  return file;
 }
 
 }  // namespace rbpa::app

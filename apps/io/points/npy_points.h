@@ -6,10 +6,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "io/point_file.h"
 #include "io/scalar.h"
-#include "rbpa/core/point.h"
 
 namespace rbpa::app {
 
@@ -33,6 +32,6 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
 /// An array of shape (n, 2), or (n, 3) whose third column is left out; float32, float64 or integers, either byte order,
 /// rows or columns first. What follows the array is left alone, as NumPy does. Throws BadInput, before anything is
 /// allocated when the file is too short for the shape.
-std::vector<Point> read_npy_points(std::string_view bytes, const std::string& name);
+PointFile read_npy_points(std::string_view bytes, const std::string& name);
 
 }  // namespace rbpa::app

@@ -3,14 +3,13 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "rbpa/core/point.h"
+#include "io/point_file.h"
 
 namespace rbpa::app {
 
 /// OFF with any of the prefixes ST, C, N, or none; one vertex a line, of which x and y count. Throws BadInput naming the
 /// line, before anything is allocated when the file is too short for the vertices it announces.
-std::vector<Point> read_off_points(std::string_view text, const std::string& name);
+PointFile read_off_points(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

@@ -25,11 +25,11 @@ namespace {
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
   switch (source.format) {
     case PointFormat::npy:
-      return {.points = read_npy_points(bytes, name)};
+      return read_npy_points(bytes, name);
     case PointFormat::off:
-      return {.points = read_off_points(bytes, name)};
+      return read_off_points(bytes, name);
     case PointFormat::ply:
-      return {.points = read_ply_points(bytes, name)};
+      return read_ply_points(bytes, name);
     case PointFormat::raw:
       return {.points = read_raw_points(bytes, name)};
     case PointFormat::png:

@@ -94,6 +94,10 @@ std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>&
   return places.size() == 3 ? places : std::vector<std::size_t>();
 }
 
+std::optional<std::size_t> find_height(const std::vector<std::string_view>& header) {
+  return find_first(all_folded(header), height_names);
+}
+
 bool is_longitude(std::string_view name) { return is_one_of(known_names().front().x, name); }
 bool is_latitude(std::string_view name) { return is_one_of(known_names().front().y, name); }
 

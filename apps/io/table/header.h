@@ -24,6 +24,9 @@ std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>&
 /// The columns called red, green and blue, or r, g and b, when all three are there.
 std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>& header);
 
+/// The column called z, height or elevation, or the like.
+std::optional<std::size_t> find_height(const std::vector<std::string_view>& header);
+
 /// Whether such a name is one of a longitude, a latitude.
 bool is_longitude(std::string_view name);
 bool is_latitude(std::string_view name);

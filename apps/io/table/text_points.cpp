@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/failure.h"
+#include "io/formats.h"
 #include "io/gis/wkt_geometry.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -105,7 +106,11 @@ class TextTable::Reader {
                             : "at least " + counted(needed, "column") + ", as --columns asks");
     }
     if (x_ == y_) refuse_one_column(fields[x_]);  // under two names, or by name and by number
-    if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) return false;
+    if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) {
+      // A third number may be anything but in a file whose ending says what it is.
+      if (!rule_.columns && fields.size() > 2 && input_ending(name_) == "xyz") z_ = 2;
+      return false;
+    }
     if (!by_name && is_missing(fields[x_]) && is_missing(fields[y_])) return false;
     file_.degrees = is_longitude(fields[x_]) && is_latitude(fields[y_]);
     if (is_latitude(fields[x_]) && is_longitude(fields[y_]))
@@ -118,6 +123,8 @@ class TextTable::Reader {
     first_line_ = lines_.number();
     header_ = lines_.line();
     width_ = fields.size();
+    if (!wkt_) z_ = find_height(fields);
+    if (z_ == x_ || z_ == y_) z_.reset();
     return true;
   }
 
@@ -152,7 +159,7 @@ class TextTable::Reader {
   }
 
   /// Where the next line ends, when it is plain and a point; else null.
-  const char* read_plain_line(Point& p) const {
+  const char* read_plain_line(Point& p) {
     const char* at = lines_.rest().data();
     const char* const end = at + lines_.rest().size();
     const auto skip_blanks = [&](char but) {
@@ -182,6 +189,7 @@ class TextTable::Reader {
         const char* const field = at;
         while (at != end && !is_blank(*at) && *at != separator_ && *at != '\n' && *at != '"' && *at != '#') ++at;
         if (at == field) return nullptr;
+        if (column == z_) take_height({field, static_cast<std::size_t>(at - field)});
       }
     }
     skip_blanks('\0');
@@ -208,11 +216,19 @@ class TextTable::Reader {
         if (count == x_) x = value;
         if (count == y_) y = value;
       } else {
-        fields.take();
+        const std::string_view field = fields.take();
+        if (count == z_) take_height(without_quotes(field));
       }
     }
     take_width(count);
     file_.points.push_back({*x, *y});
+  }
+
+  /// A field that is no number is no height. That two differ is enough.
+  void take_height(std::string_view field) {
+    const ParsedNumber number = parse_whole_number(field);
+    if (number.fault == NumberFault::none) file_.heights.take(number.value);
+    if (file_.heights.differ()) z_.reset();
   }
 
   void take_width(std::size_t count) {
@@ -242,6 +258,7 @@ class TextTable::Reader {
     }
     if (file_.points.size() == first)
       bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + selection_.hint());
+    file_.heights.take(geometries.heights());
     if (!geometries.crs()) return;
     if (file_.crs && file_.crs->code != geometries.crs()->code)
       bad_input(here(), geometries.crs()->text(), file_.crs->text() + " as in lines before");
@@ -293,6 +310,7 @@ class TextTable::Reader {
   std::size_t x_ = 0;
   std::size_t y_ = 1;
   std::optional<std::size_t> wkt_ = std::nullopt;    // the column of geometries, in place of both
+  std::optional<std::size_t> z_ = std::nullopt;      // that of heights, until it is known that they differ
   std::size_t first_line_ = 0;                       // the line that says how many columns there are
   std::optional<std::size_t> width_ = std::nullopt;  // how many
   std::string header_ = {};                          // empty without one

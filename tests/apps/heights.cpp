@@ -1,0 +1,110 @@
+// Third coordinates of what is read in the plane: that they are left out is said where they are heights and differ.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "support/las_file.h"
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+std::string remark(const std::string& file, int points = 3) {
+  return "rbpa: " + file + ": z of " + std::to_string(points) +
+         " points was ignored (rbpa surface computes in space)\n";
+}
+
+/// Points of three numbers, of which the last is given.
+std::string npy(const std::vector<double>& z, bool columns_first) {
+  const std::size_t n = z.size();
+  std::string header = "{'descr': '<f8', 'fortran_order': " + std::string(columns_first ? "True" : "False") +
+                       ", 'shape': (" + std::to_string(n) + ", 3)}\n";
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  bytes += static_cast<char>(header.size());
+  bytes += '\0';
+  bytes += header;
+  const auto value = [&](std::size_t i, std::size_t k) { return k == 2 ? z[i] : static_cast<double>((i + k) % n); };
+  for (std::size_t i = 0; i < n * 3; ++i) bytes += little(columns_first ? value(i % n, i / n) : value(i / 3, i % 3));
+  return bytes;
+}
+
+std::string ply(const std::vector<double>& z, bool binary, bool with_list) {
+  std::string text = "ply\nformat " + std::string(binary ? "binary_little_endian" : "ascii") +
+                     " 1.0\nelement vertex 3\nproperty double x\nproperty double z\nproperty double y\n" +
+                     (with_list ? "property list uchar int q\n" : "") + "end_header\n";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = static_cast<double>(i % 2), y = static_cast<double>(i / 2);
+    text += binary ? little(x) + little(z[i]) + little(y)
+                   : std::to_string(x) + " " + std::to_string(z[i]) + " " + std::to_string(y);
+    if (with_list) text += binary ? std::string(1, '\0') : " 0";
+    if (!binary) text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_SUITE("heights") {
+  TEST_CASE("heights that differ are said to be left out, of every format that has them") {
+    const Folder folder;
+    const auto says = [&](const std::string& name, const std::string& content, bool said) {
+      CAPTURE(name);
+      CAPTURE(content);
+      folder.file(name, content);
+      const Outcome outcome = folder.rbpa("info " + name);
+      CHECK(outcome.code == 0);
+      CHECK((outcome.err.find(remark(name)) != std::string::npos) == said);
+      CHECK(outcome.err.find("z of") == (said ? outcome.err.find(remark(name)) + 8 + name.size() : std::string::npos));
+    };
+    for (const std::string z : {"z", "Elevation", "height (m)"}) {
+      says("h.csv", "x,y," + z + "\n0,0,1\n1,0,1\n0,1,2\n", true);
+      says("h.csv", "y," + z + ",x\n0,\"1\",0\n1,3,0\n0,2,1\n", true);
+      says("h.csv", "x,y," + z + "\n0,0,1\n1,0,1.0\n0,1,1e0\n", false);  // all of one height
+      says("h.csv", "x,y," + z + "\n0,0,1\n1,0,NA\n0,1,none\n", false);
+    }
+    says("p.csv", "x,y,population\n0,0,1\n1,0,1\n0,1,2\n", false);
+    says("g.csv", "id,wkt\n1,POINT Z (0 0 1)\n2,POINT Z (1 0 2)\n3,POINT (1 1)\n", true);
+    says("u.xyz", "0 0 1\n1 0 1\n0 1 2\n", true);
+    says("n.xyz", "0 0 1 0 0 1\n1 0 1 0 0 1\n0 1 2 0 0 1\n", true);
+    says("u.xyz", "0 0 1\n1 0 1\n0 1 1\n", false);
+    says("u.txt", "0 0 1\n1 0 1\n0 1 2\n", false);  // may be anything
+    says("m.off", "OFF\n3 0 0\n0 0 1\n1 0 0\n0 1 0\n", true);
+    says("m.off", "OFF\n3 0 0\n0 0 1\n1 0 1\n0 1 1\n", false);
+    says("m.off", "OFF\n3 0 0\n0 0\n1 0\n0 1\n", false);
+    says("p.wkt", "POINT Z (0 0 1) POINTZ(1 0 2) POINT(1 1)", true);
+    says("p.wkt", "MULTIPOINT ZM (0 0 1 4, 1 0 2 4, 1 1 1 4)", true);
+    says("p.wkt", "MULTIPOINT M (0 0 1, 1 0 2, 1 1 1)", false);
+    says("p.geojson", "{\"type\":\"MultiPoint\",\"coordinates\":[[0,0,1],[1,0,2],[1,1,1]]}", true);
+    says("p.geojson", "{\"type\":\"MultiPoint\",\"coordinates\":[[0,0,1],[1,0,1],[1,1]]}", false);
+    for (const bool either : {false, true}) {
+      says("p.npy", npy({1, 1, 2}, either), true);
+      says("p.npy", npy({2, 2, 2}, either), false);
+      for (const bool list : {false, true}) {
+        if (list && !either) continue;  // of a text with lists heights are not looked for
+        says("p.ply", ply({1, 1, 2}, either, list), true);
+        says("p.ply", ply({5, 5, 5}, either, list), false);
+      }
+    }
+    // Footprints of lidar are what is wanted.
+    says("p.las", bytes_of(LasFile{.points = {{.z = 1}, {.x = 1, .z = 2}, {.y = 1}}}), false);
+  }
+
+  TEST_CASE("all verbs of the plane say it, and info says what its duplicates are") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,z\n0,0,1\n1,0,1\n0,1,2\n0,1,3\n");
+    for (const std::string verb : {"info p.csv", "alpha p.csv", "mesh p.csv --alpha 2 -o m.off",
+                                   "shape p.csv --alpha 2 -o s.wkt", "report p.csv -o r.html"}) {
+      CAPTURE(verb);
+      CHECK(folder.rbpa(verb).err.starts_with(remark("p.csv", 4)));
+      CHECK(folder.rbpa(verb + " --quiet").err.find("z of") == std::string::npos);
+    }
+    CHECK(folder.rbpa("info p.csv").out.find("duplicates  1  (of x and y; z was ignored)\n") != std::string::npos);
+    CHECK(folder.rbpa("surface p.csv --radius 2 -o s.off").err.find("ignored") == std::string::npos);
+    folder.file("q.csv", "x,y\n0,0\n0,0\n");
+    CHECK(folder.rbpa("info q.csv").out.find("duplicates  1\n") != std::string::npos);
+  }
+}
