@@ -42,10 +42,11 @@ def estimate_normals(
     Returns
     -------
     float64 array of shape (n, 3)
-        Unit vectors; equal points have equal ones. The sign is a guess: it is carried from neighbour to neighbour, and
-        one wrong step turns a whole part. Round closed pieces mostly come out outward, planes and terrains upward; thin
-        or sharp ones may not (of a closed sword 53 of 100 were inward, of a fish 13). Where the side matters give
-        normals of your own. The array is yours to write into.
+        Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
+        turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
+        step on which the planes of neighbours do not say which side is which, as at sharp edges and in thin parts, may turn
+        all that follow to the wrong side, on closed surfaces too. Where the side matters give normals of your own. The array
+        is yours to write into.
 
     Raises
     ------
