@@ -38,20 +38,64 @@ def metadata() -> str:
     )
 
 
+def say(sentence: str) -> None:
+    """Seen at once with `pip install -v`; without it where the build fails."""
+    print(f"rbpa: {sentence}", file=sys.stderr, flush=True)
+
+
+def answers(*command: str) -> bool:
+    try:
+        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+    except OSError:
+        return False
+
+
+def missing() -> list[str]:
+    """What is not there of what runs the build, each with the package of Debian that has it. CMake looks for the libraries."""
+    found = []
+    if not answers(os.environ.get("CXX", "c++"), "--version"):
+        found.append("C++ compiler (Debian: g++)")
+    if not answers("cmake", "--version"):
+        found.append("CMake (Debian: cmake)")
+    elif not shutil.which("make") and "CMAKE_GENERATOR" not in os.environ:
+        found.append("make (Debian: make)")
+    if not pathlib.Path(sysconfig.get_path("include"), "Python.h").exists():
+        found.append("Python.h (Debian: python3-dev)")
+    return found
+
+
+def configure(folder: pathlib.Path) -> None:
+    """Finds within seconds what is missing, before anything that takes minutes."""
+    found = missing()
+    if found:
+        raise SystemExit("rbpa: cannot be built: there is no " + ", no ".join(found))
+    say("looking for what it is built with")
+    run("see above for what is missing", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release", "-DRBPA_BUILD_PYTHON=ON",
+        "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}")  # fmt: skip
+
+
+def run(advice: str, *arguments: str) -> None:
+    if subprocess.run(["cmake", *arguments], stdout=sys.stderr).returncode:
+        raise SystemExit(f"rbpa: cmake {arguments[0]} failed: {advice}")
+
+
 def build_package(folder: pathlib.Path) -> pathlib.Path:
     """The package, built for the Python that runs this."""
-    if shutil.which("cmake") is None:
-        raise SystemExit("rbpa: found no cmake, expected it on the path (Debian: cmake)")
-    configure = [
-        "cmake", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release", "-DRBPA_BUILD_PYTHON=ON",
-        "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}",
-    ]  # fmt: skip
-    build = ["cmake", "--build", str(folder), "--parallel", str(os.cpu_count() or 1), "--target", "rbpa_python_package"]
-    for command in (configure, build):
-        ran = subprocess.run(command, stdout=sys.stderr)
-        if ran.returncode:
-            raise SystemExit(f"{' '.join(command[:2])} failed: see above for what is missing")
+    configure(folder)
+    jobs = str(os.cpu_count() or 1)
+    say(f"compiling with {jobs} processes, which takes minutes")
+    run("see above for what did not compile", "--build", str(folder), "--parallel", jobs, "--target", "rbpa_python_package")
     return folder / "python" / "rbpa"
+
+
+def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings=None) -> str:
+    """For pip, which then looks for NumPy, and fetches it or fails, before the package is compiled instead of after."""
+    with tempfile.TemporaryDirectory() as folder:
+        configure(pathlib.Path(folder))
+    info = pathlib.Path(metadata_directory, f"rbpa-{version()}.dist-info")
+    info.mkdir()
+    (info / "METADATA").write_text(metadata())
+    return info.name
 
 
 def build_wheel(wheel_directory: str, config_settings=None, metadata_directory=None) -> str:

@@ -72,9 +72,13 @@ template <typename Handle>
 struct MeshHandleCaster {
   PYBIND11_TYPE_CASTER(Handle, const_name("int"));
 
+  /// Whole numbers of Python and NumPy; no truth value, and no other number, which would be rounded.
   bool load(handle source, bool convert) {
+    if (PyBool_Check(source.ptr())) return false;
+    const auto whole = reinterpret_steal<object>(PyNumber_Index(source.ptr()));
+    if (!whole) PyErr_Clear();
     make_caster<int> number;
-    if (!number.load(source, convert)) return false;
+    if (!whole || !number.load(whole, convert)) return false;
     value = Handle(cast_op<int>(number));
     return true;
   }

@@ -47,6 +47,14 @@ def check(points, found, alpha):
         assert np.array_equal(rows[np.lexsort(rows.T[::-1])], shape.simplices)
 
 
+@pytest.mark.parametrize("sources", [sets.uniform(9), [[0, 0], [1, 0]], [sets.uniform(9)], 3, None, [None]])
+def test_what_is_no_source_is_refused_in_one_sentence(sources):
+    with pytest.raises(rbpa.InvalidInput, match="sources: found .*, expected paths of files, a dask.array or a dask.dataframe"):
+        rbpa.dask.alpha_shape(sources, 1.0)
+    with pytest.raises(rbpa.InvalidInput, match=r"alpha: found 'auto', expected a finite radius \(a number > 0\)$"):
+        rbpa.dask.alpha_shape(sources, "auto")
+
+
 @pytest.mark.parametrize("tile_points", [1, 40, 10**6])
 @pytest.mark.parametrize("name", list(sets.every_kind()))
 def test_tiles_together_are_the_whole(name, tile_points, tmp_path):

@@ -65,3 +65,8 @@ def test_help_of_the_package_names_all_that_is_there():
     text = pydoc.plain(pydoc.render_doc(rbpa))
     for name in PUBLIC:
         assert name in text
+
+
+def test_the_side_of_estimated_normals_is_called_a_guess():
+    said = " ".join(rbpa.estimate_normals.__doc__.split())
+    assert "The sign is a guess" in said and "have them outward" not in said

@@ -2,6 +2,7 @@
 
 import decimal
 import fractions
+import importlib.util
 import math
 import types
 
@@ -110,7 +111,7 @@ def test_what_is_no_points_is_refused(given, sentence):
         ({"alpha": "least"}, "alpha: found 'least', expected a radius .*'auto', 'min', 'plateau' or 'plateau:K'"),
         ({"alpha": None}, "alpha: found None"),
         ({"alpha": True}, "alpha: found True"),
-        ({"alpha": 10**400}, "alpha: found a number beyond float64, expected a radius; math.inf is one"),
+        ({"alpha": 10**400}, "alpha: found a number beyond float64, expected a radius .*; math.inf is one"),
         ({"alpha": [1]}, r"alpha: found \[1\]"),
         ({"components": 0}, "components: found 0, expected a whole number, 1 or more"),
         ({"components": 1.5}, "components: found 1.5"),
@@ -169,3 +170,74 @@ def test_no_radius_has_no_betti_numbers():
     for wrong in (math.nan, [0.1, math.nan]):
         with pytest.raises(rbpa.InvalidInput, match="alpha: found nan"):
             f.betti(wrong)
+
+
+def test_a_number_is_a_number_in_areas_radii_and_radii_of_surfaces():
+    shape, f, space = rbpa.alpha_shape(POINTS, 0.1), rbpa.filtration(POINTS), np.random.default_rng(1).normal(size=(50, 3))
+    uses = {
+        "min_hole_area": lambda x: shape.filtered(min_hole_area=x).area,
+        "min_part_area": lambda x: shape.filtered(min_part_area=x).area,
+        "alpha": lambda x: f.betti(x),
+        "radius": lambda x: rbpa.surface(space, "none", x).triangles.tolist(),
+    }
+    for name, use in uses.items():
+        for half in (np.float32(0.5), np.array(0.5), fractions.Fraction(1, 2), decimal.Decimal("0.5")):
+            assert use(half) == use(0.5), name
+        for wrong in (True, np.True_, np.array(True), "1", b"1", 1j, None, 10**400, np.array("1")):
+            with pytest.raises(rbpa.InvalidInput, match=f"{name}: found .*, expected "):
+                use(wrong)
+    halves = [fractions.Fraction(1, 20), decimal.Decimal("0.1")]
+    assert all(map(np.array_equal, f.betti(halves), f.betti([0.05, 0.1])))
+    assert rbpa.surface(space, radius=[fractions.Fraction(1, 2), 1]).radii.tolist() == [0.5, 1]
+    for wrong in ([True, True], ["1"], [[1], [1, 2]], [None], [fractions.Fraction(1), "1"]):
+        with pytest.raises(rbpa.InvalidInput, match="alpha: found .*, expected radii"):
+            f.betti(wrong)
+
+
+def test_a_handle_is_a_whole_number_and_no_truth_value():
+    mesh = rbpa.meshops.Mesh([[0, 1, 2]])
+    assert mesh.next(np.int64(1)) == mesh.next(np.array(1)) == mesh.next(1)
+    for wrong in (True, np.True_, 1.0, "1", None, fractions.Fraction(1)):
+        with pytest.raises(TypeError):
+            mesh.next(wrong)
+
+
+class Place:
+    """What Shapely's points have, for machines without it."""
+
+    is_empty, has_z, geom_type = False, True, "Point"
+
+    def __init__(self, x: float, y: float, z: float = 7.0) -> None:
+        self.x, self.y, self.z = x, y, z
+
+
+def test_points_of_shapely_are_taken_one_by_one():
+    kinds = [Place]
+    if importlib.util.find_spec("shapely"):
+        kinds.append(importlib.import_module("shapely.geometry").Point)
+    for point in kinds:
+        given = [point(x, y) for x, y in POINTS]
+        assert np.array_equal(rbpa.alpha_shape(given, 0.1).simplices, EXPECTED)
+        assert np.array_equal(rbpa.alpha_shape(tuple(given), 0.1).simplices, EXPECTED)
+        array = np.empty(len(given), object)
+        for i, one in enumerate(given):
+            array[i] = one
+        assert np.array_equal(rbpa.alpha_shape(array, 0.1).points, POINTS)
+        assert rbpa.estimate_normals([point(x, y, 1) for x, y in POINTS]).tolist()[0] == [0, 0, 1]
+
+
+def test_geometries_that_are_no_points_are_refused_in_one_sentence():
+    geometry = pytest.importorskip("shapely.geometry")
+    point, line = geometry.Point(0, 0), geometry.LineString([(0, 0), (1, 1)])
+    for given, sentence in (
+        ([point, line], "points: found geometries of type LineString, Point, expected Point; explode"),
+        ([point, (0, 0)], "points: found geometries of type Point, tuple, expected Point"),
+        ([point, geometry.Point()], "points: (point 1 is empty, expected x and y|found geometries of type GeometryCollection)"),
+        (geometry.MultiPoint([(0, 0), (1, 1)]), "points: found a MultiPoint, expected points; shapely.get_coordinates"),
+        (point, "points: found a Point, expected points; shapely.get_coordinates"),
+    ):
+        with pytest.raises(rbpa.InvalidInput, match=sentence) as error:
+            rbpa.alpha_shape(given)
+        assert "\n" not in str(error.value)
+    with pytest.raises(rbpa.InvalidInput, match="points: point 0 has no z, expected x, y and z"):
+        rbpa.surface([point] * 4)

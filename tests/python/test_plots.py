@@ -26,21 +26,21 @@ def page(draw) -> np.ndarray:
     return np.asarray(figure.canvas.buffer_rgba())[..., :3].mean(axis=2) / 255
 
 
-@pytest.mark.parametrize("count", [3_000, 30_000, 200_000])
+@pytest.mark.parametrize("count", [3_000, 30_000, 100_000])
 @pytest.mark.parametrize("options", [{"points": True}, {"points": False, "triangles": True}])
 def test_dense_sets_are_no_blot(count, options):
     shape = rbpa.alpha_shape(uniform(count), 3 / math.sqrt(count))
     plain = page(lambda axes: shape.plot(axes, points=False))
     drawn = page(lambda axes: shape.plot(axes, **options))
     inside = (slice(60, 240), slice(60, 240))
-    assert plain[inside].mean() - drawn[inside].mean() < 0.3
-    assert (drawn[inside] > 0.5).mean() > 0.6
+    assert plain[inside].mean() - drawn[inside].mean() < 0.12
+    assert (drawn[inside] > 0.5).mean() > 0.9
 
 
 def test_few_dense_points_among_far_ones_are_no_blot():
     points = np.concatenate((0.3 * uniform(30_000), [[0, 1], [1, 0], [1, 1]]))
     drawn = page(lambda axes: rbpa.alpha_shape(points, math.inf).plot(axes, triangles=True))
-    assert (drawn > 0.5).mean() > 0.9
+    assert drawn[210:290, 10:90].mean() > 0.6  # where they are
 
 
 def test_isolated_points_are_seen_however_many():
@@ -50,10 +50,10 @@ def test_isolated_points_are_seen_however_many():
 
 
 def test_outlines_of_dust_are_no_blot():
-    dust = rbpa.alpha_shape(uniform(30_000), 0.0025)
+    dust = rbpa.alpha_shape(uniform(200_000), 0.0011)
     assert len(dust.polygons) > 3000
     drawn = page(lambda axes: dust.polygons.plot(axes))
-    assert drawn[60:240, 60:240].mean() > 0.6
+    assert drawn[60:240, 60:240].mean() > 0.75
     thick = rbpa.alpha_shape(uniform(300), 0.1).polygons.plot(pyplot.figure().gca(), linewidth=7).patches[0]
     assert thick.get_linewidth() == 7
 

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Alpha, Floats, Indices, Progress, Unchanged
-from rbpa._input import as_count, as_points, as_radius, as_share, as_threads, freeze
+from rbpa._input import as_area, as_count, as_points, as_radius, as_share, as_threads, freeze
 from rbpa._plateau import Plateau
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
@@ -151,7 +151,8 @@ class AlphaShape(Outlined):
         `min_part_area` are dropped.
         """
         self._unchanged.check(self.points)
-        flat = _core.polygons(self.points, self.simplices, self.neighbors, float(min_hole_area), float(min_part_area))
+        areas = as_area(min_hole_area, "min_hole_area"), as_area(min_part_area, "min_part_area")
+        flat = _core.polygons(self.points, self.simplices, self.neighbors, *areas)
         return Polygons(self.points, flat)
 
     def to_meshio(self) -> Any:

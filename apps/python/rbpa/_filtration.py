@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import Floats, Integers, Progress, Unchanged
-from rbpa._input import as_count, as_points, as_share, as_threads, freeze
+from rbpa._input import as_count, as_numbers, as_points, as_share, as_threads, freeze
 from rbpa._plateau import Plateau
 from rbpa._plot import axes_or_current, label_axes
 
@@ -127,7 +127,7 @@ class Filtration:
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any]:
         """(components, holes) at a radius, or at each of an array of radii: the Betti numbers b0 and b1."""
-        radii = np.asarray(alpha, dtype=float)
+        radii = as_numbers(alpha, "alpha", "radii")
         if np.isnan(radii).any():
             raise _core.InvalidInput("alpha: found nan, expected radii")
         step = np.searchsorted(self.alpha, radii, side="right")

@@ -26,7 +26,7 @@ def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> 
     """An array of shape (n, columns), float64, in C order: the same object where it is one already."""
     if isinstance(points, np.ma.MaskedArray) and points.mask.any():
         raise InvalidInput(f"{name}: found masked values, expected points without; leave their rows out")
-    array = as_array(points, name)
+    array = as_array(points, name, columns)
     if array.ndim == 1 and array.size == 0:
         return np.empty((0, columns))
     if array.dtype.kind not in "iuf":
@@ -41,20 +41,35 @@ def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> 
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def as_array(points: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
-    """What NumPy makes of it; of GeoPandas' points, which it makes nothing of, their coordinates."""
+def as_array(points: npt.ArrayLike, name: str, columns: int = 2) -> npt.NDArray[Any]:
+    """What NumPy makes of it; of points of GeoPandas and Shapely, which it makes nothing of, their coordinates."""
     geometry: Any = getattr(points, "geometry", points)  # of a GeoDataFrame
     if hasattr(geometry, "geom_type") and hasattr(geometry, "to_numpy"):
         try:
-            return np.column_stack((geometry.x, geometry.y))
+            return np.column_stack([geometry.x, geometry.y, geometry.z] if columns == 3 else [geometry.x, geometry.y])
         except ValueError:
-            hint = "explode() parts MultiPoints, shapely.get_coordinates() takes the vertices of lines and polygons"
-            found = ", ".join(sorted({str(kind) for kind in geometry.geom_type}))
-            raise InvalidInput(f"{name}: found geometries of type {found}, expected Point; {hint}") from None
+            geometry = list(geometry)  # which says what there is among them
+    if hasattr(geometry, "geom_type"):
+        raise InvalidInput(f"{name}: found a {geometry.geom_type}, expected points; shapely.get_coordinates() has its vertices")
+    is_list = isinstance(geometry, (list, tuple)) or (isinstance(geometry, np.ndarray) and geometry.dtype == object)
+    if is_list and len(geometry) and any(hasattr(item, "geom_type") for item in (geometry[0], geometry[-1])):
+        return _coordinates(geometry, name, columns)
     try:
         return np.asarray(points)
     except ValueError as error:
         raise InvalidInput(f"{name}: NumPy makes no array of it: {error}") from None
+
+
+def _coordinates(items: Any, name: str, columns: int) -> npt.NDArray[Any]:
+    kinds = sorted({str(getattr(item, "geom_type", type(item).__name__)) for item in items})
+    if kinds != ["Point"]:
+        hint = "explode() parts MultiPoints, shapely.get_coordinates() takes the vertices of lines and polygons"
+        raise InvalidInput(f"{name}: found geometries of type {', '.join(kinds)}, expected Point; {hint}")
+    for i, item in enumerate(items):
+        if item.is_empty or (columns == 3 and not item.has_z):
+            found = "is empty" if item.is_empty else "has no z"
+            raise InvalidInput(f"{name}: point {i} {found}, expected {'x, y and z' if columns == 3 else 'x and y'}")
+    return np.array([(p.x, p.y, p.z) if columns == 3 else (p.x, p.y) for p in items])
 
 
 def _hint_of_kind(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> str:
@@ -92,15 +107,40 @@ def is_number(value: Any) -> bool:
     return isinstance(value, kinds) and not isinstance(value, (bool, np.bool_))
 
 
-def as_radius(alpha: float) -> float:
-    """A number; whether it is a radius is for the library to say."""
-    alpha = as_scalar(alpha)
-    if not is_number(alpha):
-        raise InvalidInput(f"alpha: found {alpha!r}, expected a radius (a number > 0, or inf), {RULES}")
+def as_number(value: Any, name: str, expected: str) -> float:
+    """A float64, also infinite or NaN."""
+    number = as_scalar(value)
+    if not is_number(number):
+        raise InvalidInput(f"{name}: found {number!r}, expected {expected}")
     try:
-        return float(alpha)
+        return float(number)
     except OverflowError:
-        raise InvalidInput("alpha: found a number beyond float64, expected a radius; math.inf is one") from None
+        raise InvalidInput(f"{name}: found a number beyond float64, expected {expected}; math.inf is one") from None
+
+
+def as_numbers(values: Any, name: str, expected: str) -> Floats:
+    """An array of any shape, float64."""
+    if is_number(as_scalar(values)):
+        return np.array(as_number(values, name, expected))
+    try:
+        array = np.asarray(values)
+    except ValueError:  # ragged
+        array = np.empty(0, "U")
+    if array.dtype.kind == "O" and array.ndim:  # Fraction, Decimal, integers beyond int64
+        return np.array([as_number(value, name, expected) for value in array.ravel()]).reshape(array.shape)
+    if array.dtype.kind not in "iuf":
+        raise InvalidInput(f"{name}: found {values!r}, expected {expected}")
+    return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def as_radius(alpha: float, expected: str = f"a radius (a number > 0, or inf), {RULES}") -> float:
+    """A number; whether it is a radius is for the library to say."""
+    return as_number(alpha, "alpha", expected)
+
+
+def as_area(area: float, name: str) -> float:
+    """A number; whether it is an area is for the library to say."""
+    return as_number(area, name, "an area, 0 or more")
 
 
 def as_count(value: int, name: str, least: int) -> int:
@@ -111,10 +151,10 @@ def as_count(value: int, name: str, least: int) -> int:
 
 
 def as_share(value: float, name: str) -> float:
-    value = as_scalar(value)
-    if not is_number(value) or not 0 < value <= 1:
-        raise InvalidInput(f"{name}: found {value!r}, expected a share of the points, > 0 and <= 1")
-    return float(value)
+    share = as_number(value, name, "a share of the points, > 0 and <= 1")
+    if not 0 < share <= 1:
+        raise InvalidInput(f"{name}: found {as_scalar(value)!r}, expected a share of the points, > 0 and <= 1")
+    return share
 
 
 def as_threads(threads: int | None) -> int:

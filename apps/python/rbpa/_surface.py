@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numbers
 from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, Optional, Union
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, Unchanged
-from rbpa._input import as_count, as_points, as_threads, freeze
+from rbpa._input import as_count, as_numbers, as_points, as_threads, freeze
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
@@ -43,10 +42,11 @@ def estimate_normals(
     Returns
     -------
     float64 array of shape (n, 3)
-        Unit vectors; equal points have equal ones. The sign is a guess: it is carried from neighbour to neighbour, and
-        one wrong step turns a whole part. Round closed pieces mostly come out outward, planes and terrains upward; thin
-        or sharp ones may not (of a closed sword 53 of 100 were inward, of a fish 13). Where the side matters give
-        normals of your own. The array is yours to write into.
+        Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
+        turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
+        step on which the planes of neighbours do not say which side is which, as at sharp edges and in thin parts, may turn
+        all that follow to the wrong side, on closed surfaces too. Where the side matters give normals of your own. The array
+        is yours to write into.
 
     Raises
     ------
@@ -139,18 +139,11 @@ def _not_empty(radii: Floats) -> Floats:
 
 def _as_radii(radius: Any) -> Floats:
     """An array of shape (k,); whether they are radii is for the library to say."""
-    expected = "expected a number > 0, several, ascending, or 'auto'"
-    if isinstance(radius, (bool, np.bool_, str, bytes)):
-        raise InvalidInput(f"radius: found {radius!r}, {expected}")
-    if isinstance(radius, (numbers.Real, np.number)):
-        radius = [radius]
-    try:
-        array = np.asarray(radius)
-    except ValueError:
-        raise InvalidInput(f"radius: found {radius!r}, {expected}") from None
-    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise InvalidInput(f"radius: found {radius!r}, {expected}")
-    return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+    expected = "a number > 0, several, ascending, or 'auto'"
+    array = np.atleast_1d(as_numbers(radius, "radius", expected))
+    if array.ndim != 1 or array.size == 0:
+        raise InvalidInput(f"radius: found {radius!r}, expected {expected}")
+    return array
 
 
 class SurfaceHole:

@@ -39,6 +39,7 @@ Reader = Callable[[str], npt.ArrayLike]
 Path = Union[str, "os.PathLike[str]"]
 
 _RECORD = np.dtype([("x", np.float64), ("y", np.float64), ("index", np.uint64)])
+_SOURCES = "paths of files, a dask.array or a dask.dataframe"
 _BLOCK_BYTES = 64 << 20  # of a raw file or .npy that one task reads
 
 
@@ -88,7 +89,7 @@ def alpha_shape(
     InvalidInput
         Sources that are no points; says which, and what was expected. Files that changed between two readings.
     """
-    radius = as_radius(alpha)
+    radius = as_radius(alpha, "a finite radius (a number > 0)")
     if not np.isfinite(radius):
         raise InvalidInput("alpha: found inf, expected a finite radius: without one a circle is as large as all points")
     most, workers = as_count(tile_points, "tile_points", 1), as_threads(as_count(threads, "threads", 1))
@@ -164,9 +165,22 @@ def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:
         if hasattr(sources, "rechunk"):
             sources = sources.rechunk({1: 2})
         return list(np.ravel(sources.to_delayed()))
-    paths = [sources] if isinstance(sources, (str, os.PathLike)) else list(sources)
+    if isinstance(sources, np.ndarray) or hasattr(sources, "columns"):
+        hint = "rbpa.alpha_shape() takes arrays, and dask.array.from_array(points, (1_000_000, 2)) cuts one"
+        raise InvalidInput(f"sources: found {_kind(sources)}, expected {_SOURCES}; {hint}")
+    paths = [sources] if isinstance(sources, (str, os.PathLike)) else sources
+    if not isinstance(paths, Iterable):
+        raise InvalidInput(f"sources: found {paths!r}, expected {_SOURCES}")
+    paths = list(paths)
+    for path in paths:
+        if not isinstance(path, (str, os.PathLike)):
+            raise InvalidInput(f"sources: found {_kind(path)} among them, expected {_SOURCES}")
     files = [file for path in paths for file in _files(os.fspath(path), reader)]
     return [part for file in files for part in _parts(file, reader)]
+
+
+def _kind(value: Any) -> str:
+    return f"a {type(value).__module__}.{type(value).__qualname__}".replace("a builtins.", "a ")
 
 
 def _files(path: str, reader: Optional[Reader]) -> Sequence[str]:

@@ -33,8 +33,9 @@ struct NormalOptions {
 ///
 /// Points that are connected, from one to one of its nearest others and so on, have normals on one side: turned along a
 /// spanning tree, from edge to edge with the least doubt. One of them is turned outward: the extreme point in the first of
-/// the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So a closed surface has normals
-/// that point outward, each component of it, also one inside another; and a plane that is not too steep, upward.
+/// the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So where no step errs
+/// (docs/normals.md, section 3) a closed surface has normals that point outward, each component of it, also one inside
+/// another; and a plane that is not too steep, upward.
 ///
 /// Where the nearest points are on a line as far as double can tell, the normal is, of the directions across that line, the
 /// one nearest to the z axis, or the y axis where the line is parallel to z; of a single point it is +z.
