@@ -8,6 +8,7 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "cli/text_of.h"
+#include "io/available_memory.h"
 #include "io/failure.h"
 #include "io/message.h"
 #include "rbpa/collinear.h"
@@ -25,6 +26,21 @@ ComplexRequest parse_request(const ComplexArguments& arguments) {
           .shows_writing = !options.quiet && !written_to_terminal(arguments.outputs)};
 }
 
+namespace {
+
+/// Says where there is less memory than the run takes, before it is too late to do something else.
+void caution_about_memory(const ComplexRequest& request, std::size_t points) {
+  const double wanted = request.bytes_a_point * static_cast<double>(points);
+  const std::optional<double> there = available_memory();
+  if (request.options.quiet || !there || wanted <= *there) return;
+  say("rbpa", (request.source.path == "-" ? "standard input" : request.source.path) + ": " + counted(points, "point") +
+                  (points == 1 ? " takes about " : " take about ") + bytes_text(wanted) +
+                  " of memory here, expected at most the " + bytes_text(*there) +
+                  " there are: rbpa stream makes the same with as much as its --memory says");
+}
+
+}  // namespace
+
 ComplexRun begin_run(ComplexRequest request) {
   ComplexRun run{.request = std::move(request)};
   const AlphaChoice& choice = run.request.alpha;
@@ -33,6 +49,7 @@ ComplexRun begin_run(ComplexRequest request) {
   run.crs = std::move(file.crs);
   run.degrees = file.degrees;
   run.stats.read_seconds = run.watch.lap();
+  caution_about_memory(run.request, run.points.size());
   run.stats.alpha = choose_alpha(choice, run.points, run.request.options);
   if (choice.rule != AlphaRule::given) run.stats.choose_seconds = run.watch.lap();
   // Points without such a radius have no triangle at any.

@@ -37,6 +37,7 @@ struct ComplexRequest {
   int width;                         ///< of pictures
   std::optional<std::string> stats;  ///< the file for them
   bool shows_writing;                ///< a line while files are written
+  double bytes_a_point = 0;          ///< of memory that the run takes beyond the points; 0: that is not compared
 };
 
 /// Throws WrongUsage naming the value, before anything is read.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/arguments.h"
+#include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
 #include "io/gis/geojson_crs.h"
@@ -18,8 +19,10 @@
 #include "io/output_file.h"
 #include "picture/png.h"
 #include "picture/svg.h"
+#include "rbpa/arrays/link_triangles.h"
 #include "rbpa/shape/coverage.h"
 #include "rbpa/shape/polygons.h"
+#include "triangulation/counts.h"
 
 namespace rbpa::app {
 namespace {
@@ -96,7 +99,7 @@ void write_isolated(OutputFile& file, ShapeFormat format, const Shape& shape) {
 }
 
 void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run, const Shape& shape,
-                   const SolidAlphaComplex& complex) {
+                   const Triangulation& complex) {
   const ProgressLine line("rbpa", run.request.shows_writing, "writing");
   std::optional<Drawing> drawing;
   for (const ShapeTarget& target : files.targets) {
@@ -134,9 +137,32 @@ void caution(const Files& files, const Shape& shape) {
     say("rbpa", (first->path == "-" ? "standard output" : first->path) + ": " + *why);
 }
 
-std::vector<Polygon> outlined(const SolidAlphaComplex& complex, const PolygonFilter& filter, const RunOptions& run) {
-  const ProgressLine line("rbpa", !run.quiet, "polygons");
-  return polygons(complex, filter, until_interrupted());
+/// The complex in arrays, with neighbours, by whichever method. What a method needs is gone before these are made.
+Triangulation triangulated(const ComplexRun& run) {
+  const ComplexRequest& request = run.request;
+  Triangulation arrays;
+  if (request.method.makes_mesh()) {
+    SolidAlphaComplex complex = build(run.points, run.alpha, request.method, request.options).complex;
+    arrays.triangles = triangles(complex);
+    arrays.isolated = std::move(complex.isolated);
+    arrays.duplicates = std::move(complex.duplicates);
+    arrays.distinct = complex.distinct;
+  } else {
+    arrays = build_arrays(run.points, run.alpha, Complex::solid, false, request.options);
+  }
+  arrays.neighbors = link_triangles(arrays.triangles, run.points.size(), until_interrupted());
+  return arrays;
+}
+
+std::vector<Polygon> outlined(const ComplexRun& run, const Triangulation& complex, const PolygonFilter& filter) {
+  const ProgressLine line("rbpa", !run.request.options.quiet, "polygons");
+  return polygons(run.points, complex, filter, until_interrupted());
+}
+
+/// The peaks of runs with millions of points, without these: docs/shape.md.
+double bytes_a_point(const ComplexRequest& request) {
+  if (request.alpha.rule != AlphaRule::given) return 500;
+  return request.method.makes_mesh() ? 280 : 100;
 }
 
 std::string made(const std::vector<Polygon>& polygons, const PolygonTotals& totals) {
@@ -149,6 +175,7 @@ std::string made(const std::vector<Polygon>& polygons, const PolygonTotals& tota
 
 void run_shape(const ShapeArguments& arguments) {
   ComplexRequest request = parse_request(arguments);
+  request.bytes_a_point = bytes_a_point(request);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   Files files{.targets = parse_shape_targets(arguments.outputs, arguments.output_format,
@@ -157,12 +184,13 @@ void run_shape(const ShapeArguments& arguments) {
 
   ComplexRun run = begin_run(std::move(request));
   require_srid(files, run.crs);
-  const SolidAlphaComplex complex = build(run.points, run.alpha, run.request.method, run.request.options).complex;
+  const Triangulation complex = triangulated(run);
   stop_if_interrupted();
-  const std::vector<Polygon> polygons = outlined(complex, filter, run.request.options);
+  const std::vector<Polygon> polygons = outlined(run, complex, filter);
   const PolygonTotals totals = total(polygons);
   std::vector<std::optional<std::uint32_t>> polygon_of;
-  if (files.have_points()) polygon_of = polygon_of_points(complex, polygons, filter, run.points, until_interrupted());
+  if (files.have_points())
+    polygon_of = polygon_of_points(run.points, complex, complex.duplicates, polygons, filter, until_interrupted());
   const Shape shape{run.points, polygons, polygon_of, run.crs, run.degrees};
   run.stats.build_seconds = run.watch.lap();
 
@@ -172,7 +200,7 @@ void run_shape(const ShapeArguments& arguments) {
   if (run.request.stats) {
     run.stats.distinct = complex.distinct;
     run.stats.isolated = complex.isolated.size();
-    run.stats.counts = count(complex);
+    run.stats.counts = count(complex, Complex::solid);
     run.stats.polygons = polygons.size();
     run.stats.of_polygons = totals;
   }
@@ -181,8 +209,8 @@ void run_shape(const ShapeArguments& arguments) {
 
   if (polygons.empty())
     say("rbpa",
-        "the shape is empty: " + (complex.mesh.n_faces() == 0 ? why_empty(run, complex.distinct)
-                                                              : "no part has an area >= " + arguments.min_part_area));
+        "the shape is empty: " + (complex.triangles.empty() ? why_empty(run, complex.distinct)
+                                                            : "no part has an area >= " + arguments.min_part_area));
   say_summary(run, complex.duplicates.size(), made(polygons, totals), list_of(files.targets));
 }
 

@@ -110,6 +110,9 @@ void ask_for_tasks(const StreamArguments& arguments, StreamRequest& request) {
   if (!arguments.run.threads) request.threads = 1;
 }
 
+/// A tile has a file and a turn of its own: of fewer points, these are all the work.
+constexpr std::size_t least_tile = 16;
+
 StreamRequest parse_request(const StreamArguments& arguments) {
   const RunOptions run = parse_run(arguments.run);
   StreamRequest request{.alpha = parse_finite_alpha(arguments.radius),
@@ -121,7 +124,8 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
-  if (arguments.tile_size) request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = 1}, "points");
+  if (arguments.tile_size)
+    request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
   if (arguments.tasks) ask_for_tasks(arguments, request);
   if (arguments.scratch && arguments.scratch->empty())
     throw WrongUsage("--scratch: found an empty name, expected a folder");

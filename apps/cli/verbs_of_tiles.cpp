@@ -33,7 +33,8 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
                   "Folder for tiles, new or empty; by default one beside the first OUT that goes with the run")
       ->type_name("DIR");
   add_switch(verb, "--resume", arguments.resume, "Go on with the run in --scratch where it stopped, or begin");
-  verb.add_option("--tile-size", arguments.tile_size, "Points of a tile, at most; by default as many as memory allows")
+  verb.add_option("--tile-size", arguments.tile_size,
+                  "Points of a tile, at most, from 16 on; by default as many as memory allows")
       ->type_name("S");
   add_switch(verb, "--keep-tiles", arguments.keep_tiles, "Leave the files of tiles in --scratch");
   verb.add_option(

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "rbpa/core/api.h"
+#include "rbpa/core/duplicate.h"
 #include "rbpa/core/point.h"
+#include "rbpa/core/triangle_arrays.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape/polygons.h"
 
@@ -26,5 +28,10 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const Solid
                                                                      const PolygonFilter& filter,
                                                                      std::span<const Point> points,
                                                                      const std::function<bool()>& go_on = {});
+
+/// The same of a solid complex in arrays, with neighbours, and the points that repeat others.
+RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
+    std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
+    std::span<const Polygon> polygons, const PolygonFilter& filter, const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

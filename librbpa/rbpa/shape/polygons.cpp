@@ -96,12 +96,7 @@ std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& compl
 
 std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex, std::size_t points, Steps& step) {
   const auto triangles = static_cast<std::uint32_t>(complex.triangles.size());
-  meshops::DisjointSets components(triangles);
-  for (std::uint32_t t = 0; t < triangles; ++t) {
-    step();
-    for (const std::uint32_t other : complex.neighbors[t])
-      if (other < t) components.unite(t, other);
-  }
+  meshops::DisjointSets components = components_of(complex, step);
   RingsByComponent rings(points, triangles);
   BoundaryWalk walk(complex);
   for (std::uint32_t t = 0; t < triangles; ++t) {

@@ -57,11 +57,14 @@ TEST_CASE("folders are their files of points by name, and a mesh of each tile is
   const Folder folder;
   std::filesystem::create_directory(folder.path("in"));
   std::filesystem::create_directory(folder.path("out"));
-  folder.file("in/b.xy", square);
-  folder.file("in/a.csv", "2,0\n2,1\n");
+  std::string grid;  // too many for one tile
+  for (int x = 0; x < 12; ++x)
+    for (int y = 0; y < 4; ++y) grid += std::to_string(x) + " " + std::to_string(y) + "\n";
+  folder.file("in/b.xy", grid);
+  folder.file("in/a.csv", "20,0\n20,1\n");
   folder.file("in/readme.md", "no points");
-  CHECK(folder.rbpa("stream in --alpha 1 --tile-size 2 -o t.npy -o 'out/*.ply' -q").code == 0);
-  folder.file("all.xy", "2 0\n2 1\n" + square);
+  CHECK(folder.rbpa("stream in --alpha 1 --tile-size 16 -o t.npy -o 'out/*.ply' -q").code == 0);
+  folder.file("all.xy", "20 0\n20 1\n" + grid);
   REQUIRE(folder.rbpa("mesh all.xy --alpha 1 -o want.npy -q").code == 0);
   CHECK(folder.content("t.npy") == folder.content("want.npy"));
   const auto tiles = std::filesystem::directory_iterator(folder.path("out"));
@@ -72,7 +75,7 @@ TEST_CASE("folders are their files of points by name, and a mesh of each tile is
     REQUIRE(at != std::string::npos);
     faces += std::stoul(ply.substr(at + 13));
   }
-  CHECK(faces == 4);
+  CHECK(faces == 66);
 }
 
 TEST_CASE("what is refused, and why") {
@@ -95,7 +98,9 @@ TEST_CASE("what is refused, and why") {
   CHECK(said(folder, "a.xy --alpha 1 -o a.xy --output-format wkt", 2).find("a.xy") != std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.npy --memory 1M", 2).find("--memory: found '1M'") != std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.npy --memory lots", 2).find("--memory: found 'lots'") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --tile-size 0", 2).find("--tile-size: found '0'") != std::string::npos);
+  for (const std::string few : {"0", "1", "15"})
+    CHECK(said(folder, "a.xy --alpha 1 -o t.npy --tile-size " + few, 2).find("--tile-size: found '" + few + "'") !=
+          std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.npy --resume", 2).find("--resume: found no --scratch") != std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.npy --keep-tiles", 2).find("found no --scratch") != std::string::npos);
   CHECK(said(folder, "none --alpha 1 -o t.npy", 3).find("a folder without files of points") != std::string::npos);

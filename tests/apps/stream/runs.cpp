@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/mesh_verb.h"
@@ -59,7 +60,7 @@ Made streamed(const Folder& folder, const std::vector<std::string>& files, doubl
   stream.radius.alpha = text_of(alpha);
   stream.outputs = {folder.path("t.npy"), folder.path("p.geojson"), folder.path("p.wkt")};
   stream.memory = std::to_string(how.memory);
-  if (how.tile_size > 0) stream.tile_size = std::to_string(how.tile_size);
+  if (how.tile_size > 0) stream.tile_size = std::to_string(std::max<std::uint64_t>(how.tile_size, 16));
   stream.stats = folder.path("s.json");
   stream.run.quiet = true;
   stream.run.threads = std::to_string(how.threads);

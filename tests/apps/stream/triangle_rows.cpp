@@ -57,7 +57,7 @@ void check(std::uint64_t points, std::uint64_t file_bytes) {
   std::string bytes = folder.content("s/triangles/000000");
   bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 2);
   replace_content(scratch.rows(0), bytes);
-  CHECK_THROWS_AS(files.sorted(100'000, [](std::string_view) {}), Failure);
+  CHECK_THROWS_AS(files.sorted(100'000, [](std::string_view) {}), BadInput);
 }
 
 }  // namespace

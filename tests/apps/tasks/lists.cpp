@@ -20,7 +20,7 @@ void cut(const apps_test::Folder& folder, double alpha, std::uint64_t tile_size)
   stream.inputs = {folder.path("p.f64xy")};
   stream.radius.alpha = std::string(std::string_view(rbpa::app::ShortestText(alpha)));
   stream.outputs = {folder.path("t.npy"), folder.path("p.geojson"), folder.path("p.wkt")};
-  stream.tile_size = std::to_string(tile_size);
+  stream.tile_size = std::to_string(std::max<std::uint64_t>(tile_size, 16));
   stream.stats = folder.path("s.json");
   stream.tasks = folder.path("tasks");
   stream.run.quiet = true;

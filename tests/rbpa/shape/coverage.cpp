@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/core/error.h"
+#include "rbpa/triangulate.h"
 #include "support/generate.h"
 #include "support/pictures.h"
 #include "support/random.h"
@@ -60,6 +61,7 @@ Numbers by_definition(const std::vector<Polygon>& polygons, const Points& points
 
 void check(const Points& points, double alpha) {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
+  const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true});
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double hole : {0.0, 1.5, 4.5, 20.0, infinity})
     for (const double part : {0.0, 1.0, 5.0, infinity}) {
@@ -68,7 +70,9 @@ void check(const Points& points, double alpha) {
       CAPTURE(part);
       const PolygonFilter filter{.min_hole_area = hole, .min_part_area = part};
       const std::vector<Polygon> polygons = rbpa::polygons(complex, filter);
-      REQUIRE(rbpa::polygon_of_points(complex, polygons, filter, points) == by_definition(polygons, points));
+      const Numbers wanted = by_definition(polygons, points);
+      REQUIRE(rbpa::polygon_of_points(complex, polygons, filter, points) == wanted);
+      REQUIRE(rbpa::polygon_of_points(points, arrays, arrays.duplicates, polygons, filter) == wanted);
     }
 }
 

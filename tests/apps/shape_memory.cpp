@@ -1,0 +1,76 @@
+// `rbpa shape` needs little memory for a point, and says before it begins where there is less than that.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+#include "support/random.h"
+
+using namespace apps_test;
+
+namespace {
+
+constexpr std::size_t count = 400'000;
+
+void make_points(const Folder& folder) {
+  rbpa_test::Random random(71);
+  std::vector<double> values(2 * count);
+  for (double& value : values) value = double(random.below(1U << 30U)) * 0x1p-30 * std::sqrt(double(count));
+  folder.file("p.f64xy", {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
+}
+
+}  // namespace
+
+TEST_SUITE("shape") {
+  TEST_CASE("a footprint takes about a hundred bytes a point, in every format") {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    MESSAGE("SKIPPED: sanitizers take memory for themselves");
+#else
+    const Folder folder;
+    make_points(folder);
+    for (const char* target : {"t.wkt", "t.csv"}) {
+      CAPTURE(target);
+      const std::string command =
+          std::string(RBPA_PROGRAM) + " shape p.f64xy --alpha 1 --threads 1 -q --stats s.json -o ";
+      // A shell between: a process begins with the peak of the one that it is forked from.
+      REQUIRE(folder.run("sh", "-c '" + command + target + "; true'").code == 0);
+      const auto stats = nlohmann::json::parse(folder.content("s.json"));
+      constexpr double program = 10e6;
+      CHECK((stats.at("peak_bytes").get<double>() - program) / double(count) < 125);
+    }
+#endif
+  }
+
+  TEST_CASE("where memory would not suffice, a line says so before the work, and names what needs less") {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    MESSAGE("SKIPPED: sanitizers take memory for themselves");
+#else
+    const Folder folder;
+    make_points(folder);
+    const auto limited = [&](std::size_t mebibytes, const std::string& more) {
+      return folder.run("sh", "-c 'ulimit -v " + std::to_string(mebibytes << 10U) + "; " + RBPA_PROGRAM +
+                                  " shape p.f64xy --alpha 1 --threads 1 -o t.wkt " + more + "'");
+    };
+    const std::string said = "p.f64xy: 400000 points take about 40 MB of memory here, expected at most the ";
+    const Outcome with_plenty = limited(8192, "");
+    CHECK(with_plenty.code == 0);
+    CHECK(with_plenty.err.find("rbpa stream") == std::string::npos);
+    bool is_said = false;
+    for (std::size_t mebibytes = 512; mebibytes > 16 && !is_said; mebibytes = mebibytes * 15 / 16) {
+      const Outcome outcome = limited(mebibytes, "");
+      is_said = outcome.err.starts_with("rbpa: " + said);
+      // Without the line the memory does suffice.
+      if (!is_said) REQUIRE(outcome.code == 0);
+      if (!is_said) continue;
+      CHECK(outcome.err.find(" MB there are: rbpa stream makes the same with as much as its --memory says\n") !=
+            std::string::npos);
+      CHECK((outcome.code == 0 || outcome.code == 1));
+    }
+    CHECK(is_said);
+#endif
+  }
+}
