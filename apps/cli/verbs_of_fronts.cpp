@@ -39,7 +39,8 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
       "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
       "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
       "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
-      "Polygons that cross or touch themselves or each other are refused, and the place is named.\n"
+      "Rings may touch in single points (OGC Simple Features); what crosses or overlaps is refused, and the place is "
+      "named.\n"
       "Vertices of a mesh file are those of POLYGON in its order, then those on edges that were cut, then those "
       "inside.\n" +
       std::string(exit_codes));

@@ -12,7 +12,7 @@
 #include "rbpa/fill/improve.h"
 #include "rbpa/fill/lo_front.h"
 #include "rbpa/fill/outline.h"
-#include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/polygon_rings.h"
 #include "rbpa/fill/size_field.h"
 #include "rbpa/run/input.h"
 #include "rbpa/run/monitor.h"
@@ -22,17 +22,6 @@ namespace rbpa {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-
-/// Where a ring of the input is: the shell of a polygon, or one of its holes.
-struct Role {
-  std::size_t polygon;
-  std::optional<std::size_t> hole;
-};
-
-std::string name_of(const Role& role) {
-  const std::string polygon = "polygon " + std::to_string(role.polygon);
-  return role.hole ? "hole " + std::to_string(*role.hole) + " of " + polygon : "the shell of " + polygon;
-}
 
 void check_positive(const std::string& what, double value) {
   if (!(value > 0) || std::isinf(value))
@@ -49,51 +38,6 @@ void check_sizes(const FillOptions& options) {
       throw InvalidInput(which + ": found it at " + place_of(options.sizes[i].at) + ", expected finite coordinates");
   }
 }
-
-/// The rings of all polygons, and what is known of them.
-class Rings {
- public:
-  /// Throws InvalidInput when they are not those of polygons.
-  Rings(std::span<const Point> points, std::span<const Polygon> polygons, const std::function<bool()>& go_on)
-      : points_(points) {
-    for (std::size_t p = 0; p < polygons.size(); ++p) {
-      add(polygons[p].shell, {p, std::nullopt});
-      for (std::size_t h = 0; h < polygons[p].holes.size(); ++h) add(polygons[p].holes[h], {p, h});
-    }
-    const RingName name = [&](std::size_t ring) { return name_of(roles_[ring]); };
-    check_points(points, rings_, name);
-    NestedRings nested = nest_rings(points, rings_, name, go_on);
-    if (nested.meet) throw InvalidInput(nested.meet->why + "; expected rings that do not meet");
-    places_ = std::move(nested.place);
-    for (std::size_t r = 0; r < rings_.size(); ++r) check_role(r);
-  }
-
-  std::span<const Ring> rings() const { return rings_; }
-  std::span<const RingPlace> places() const { return places_; }
-  const Role& role(std::size_t ring) const { return roles_[ring]; }
-
- private:
-  void add(const Ring& ring, const Role& role) {
-    rings_.push_back(ring);
-    roles_.push_back(role);
-  }
-  void check_role(std::size_t r) const {
-    const Role& role = roles_[r];
-    const RingPlace& place = places_[r];
-    const std::string around = place.inside ? "in " + name_of(roles_[*place.inside]) : "in no ring";
-    const std::string found = name_of(role) + " at " + place_of(points_[rings_[r].points[0]]) + ": found it " + around;
-    const bool in_own_shell =
-        place.inside && !roles_[*place.inside].hole && roles_[*place.inside].polygon == role.polygon;
-    if (role.hole && !in_own_shell) throw InvalidInput(found + ", expected it in the shell of its polygon");
-    const bool is_outside = !place.inside || roles_[*place.inside].hole;
-    if (!role.hole && !is_outside) throw InvalidInput(found + ", expected it outside of other polygons, or in a hole");
-  }
-
-  std::span<const Point> points_;
-  std::vector<Ring> rings_;
-  std::vector<Role> roles_;
-  std::vector<RingPlace> places_;
-};
 
 /// Of so many triangles no mesh is made.
 constexpr double max_triangles = 500e6;
@@ -195,16 +139,16 @@ Pieces advance_from(const Outline& outline, const SizeField& field, const FillOp
   mesh.request_halfedge_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  meshops::build_mesh(mesh, cones_over(outline));
+  const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline));
   const std::size_t outside = mesh.n_faces();
   std::vector<FrontEdge> edges;
   for (const OutlineRing& ring : outline.rings)
     for (std::size_t i = 0; i < ring.sites.size(); ++i)
       edges.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
   std::vector<Point> places = outline.places;
-  places.resize(mesh.n_vertices());
+  places.resize(places.size() + outline.rings.size());
 
-  Front front(mesh);
+  Front front(mesh, site_of_vertex);
   LoFront policy(std::move(places), edges, field);
   meshops::advance(front, policy, Told(policy, options.progress, outline.places.size()));
   Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats()};
@@ -242,9 +186,10 @@ meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t po
   return soup;
 }
 
-void place(Mesh& mesh, std::span<const Point> places) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    mesh.set_point(meshops::Vertex(static_cast<int>(i)), {places[i].x, places[i].y, 0});
+/// Vertex v goes where point[v] is.
+void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint32_t> point) {
+  for (std::size_t v = 0; v < point.size(); ++v)
+    mesh.set_point(meshops::Vertex(static_cast<int>(v)), {places[point[v]].x, places[point[v]].y, 0});
 }
 
 /// The same triangles on places that are better, or others.
@@ -254,21 +199,20 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   mesh.request_halfedge_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
-  place(mesh, pieces.places);
+  const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
+  place(mesh, pieces.places, site);
   const std::function<void()> ask = asking(options.progress, outline, pieces.triangles.size());
   improve(mesh, outline, field, [&] {
     if (ask) ask();
   });
   pieces.triangles.clear();
-  pieces.places.resize(mesh.n_vertices());
   for (std::size_t i = outline; i < pieces.places.size(); ++i) {
     const auto& p = mesh.point(meshops::Vertex(static_cast<int>(i)));
     pieces.places[i] = {p[0], p[1]};
   }
   meshops::for_each_face(mesh, [&](meshops::Face f) {
     const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
-    const auto number = [](meshops::Vertex v) { return static_cast<std::uint32_t>(v.idx()); };
+    const auto number = [&](meshops::Vertex v) { return site[static_cast<std::size_t>(v.idx())]; };
     pieces.triangles.push_back(
         {number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)), number(mesh.to_vertex_handle(next))});
   });
@@ -284,8 +228,8 @@ std::vector<std::uint32_t> numbers_of(const Outline& outline, const Pieces& piec
 }
 
 void link(Filling& filling) {
-  meshops::build_mesh(filling.mesh, soup_of(filling.triangles, filling.points.size()));
-  place(filling.mesh, filling.points);
+  filling.point_of_vertex = meshops::build_mesh(filling.mesh, soup_of(filling.triangles, filling.points.size()));
+  place(filling.mesh, filling.points, filling.point_of_vertex);
   const Mesh& mesh = filling.mesh;
   for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
     const Halfedge first = mesh.halfedge_handle(meshops::Face(static_cast<int>(t)));
@@ -298,16 +242,18 @@ void link(Filling& filling) {
   }
 }
 
-std::vector<Polygon> polygons_of(const Outline& outline, const Rings& rings, std::span<const std::uint32_t> number,
-                                 std::span<const Polygon> input, std::span<const Point> points) {
+std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rings,
+                                 std::span<const std::uint32_t> number, std::span<const Polygon> input,
+                                 std::span<const Point> points) {
   std::vector<Polygon> polygons(input.size());
   for (std::size_t p = 0; p < input.size(); ++p) polygons[p].holes.resize(input[p].holes.size());
   for (const OutlineRing& ring : outline.rings) {
-    const auto [polygon, hole] = rings.role(ring.input);
+    const auto [polygon, hole] = rings.roles[ring.input];
     Ring& cut = hole ? polygons[polygon].holes[*hole] : polygons[polygon].shell;
     for (const Site s : ring.sites) cut.points.push_back(number[s]);
   }
-  for (Polygon& polygon : polygons) measure(polygon, points);
+  for (Polygon& polygon : polygons)
+    if (!polygon.shell.points.empty()) measure(polygon, points);
   return polygons;
 }
 
@@ -320,15 +266,16 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
     if (ask) ask();
     return true;
   };
-  const Rings rings(points, polygons, go_on);
+  const PolygonRings rings = valid_multipolygon(points, polygons, go_on);
   Filling filling;
   filling.points.assign(points.begin(), points.end());
   filling.boundary_points = points.size();
-  if (rings.rings().empty()) {
+  if (rings.input.empty()) {
+    filling.polygons.assign(polygons.begin(), polygons.end());
     link(filling);
     return filling;
   }
-  Outline outline = outline_of(points, rings.rings(), rings.places());
+  Outline outline = outline_of(points, rings.noded.rings, rings.places);
   const Scale scale(outline);
   std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
   const FillOptions options = scale.in(said, sizes);

@@ -1,6 +1,6 @@
 // What:   polygons with holes as triangles of a wanted size, by an advancing front.
 // Law:    the triangles cover the polygons, meet in whole edges, and have the polygons' boundary for theirs: all decisions
-//         are exact, so that this holds for any polygons that do not touch themselves. The same triangles come whichever
+//         are exact, so that this holds for any that are a valid multipolygon (validity.h). The same triangles come whichever
 //         way round rings go, wherever they begin and in whatever order they are.
 // Cost:   about linear in the triangles, n log n in the boundary.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
@@ -56,7 +56,9 @@ struct Filling {
   /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
   /// The same as a mesh: vertex v stands on point v, face f is triangle f; z = 0. Points that were not used are isolated.
+  /// Where rings touch, several fans stand on a point: those after the first have the vertices behind the last point.
   Mesh mesh;
+  std::vector<std::uint32_t> point_of_vertex;  ///< of the mesh
   /// The polygons with the points that were put on their edges; areas are exact sums, rounded once.
   std::vector<Polygon> polygons;
   /// How often the front had to retreat.
@@ -65,11 +67,12 @@ struct Filling {
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, and polygons may lie in
-/// holes of others. A point on an edge that is cut is the double nearest to where it should be.
-/// Throws: InvalidInput that names the place: coordinates that are not finite; rings of fewer than three points, of no
-///         area, that repeat a point, cross or touch; a hole outside of its shell; a size or grade that is no number above
-///         0. Cancelled.
+/// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, touch in single points and
+/// repeat a point that follows itself, and polygons may lie in holes of others. Of equal points the first is used. A point
+/// at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that is cut is the double nearest
+/// to where it should be.
+/// Throws: InvalidInput that names the place: coordinates that are not finite; what why_invalid() says (validity.h); a size or
+///         grade that is no number above 0. Cancelled.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 
 }  // namespace rbpa

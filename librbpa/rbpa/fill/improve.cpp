@@ -112,6 +112,7 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
     if (i % 1024 == 0) ask();
     const meshops::Vertex v(static_cast<int>(i));
+    if (mesh.is_boundary(v)) continue;  // a further fan at a point where the boundary touches itself
     ring_of(mesh, v, ring);
     const Point p = at(mesh, v), goal = wanted(p, ring, field);
     const double before = least_quality(p, ring);

@@ -88,6 +88,7 @@ Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, s
   for (const Ring& ring : rings) outline.input.insert(outline.input.end(), ring.points.begin(), ring.points.end());
   std::sort(outline.input.begin(), outline.input.end(),
             [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+  outline.input.erase(std::unique(outline.input.begin(), outline.input.end()), outline.input.end());
   std::vector<Site> site_of(points.size());
   for (Site s = 0; s < outline.input.size(); ++s) {
     site_of[outline.input[s]] = s;
@@ -101,8 +102,9 @@ Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, s
     if (ring.is_reversed) std::reverse(ring.sites.begin(), ring.sites.end());
     std::rotate(ring.sites.begin(), std::min_element(ring.sites.begin(), ring.sites.end()), ring.sites.end());
   }
-  std::sort(outline.rings.begin(), outline.rings.end(),
-            [](const OutlineRing& a, const OutlineRing& b) { return a.sites[0] < b.sites[0]; });
+  std::sort(outline.rings.begin(), outline.rings.end(), [](const OutlineRing& a, const OutlineRing& b) {
+    return std::pair(a.sites[0], a.sites[1]) < std::pair(b.sites[0], b.sites[1]);
+  });
   return outline;
 }
 
@@ -110,12 +112,11 @@ void cut(Outline& outline, const SizeField& field, const std::function<bool()>& 
   Steps step(go_on);
   std::vector<Pieces> pieces;
   for (const OutlineRing& ring : outline.rings) pieces.push_back(cut_ring(outline, ring, field, step));
-  const RingName no_name = [](std::size_t) { return std::string(); };
   for (;;) {
     CutOutline all = assemble(outline, pieces);
     std::vector<Ring> rings;
     for (const OutlineRing& ring : all.outline.rings) rings.push_back({ring.sites});
-    const std::optional<RingsMeet> meet = nest_rings(all.outline.places, rings, no_name, go_on).meet;
+    const std::optional<RingsMeet> meet = nest_rings(all.outline.places, rings, go_on).meet;
     if (!meet) {
       outline = std::move(all.outline);
       return;

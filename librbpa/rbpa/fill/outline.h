@@ -27,7 +27,7 @@ struct Outline {
   std::vector<OutlineRing> rings;    ///< by their first sites
 };
 
-/// Requires: rings that do not meet, and what nest_rings() says of them.
+/// Requires: noded rings that meet in single points at most, and what nest_rings() says of them.
 Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places);
 
 /// Puts points on edges, so that none is much longer than the field has it: an edge along which the field counts n of its

@@ -95,19 +95,22 @@ std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Poi
   }
   require_linked(filling, filling.points.size());
   if (const auto defects = meshops::validate(filling.mesh); !defects.empty()) return describe(defects.front());
-  if (filling.mesh.n_faces() != triangles.size() || filling.mesh.n_vertices() != filling.points.size())
+  if (filling.mesh.n_faces() != triangles.size() || filling.mesh.n_vertices() != filling.point_of_vertex.size())
     return "the mesh has other elements than the arrays";
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     Triangle corners{};
     std::size_t k = 0;
     for (const auto v : filling.mesh.fv_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f))))
-      corners[k++] = static_cast<std::uint32_t>(v.idx());
+      corners[k++] = filling.point_of_vertex[static_cast<std::size_t>(v.idx())];
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     if (corners != triangles[f]) return "a face of the mesh is not the triangle of its number";
   }
-  for (std::size_t i = 0; i < filling.points.size(); ++i) {
+  for (std::size_t i = 0; i < filling.point_of_vertex.size(); ++i) {
+    const std::uint32_t under = filling.point_of_vertex[i];
+    if (i < filling.points.size() && under != i) return "a vertex does not stand on the point of its number";
     const auto& p = filling.mesh.point(rbpa::Mesh::VertexHandle(static_cast<int>(i)));
-    if (Point{p[0], p[1]} != filling.points[i] || p[2] != 0) return "a vertex of the mesh is not where its point is";
+    if (Point{p[0], p[1]} != filling.points[under] || p[2] != 0)
+      return "a vertex of the mesh is not where its point is";
   }
   if (!std::equal(points.begin(), points.end(), filling.points.begin())) return "a point of the input has moved";
   for (std::size_t i = points.size(); i < used.size(); ++i)
