@@ -64,9 +64,9 @@ PolygonFormat parse_format(const std::string& path, const std::optional<std::str
 Request parse(const FillArguments& arguments) {
   Request request{.path = arguments.polygons,
                   .format = parse_format(arguments.polygons, arguments.format),
-                  .size = arguments.size == "inf" ? std::numeric_limits<double>::infinity()
-                                                  : parse_positive("--size", arguments.size,
-                                                                   "inf or a length in units of the polygons"),
+                  .size = arguments.size == "inf"
+                              ? std::numeric_limits<double>::infinity()
+                              : parse_positive("--size", arguments.size, "inf or a length in units of the polygons"),
                   .size_at = arguments.size_at,
                   .grade = {},
                   .targets = {},
@@ -88,8 +88,8 @@ Request parse(const FillArguments& arguments) {
   return request;
 }
 
-/// The peak of a run beside what was there before: docs/fill.md, section 4.
-constexpr double bytes_a_triangle = 800;
+/// The peak of a run of a million triangles, for each of them: docs/fill.md, section 4.
+constexpr double bytes_a_triangle = 320;
 
 /// Throws when so many triangles would take more memory than there is.
 void require_memory(const std::string& name, double triangles) {
@@ -155,11 +155,10 @@ Filling make(const Request& request, const PolygonFile& file, std::span<const Si
                  .sizes = sizes,
                  .keep_boundary = arguments.keep_boundary,
                  .progress = progress.watch(),
-                 .estimated =
-                     [&](double triangles) {
-                       require_memory(name, triangles);
-                       progress.expect(triangles);
-                     }});
+                 .estimated = [&](double triangles) {
+                   require_memory(name, triangles);
+                   progress.expect(triangles);
+                 }});
   } catch (const InvalidInput& e) {
     throw BadInput(name + ": " + e.what());
   }

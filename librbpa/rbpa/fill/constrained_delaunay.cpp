@@ -42,10 +42,9 @@ class Constrained {
       for (std::size_t i = 0; i < ring.sites.size(); ++i)
         edges_.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
     sort(edges_, step_, std::less<>());
-    Triangulation whole = triangulate(
-        places_, std::numeric_limits<double>::infinity(), {.neighbors = true, .threads = 1, .progress = [&](const auto&) {
-                                                             return !go_on || go_on();
-                                                           }});
+    Triangulation whole =
+        triangulate(places_, std::numeric_limits<double>::infinity(),
+                    {.neighbors = true, .threads = 1, .progress = [&](const auto&) { return !go_on || go_on(); }});
     corners_ = std::move(whole.triangles);
     across_ = std::move(whole.neighbors);
     star_.assign(places_.size(), none);
@@ -59,7 +58,9 @@ class Constrained {
   }
 
  private:
-  bool is_edge(Site from, Site to) const { return std::binary_search(edges_.begin(), edges_.end(), Directed{from, to}); }
+  bool is_edge(Site from, Site to) const {
+    return std::binary_search(edges_.begin(), edges_.end(), Directed{from, to});
+  }
   int orientation(Site a, Site b, Site c) const {
     return Predicates<Real>::orientation(places_[a], places_[b], places_[c]);
   }

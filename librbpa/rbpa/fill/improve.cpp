@@ -46,8 +46,8 @@ bool is_illegal(const Mesh& mesh, meshops::Edge e) {
   if (mesh.is_boundary(e)) return false;
   const meshops::Halfedge h = mesh.halfedge_handle(e, 0), other = mesh.halfedge_handle(e, 1);
   return plane_in_circle(at(mesh, mesh.from_vertex_handle(h)), at(mesh, mesh.to_vertex_handle(h)),
-                      at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(h))),
-                      at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(other)))) > 0;
+                         at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(h))),
+                         at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(other)))) > 0;
 }
 
 /// Flips until no edge is illegal: each flip lowers the surface that the points make on the paraboloid over the plane, so
