@@ -9,6 +9,8 @@ set(arrows
   meshops/front>meshops/core meshops/front>meshops/handle meshops/front>meshops/patch
   meshops/stellar>meshops/core
   meshops/graph>meshops/core
+  meshops>meshops/history
+  meshops/history>meshops/core meshops/history>meshops/handle meshops/history>meshops/stellar
   meshops/topology>meshops/core meshops/topology>meshops/front meshops/topology>meshops/handle
   meshops/topology>meshops/stellar meshops/topology>meshops/graph
   rbpa/core>meshops/core
