@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "cli/arguments.h"
 #include "cli/stats.h"
+#include "io/available_memory.h"
 #include "io/failure.h"
 #include "io/gis/read_polygons.h"
 #include "io/gis/read_sizes.h"
@@ -61,13 +64,18 @@ PolygonFormat parse_format(const std::string& path, const std::optional<std::str
 Request parse(const FillArguments& arguments) {
   Request request{.path = arguments.polygons,
                   .format = parse_format(arguments.polygons, arguments.format),
-                  .size = parse_positive("--size", arguments.size, "a length in units of the polygons"),
+                  .size = arguments.size == "inf"
+                              ? std::numeric_limits<double>::infinity()
+                              : parse_positive("--size", arguments.size, "inf or a length in units of the polygons"),
                   .size_at = arguments.size_at,
                   .grade = {},
                   .targets = {},
                   .width = parse_width(arguments.width)};
   if (arguments.grade)
     request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
+  if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
+    throw WrongUsage("--size inf: found " + std::string(arguments.grade ? "--grade" : "--size-at") +
+                     " as well, expected one of them: no point is added");
   request.targets = parse_targets(arguments.outputs, arguments.output_format, given({arguments.stats}),
                                   arguments.polygons, Complex::solid);
   if (request.size_at) {
@@ -80,10 +88,29 @@ Request parse(const FillArguments& arguments) {
   return request;
 }
 
+/// The peak of a run of a million triangles, for each of them: docs/fill.md, section 4.
+constexpr double bytes_a_triangle = 320;
+
+/// Throws when so many triangles would take more memory than there is.
+void require_memory(const std::string& name, double triangles) {
+  const std::optional<double> there = available_memory();
+  const double wanted = bytes_a_triangle * triangles;
+  if (there && wanted > *there)
+    throw BadInput(name + ": found sizes at which about " + short_number(triangles) +
+                   " triangles would be made, which take about " + bytes_text(wanted) +
+                   " of memory, expected no more than the " + bytes_text(*there) + " there are: larger sizes");
+}
+
 /// A line that counts triangles, and hears Ctrl-C.
 class FillProgress {
  public:
   explicit FillProgress(bool wanted) : line_("rbpa", wanted, "filling") {}
+
+  /// Before watch() sees the first triangle.
+  void expect(double triangles) {
+    expected_ = triangles;
+    line_.say([triangles](double) { return "about " + short_number(triangles) + " triangles"; });
+  }
 
   std::function<bool(const Progress&)> watch() {
     return [this](const Progress& progress) {
@@ -92,7 +119,7 @@ class FillProgress {
         begun_ = true;
         line_.say([this](double seconds) {
           const auto done = static_cast<double>(triangles_.load());
-          const std::string text = short_number(done) + " triangles";
+          const std::string text = short_number(done) + " of about " + short_number(expected_) + " triangles";
           return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
         });
       }
@@ -102,6 +129,7 @@ class FillProgress {
 
  private:
   std::atomic<std::size_t> triangles_ = 0;
+  double expected_ = 0;
   bool begun_ = false;
   ProgressLine line_;
 };
@@ -119,15 +147,20 @@ PolygonFile read(const Request& request, bool quiet) {
 Filling make(const Request& request, const PolygonFile& file, std::span<const SizeAt> sizes,
              const FillArguments& arguments) {
   FillProgress progress(!arguments.quiet);
+  const std::string name = request.path == "-" ? "standard input" : request.path;
   try {
     return fill(file.vertices.points, file.polygons,
                 {.size = request.size,
                  .grade = request.grade,
                  .sizes = sizes,
                  .keep_boundary = arguments.keep_boundary,
-                 .progress = progress.watch()});
+                 .progress = progress.watch(),
+                 .estimated = [&](double triangles) {
+                   require_memory(name, triangles);
+                   progress.expect(triangles);
+                 }});
   } catch (const InvalidInput& e) {
-    throw BadInput((request.path == "-" ? "standard input" : request.path) + ": " + e.what());
+    throw BadInput(name + ": " + e.what());
   }
 }
 

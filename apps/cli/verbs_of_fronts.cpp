@@ -16,7 +16,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
       ->type_name("NAME");
   verb.add_option("--size", arguments.size,
                   "Length that edges are to have, required, in units of the polygons; where others ask for less, the "
-                  "greatest")
+                  "greatest; inf: no point is added, the constrained Delaunay triangulation")
       ->type_name("H")
       ->required();
   verb.add_option(

@@ -121,6 +121,25 @@ std::vector<Loop> short_loops(const Mesh& mesh) {
   return homology(mesh, lengths).generators;
 }
 
+// The new vertex is as warm as the middle of the edge.
+template <typename Heat>
+double split_between(Mesh& mesh, Edge e, Heat& heat) {
+  return heat[split_edge(mesh, e, Interpolate(heat)).added.vertex];
+}
+
+// Each edge is flipped, and back if that did not make it shorter. undo_to() what is returned takes all of it back.
+std::size_t shorten_by_flips(History& history, const Mesh& mesh) {
+  const auto length = [&](Edge e) { return get(length_map(mesh), mesh.halfedge_handle(e, 0)); };
+  const std::size_t before = history.steps();
+  for (const Edge e : live_edges(mesh)) {
+    if (flip_blocker(mesh, e)) continue;
+    const double old = length(e);
+    history.flip(e);
+    if (length(e) >= old) history.undo();
+  }
+  return before;
+}
+
 }  // namespace
 
 int main() {
@@ -131,12 +150,18 @@ int main() {
   print("with a patch cut out", mesh);
 
   // Without the patch there is a hole.
-  for (const Face f : mesh.all_faces())
+  for (const Face f : live_faces(mesh))
     if (is_high(mesh, f)) remove_triangle(mesh, f);
   print("without the patch", mesh);
 
   const std::vector<Loop> loops = short_loops(mesh);
   std::printf("loops: %zu, of %zu edges\n", loops.size(), loops.front().size());
+
+  // Cut open the sheet is a disc; glued back it is what it was.
+  const std::vector<UnglueEffect> cuts = cut_open(mesh, homology(mesh));
+  print("cut open", mesh);
+  glue_back(mesh, cuts);
+  print("glued back", mesh);
 
   const std::vector<Vertex> around = shortest_path(mesh, Vertex(0), Vertex(116));
   std::printf("the way around the hole: %zu vertices\n", around.size());
@@ -146,4 +171,15 @@ int main() {
 
   std::printf("edges split: %d\n", split_long_edges(mesh, 1.5));
   print("with short edges", mesh);
+
+  History history(mesh);
+  const std::size_t before = shorten_by_flips(history, mesh);
+  std::printf("edges flipped: %s\n", history.steps() > before ? "some" : "none");
+  history.undo_to(before);
+
+  auto heat = OpenMesh::VProp<double>(mesh, "heat");
+  heat[Vertex(0)] = 10;
+  heat[Vertex(1)] = 30;
+  std::printf("between 10 and 30: %g\n",
+              split_between(mesh, mesh.edge_handle(mesh.find_halfedge(Vertex(0), Vertex(1))), heat));
 }

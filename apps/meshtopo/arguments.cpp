@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "io/failure.h"
 #include "io/same_file.h"
@@ -25,10 +26,11 @@ std::optional<MeshFormat> writable(std::string_view name) {
 }
 
 /// As in rbpa, the name counts where the ending does not say.
-RepairTarget parse_repair_target(const std::string& path, const std::optional<std::string>& format) {
+RepairTarget parse_repair_target(const std::string& option, const std::string& path,
+                                 const std::optional<std::string>& format) {
   if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
   if (path == "-" && !format)
-    throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(written_mesh_formats));
+    throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(written_mesh_formats));
   if (const std::optional<MeshFormat> known = writable(ending(path))) return {path, *known};
   if (!format) refuse_ending(path, written_mesh_formats, "--output-format");
   return {path, *writable(*format)};
@@ -50,7 +52,7 @@ ReportTarget parse_report_target(const std::string& path, bool json) {
   };
   if (mesh_format(name))
     throw WrongUsage(path + ": found the ending " + in_quotes(name) +
-                     " of a mesh, expected json or txt for a report, or --repair to write a mesh");
+                     " of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
   if (is("txt") && json) throw WrongUsage(path + ": found the ending 'txt' with --json, expected json");
   if (json || is("json")) return {path, ReportFormat::json};
   if (name.empty() || is("txt")) return {path, ReportFormat::text};
@@ -67,13 +69,18 @@ std::vector<std::string> TopologyPlan::outputs() const {
   return paths;
 }
 
-TopologyPlan plan(const TopologyArguments& arguments) {
-  TopologyPlan plan{.source = parse_source(arguments.mesh, arguments.format),
+TopologyPlan plan(TopologyArguments arguments) {
+  // `--repair MESH -o OUT`: what stands behind --repair is the mesh, as long as there is no other.
+  if (!arguments.mesh && arguments.output && !arguments.repaired.empty())
+    arguments.mesh = std::exchange(arguments.repaired, std::string());
+  if (!arguments.mesh)
+    throw WrongUsage("MESH: found none, expected a mesh file, or - for standard input (see meshtopo --help)");
+  TopologyPlan plan{.source = parse_source(*arguments.mesh, arguments.format),
                     .max_defects = parse_whole("--max-defects", arguments.max_defects, {}),
                     .quiet = arguments.quiet};
-  const bool is_report = arguments.output && !arguments.repair;
-  if (is_report) {
-    if (arguments.output_format) throw WrongUsage("--output-format: found no --repair, expected it");
+  if (arguments.output_format && !arguments.repair) throw WrongUsage("--output-format: found no --repair, expected it");
+  const bool output_is_mesh = arguments.repair && arguments.repaired.empty();
+  if (arguments.output && !output_is_mesh) {
     plan.report = parse_report_target(*arguments.output, arguments.json);
     if (arguments.quiet && plan.report->format == ReportFormat::text)
       throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
@@ -81,15 +88,17 @@ TopologyPlan plan(const TopologyArguments& arguments) {
     plan.report = parse_report_target("-", arguments.json);
   }
   if (arguments.repair) {
-    if (!arguments.output) throw WrongUsage("--repair: found no -o OUT, expected a file for the repaired mesh");
-    plan.repaired = parse_repair_target(*arguments.output, arguments.output_format);
-    if (plan.report && *arguments.output == "-")
-      throw WrongUsage("-o -: found standard output for the report and the mesh, expected another file or --quiet");
-  } else if (arguments.output_format) {
-    throw WrongUsage("--output-format: found no --repair, expected it");
+    if (output_is_mesh && !arguments.output)
+      throw WrongUsage("--repair: found no OUT, expected a file for the repaired mesh");
+    const std::string option = output_is_mesh ? "-o" : "--repair";
+    const std::string& path = output_is_mesh ? *arguments.output : arguments.repaired;
+    plan.repaired = parse_repair_target(option, path, arguments.output_format);
+    if (plan.report && path == "-" && plan.report->path == "-")
+      throw WrongUsage(option +
+                       " -: found standard output for the report and the mesh, expected another file or --quiet");
   }
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
-  require_different(plan.outputs(), arguments.mesh, "the mesh");
+  require_different(plan.outputs(), *arguments.mesh, "the mesh");
   return plan;
 }
 

@@ -12,12 +12,13 @@ namespace rbpa::app {
 
 /// As given.
 struct TopologyArguments {
-  std::string mesh;
+  std::optional<std::string> mesh;
   std::optional<std::string> format;
   bool json = false;
   std::optional<std::string> output;
   std::optional<std::string> output_format;
   bool repair = false;
+  std::string repaired;  ///< OUT of --repair; empty where it has none, and -o names the file
   std::optional<std::string> generators;
   std::string max_defects = "20";
   bool quiet = false;
@@ -53,6 +54,6 @@ struct TopologyPlan {
 };
 
 /// Throws WrongUsage naming the value.
-TopologyPlan plan(const TopologyArguments& arguments);
+TopologyPlan plan(TopologyArguments arguments);
 
 }  // namespace rbpa::app

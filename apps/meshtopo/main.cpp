@@ -24,20 +24,24 @@ int main(int argc, char** argv) {
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("meshtopo ") + RBPA_VERSION);
   TopologyArguments arguments;
-  app.add_option("MESH", arguments.mesh, "Mesh file, or - for standard input")->required();
+  app.add_option("MESH", arguments.mesh, "Mesh file, or - for standard input");
   app.add_option("--format", arguments.format,
                  "Format of MESH, where its ending does not say: " + std::string(mesh_formats))
       ->type_name("NAME");
   app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
-  app.add_option("-o,--output", arguments.output,
-                 "File to write: the report, by its ending json or txt, or with --repair the mesh: " +
-                     std::string(written_mesh_formats) + "; - is standard output")
+  app.add_option(
+         "-o,--output", arguments.output,
+         "File to write the report to, by its ending json or txt; - is standard output. With --repair that names no "
+         "file, the mesh")
       ->type_name("OUT");
+  const CLI::Option* const repair = app.add_option("--repair", arguments.repaired,
+                                                   "Write an oriented surface made of MESH, and say what was done: " +
+                                                       std::string(written_mesh_formats))
+                                        ->type_name("OUT")
+                                        ->expected(0, 1);
   app.add_option("--output-format", arguments.output_format,
                  "Format of the repaired mesh, where its ending does not say")
       ->type_name("NAME");
-  app.add_flag("--repair", arguments.repair, "Write an oriented surface made of MESH to -o OUT, and say what was done")
-      ->disable_flag_override();
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
@@ -49,7 +53,7 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  meshtopo bunny.ply\n"
       "  meshtopo part.stl --json -o report.json\n"
-      "  meshtopo scan.obj --repair -o clean.off --generators loops.obj\n\n"
+      "  meshtopo scan.obj --repair clean.off --generators loops.obj\n\n"
       "Vertices and faces are numbered as in the file, from 0.\n" +
       std::string(exit_codes));
   add_manual(app, std::string("meshtopo ") + RBPA_VERSION);
@@ -62,6 +66,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return report(program, std::string(e.what()) + " (see meshtopo --help)", wrong_usage);
   }
+  arguments.repair = repair->count() > 0;
   return run(program, [&] { run_topology(arguments); });
 }
 

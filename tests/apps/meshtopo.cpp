@@ -311,6 +311,22 @@ TEST_SUITE("meshtopo") {
 }
 
 TEST_SUITE("meshtopo --repair") {
+  TEST_CASE("--repair OUT names its file as --generators OUT does, and all spellings write the same") {
+    const Folder folder;
+    folder.file("m.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 2\n3 0 1 3\n");
+    REQUIRE(folder.meshtopo("m.off --repair a.off --generators l.obj -o r.json").code == 0);
+    CHECK(json::parse(folder.content("r.json"))["repair"].size() > 0);
+    REQUIRE(folder.meshtopo("m.off --repair=b.off -q").code == 0);
+    REQUIRE(folder.meshtopo("m.off --repair -o c.off -q").code == 0);
+    REQUIRE(folder.meshtopo("m.off -o d.off --repair -q").code == 0);
+    REQUIRE(folder.meshtopo("--repair m.off -o e.off -q").code == 0);  // the mesh behind the flag of old
+    REQUIRE(folder.meshtopo("--repair f.off m.off -q").code == 0);
+    for (const std::string name : {"b", "c", "d", "e", "f"})
+      CHECK(folder.content(name + ".off") == folder.content("a.off"));
+    CHECK(folder.meshtopo("m.off --repair - --output-format off -q").out == folder.content("a.off"));
+    CHECK(folder.meshtopo("--repair m.off").code == 2);
+  }
+
   TEST_CASE("what is written is free of defects, and the steps are reported") {
     for (const std::string& content : {broken, moebius})
       for (const std::string ending : {"off", "ply", "obj"}) {

@@ -163,6 +163,25 @@ TEST_SUITE("meshtopo: bad input") {
   }
 }
 
+TEST_SUITE("meshtopo: a corner out of range") {
+  TEST_CASE("is refused and never repaired away: no face is lost without a word") {
+    const std::string good = "OFF\n3 2 0\n" + three_points + "3 0 1 2\n";
+    for (const std::string command :
+         {"--repair out.off", "--repair -o out.off", "--repair out.off -o r.json", "--json"}) {
+      const Folder folder;
+      folder.file("m.off", good + "3 0 1 3\n");
+      folder.file("m.ply", ply_head + "element face 1\nproperty list uchar uint vertex_indices\nend_header\n" +
+                               three_points + "3 0 1 4294967295\n");
+      folder.file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n");
+      refuses(folder, "m.off " + command, 3, "m.off:7: found '3', expected a vertex number from 0 to 2");
+      refuses(folder, "m.ply " + command, 3, "m.ply:13: found '4294967295', expected a vertex number from 0 to 2");
+      refuses(folder, "m.obj " + command, 3, "m.obj:5: found '9', expected a vertex number from 1 to 3");
+      refuses(folder, "- --format off " + command + " <m.off", 3,
+              "standard input:7: found '3', expected a vertex number from 0 to 2");
+    }
+  }
+}
+
 TEST_SUITE("meshtopo: wrong usage") {
   TEST_CASE("formats that are not known") {
     const Folder folder;
@@ -188,7 +207,7 @@ TEST_SUITE("meshtopo: wrong usage") {
       for (const std::string json : {"", " --json"})
         refuses(folder, "m.off -o x." + ending + json, 2,
                 "x." + ending + ": found the ending '" + ending +
-                    "' of a mesh, expected json or txt for a report, or --repair to write a mesh");
+                    "' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
     refuses(folder, "m.off -o x.csv", 2, "x.csv: found the ending 'csv', expected one of json, txt, or --json");
     refuses(folder, "m.off -o x.txt --json", 2, "x.txt: found the ending 'txt' with --json, expected json");
   }
@@ -196,7 +215,15 @@ TEST_SUITE("meshtopo: wrong usage") {
   TEST_CASE("arguments that do not go together") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
-    refuses(folder, "m.off --repair", 2, "--repair: found no -o OUT, expected a file for the repaired mesh");
+    refuses(folder, "m.off --repair", 2, "--repair: found no OUT, expected a file for the repaired mesh");
+    refuses(
+        folder, "m.off --repair r.off -o s.off", 2,
+        "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
+    refuses(folder, "m.off --repair - --output-format off", 2,
+            "--repair -: found standard output for the report and the mesh, expected another file or --quiet");
+    refuses(folder, "m.off --repair m.off", 2, "m.off: found the file of the mesh, expected another file to write to");
+    refuses(folder, "m.off --repair a.obj --generators a.obj", 2,
+            "a.obj: found twice among the files to write, expected once");
     refuses(folder, "m.off --output-format off", 2, "--output-format: found no --repair, expected it");
     refuses(folder, "m.off -q -o r.txt", 2, "-o: found --quiet and no --json, expected a report to write");
     refuses(folder, "m.off --repair -o - --output-format off", 2,

@@ -9,10 +9,12 @@
 #include "meshops/front/engine.h"
 #include "meshops/topology/build_mesh.h"
 #include "rbpa/core/error.h"
+#include "rbpa/fill/constrained_delaunay.h"
 #include "rbpa/fill/improve.h"
 #include "rbpa/fill/lo_front.h"
 #include "rbpa/fill/outline.h"
 #include "rbpa/fill/polygon_rings.h"
+#include "rbpa/fill/size_estimate.h"
 #include "rbpa/fill/size_field.h"
 #include "rbpa/run/input.h"
 #include "rbpa/run/monitor.h"
@@ -29,6 +31,12 @@ void check_positive(const std::string& what, double value) {
 }
 
 void check_sizes(const FillOptions& options) {
+  if (std::isinf(options.size) && options.size > 0) {
+    if (options.grade || !options.sizes.empty())
+      throw InvalidInput("size: found inf, at which no point is added, and " +
+                         std::string(options.grade ? "a grade" : "sizes at points") + ", expected one of them");
+    return;
+  }
   check_positive("size", options.size);
   if (options.grade) check_positive("grade", *options.grade);
   for (std::size_t i = 0; i < options.sizes.size(); ++i) {
@@ -42,15 +50,17 @@ void check_sizes(const FillOptions& options) {
 /// Of so many triangles no mesh is made.
 constexpr double max_triangles = 500e6;
 
-/// `size` is as the outline is scaled.
-void check_number(const Outline& outline, double size, double said) {
-  ExactSum twice;
-  for (const OutlineRing& ring : outline.rings) add_twice_area(twice, {ring.sites}, outline.places);
-  constexpr double of_unit = 0.4330127018922193;  // √3 / 4, the area of a triangle of sides 1
-  const double triangles = twice.rounded(-1) / (of_unit * size * size);
-  if (!(triangles <= max_triangles))
-    throw InvalidInput("size: found " + text(said) + ", at which more than " + text(max_triangles) +
-                       " triangles would be made, expected a larger one");
+/// Throws InvalidInput when there would be too many.
+void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
+                  const std::function<bool()>& go_on) {
+  const double triangles = estimate_triangles(outline, field, said.keep_boundary, go_on);
+  if (!(triangles <= max_triangles)) {
+    const std::string others = said.grade || !said.sizes.empty() ? " and what else asks for sizes" : "";
+    throw InvalidInput("size: found " + text(said.size) + others + ", at which about " + text(std::round(triangles)) +
+                       " triangles would be made, expected larger sizes: no more than " + text(max_triangles) +
+                       " triangles");
+  }
+  if (said.estimated) said.estimated(triangles);
 }
 
 /// Lengths are squared: coordinates that are far too large or small for that are multiplied by a power of two for a while,
@@ -114,7 +124,7 @@ meshops::PolygonSoup cones_over(const Outline& outline) {
 
 /// Triangles on places: those of the outline first.
 struct Pieces {
-  std::vector<Point> places;
+  std::vector<Point> places = {};
   std::vector<Triangle> triangles = {};
   std::size_t retreats = 0;
 };
@@ -279,13 +289,17 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
   const Scale scale(outline);
   std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
   const FillOptions options = scale.in(said, sizes);
-  check_number(outline, options.size, said.size);
-  const SizeField field = field_of(outline, options);
-  if (!options.keep_boundary) cut(outline, field, go_on);
-
-  Pieces pieces = advance_from(outline, field, options);
-  drop_unused(pieces, outline.places.size());
-  make_better(pieces, outline.places.size(), field, options);
+  Pieces pieces;
+  if (std::isinf(said.size)) {
+    pieces = {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
+  } else {
+    const SizeField field = field_of(outline, options);
+    check_number(outline, field, said, go_on);
+    if (!options.keep_boundary) cut(outline, field, go_on);
+    pieces = advance_from(outline, field, options);
+    drop_unused(pieces, outline.places.size());
+    make_better(pieces, outline.places.size(), field, options);
+  }
 
   const std::vector<std::uint32_t> number = numbers_of(outline, pieces, points.size());
   for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)

@@ -32,6 +32,8 @@ struct SizeAt {
 
 struct FillOptions {
   /// The length that edges are to have, in units of the points; the greatest, where the others below ask for less.
+  /// Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of the polygons
+  /// (fill/constrained_delaunay.h), which is unique; grade and sizes are to be absent then.
   double size = 0;
   /// Edges of the boundary that are shorter than `size` ask for triangles of their own length, which grow by so much for
   /// each unit of distance. Absent: they ask for nothing.
@@ -43,6 +45,9 @@ struct FillOptions {
   bool keep_boundary = false;
   /// Called every few milliseconds with the triangles so far; returning false cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
+  /// Called once, before the first triangle, with about how many there will be (fill/size_estimate.h says how about): for
+  /// a caller that compares them with the memory there is. What it throws ends the run. Empty: never called.
+  std::function<void(double)> estimated = {};
 
   static constexpr double default_grade = 0.25;
 };
@@ -72,7 +77,8 @@ struct Filling {
 /// at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that is cut is the double nearest
 /// to where it should be.
 /// Throws: InvalidInput that names the place: coordinates that are not finite; what why_invalid() says (validity.h); a size or
-///         grade that is no number above 0. Cancelled.
+///         grade that is no number above 0; sizes at which more than 500 million triangles would be made, by the estimate.
+///         Cancelled.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 
 }  // namespace rbpa

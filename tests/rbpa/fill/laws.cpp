@@ -33,24 +33,51 @@ void add_twice(rbpa::ExactSum& sum, const Point& a, const Point& b) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
+/// The input's ring as it is to be passed: vertices that follow each other at one place are one.
+Points without_repeated(const Ring& ring, std::span<const Point> points) {
+  Points places;
+  for (const std::uint32_t i : ring.points)
+    if (places.empty() || places.back() != points[i]) places.push_back(points[i]);
+  while (places.size() > 1 && places.back() == places.front()) places.pop_back();
+  return places;
+}
+
+bool is_exactly_between(const Point& p, const Point& a, const Point& b) {
+  return exact::orientation(a, b, p) == 0 && std::min(a, b) < p && p < std::max(a, b);
+}
+
+/// Whether the ring of input points `passed` goes round `expected`, with nothing between its vertices but other vertices
+/// that lie exactly on its edges. Both begin at the same place.
+bool goes_round(const Points& passed, const Points& expected) {
+  std::size_t next = 0;
+  for (const Point& p : passed) {
+    if (next < expected.size() && p == expected[next]) {
+      ++next;
+      continue;
+    }
+    if (next == 0 || !is_exactly_between(p, expected[next - 1], expected[next % expected.size()])) return false;
+  }
+  return next == expected.size();
+}
+
 /// The ring with new points on its edges, `cut`, which may run the other way and begin elsewhere.
 std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const Point> points, std::size_t given,
                             bool keeps) {
-  std::vector<std::uint32_t> corners;
+  Points passed;
   for (const std::uint32_t i : cut.points)
-    if (i < given) corners.push_back(i);
-  std::vector<std::uint32_t> expected = input.points;
-  const auto least_first = [](std::vector<std::uint32_t>& ring) {
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  };
-  least_first(corners);
-  least_first(expected);
-  if (corners != expected) {
+    if (i < given) passed.push_back(points[i]);
+  if (std::set<std::uint32_t>(cut.points.begin(), cut.points.end()).size() != cut.points.size())
+    return "a ring passes a point twice";
+  Points expected = without_repeated(input, points);
+  if (passed.empty() || expected.empty()) return passed.empty() && expected.empty() ? "" : "a ring has been lost";
+  bool goes = false;
+  for (int turned = 0; turned < 2 && !goes; ++turned) {
+    std::rotate(passed.begin(), std::find(passed.begin(), passed.end(), expected.front()), passed.end());
+    goes = goes_round(passed, expected);
     std::reverse(expected.begin(), expected.end());
-    least_first(expected);
   }
-  if (corners != expected) return "a ring does not pass the points of the input in their order";
-  if (keeps && cut.points.size() != input.points.size()) return "an edge was cut that was to be kept";
+  if (!goes) return "a ring does not pass the points of the input in their order";
+  if (keeps && passed.size() != cut.points.size()) return "an edge was cut that was to be kept";
   // Round once, from corner to corner.
   const std::size_t n = cut.points.size();
   const std::size_t start = static_cast<std::size_t>(

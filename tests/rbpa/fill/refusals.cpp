@@ -80,11 +80,12 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   CHECK(names(refusal(points, {square(), hole_of_other}), {"hole 0 of polygon 1", "in the shell of polygon 0"}));
   // Sizes.
   for (const double bad : {0.0, -1.0, nan, infinity}) {
-    CHECK(names(refusal(points, {square()}, {.size = bad}), {"size", "above 0"}));
+    if (bad != infinity) CHECK(names(refusal(points, {square()}, {.size = bad}), {"size", "above 0"}));
     CHECK(names(refusal(points, {square()}, {.size = 1, .grade = bad}), {"grade", "above 0"}));
     const std::vector<rbpa::SizeAt> sizes = {{{0, 0}, 1}, {{0, 0}, bad}};
     CHECK(names(refusal(points, {square()}, {.size = 1, .sizes = sizes}), {"size 1 of sizes", "above 0"}));
   }
+  CHECK(names(refusal(points, {square()}, {.size = infinity, .grade = 1}), {"size", "no point is added", "a grade"}));
   const std::vector<rbpa::SizeAt> nowhere = {{{nan, 0}, 1}};
   CHECK(names(refusal(points, {square()}, {.size = 1, .sizes = nowhere}), {"size 0 of sizes", "finite"}));
   CHECK(names(refusal(points, {square()}, {.size = 1e-9}), {"1e-09", "triangles"}));

@@ -1,0 +1,66 @@
+// What: the live elements of a mesh as ranges: for (const Face f : live_faces(mesh)).
+// Law:  the elements that for_each_vertex() and its like visit, in the same order. A loop may mark elements as deleted, also
+//       that which it is at, and may add some: those that are added are not visited.
+// Cost: constant for each element, live or not.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/core/live.h"
+
+namespace meshops {
+
+template <typename Element>
+class LiveRange {
+ public:
+  class Iterator {
+   public:
+    using value_type = Element;
+    using difference_type = std::ptrdiff_t;
+    using reference = Element;
+    using pointer = void;
+    using iterator_category = std::input_iterator_tag;
+    using iterator_concept = std::forward_iterator_tag;
+
+    Iterator() = default;
+    Iterator(const Connectivity& mesh, int at, int end) : mesh_(&mesh), at_(at), end_(end) { skip_deleted(); }
+    Element operator*() const { return Element(at_); }
+    Iterator& operator++() {
+      ++at_;
+      skip_deleted();
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_; }
+
+   private:
+    void skip_deleted() {
+      while (at_ < end_ && !is_live(*mesh_, Element(at_))) ++at_;
+    }
+    const Connectivity* mesh_ = nullptr;
+    int at_ = 0, end_ = 0;
+  };
+
+  LiveRange(const Connectivity& mesh, std::size_t count) : mesh_(&mesh), count_(static_cast<int>(count)) {}
+  Iterator begin() const { return {*mesh_, 0, count_}; }
+  Iterator end() const { return {*mesh_, count_, count_}; }
+  bool empty() const { return begin() == end(); }
+
+ private:
+  const Connectivity* mesh_;
+  int count_;
+};
+
+/// Keeps a reference to the mesh.
+inline LiveRange<Vertex> live_vertices(const Connectivity& mesh) { return {mesh, mesh.n_vertices()}; }
+inline LiveRange<Halfedge> live_halfedges(const Connectivity& mesh) { return {mesh, mesh.n_halfedges()}; }
+inline LiveRange<Edge> live_edges(const Connectivity& mesh) { return {mesh, mesh.n_edges()}; }
+inline LiveRange<Face> live_faces(const Connectivity& mesh) { return {mesh, mesh.n_faces()}; }
+
+}  // namespace meshops

@@ -1,0 +1,231 @@
+#include "meshops/history/history.h"
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
+#include "meshops/handle/create.h"
+#include "meshops/handle/destroy.h"
+#include "meshops/stellar/undo.h"
+
+namespace meshops {
+namespace {
+
+void revive(Connectivity& mesh, Edge e) {
+  mesh.status(e).set_deleted(false);
+  for (const unsigned side : {0U, 1U}) mesh.status(mesh.halfedge_handle(e, side)).set_deleted(false);
+}
+
+std::vector<Halfedge> sides_of(const Connectivity& mesh, Face f) {
+  std::vector<Halfedge> sides;
+  const Halfedge first = mesh.halfedge_handle(f);
+  Halfedge h = first;
+  do {
+    sides.push_back(h);
+    h = mesh.next_halfedge_handle(h);
+  } while (h != first);
+  return sides;
+}
+
+}  // namespace
+
+History::History(Connectivity& mesh) : mesh_(mesh) {
+  require(has_status(mesh), "History: the mesh needs status of every kind to mark what is deleted");
+}
+
+Halfedge History::create_triangle() {
+  return perform<Halfedge>([this] {
+    const Halfedge side = meshops::create_triangle(mesh_);
+    return std::pair(side, [this, f = mesh_.face_handle(side)] { meshops::destroy_triangle(mesh_, f); });
+  });
+}
+
+void History::destroy_triangle(Face f) {
+  perform<Delta>([this, f] {
+    const Delta delta = meshops::destroy_triangle(mesh_, f);
+    // All records but the halfedges of the corners are as they were: of each the only one on the boundary.
+    return std::pair(delta, [this, f] {
+      mesh_.status(f).set_deleted(false);
+      for (const Halfedge side : sides_of(mesh_, f)) {
+        revive(mesh_, mesh_.edge_handle(side));
+        mesh_.status(mesh_.to_vertex_handle(side)).set_deleted(false);
+        mesh_.set_halfedge_handle(mesh_.to_vertex_handle(side), mesh_.opposite_halfedge_handle(side));
+      }
+    });
+  });
+}
+
+GlueEffect History::glue(Halfedge first, Halfedge second) {
+  return perform<GlueEffect>([this, first, second] {
+    // A vertex that glue() marks deleted is isolated then, and unglue() finds the halfedge it had.
+    const GlueEffect effect = meshops::glue(mesh_, first, second);
+    return std::pair(effect, [this, effect] { meshops::unglue(mesh_, effect); });
+  });
+}
+
+UnglueEffect History::unglue(Halfedge h) {
+  return perform<UnglueEffect>([this, h] {
+    if (const auto blocker = unglue_blocker(mesh_, h)) throw ContractViolation("unglue: " + *blocker);
+    const Undo name = named_again({mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h)});
+    const UnglueEffect effect = meshops::unglue(mesh_, h);
+    return std::pair(effect, [this, effect, name] {
+      meshops::glue(mesh_, effect.first, effect.second, effect.what);
+      name();
+    });
+  });
+}
+
+CloseCurveEffect History::close_curve(Halfedge h) {
+  return perform<CloseCurveEffect>([this, h] {
+    const CloseCurveEffect effect = meshops::close_curve(mesh_, h);
+    return std::pair(effect, [this, effect] { meshops::open_curve(mesh_, effect.face); });
+  });
+}
+
+OpenCurveEffect History::open_curve(Face f) {
+  return perform<OpenCurveEffect>([this, f] {
+    if (const auto blocker = open_curve_blocker(mesh_, f)) throw ContractViolation("open_curve: " + *blocker);
+    std::vector<Vertex> corners;
+    for (const Halfedge side : sides_of(mesh_, f)) corners.push_back(mesh_.from_vertex_handle(side));
+    const Undo name = named_again(std::move(corners));
+    const OpenCurveEffect effect = meshops::open_curve(mesh_, f);
+    return std::pair(effect, [this, f, name] {
+      mesh_.status(f).set_deleted(false);
+      for (const Halfedge side : sides_of(mesh_, f)) mesh_.set_face_handle(side, f);
+      name();
+    });
+  });
+}
+
+FlipEffect History::flip(Edge e, Keep keep) {
+  return perform<FlipEffect>([this, e, keep] {
+    const FlipEffect effect = meshops::flip(mesh_, e, keep);
+    return std::pair(effect, [this, effect] { meshops::undo(mesh_, effect); });
+  });
+}
+
+WeldEffect History::collapse(Halfedge h, Keep keep) {
+  return perform<WeldEffect>([this, h, keep] {
+    const WeldEffect effect = meshops::collapse(mesh_, h, keep);
+    return std::pair(effect, undo_of_weld(effect));
+  });
+}
+
+WeldEdgeEffect History::weld_edge(Halfedge h, Keep keep) {
+  return perform<WeldEdgeEffect>([this, h, keep] {
+    const WeldEdgeEffect effect = meshops::weld_edge(mesh_, h, keep);
+    return std::pair(effect, undo_of_weld(effect));
+  });
+}
+
+WeldFaceEffect History::weld_face(Vertex v, Keep keep) {
+  return perform<WeldFaceEffect>([this, v, keep] {
+    const WeldFaceEffect effect = meshops::weld_face(mesh_, v, keep);
+    return std::pair(effect, undo_of_weld(effect));
+  });
+}
+
+WeldEffect History::remove_vertex(Vertex v, Keep keep) {
+  return perform<WeldEffect>([this, v, keep] {
+    const WeldEffect effect = meshops::remove_vertex(mesh_, v, keep);
+    return std::pair(effect, undo_of_weld(effect));
+  });
+}
+
+InsertDiagonalEffect History::insert_diagonal(Halfedge from, Halfedge to, Keep keep) {
+  return perform<InsertDiagonalEffect>([this, from, to, keep] {
+    const InsertDiagonalEffect effect = meshops::insert_diagonal(mesh_, from, to, keep);
+    return std::pair(effect, [this, effect] { meshops::remove_diagonal(mesh_, effect.diagonal); });
+  });
+}
+
+RemoveDiagonalEffect History::remove_diagonal(Halfedge h) {
+  return perform<RemoveDiagonalEffect>([this, h] {
+    if (const auto blocker = remove_diagonal_blocker(mesh_, h)) throw ContractViolation("remove_diagonal: " + *blocker);
+    const Halfedge o = mesh_.opposite_halfedge_handle(h);
+    const Halfedge named = mesh_.halfedge_handle(mesh_.face_handle(o));
+    const std::vector<Halfedge> before = {mesh_.prev_halfedge_handle(h), mesh_.prev_halfedge_handle(o)};
+    const Undo name = named_again({mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h)});
+    const RemoveDiagonalEffect effect = meshops::remove_diagonal(mesh_, h);
+    return std::pair(effect, [this, effect, h, o, named, before, name] {
+      // The records of the diagonal and of its face are as they were; those of their neighbours lead past them.
+      revive(mesh_, effect.edge);
+      mesh_.status(effect.face).set_deleted(false);
+      mesh_.set_next_halfedge_handle(before[0], h);
+      mesh_.set_next_halfedge_handle(h, effect.to);
+      mesh_.set_next_halfedge_handle(before[1], o);
+      mesh_.set_next_halfedge_handle(o, effect.from);
+      for (const Halfedge side : sides_of(mesh_, effect.face)) mesh_.set_face_handle(side, effect.face);
+      mesh_.set_halfedge_handle(effect.survivor, named);
+      name();
+    });
+  });
+}
+
+SplitEdgeEffect History::split_edge(Halfedge h, Keep keep) {
+  return split([this, h, keep] { return meshops::split_edge(mesh_, h, keep); });
+}
+
+SplitFaceEffect History::split_face(Face f) {
+  return split([this, f] { return meshops::split_face(mesh_, f); });
+}
+
+SplitVertexEffect History::split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right, Keep keep) {
+  return split([this, left, right, keep] { return meshops::split_vertex(mesh_, left, right, keep); });
+}
+
+History::Undo History::undo_of_split(Halfedge halfedge) {
+  return [this, halfedge] { meshops::collapse(mesh_, halfedge, Keep::manifold); };
+}
+
+History::Undo History::undo_of_weld(const WeldEffect& effect) {
+  return [this, effect] { meshops::undo(mesh_, effect); };
+}
+
+/// What makes the vertices name the halfedges again that they name now.
+History::Undo History::named_again(std::vector<Vertex> vertices) const {
+  std::vector<Halfedge> named;
+  for (const Vertex v : vertices) named.push_back(mesh_.halfedge_handle(v));
+  return [&mesh = mesh_, vertices = std::move(vertices), named = std::move(named)] {
+    for (std::size_t i = 0; i < vertices.size(); ++i) mesh.set_halfedge_handle(vertices[i], named[i]);
+  };
+}
+
+History::Sizes History::sizes() const { return {mesh_.n_vertices(), mesh_.n_edges(), mesh_.n_faces()}; }
+
+void History::require_own() const {
+  const Sizes expected = !done_.empty() ? done_.back().after : !undone_.empty() ? undone_.back().before : sizes();
+  require(sizes() == expected,
+          "History: found another number of elements, expected that of the last step: the mesh was "
+          "changed by others");
+}
+
+void History::remember(Step step) {
+  undone_.clear();
+  done_.push_back(std::move(step));
+}
+
+void History::undo() {
+  require(!done_.empty(), "History: found no step to undo");
+  require_own();
+  Step& step = done_.back();
+  step.back();
+  // What the step added is dead now, and nothing lies behind it.
+  mesh_.resize(step.before.vertices, step.before.edges, step.before.faces);
+  undone_.push_back(std::move(step));
+  done_.pop_back();
+}
+
+void History::redo() {
+  require(!undone_.empty(), "History: found no step to do again");
+  require_own();
+  Step& step = undone_.back();
+  step.back = step.again();
+  done_.push_back(std::move(step));
+  undone_.pop_back();
+}
+
+void History::undo_to(std::size_t steps) {
+  require(steps <= done_.size(), "History: found fewer steps than are to be left");
+  while (done_.size() > steps) undo();
+}
+
+}  // namespace meshops

@@ -1,0 +1,110 @@
+// What: one undo stack over handle and stellar operators: it performs them, takes them back, and performs them again.
+// Law:  after undo() of a step every record of the mesh, of dead elements too, is as it was before it, and what the step added
+//       is gone; after redo() it is as it was after it. So any sequence of steps, all undone, is the identity.
+// Cost: that of the operator, and a few handles for each step.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/handle/close_curve.h"
+#include "meshops/handle/glue.h"
+#include "meshops/handle/unglue.h"
+#include "meshops/stellar/collapse.h"
+#include "meshops/stellar/diagonal.h"
+#include "meshops/stellar/flip.h"
+#include "meshops/stellar/remove_vertex.h"
+#include "meshops/stellar/split_edge.h"
+#include "meshops/stellar/split_face.h"
+#include "meshops/stellar/split_vertex.h"
+#include "meshops/stellar/weld_edge.h"
+#include "meshops/stellar/weld_face.h"
+
+namespace meshops {
+
+/// Each member performs the operator of its name and returns what that does. It is refused where the operator is: the mesh
+/// and the history stay as they were. What is made of several operators is several steps: steps() before it and
+/// undo_to(steps) after it take back the whole.
+/// While a mesh has a history, nobody else changes its links: elements that others added or collected are noticed by their
+/// number and refused (ContractViolation, mesh untouched); other changes are not. Properties of old elements are not kept.
+/// A redo makes the same elements with the same handles; hooks of splits are called again for them.
+/// Requires: the mesh has status of every kind, outlives the history, and is sound.
+class MESHOPS_API History {
+ public:
+  explicit History(Connectivity& mesh);
+
+  Halfedge create_triangle();
+  void destroy_triangle(Face f);
+  GlueEffect glue(Halfedge first, Halfedge second);
+  UnglueEffect unglue(Halfedge h);
+  CloseCurveEffect close_curve(Halfedge h);
+  OpenCurveEffect open_curve(Face f);
+
+  FlipEffect flip(Edge e, Keep keep = Keep::simplicial);
+  WeldEffect collapse(Halfedge h, Keep keep = Keep::simplicial);
+  WeldEdgeEffect weld_edge(Halfedge h, Keep keep = Keep::simplicial);
+  WeldFaceEffect weld_face(Vertex v, Keep keep = Keep::simplicial);
+  WeldEffect remove_vertex(Vertex v, Keep keep = Keep::simplicial);
+  InsertDiagonalEffect insert_diagonal(Halfedge from, Halfedge to, Keep keep = Keep::simplicial);
+  RemoveDiagonalEffect remove_diagonal(Halfedge h);
+  SplitEdgeEffect split_edge(Halfedge h, Keep keep = Keep::simplicial);
+  SplitFaceEffect split_face(Face f);
+  SplitVertexEffect split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right,
+                                 Keep keep = Keep::simplicial);
+  /// Splits with a hook, or of a mesh with points: split([&] { return split_edge(mesh, h, CarryOver()); }).
+  /// `perform` does one split of the mesh and returns its effect; a redo calls it again.
+  template <typename Perform>
+  auto split(Perform perform) {
+    using Effect = decltype(perform());
+    return this->template perform<Effect>([perform = std::move(perform), this]() mutable {
+      const Effect effect = perform();
+      return std::pair(effect, undo_of_split(effect.halfedge));
+    });
+  }
+
+  std::size_t steps() const { return done_.size(); }           ///< that undo() can take back
+  std::size_t undone_steps() const { return undone_.size(); }  ///< that redo() can do again: none after another step
+  /// Takes the last step back. Requires: steps() > 0. Throws ContractViolation.
+  void undo();
+  /// Performs again what was undone last. Requires: undone_steps() > 0. Throws ContractViolation.
+  void redo();
+  /// Takes steps back until so many are left. Requires: no more than there are. Throws ContractViolation.
+  void undo_to(std::size_t steps);
+
+ private:
+  using Undo = std::function<void()>;
+  struct Sizes {
+    std::size_t vertices, edges, faces;
+    friend bool operator==(const Sizes&, const Sizes&) = default;
+  };
+  struct Step {
+    std::function<Undo()> again;
+    Undo back;
+    Sizes before, after;
+  };
+
+  template <typename Effect, typename Perform>
+  Effect perform(Perform perform) {
+    require_own();
+    const Sizes before = sizes();
+    auto [effect, back] = perform();
+    remember({[perform]() mutable { return Undo(perform().second); }, std::move(back), before, sizes()});
+    return effect;
+  }
+  Undo undo_of_split(Halfedge halfedge);
+  Undo undo_of_weld(const WeldEffect& effect);
+  Undo named_again(std::vector<Vertex> vertices) const;
+  Sizes sizes() const;
+  void require_own() const;
+  void remember(Step step);
+
+  Connectivity& mesh_;
+  std::vector<Step> done_, undone_;
+};
+
+}  // namespace meshops

@@ -1,0 +1,119 @@
+// What: a split hook that gives the new vertex the mean of vertex properties, named by their handles.
+// Law:  split_edge(): the mean of both ends; split_face(): of the three corners; split_vertex(): what the old vertex has. A
+//       hook that throws leaves the mesh as it was before the split (split_hooks.h).
+#pragma once
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <type_traits>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/split_hooks.h"
+
+namespace meshops {
+
+namespace detail {
+
+template <typename T>
+concept MeanNumber = std::floating_point<T> ||(std::integral<T> && !std::same_as<T, bool>);
+
+/// A vector of OpenMesh: as many numbers as its type says.
+template <typename T>
+concept MeanVector = requires(T v, const T c) {
+  requires MeanNumber<typename T::value_type>;
+  { T::size() } -> std::convertible_to<std::size_t>;
+  v[0] = c[0];
+};
+
+template <MeanNumber T>
+T mean(std::span<const T> values) {
+  const std::size_t n = values.size();
+  if constexpr (std::floating_point<T>) {
+    // Parts that are added, as a sum that is divided may overflow.
+    T sum = 0;
+    for (const T value : values) sum += n == 2 ? value * T(0.5) : value * (T(1) / T(n));
+    return sum;
+  } else {
+    static_assert(std::numeric_limits<T>::digits <= 32,
+                  "the sum of large integers may not be exact: interpolate doubles");
+    double sum = 0;
+    for (const T value : values) sum += static_cast<double>(value);
+    return static_cast<T>(std::llround(sum / static_cast<double>(n)));
+  }
+}
+
+template <MeanVector T>
+T mean(std::span<const T> values) {
+  T result = values[0];
+  typename T::value_type at[3];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(T::size()); ++i) {
+    for (std::size_t k = 0; k < values.size(); ++k) at[k] = values[k][i];
+    result[i] = mean(std::span<const typename T::value_type>(at, values.size()));
+  }
+  return result;
+}
+
+template <typename M>
+concept VertexProperties = requires(const M& manager) {
+  { manager.getRawProperty() } -> std::convertible_to<OpenMesh::VPropHandleT<typename M::Value>>;
+};
+
+}  // namespace detail
+
+/// Numbers, and vectors of numbers as OpenMesh has them: weights, texture coordinates, colours.
+template <typename T>
+concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
+
+/// split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(), mesh.vertex_colors_pph())): what CarryOver does, with the
+/// point of the new vertex where the mesh has points, and moreover the mean of each vertex property that is named, by an
+/// OpenMesh::VPropHandleT or a vertex PropertyManager.
+/// Whole numbers are rounded to the nearest, halves away from 0. Vectors are not normalised: normals are to be computed anew.
+/// Vertex properties that are not named have default values after split_edge() and split_face(), as without the hook.
+/// Requires: the properties are of the mesh that is split. Types without a mean do not compile: text, flags.
+template <HasMean... Values>
+class Interpolate {
+ public:
+  explicit Interpolate(OpenMesh::VPropHandleT<Values>... properties) : properties_(properties...) {}
+  template <detail::VertexProperties... Managers>
+  requires(sizeof...(Managers) > 0) explicit Interpolate(const Managers&... properties)
+      : properties_(properties.getRawProperty()...) {}
+
+  template <typename Mesh, std::derived_from<SplitEffect> Effect>
+  requires std::derived_from<Mesh, Connectivity>
+  void operator()(Mesh& mesh, const Effect& effect) const {
+    CarryOver()(mesh, effect);
+    if constexpr (std::same_as<Effect, SplitEdgeEffect>) {
+      const Vertex ends[] = {mesh.from_vertex_handle(effect.line), mesh.to_vertex_handle(effect.halfedge)};
+      set_means(mesh, effect.added.vertex, ends);
+    } else if constexpr (std::same_as<Effect, SplitFaceEffect>) {
+      const Halfedge vw = effect.halfedge;
+      const Halfedge vc = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(vw));
+      const Halfedge vd = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(vc));
+      const Vertex corners[] = {mesh.to_vertex_handle(vw), mesh.to_vertex_handle(vc), mesh.to_vertex_handle(vd)};
+      set_means(mesh, effect.added.vertex, corners);
+    }
+  }
+
+ private:
+  template <typename Mesh>
+  void set_means(Mesh& mesh, Vertex v, std::span<const Vertex> of) const {
+    const auto set = [&]<typename T>(OpenMesh::VPropHandleT<T> property) {
+      T values[3] = {mesh.property(property, of[0]), mesh.property(property, of[1]),
+                     mesh.property(property, of.back())};
+      mesh.property(property, v) = detail::mean(std::span<const T>(values, of.size()));
+    };
+    std::apply([&](const auto&... property) { (set(property), ...); }, properties_);
+  }
+
+  std::tuple<OpenMesh::VPropHandleT<Values>...> properties_;
+};
+
+template <detail::VertexProperties... Managers>
+requires(sizeof...(Managers) > 0) explicit Interpolate(const Managers&...)->Interpolate<typename Managers::Value...>;
+
+}  // namespace meshops

@@ -1,0 +1,73 @@
+#include "meshops/topology/cut_open.h"
+
+#include <algorithm>
+#include <ranges>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live_range.h"
+#include "meshops/topology/disjoint_sets.h"
+
+namespace meshops {
+namespace {
+
+std::uint32_t number(Vertex v) { return static_cast<std::uint32_t>(v.idx()); }
+
+/// The least edge of each component without a boundary and without any of the edges. Ascending.
+std::vector<Edge> seams_of_spheres(const Connectivity& mesh, std::span<const Edge> cut) {
+  DisjointSets connected(mesh.n_vertices());
+  const auto ends = [&](Edge e) {
+    const Halfedge h = mesh.halfedge_handle(e, 0);
+    return std::pair(number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)));
+  };
+  for (const Edge e : live_edges(mesh)) connected.unite(ends(e).first, ends(e).second);
+  std::vector<char> has_seam(mesh.n_vertices(), 0);
+  const auto seam = [&](Edge e) -> char& { return has_seam[connected.find(ends(e).first)]; };
+  for (const Edge e : cut) seam(e) = 1;
+  for (const Edge e : live_edges(mesh))
+    if (mesh.is_boundary(e)) seam(e) = 1;
+  std::vector<Edge> seams;
+  for (const Edge e : live_edges(mesh))
+    if (!seam(e)) {
+      seam(e) = 1;
+      seams.push_back(e);
+    }
+  return seams;
+}
+
+}  // namespace
+
+std::optional<std::string> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges) {
+  for (const Edge e : edges) {
+    const std::string name = "edge " + std::to_string(e.idx()) + ": ";
+    if (!is_live(mesh, e)) return name + "no such edge";
+    if (const auto blocker = unglue_blocker(mesh, mesh.halfedge_handle(e, 0))) return name + *blocker;
+  }
+  std::vector<Edge> sorted(edges.begin(), edges.end());
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    return "edge " + std::to_string(twice->idx()) + ": named twice";
+  return std::nullopt;
+}
+
+std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<const Edge> edges) {
+  if (const auto blocker = cut_open_blocker(mesh, edges)) throw ContractViolation("cut_open: " + *blocker);
+  std::vector<UnglueEffect> cuts;
+  cuts.reserve(edges.size());
+  // An edge that is parted keeps its handle on one side, and no other edge changes its own.
+  for (const Edge e : edges) cuts.push_back(unglue(mesh, mesh.halfedge_handle(e, 0)));
+  return cuts;
+}
+
+std::vector<UnglueEffect> cut_open(Connectivity& mesh, const Homology& homology) {
+  std::vector<Edge> edges = homology.cut_graph;
+  if (const auto blocker = cut_open_blocker(mesh, edges)) throw ContractViolation("cut_open: " + *blocker);
+  const std::vector<Edge> seams = seams_of_spheres(mesh, edges);
+  edges.insert(edges.end(), seams.begin(), seams.end());
+  return cut_open(mesh, edges);
+}
+
+void glue_back(Connectivity& mesh, std::span<const UnglueEffect> cuts) {
+  for (const UnglueEffect& cut : std::ranges::reverse_view(cuts)) glue(mesh, cut.first, cut.second);
+}
+
+}  // namespace meshops

@@ -1,0 +1,10 @@
+// What a user of the mesh operators alone does first.
+#include "meshops/meshops.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+int main() {
+  OpenMesh::TriMesh_ArrayKernelT<> mesh;
+  meshops::create_triangle(mesh);
+  return meshops::count_topology(mesh).boundary_curves == 1 && meshops::validate(mesh).empty() ? 0 : 1;
+}

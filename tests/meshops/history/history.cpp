@@ -1,0 +1,184 @@
+#include "meshops/history/history.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live_range.h"
+#include "support/check_sound.h"
+#include "support/corpus.h"
+#include "support/snapshot.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+/// One operator on random handles, where it is not refused. Returns its number.
+int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
+  const auto any = [&](std::size_t count) { return static_cast<int>(random() % std::max<std::size_t>(count, 1)); };
+  const Halfedge h(any(mesh.n_halfedges())), g(any(mesh.n_halfedges()));
+  const Face f(any(mesh.n_faces()));
+  const Vertex v(any(mesh.n_vertices()));
+  const Keep keep = random() % 2 ? Keep::manifold : Keep::simplicial;
+  // Near: behind h on its face or curve.
+  const auto near = [&] {
+    Halfedge at = h;
+    for (unsigned steps = 1 + static_cast<unsigned>(random() % 4); steps > 0 && is_live(mesh, h); --steps)
+      at = mesh.next_halfedge_handle(at);
+    return at;
+  }();
+  const int what = any(16);
+  switch (what) {
+    case 0:
+      history.create_triangle();
+      break;
+    case 1:
+      history.destroy_triangle(f);
+      break;
+    case 2:
+      history.glue(h, g);
+      break;
+    case 3:
+      history.glue(h, near);
+      break;
+    case 4:
+      history.unglue(h);
+      break;
+    case 5:
+      history.close_curve(h);
+      break;
+    case 6:
+      history.open_curve(f);
+      break;
+    case 7:
+      history.flip(mesh.edge_handle(h), keep);
+      break;
+    case 8:
+      history.collapse(h, keep);
+      break;
+    case 9:
+      history.weld_edge(h, keep);
+      break;
+    case 10:
+      history.weld_face(v, keep);
+      break;
+    case 11:
+      history.remove_vertex(v, keep);
+      break;
+    case 12:
+      history.insert_diagonal(h, near, keep);
+      break;
+    case 13:
+      history.remove_diagonal(h);
+      break;
+    case 14:
+      if (random() % 2)
+        history.split_edge(h, keep);
+      else
+        history.split([&mesh, f] { return split_face(mesh, f, CarryOver()); });
+      break;
+    default:
+      history.split_vertex(h, random() % 3 ? std::optional(near) : std::nullopt, keep);
+  }
+  return what;
+}
+
+}  // namespace
+
+TEST_SUITE("history") {
+  TEST_CASE("a random walk undone is the identity on all records at each step, and done again the same walk") {
+    std::array<int, 16> done{};
+    for (const Specimen& specimen : corpus()) {
+      INFO(specimen.name);
+      TestMesh mesh;
+      specimen.build(mesh);
+      if (mesh.n_faces() > 200) continue;
+      std::mt19937 random(27);
+      History history(mesh);
+      std::vector<std::vector<int>> records = {snapshot(mesh)};
+      for (int i = 0; i < 1500; ++i) {
+        const std::size_t steps = history.steps();
+        try {
+          ++done[static_cast<std::size_t>(random_step(history, mesh, random))];
+          records.push_back(snapshot(mesh));
+        } catch (const ContractViolation&) {
+          REQUIRE(history.steps() == steps);
+          REQUIRE(snapshot(mesh) == records.back());
+        }
+        // Back and forth on the way: what follows builds on steps that were done again.
+        if (i % 50 == 49)
+          for (unsigned back = 0; back < 2; ++back) {
+            const std::size_t to = history.steps() - std::min<std::size_t>(history.steps(), 20);
+            history.undo_to(to);
+            REQUIRE(snapshot(mesh) == records[to]);
+            while (history.undone_steps() > 0) history.redo();
+            REQUIRE(snapshot(mesh) == records.back());
+          }
+      }
+      check_sound(mesh);
+      REQUIRE(records.size() == history.steps() + 1);
+      while (history.steps() > 0) {
+        history.undo();
+        REQUIRE(snapshot(mesh) == records[history.steps()]);
+      }
+      while (history.undone_steps() > 0) {
+        history.redo();
+        REQUIRE(snapshot(mesh) == records[history.steps()]);
+      }
+      history.undo_to(0);
+      REQUIRE(snapshot(mesh) == records.front());
+    }
+    for (std::size_t what = 0; what < done.size(); ++what) {
+      CAPTURE(what);
+      CHECK(done[what] >= 5);
+    }
+  }
+
+  TEST_CASE("another step after undo() leaves nothing to do again") {
+    TestMesh mesh;
+    History history(mesh);
+    history.create_triangle();
+    history.create_triangle();
+    history.undo();
+    CHECK(history.undone_steps() == 1);
+    history.split_face(Face(0));
+    CHECK(history.undone_steps() == 0);
+    CHECK_THROWS_AS(history.redo(), ContractViolation);
+    history.undo_to(0);
+    CHECK(mesh.n_vertices() == 0);
+    CHECK_THROWS_AS(history.undo(), ContractViolation);
+    CHECK_THROWS_AS(history.undo_to(1), ContractViolation);
+  }
+
+  TEST_CASE("a mesh that others changed is refused, and left as they left it") {
+    TestMesh mesh;
+    History history(mesh);
+    history.create_triangle();
+    mesh.new_vertex();
+    const auto records = snapshot(mesh);
+    CHECK_THROWS_AS(history.undo(), ContractViolation);
+    CHECK_THROWS_AS(history.create_triangle(), ContractViolation);
+    CHECK(snapshot(mesh) == records);
+    OpenMesh::PolyMesh_ArrayKernelT<> without_status;
+    CHECK_THROWS_AS(History{without_status}, ContractViolation);
+  }
+
+  TEST_CASE("a split with a hook is placed again when it is done again") {
+    TestMesh mesh;
+    History history(mesh);
+    history.create_triangle();
+    for (const Vertex v : live_vertices(mesh)) mesh.set_point(v, {static_cast<float>(v.idx()), 0, 0});
+    const Halfedge h = mesh.halfedge_handle(Face(0));
+    const Vertex v = history.split([&] { return split_edge(mesh, h, CarryOver()); }).added.vertex;
+    const TestMesh::Point place = mesh.point(v);
+    history.undo();
+    CHECK(mesh.n_vertices() == 3);
+    history.redo();
+    CHECK(mesh.point(v) == place);
+    CHECK(place[0] == 0.5F);
+  }
+}
