@@ -10,6 +10,7 @@
 
 #include "cli/arguments.h"
 #include "cli/stats.h"
+#include "cli/valid_features.h"
 #include "io/available_memory.h"
 #include "io/failure.h"
 #include "io/gis/read_polygons.h"
@@ -134,26 +135,39 @@ class FillProgress {
   ProgressLine line_;
 };
 
+std::string name_of(const Request& request) { return request.path == "-" ? "standard input" : request.path; }
+
 PolygonFile read(const Request& request, bool quiet) {
   std::optional<ProgressLine> line(std::in_place, "rbpa", !quiet && !read_from_terminal(request.path), "reading");
   PolygonFile file = read_polygons(request.path, request.format);
   line.reset();
-  const std::string name = request.path == "-" ? "standard input" : request.path;
   for (const std::string& remark : file.vertices.remarks)
-    if (!quiet) say("rbpa", name + ": " + remark);
+    if (!quiet) say("rbpa", name_of(request) + ": " + remark);
   return file;
 }
 
-Filling make(const Request& request, const PolygonFile& file, std::span<const SizeAt> sizes,
+ValidFeatures check(const Request& request, const PolygonFile& file, const FillArguments& arguments) {
+  const std::string name = name_of(request);
+  ValidFeatures valid = valid_features(file, name, arguments.skip_invalid);
+  const std::vector<std::string>& why = valid.why_left_out;
+  if (!why.empty() && !arguments.quiet)
+    say("rbpa", name + ": " + counted(why.size(), "feature") + " of " + std::to_string(file.features) +
+                    (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
+                    why.front());
+  return valid;
+}
+
+Filling make(const Request& request, const PolygonFile& file, const ValidFeatures& valid, std::span<const SizeAt> sizes,
              const FillArguments& arguments) {
   FillProgress progress(!arguments.quiet);
-  const std::string name = request.path == "-" ? "standard input" : request.path;
+  const std::string name = name_of(request);
   try {
-    return fill(file.vertices.points, file.polygons,
+    return fill(file.vertices.points, valid.polygons,
                 {.size = request.size,
                  .grade = request.grade,
                  .sizes = sizes,
                  .keep_boundary = arguments.keep_boundary,
+                 .groups = valid.groups,
                  .progress = progress.watch(),
                  .estimated = [&](double triangles) {
                    require_memory(name, triangles);
@@ -162,6 +176,14 @@ Filling make(const Request& request, const PolygonFile& file, std::span<const Si
   } catch (const InvalidInput& e) {
     throw BadInput(name + ": " + e.what());
   }
+}
+
+/// What each triangle is part of.
+TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
+  TriangleFeatures features;
+  for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);
+  for (const NumberProperty& property : file.properties) features.numbers.push_back({property.name, property.values});
+  return features;
 }
 
 /// What pictures and counts are made of.
@@ -181,7 +203,7 @@ Triangulation arrays_of(const Filling& filling) {
 }
 
 void write_targets(OutputSet& outputs, const Request& request, const Filling& filling, const Triangulation& arrays,
-                   bool quiet, const std::vector<std::string>& names) {
+                   const TriangleFeatures& features, bool quiet, const std::vector<std::string>& names) {
   const ProgressLine line("rbpa", !quiet && !written_to_terminal(names), "writing");
   for (const Target& target : request.targets) {
     stop_if_interrupted();
@@ -191,7 +213,7 @@ void write_targets(OutputSet& outputs, const Request& request, const Filling& fi
       const Scene scene = place(drawing, request.width);
       target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
     } else {
-      write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}});
+      write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}, &features});
     }
     file.finish();
   }
@@ -206,12 +228,14 @@ void run_fill(const FillArguments& arguments) {
   std::vector<SizeAt> sizes;
   if (request.size_at) sizes = read_sizes(*request.size_at);
   Stats stats{.points = file.vertices.points.size(), .read_seconds = watch.lap()};
-  const Filling filling = make(request, file, sizes, arguments);
+  const ValidFeatures valid = check(request, file, arguments);
+  const Filling filling = make(request, file, valid, sizes, arguments);
   const Triangulation arrays = arrays_of(filling);
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, request, filling, arrays, arguments.quiet, arguments.outputs);
+  write_targets(outputs, request, filling, arrays, features_of(filling, valid, file), arguments.quiet,
+                arguments.outputs);
   stats.write_seconds = watch.lap();
   const PolygonTotals totals = total(filling.polygons);
   if (arguments.stats) {
@@ -223,7 +247,9 @@ void run_fill(const FillArguments& arguments) {
     stats.of_polygons = totals;
     stats.fill = FillStats{.on_boundary = filling.boundary_points - file.vertices.points.size(),
                            .inside = filling.points.size() - filling.boundary_points,
-                           .retreats = filling.retreats};
+                           .retreats = filling.retreats,
+                           .features = file.features,
+                           .left_out = valid.why_left_out.size()};
     OutputFile& report = outputs.add(*arguments.stats);
     write_stats(report, stats);
     report.finish();
@@ -234,8 +260,10 @@ void run_fill(const FillArguments& arguments) {
   if (arguments.quiet) return;
   char area[32];
   std::snprintf(area, sizeof area, "%.6g", totals.area);
-  say("rbpa", counted(filling.polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", area " +
-                  area + ", " + counted(filling.triangles.size(), "triangle") + " on " +
+  const std::string left_out =
+      valid.why_left_out.empty() ? "" : counted(valid.why_left_out.size(), "invalid feature") + " left out, ";
+  say("rbpa", counted(filling.polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", " + left_out +
+                  "area " + area + ", " + counted(filling.triangles.size(), "triangle") + " on " +
                   counted(filling.points.size(), "point") + list_of(request.targets));
 }
 

@@ -11,6 +11,7 @@
 #include "rbpa/core/error.h"
 #include "rbpa/fill/constrained_delaunay.h"
 #include "rbpa/fill/improve.h"
+#include "rbpa/fill/link_filling.h"
 #include "rbpa/fill/lo_front.h"
 #include "rbpa/fill/outline.h"
 #include "rbpa/fill/polygon_rings.h"
@@ -53,7 +54,9 @@ constexpr double max_triangles = 500e6;
 /// Throws InvalidInput when there would be too many.
 void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
                   const std::function<bool()>& go_on) {
-  const double triangles = estimate_triangles(outline, field, said.keep_boundary, go_on);
+  double triangles = 0;
+  for (const OutlinePart& part : parts_of(outline))
+    triangles += estimate_triangles(part.outline, field, said.keep_boundary, go_on);
   if (!(triangles <= max_triangles)) {
     const std::string others = said.grade || !said.sizes.empty() ? " and what else asks for sizes" : "";
     throw InvalidInput("size: found " + text(said.size) + others + ", at which about " + text(std::round(triangles)) +
@@ -229,27 +232,31 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   drop_unused(pieces, outline);
 }
 
-/// The numbers under which the places are among the points of the result.
-std::vector<std::uint32_t> numbers_of(const Outline& outline, const Pieces& pieces, std::size_t input) {
-  std::vector<std::uint32_t> number = outline.input;
-  for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)
-    number.push_back(static_cast<std::uint32_t>(input + i - outline.input.size()));
-  return number;
+/// The triangles of one group, on places of its part of the outline first.
+Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options,
+                 const std::function<bool()>& go_on) {
+  if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
+  Pieces pieces = advance_from(outline, *field, options);
+  drop_unused(pieces, outline.places.size());
+  make_better(pieces, outline.places.size(), *field, options);
+  return pieces;
 }
 
-void link(Filling& filling) {
-  filling.point_of_vertex = meshops::build_mesh(filling.mesh, soup_of(filling.triangles, filling.points.size()));
-  place(filling.mesh, filling.points, filling.point_of_vertex);
-  const Mesh& mesh = filling.mesh;
-  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
-    const Halfedge first = mesh.halfedge_handle(meshops::Face(static_cast<int>(t)));
-    const auto beyond = [&](Halfedge h) {
-      const meshops::Face f = mesh.face_handle(mesh.opposite_halfedge_handle(h));
-      return f.is_valid() ? static_cast<std::uint32_t>(f.idx()) : TriangleArrays::none;
-    };
-    filling.neighbors.push_back(
-        {beyond(mesh.next_halfedge_handle(first)), beyond(mesh.prev_halfedge_handle(first)), beyond(first)});
+/// Appends the triangles of a part, on points of the whole.
+void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uint32_t> number, const Scale& scale,
+         std::vector<std::pair<Triangle, std::size_t>>& triangles, Filling& filling) {
+  std::vector<std::uint32_t> point;
+  for (const Site s : part.site) point.push_back(number[s]);
+  for (std::size_t i = part.site.size(); i < pieces.places.size(); ++i) {
+    point.push_back(static_cast<std::uint32_t>(filling.points.size()));
+    filling.points.push_back(scale.out(pieces.places[i]));
   }
+  for (const Triangle& triangle : pieces.triangles) {
+    Triangle named{point[triangle[0]], point[triangle[1]], point[triangle[2]]};
+    std::rotate(named.begin(), std::min_element(named.begin(), named.end()), named.end());
+    triangles.emplace_back(named, part.group);
+  }
+  filling.retreats += pieces.retreats;
 }
 
 std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rings,
@@ -276,7 +283,7 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
     if (ask) ask();
     return true;
   };
-  const PolygonRings rings = valid_multipolygon(points, polygons, go_on);
+  const PolygonRings rings = valid_polygons(points, polygons, said.groups, go_on);
   Filling filling;
   filling.points.assign(points.begin(), points.end());
   filling.boundary_points = points.size();
@@ -285,33 +292,35 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
     link(filling);
     return filling;
   }
-  Outline outline = outline_of(points, rings.noded.rings, rings.places);
+  Outline outline = outline_of(points, rings.noded.rings, rings.places, rings.groups);
   const Scale scale(outline);
   std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
-  const FillOptions options = scale.in(said, sizes);
-  Pieces pieces;
-  if (std::isinf(said.size)) {
-    pieces = {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
-  } else {
-    const SizeField field = field_of(outline, options);
-    check_number(outline, field, said, go_on);
-    if (!options.keep_boundary) cut(outline, field, go_on);
-    pieces = advance_from(outline, field, options);
-    drop_unused(pieces, outline.places.size());
-    make_better(pieces, outline.places.size(), field, options);
+  FillOptions options = scale.in(said, sizes);
+  std::optional<SizeField> field;
+  if (!std::isinf(said.size)) {
+    field.emplace(field_of(outline, options));
+    check_number(outline, *field, said, go_on);
+    if (!options.keep_boundary) cut(outline, *field, go_on);
   }
+  std::vector<std::uint32_t> number = outline.input;
+  for (std::size_t i = outline.input.size(); i < outline.places.size(); ++i) {
+    number.push_back(static_cast<std::uint32_t>(filling.points.size()));
+    filling.points.push_back(scale.out(outline.places[i]));
+  }
+  filling.boundary_points = filling.points.size();
 
-  const std::vector<std::uint32_t> number = numbers_of(outline, pieces, points.size());
-  for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)
-    filling.points.push_back(scale.out(pieces.places[i]));
-  filling.boundary_points = points.size() + outline.places.size() - outline.input.size();
-  filling.retreats = pieces.retreats;
-  for (const Triangle& triangle : pieces.triangles) {
-    Triangle named{number[triangle[0]], number[triangle[1]], number[triangle[2]]};
-    std::rotate(named.begin(), std::min_element(named.begin(), named.end()), named.end());
-    filling.triangles.push_back(named);
+  std::vector<std::pair<Triangle, std::size_t>> triangles;
+  if (said.progress)
+    options.progress = [&](const Progress& progress) {
+      return said.progress({triangles.size() + progress.triangles, progress.points});
+    };
+  for (const OutlinePart& part : parts_of(outline))
+    add(part, pieces_of(part.outline, field ? &*field : nullptr, options, go_on), number, scale, triangles, filling);
+  std::sort(triangles.begin(), triangles.end());
+  for (const auto& [triangle, group] : triangles) {
+    filling.triangles.push_back(triangle);
+    filling.groups.push_back(group);
   }
-  std::sort(filling.triangles.begin(), filling.triangles.end());
   link(filling);
   filling.polygons = polygons_of(outline, rings, number, polygons, filling.points);
   return filling;

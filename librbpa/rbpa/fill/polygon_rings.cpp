@@ -86,39 +86,55 @@ void check_in_one_piece(const PolygonRings& rings, const Range& range, std::span
   }
 }
 
-std::vector<Range> ranges_of(const PolygonRings& rings) {
+std::vector<Range> polygons_in(const PolygonRings& rings, const Range& group) {
   std::vector<Range> ranges;
-  for (std::size_t r = 0; r < rings.roles.size(); ++r) {
+  for (std::size_t r = group.first; r < group.last; ++r) {
     if (!rings.roles[r].hole) ranges.push_back({r, r});
     ranges.back().last = r + 1;
   }
   return ranges;
 }
 
+std::vector<Range> groups_in(const PolygonRings& rings) {
+  std::vector<Range> ranges;
+  for (std::size_t r = 0; r < rings.groups.size(); ++r) {
+    if (r == 0 || rings.groups[r] != rings.groups[r - 1]) ranges.push_back({r, r});
+    ranges.back().last = r + 1;
+  }
+  return ranges;
+}
+
+/// Of each ring that of its polygon: what `begins` has last before it.
+std::vector<std::size_t> groups_of(const PolygonRings& rings, std::span<const std::size_t> begins,
+                                   std::size_t polygons) {
+  if (begins.empty()) return std::vector<std::size_t>(rings.roles.size(), 0);
+  if (begins[0] != 0 || begins.back() > polygons || !std::is_sorted(begins.begin(), begins.end()))
+    throw InvalidInput(
+        "groups: found other numbers, expected those of the polygons with which they begin, ascending from 0");
+  std::vector<std::size_t> groups;
+  for (const RingRole& role : rings.roles)
+    groups.push_back(
+        static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), role.polygon) - begins.begin()) - 1);
+  return groups;
+}
+
 }  // namespace
 
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
-                            const std::function<bool()>& go_on) {
+                            std::span<const std::size_t> groups, const std::function<bool()>& go_on) {
   PolygonRings rings = noded_rings(points, polygons, go_on);
-  for (const Range& polygon : ranges_of(rings)) {
-    place(rings, polygon, points, go_on);
-    check_in_one_piece(rings, polygon, points);
+  rings.groups = groups_of(rings, groups, polygons.size());
+  for (const Range& group : groups_in(rings)) {
+    place(rings, group, points, go_on);
+    for (const Range& polygon : polygons_in(rings, group)) check_in_one_piece(rings, polygon, points);
   }
-  return rings;
-}
-
-PolygonRings valid_multipolygon(std::span<const Point> points, std::span<const Polygon> polygons,
-                                const std::function<bool()>& go_on) {
-  PolygonRings rings = noded_rings(points, polygons, go_on);
-  place(rings, {0, rings.input.size()}, points, go_on);
-  for (const Range& polygon : ranges_of(rings)) check_in_one_piece(rings, polygon, points);
   return rings;
 }
 
 std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
                                        const std::function<bool()>& go_on) {
   try {
-    valid_multipolygon(points, polygons, go_on);
+    valid_polygons(points, polygons, {}, go_on);
   } catch (const InvalidInput& e) {
     return e.what();
   }

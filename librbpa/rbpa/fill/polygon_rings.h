@@ -25,18 +25,15 @@ struct RingRole {
 struct PolygonRings {
   std::vector<Ring> input = {};
   std::vector<RingRole> roles = {};
+  std::vector<std::size_t> groups = {};  ///< of each ring, ascending
   NodedRings noded = {};
   std::vector<RingPlace> places = {};
 };
 
-/// Each polygon is valid by itself; whether it meets others is not looked at, but that vertices of others on its edges
-/// become its own.
+/// The polygons of each group, which begins where `groups` says (fill.h), are a valid multipolygon. Whether it meets others
+/// is not looked at, but that vertices of others on its edges become its own.
 /// Throws: InvalidInput that names what is not valid, and where; Cancelled.
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
-                            const std::function<bool()>& go_on);
-
-/// The polygons are a valid multipolygon. Throws: likewise.
-PolygonRings valid_multipolygon(std::span<const Point> points, std::span<const Polygon> polygons,
-                                const std::function<bool()>& go_on);
+                            std::span<const std::size_t> groups, const std::function<bool()>& go_on);
 
 }  // namespace rbpa
