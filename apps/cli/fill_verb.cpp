@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "cli/arguments.h"
 #include "cli/stats.h"
+#include "cli/valid_features.h"
+#include "io/available_memory.h"
 #include "io/failure.h"
 #include "io/gis/read_polygons.h"
 #include "io/gis/read_sizes.h"
@@ -61,13 +65,18 @@ PolygonFormat parse_format(const std::string& path, const std::optional<std::str
 Request parse(const FillArguments& arguments) {
   Request request{.path = arguments.polygons,
                   .format = parse_format(arguments.polygons, arguments.format),
-                  .size = parse_positive("--size", arguments.size, "a length in units of the polygons"),
+                  .size = arguments.size == "inf"
+                              ? std::numeric_limits<double>::infinity()
+                              : parse_positive("--size", arguments.size, "inf or a length in units of the polygons"),
                   .size_at = arguments.size_at,
                   .grade = {},
                   .targets = {},
                   .width = parse_width(arguments.width)};
   if (arguments.grade)
     request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
+  if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
+    throw WrongUsage("--size inf: found " + std::string(arguments.grade ? "--grade" : "--size-at") +
+                     " as well, expected one of them: no point is added");
   request.targets = parse_targets(arguments.outputs, arguments.output_format, given({arguments.stats}),
                                   arguments.polygons, Complex::solid);
   if (request.size_at) {
@@ -80,10 +89,29 @@ Request parse(const FillArguments& arguments) {
   return request;
 }
 
+/// The peak of a run of a million triangles, for each of them: docs/fill.md, section 4.
+constexpr double bytes_a_triangle = 320;
+
+/// Throws when so many triangles would take more memory than there is.
+void require_memory(const std::string& name, double triangles) {
+  const std::optional<double> there = available_memory();
+  const double wanted = bytes_a_triangle * triangles;
+  if (there && wanted > *there)
+    throw BadInput(name + ": found sizes at which about " + short_number(triangles) +
+                   " triangles would be made, which take about " + bytes_text(wanted) +
+                   " of memory, expected no more than the " + bytes_text(*there) + " there are: larger sizes");
+}
+
 /// A line that counts triangles, and hears Ctrl-C.
 class FillProgress {
  public:
   explicit FillProgress(bool wanted) : line_("rbpa", wanted, "filling") {}
+
+  /// Before watch() sees the first triangle.
+  void expect(double triangles) {
+    expected_ = triangles;
+    line_.say([triangles](double) { return "about " + short_number(triangles) + " triangles"; });
+  }
 
   std::function<bool(const Progress&)> watch() {
     return [this](const Progress& progress) {
@@ -92,7 +120,7 @@ class FillProgress {
         begun_ = true;
         line_.say([this](double seconds) {
           const auto done = static_cast<double>(triangles_.load());
-          const std::string text = short_number(done) + " triangles";
+          const std::string text = short_number(done) + " of about " + short_number(expected_) + " triangles";
           return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
         });
       }
@@ -102,33 +130,60 @@ class FillProgress {
 
  private:
   std::atomic<std::size_t> triangles_ = 0;
+  double expected_ = 0;
   bool begun_ = false;
   ProgressLine line_;
 };
+
+std::string name_of(const Request& request) { return request.path == "-" ? "standard input" : request.path; }
 
 PolygonFile read(const Request& request, bool quiet) {
   std::optional<ProgressLine> line(std::in_place, "rbpa", !quiet && !read_from_terminal(request.path), "reading");
   PolygonFile file = read_polygons(request.path, request.format);
   line.reset();
-  const std::string name = request.path == "-" ? "standard input" : request.path;
   for (const std::string& remark : file.vertices.remarks)
-    if (!quiet) say("rbpa", name + ": " + remark);
+    if (!quiet) say("rbpa", name_of(request) + ": " + remark);
   return file;
 }
 
-Filling make(const Request& request, const PolygonFile& file, std::span<const SizeAt> sizes,
+ValidFeatures check(const Request& request, const PolygonFile& file, const FillArguments& arguments) {
+  const std::string name = name_of(request);
+  ValidFeatures valid = valid_features(file, name, arguments.skip_invalid);
+  const std::vector<std::string>& why = valid.why_left_out;
+  if (!why.empty() && !arguments.quiet)
+    say("rbpa", name + ": " + counted(why.size(), "feature") + " of " + std::to_string(file.features) +
+                    (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
+                    why.front());
+  return valid;
+}
+
+Filling make(const Request& request, const PolygonFile& file, const ValidFeatures& valid, std::span<const SizeAt> sizes,
              const FillArguments& arguments) {
   FillProgress progress(!arguments.quiet);
+  const std::string name = name_of(request);
   try {
-    return fill(file.vertices.points, file.polygons,
+    return fill(file.vertices.points, valid.polygons,
                 {.size = request.size,
                  .grade = request.grade,
                  .sizes = sizes,
                  .keep_boundary = arguments.keep_boundary,
-                 .progress = progress.watch()});
+                 .groups = valid.groups,
+                 .progress = progress.watch(),
+                 .estimated = [&](double triangles) {
+                   require_memory(name, triangles);
+                   progress.expect(triangles);
+                 }});
   } catch (const InvalidInput& e) {
-    throw BadInput((request.path == "-" ? "standard input" : request.path) + ": " + e.what());
+    throw BadInput(name + ": " + e.what());
   }
+}
+
+/// What each triangle is part of.
+TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
+  TriangleFeatures features;
+  for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);
+  for (const NumberProperty& property : file.properties) features.numbers.push_back({property.name, property.values});
+  return features;
 }
 
 /// What pictures and counts are made of.
@@ -148,7 +203,7 @@ Triangulation arrays_of(const Filling& filling) {
 }
 
 void write_targets(OutputSet& outputs, const Request& request, const Filling& filling, const Triangulation& arrays,
-                   bool quiet, const std::vector<std::string>& names) {
+                   const TriangleFeatures& features, bool quiet, const std::vector<std::string>& names) {
   const ProgressLine line("rbpa", !quiet && !written_to_terminal(names), "writing");
   for (const Target& target : request.targets) {
     stop_if_interrupted();
@@ -158,7 +213,7 @@ void write_targets(OutputSet& outputs, const Request& request, const Filling& fi
       const Scene scene = place(drawing, request.width);
       target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
     } else {
-      write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}});
+      write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}, &features});
     }
     file.finish();
   }
@@ -173,12 +228,14 @@ void run_fill(const FillArguments& arguments) {
   std::vector<SizeAt> sizes;
   if (request.size_at) sizes = read_sizes(*request.size_at);
   Stats stats{.points = file.vertices.points.size(), .read_seconds = watch.lap()};
-  const Filling filling = make(request, file, sizes, arguments);
+  const ValidFeatures valid = check(request, file, arguments);
+  const Filling filling = make(request, file, valid, sizes, arguments);
   const Triangulation arrays = arrays_of(filling);
   stats.build_seconds = watch.lap();
 
   OutputSet outputs;
-  write_targets(outputs, request, filling, arrays, arguments.quiet, arguments.outputs);
+  write_targets(outputs, request, filling, arrays, features_of(filling, valid, file), arguments.quiet,
+                arguments.outputs);
   stats.write_seconds = watch.lap();
   const PolygonTotals totals = total(filling.polygons);
   if (arguments.stats) {
@@ -190,7 +247,9 @@ void run_fill(const FillArguments& arguments) {
     stats.of_polygons = totals;
     stats.fill = FillStats{.on_boundary = filling.boundary_points - file.vertices.points.size(),
                            .inside = filling.points.size() - filling.boundary_points,
-                           .retreats = filling.retreats};
+                           .retreats = filling.retreats,
+                           .features = file.features,
+                           .left_out = valid.why_left_out.size()};
     OutputFile& report = outputs.add(*arguments.stats);
     write_stats(report, stats);
     report.finish();
@@ -201,8 +260,10 @@ void run_fill(const FillArguments& arguments) {
   if (arguments.quiet) return;
   char area[32];
   std::snprintf(area, sizeof area, "%.6g", totals.area);
-  say("rbpa", counted(filling.polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", area " +
-                  area + ", " + counted(filling.triangles.size(), "triangle") + " on " +
+  const std::string left_out =
+      valid.why_left_out.empty() ? "" : counted(valid.why_left_out.size(), "invalid feature") + " left out, ";
+  say("rbpa", counted(filling.polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", " + left_out +
+                  "area " + area + ", " + counted(filling.triangles.size(), "triangle") + " on " +
                   counted(filling.points.size(), "point") + list_of(request.targets));
 }
 

@@ -15,6 +15,7 @@ struct FillArguments {
   std::optional<std::string> size_at;
   std::optional<std::string> grade;
   bool keep_boundary = false;
+  bool skip_invalid = false;
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;

@@ -62,6 +62,8 @@ void write_stats(OutputFile& file, const Stats& stats) {
     report["points_on_boundary"] = stats.fill->on_boundary;
     report["points_inside"] = stats.fill->inside;
     report["retreats"] = stats.fill->retreats;
+    report["features"] = stats.fill->features;
+    report["invalid_features"] = stats.fill->left_out;
   }
   if (stats.tiles) report["tiles"] = *stats.tiles;
   report["seconds"] = {{"read", stats.read_seconds},

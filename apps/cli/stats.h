@@ -17,6 +17,8 @@ struct FillStats {
   std::size_t on_boundary = 0;  ///< points that were put on edges
   std::size_t inside = 0;       ///< points that were put inside
   std::size_t retreats = 0;     ///< of the front
+  std::size_t features = 0;     ///< of the file
+  std::size_t left_out = 0;     ///< of these, as they are not valid
 };
 
 struct Stats {

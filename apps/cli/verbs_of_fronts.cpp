@@ -16,7 +16,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
       ->type_name("NAME");
   verb.add_option("--size", arguments.size,
                   "Length that edges are to have, required, in units of the polygons; where others ask for less, the "
-                  "greatest")
+                  "greatest; inf: no point is added, the constrained Delaunay triangulation")
       ->type_name("H")
       ->required();
   verb.add_option(
@@ -29,6 +29,8 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
       ->type_name("G");
   add_switch(verb, "--keep-boundary", arguments.keep_boundary,
              "Leave the edges of the polygons whole; by default those that are longer than the size are cut");
+  add_switch(verb, "--skip-invalid", arguments.skip_invalid,
+             "Go on without features that are not valid, and say how many");
   add_output_options(verb, arguments, output_formats);
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
@@ -39,7 +41,13 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
       "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
       "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
       "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
-      "Polygons that cross or touch themselves or each other are refused, and the place is named.\n"
+      "Rings may touch in single points (OGC Simple Features); what crosses or overlaps is refused, and feature and "
+      "place\n"
+      "are named. Features may share edges, along which triangles meet in whole edges, or overlap. Each triangle of "
+      ".ply "
+      "and\n"
+      ".vtu has the number of its feature, from 0, as 'feature'; .vtu has the numbers among its GeoJSON properties "
+      "too.\n"
       "Vertices of a mesh file are those of POLYGON in its order, then those on edges that were cut, then those "
       "inside.\n" +
       std::string(exit_codes));

@@ -71,7 +71,7 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
 }
 
 /// Binary little-endian. A mesh may have more of each vertex: properties(), the lines of the header, each with its end,
-/// and write_properties(file, i). The length of a face is a byte, which every reader knows, unless one is too long for that.
+/// and write_properties(file, i); and of each face: face_properties() and write_face_properties(file, f). The length of a face is a byte, which every reader knows, unless one is too long for that.
 template <typename Mesh>
 void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;
@@ -83,8 +83,9 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
   if constexpr (requires { mesh.properties(); }) file.write(mesh.properties());
   file.write("element face ");
   file.write_number(std::uint64_t{mesh.faces()});
-  file.write(long_faces ? "\nproperty list uint int vertex_indices\nend_header\n"
-                        : "\nproperty list uchar int vertex_indices\nend_header\n");
+  file.write(long_faces ? "\nproperty list uint int vertex_indices\n" : "\nproperty list uchar int vertex_indices\n");
+  if constexpr (requires { mesh.face_properties(); }) file.write(mesh.face_properties());
+  file.write("end_header\n");
   for (std::size_t i = 0; i < mesh.points(); ++i) {
     const std::array<double, 3> p = mesh.point(i);
     file.write_binary(std::span<const double>(p));
@@ -100,6 +101,7 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
       file.write_binary(std::span<const std::uint8_t>(short_length));
     }
     file.write_binary(corners);
+    if constexpr (requires { mesh.face_properties(); }) mesh.write_face_properties(file, f);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "rbpa/core/point.h"
@@ -13,12 +14,25 @@ namespace rbpa::app {
 using Triangle = std::array<std::uint32_t, 3>;
 using Edge = std::array<std::uint32_t, 2>;
 
+/// A number of each feature.
+struct FeatureNumbers {
+  std::string name;
+  std::span<const double> values;
+};
+
+/// What triangles are parts of: a number for each, and more numbers by that.
+struct TriangleFeatures {
+  std::vector<std::uint32_t> of_triangle;
+  std::vector<FeatureNumbers> numbers;
+};
+
 /// All as indices into vertices.
 struct TriangleMesh {
   std::span<const Point> vertices;
   std::span<const Triangle> triangles;
   std::span<const Edge> edges = {};            ///< in no triangle
   std::span<const std::uint32_t> points = {};  ///< in neither
+  const TriangleFeatures* features = nullptr;  ///< where there are neither edges nor points
 };
 
 /// The mesh without the vertices that nothing uses; the others keep their order, and so do triangles, edges and points.

@@ -18,6 +18,11 @@ struct InSpace {
   std::size_t faces() const { return mesh.triangles.size(); }
   std::array<double, 3> point(std::size_t i) const { return {mesh.vertices[i].x, mesh.vertices[i].y, 0}; }
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
+  std::string_view face_properties() const { return mesh.features == nullptr ? "" : "property uint feature\n"; }
+  void write_face_properties(OutputFile& file, std::size_t f) const {
+    if (mesh.features != nullptr)
+      file.write_binary(std::span<const std::uint32_t>(mesh.features->of_triangle).subspan(f, 1));
+  }
 };
 
 void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {

@@ -1,10 +1,12 @@
 #include "io/write_vtu.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rbpa::app {
 namespace {
@@ -45,6 +47,67 @@ void write_ends(OutputFile& file, std::uint64_t& end, std::uint64_t corners, std
   }
 }
 
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  return result;
+}
+
+/// What of features is written.
+class CellData {
+ public:
+  CellData(const TriangleMesh& mesh, std::uint64_t offset) : features_(mesh.features), cells_(mesh.triangles.size()) {
+    if (features_ == nullptr) return;
+    blocks_.push_back({offset, cells_ * sizeof(std::uint32_t)});
+    names_.emplace_back("feature");
+    for (const FeatureNumbers& numbers : features_->numbers) {
+      const std::string name = escaped(numbers.name);
+      std::string unique = name;
+      for (int i = 2; std::find(names_.begin(), names_.end(), unique) != names_.end(); ++i)
+        unique = name + "_" + std::to_string(i);
+      names_.push_back(unique);
+      blocks_.push_back({blocks_.back().end(), cells_ * sizeof(double)});
+    }
+  }
+
+  void declare(OutputFile& file) const {
+    if (features_ == nullptr) return;
+    file.write("<CellData Scalars=\"feature\">\n");
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      write_array(file, i == 0 ? "UInt32" : "Float64", "Name=\"" + names_[i] + "\"", blocks_[i]);
+    file.write("</CellData>\n");
+  }
+
+  void append(OutputFile& file) const {
+    if (features_ == nullptr) return;
+    write_size(file, blocks_[0]);
+    file.write_binary(std::span<const std::uint32_t>(features_->of_triangle));
+    for (std::size_t i = 1; i < blocks_.size(); ++i) {
+      write_size(file, blocks_[i]);
+      for (const std::uint32_t feature : features_->of_triangle)
+        file.write_binary(features_->numbers[i - 1].values.subspan(feature, 1));
+    }
+  }
+
+ private:
+  const TriangleFeatures* features_;
+  std::uint64_t cells_;
+  std::vector<Block> blocks_ = {};
+  std::vector<std::string> names_ = {};
+};
+
 }  // namespace
 
 void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
@@ -55,6 +118,7 @@ void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
   const Block connectivity{positions.end(), corners * sizeof(std::uint32_t)};
   const Block ends{connectivity.end(), cells * sizeof(std::uint64_t)};
   const Block types{ends.end(), cells};
+  const CellData cell_data(mesh, types.end());
 
   file.write(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -68,7 +132,9 @@ void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
   write_array(file, "UInt32", "Name=\"connectivity\"", connectivity);
   write_array(file, "UInt64", "Name=\"offsets\"", ends);
   write_array(file, "UInt8", "Name=\"types\"", types);
-  file.write("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+  file.write("</Cells>\n");
+  cell_data.declare(file);
+  file.write("</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
 
   write_size(file, positions);
   for (const Point& p : mesh.vertices) {
@@ -88,6 +154,7 @@ void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
   write_repeated(file, vtk_triangle, mesh.triangles.size());
   write_repeated(file, vtk_line, mesh.edges.size());
   write_repeated(file, vtk_vertex, mesh.points.size());
+  cell_data.append(file);
   file.write("\n</AppendedData>\n</VTKFile>\n");
 }
 

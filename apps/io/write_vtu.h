@@ -8,7 +8,9 @@
 
 namespace rbpa::app {
 
-/// Appended raw data, little-endian: cells are the triangles, then the edges, then the points.
+/// Appended raw data, little-endian: cells are the triangles, then the edges, then the points. Of features
+/// the number, as cell data `feature`, and what they have of numbers, as cell data under their own names; where a name comes
+/// twice, or is `feature`, with _2 and so on behind it.
 void write_vtu(OutputFile& file, const TriangleMesh& mesh);
 
 }  // namespace rbpa::app

@@ -19,7 +19,7 @@ set(arrows
   rbpa/paper>rbpa/core rbpa/paper>rbpa/predicate rbpa/paper>rbpa/run rbpa/paper>meshops/front rbpa/paper>meshops/patch
   rbpa/shape>rbpa rbpa/shape>rbpa/core rbpa/shape>rbpa/predicate
   rbpa/shape>meshops/core rbpa/shape>meshops/front rbpa/shape>meshops/topology
-  rbpa/fill>rbpa/core rbpa/fill>rbpa/predicate rbpa/fill>rbpa/search rbpa/fill>rbpa/run rbpa/fill>rbpa/shape
+  rbpa/fill>rbpa rbpa/fill>rbpa/core rbpa/fill>rbpa/predicate rbpa/fill>rbpa/search rbpa/fill>rbpa/run rbpa/fill>rbpa/shape
   rbpa/fill>meshops/core rbpa/fill>meshops/front rbpa/fill>meshops/patch rbpa/fill>meshops/stellar
   rbpa/fill>meshops/topology
   rbpa/run>rbpa/core rbpa/run>rbpa/predicate rbpa/run>rbpa/search

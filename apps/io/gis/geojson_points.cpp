@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "io/failure.h"
@@ -39,13 +42,14 @@ class Position {
 };
 
 /// What the value of a key is.
-enum class Slot { ignored, type, coordinates, object, objects, crs };
+enum class Slot { ignored, type, coordinates, object, objects, crs, properties };
 
 Slot slot_of(const std::string& key) {
   if (key == "type") return Slot::type;
   if (key == "coordinates") return Slot::coordinates;
   if (key == "geometry") return Slot::object;
   if (key == "features" || key == "geometries") return Slot::objects;
+  if (key == "properties") return Slot::properties;
   return key == "crs" ? Slot::crs : Slot::ignored;
 }
 
@@ -53,7 +57,7 @@ Slot slot_of(const std::string& key) {
 class Events {
  public:
   /// With `polygons` these are taken, and nothing else.
-  Events(std::string_view text, const std::string& name, bool vertices, std::vector<Polygon>* polygons = nullptr)
+  Events(std::string_view text, const std::string& name, bool vertices, PolygonFile* polygons = nullptr)
       : begin_(text.data()),
         at_(begin_),
         end_(begin_ + text.size()),
@@ -101,6 +105,8 @@ class Events {
   bool key(const std::string& key) {
     if (in_crs_ > 0) {
       crs_key_ = key;
+    } else if (in_properties_ > 0) {
+      property_ = key;
     } else if (skipped_ == 0) {
       Frame& frame = frames_.back();
       frame.slot = slot_of(key);
@@ -116,17 +122,19 @@ class Events {
     if (!frames_.empty()) {
       const Frame& frame = frames_.back();
       if (frame.slot == Slot::crs) return ++in_crs_ > 0;
+      if (frame.slot == Slot::properties) return ++in_properties_ > 0;
       if (frame.slot == Slot::ignored) return ++skipped_ > 0;
       if (frame.slot == Slot::coordinates || frame.slot == Slot::type ||
           (frame.slot == Slot::objects && !frame.in_list))
         refuse("an object", "a " + expected(frame.slot));
     }
-    frames_.push_back({});
+    frames_.push_back({.geometries = polygons_ == nullptr ? 0 : polygons_->geometries.size()});
     return true;
   }
   bool end_object() {
     if (passes_over(-1)) return true;
     finish(frames_.back());
+    if (polygons_ != nullptr) count_feature(frames_.back(), frames_.size() == 1);
     frames_.pop_back();
     return true;
   }
@@ -135,7 +143,7 @@ class Events {
     if (passes_over(+1)) return true;
     if (frames_.empty()) refuse("an array", "a GeoJSON object");
     Frame& frame = frames_.back();
-    if (frame.slot == Slot::ignored) return ++skipped_ > 0;
+    if (is_passed_over(frame.slot)) return ++skipped_ > 0;
     if (frame.slot == Slot::coordinates) return check(frame.geometry->open());
     if (frame.slot != Slot::objects || frame.in_list) refuse("an array", "a " + expected(frame.slot));
     return frame.in_list = true;
@@ -161,7 +169,11 @@ class Events {
     Slot slot = Slot::ignored;
     bool in_list = false;  // of Slot::objects
     std::optional<GeoJsonGeometry> geometry = std::nullopt;
+    std::size_t geometries = 0;                                // that were read before it
+    std::vector<std::pair<std::string, double>> numbers = {};  // its properties
   };
+
+  static bool is_passed_over(Slot slot) { return slot == Slot::ignored || slot == Slot::properties; }
 
   static std::string expected(Slot slot) {
     if (slot == Slot::type) return "type: a text";
@@ -186,13 +198,13 @@ class Events {
   }
 
   bool is_in(Slot slot) const {
-    return skipped_ == 0 && in_crs_ == 0 && !frames_.empty() && frames_.back().slot == slot;
+    return skipped_ == 0 && in_crs_ == 0 && in_properties_ == 0 && !frames_.empty() && frames_.back().slot == slot;
   }
 
   /// What begins or ends lies in what is of no interest.
   bool passes_over(int step) {
     if (++events_ % 65536 == 0) stop_if_interrupted();
-    std::size_t& depth = in_crs_ > 0 ? in_crs_ : skipped_;
+    std::size_t& depth = in_crs_ > 0 ? in_crs_ : in_properties_ > 0 ? in_properties_ : skipped_;
     if (depth == 0) return false;
     depth = step > 0 ? depth + 1 : depth - 1;
     return true;
@@ -200,15 +212,16 @@ class Events {
 
   /// A value that is neither number, object nor array.
   bool scalar(const std::string& found, bool fits) const {
-    if (skipped_ > 0 || in_crs_ > 0) return true;
+    if (skipped_ > 0 || in_crs_ > 0 || in_properties_ > 0) return true;
     if (frames_.empty()) refuse(found, "a GeoJSON object");
-    if (!fits && frames_.back().slot != Slot::ignored) refuse(found, "a " + expected(frames_.back().slot));
+    if (!fits && !is_passed_over(frames_.back().slot)) refuse(found, "a " + expected(frames_.back().slot));
     return true;
   }
 
   bool number(double value) {
     if (in_crs_ > 0 && crs_key_ == "code" && value > 0 && value < 1e9 && value == std::trunc(value))
       crs_name_ = "EPSG:" + std::to_string(static_cast<std::uint64_t>(value));
+    if (in_properties_ == 1 && polygons_ != nullptr) frames_.back().numbers.emplace_back(property_, value);
     if (is_in(Slot::coordinates)) return check(frames_.back().geometry->add(value));
     return scalar("a number", false);
   }
@@ -230,8 +243,31 @@ class Events {
     if (polygons_ != nullptr && !kind->rings) refuse("a " + frame.type, "Polygon or MultiPolygon");
     if (polygons_ == nullptr && !vertices_ && !kind->points)
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
-    if (!frame.geometry->finish(*kind, file_.points, polygons_))
+    const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
+    if (!frame.geometry->finish(*kind, file_.points, polygons_ == nullptr ? nullptr : &polygons_->polygons))
       refuse("coordinates of another depth", std::to_string(kind->depth) + " brackets, as a " + frame.type + " has");
+    if (polygons_ != nullptr && polygons_->polygons.size() > before)
+      polygons_->geometries.push_back({before, no_feature});
+  }
+
+  /// At the end of a Feature; and at that of the outermost object, for geometries that are in none.
+  void count_feature(const Frame& frame, bool is_outermost) {
+    const auto first = polygons_->geometries.begin() + static_cast<std::ptrdiff_t>(frame.geometries);
+    const auto has_none = [](const PolygonGeometry& geometry) { return geometry.feature == no_feature; };
+    const bool is_geometry = is_outermost && frame.type != "FeatureCollection";
+    if (frame.type != "Feature" && !is_geometry &&
+        !(is_outermost && std::any_of(first, polygons_->geometries.end(), has_none)))
+      return;
+    for (auto geometry = first; geometry != polygons_->geometries.end(); ++geometry)
+      if (has_none(*geometry)) geometry->feature = polygons_->features;
+    for (const auto& [name, value] : frame.numbers) {
+      const auto [at, is_new] = property_numbers_.emplace(name, polygons_->properties.size());
+      if (is_new) polygons_->properties.push_back({name, {}});
+      std::vector<double>& values = polygons_->properties[at->second].values;
+      values.resize(polygons_->features + 1, std::numeric_limits<double>::quiet_NaN());
+      values.back() = value;
+    }
+    ++polygons_->features;
   }
 
   void settle_crs() {
@@ -243,17 +279,22 @@ class Events {
                               ", which is not understood (--crs says it)");
   }
 
+  static constexpr std::size_t no_feature = std::numeric_limits<std::size_t>::max();
+
   const char* begin_;
   const char* at_;  // how far the parser has read
   const char* end_;
   const std::string& name_;
   bool vertices_;
-  std::vector<Polygon>* polygons_;
+  PolygonFile* polygons_;
   PointFile file_ = {};
   std::vector<Frame> frames_ = {};
   std::size_t skipped_ = 0;  // brackets that are open around what is of no interest
   std::size_t in_crs_ = 0;   // and in "crs"
   std::string crs_key_ = {};
+  std::size_t in_properties_ = 0;  // and in "properties"
+  std::string property_ = {};
+  std::map<std::string, std::size_t> property_numbers_ = {};
   std::optional<std::string> crs_name_ = std::nullopt;
   bool crs_is_unknown_ = false;
   std::size_t without_geometry_ = 0;
@@ -275,7 +316,9 @@ PointFile read_geojson_points(std::string_view text, const std::string& name, bo
 
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name) {
   PolygonFile file;
-  file.vertices = Events(without_mark(text), name, true, &file.polygons).read();
+  file.vertices = Events(without_mark(text), name, true, &file).read();
+  for (NumberProperty& property : file.properties)
+    property.values.resize(file.features, std::numeric_limits<double>::quiet_NaN());
   return file;
 }
 

@@ -16,7 +16,8 @@ namespace rbpa::app {
 /// Throws BadInput naming the line.
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices);
 
-/// The polygons of Polygon and MultiPolygon; anything else that has coordinates is refused.
+/// The polygons of Polygon and MultiPolygon, each a geometry, of collections as well; anything else that has coordinates is
+/// refused. A geometry outside of a Feature is a feature with those around it. Of properties those that are numbers.
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

@@ -33,6 +33,8 @@ class PolyReader {
     } catch (const InvalidInput& e) {
       throw BadInput(name_ + ": " + e.what());
     }
+    if (!file.polygons.empty()) file.geometries.push_back({0, 0});
+    file.features = 1;
     return file;
   }
 

@@ -94,6 +94,7 @@ bool WktGeometries::next(std::vector<Point>& points) {
   if (text_.empty()) return false;
   take_srid();
   take_geometry(points, 0);
+  if (polygons_ != nullptr) ++polygons_->features;
   return true;
 }
 
@@ -144,14 +145,17 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   if (name == "MULTIPOINT") return take_list(points);
   if (!vertices_)
     throw WktFault{begin.data(), name, "POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)"};
+  const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
   take_lists(points, kind.depth, kind.rings);
+  if (polygons_ != nullptr && polygons_->polygons.size() > before)
+    polygons_->geometries.push_back({before, polygons_->features});
 }
 
 /// As many brackets around each other as the kind has; the innermost are lines, or rings, which end where they begin.
 void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
   if (brackets == 1) return rings ? take_ring(points) : take_list(points);
   if (take_empty()) return;
-  if (brackets == 2 && polygons_ != nullptr) polygons_->emplace_back();
+  if (brackets == 2 && polygons_ != nullptr) polygons_->polygons.emplace_back();
   expect_sign('(');
   do take_lists(points, brackets - 1, rings);
   while (take_sign(','));
@@ -163,7 +167,7 @@ void WktGeometries::take_ring(std::vector<Point>& points) {
   take_list(points);
   if (points.size() > first + 1 && points.back() == points[first]) points.pop_back();
   if (polygons_ == nullptr) return;
-  Polygon& polygon = polygons_->back();
+  Polygon& polygon = polygons_->polygons.back();
   Ring& ring = polygon.shell.points.empty() ? polygon.shell : polygon.holes.emplace_back();
   for (std::size_t i = first; i < points.size(); ++i) ring.points.push_back(static_cast<std::uint32_t>(i));
 }

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "io/crs.h"
+#include "io/gis/polygon_file.h"
 #include "io/heights.h"
 #include "rbpa/core/point.h"
-#include "rbpa/shape/polygons.h"
 
 namespace rbpa::app {
 
@@ -28,9 +28,9 @@ class WktGeometries {
   /// Of other geometries than POINT and MULTIPOINT the vertices count as points, if so wanted; the point at which a ring
   /// closes counts once.
   WktGeometries(std::string_view text, bool vertices) : text_(text), vertices_(vertices) {}
-  /// Polygons and what is made of them: these are appended to `polygons`, and other geometries are refused.
-  WktGeometries(std::string_view text, std::vector<Polygon>& polygons)
-      : text_(text), vertices_(true), polygons_(&polygons) {}
+  /// Polygons and what is made of them: these are appended to `polygons`, with their geometries, and other geometries are
+  /// refused. A collection is one feature.
+  WktGeometries(std::string_view text, PolygonFile& polygons) : text_(text), vertices_(true), polygons_(&polygons) {}
 
   /// Appends the points of the next geometry; false when there is none. Throws WktFault.
   bool next(std::vector<Point>& points);
@@ -57,7 +57,7 @@ class WktGeometries {
 
   std::string_view text_;
   bool vertices_;
-  std::vector<Polygon>* polygons_ = nullptr;
+  PolygonFile* polygons_ = nullptr;
   std::optional<Crs> crs_ = std::nullopt;
   bool measured_ = false;  // the third coordinate of the current geometry is a measure
   Heights heights_ = {};

@@ -32,7 +32,7 @@ PointFile read_wkt_points(std::string_view text, const std::string& name, bool v
 
 PolygonFile read_wkt_polygons(std::string_view text, const std::string& name) {
   PolygonFile file;
-  WktGeometries geometries(text, file.polygons);
+  WktGeometries geometries(text, file);
   file.vertices = read_all(geometries, text, name);
   return file;
 }

@@ -9,10 +9,13 @@
 #include "meshops/front/engine.h"
 #include "meshops/topology/build_mesh.h"
 #include "rbpa/core/error.h"
+#include "rbpa/fill/constrained_delaunay.h"
 #include "rbpa/fill/improve.h"
+#include "rbpa/fill/link_filling.h"
 #include "rbpa/fill/lo_front.h"
 #include "rbpa/fill/outline.h"
-#include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/polygon_rings.h"
+#include "rbpa/fill/size_estimate.h"
 #include "rbpa/fill/size_field.h"
 #include "rbpa/run/input.h"
 #include "rbpa/run/monitor.h"
@@ -23,23 +26,18 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Where a ring of the input is: the shell of a polygon, or one of its holes.
-struct Role {
-  std::size_t polygon;
-  std::optional<std::size_t> hole;
-};
-
-std::string name_of(const Role& role) {
-  const std::string polygon = "polygon " + std::to_string(role.polygon);
-  return role.hole ? "hole " + std::to_string(*role.hole) + " of " + polygon : "the shell of " + polygon;
-}
-
 void check_positive(const std::string& what, double value) {
   if (!(value > 0) || std::isinf(value))
     throw InvalidInput(what + ": found " + text(value) + ", expected a finite number above 0");
 }
 
 void check_sizes(const FillOptions& options) {
+  if (std::isinf(options.size) && options.size > 0) {
+    if (options.grade || !options.sizes.empty())
+      throw InvalidInput("size: found inf, at which no point is added, and " +
+                         std::string(options.grade ? "a grade" : "sizes at points") + ", expected one of them");
+    return;
+  }
   check_positive("size", options.size);
   if (options.grade) check_positive("grade", *options.grade);
   for (std::size_t i = 0; i < options.sizes.size(); ++i) {
@@ -50,63 +48,22 @@ void check_sizes(const FillOptions& options) {
   }
 }
 
-/// The rings of all polygons, and what is known of them.
-class Rings {
- public:
-  /// Throws InvalidInput when they are not those of polygons.
-  Rings(std::span<const Point> points, std::span<const Polygon> polygons, const std::function<bool()>& go_on)
-      : points_(points) {
-    for (std::size_t p = 0; p < polygons.size(); ++p) {
-      add(polygons[p].shell, {p, std::nullopt});
-      for (std::size_t h = 0; h < polygons[p].holes.size(); ++h) add(polygons[p].holes[h], {p, h});
-    }
-    const RingName name = [&](std::size_t ring) { return name_of(roles_[ring]); };
-    check_points(points, rings_, name);
-    NestedRings nested = nest_rings(points, rings_, name, go_on);
-    if (nested.meet) throw InvalidInput(nested.meet->why + "; expected rings that do not meet");
-    places_ = std::move(nested.place);
-    for (std::size_t r = 0; r < rings_.size(); ++r) check_role(r);
-  }
-
-  std::span<const Ring> rings() const { return rings_; }
-  std::span<const RingPlace> places() const { return places_; }
-  const Role& role(std::size_t ring) const { return roles_[ring]; }
-
- private:
-  void add(const Ring& ring, const Role& role) {
-    rings_.push_back(ring);
-    roles_.push_back(role);
-  }
-  void check_role(std::size_t r) const {
-    const Role& role = roles_[r];
-    const RingPlace& place = places_[r];
-    const std::string around = place.inside ? "in " + name_of(roles_[*place.inside]) : "in no ring";
-    const std::string found = name_of(role) + " at " + place_of(points_[rings_[r].points[0]]) + ": found it " + around;
-    const bool in_own_shell =
-        place.inside && !roles_[*place.inside].hole && roles_[*place.inside].polygon == role.polygon;
-    if (role.hole && !in_own_shell) throw InvalidInput(found + ", expected it in the shell of its polygon");
-    const bool is_outside = !place.inside || roles_[*place.inside].hole;
-    if (!role.hole && !is_outside) throw InvalidInput(found + ", expected it outside of other polygons, or in a hole");
-  }
-
-  std::span<const Point> points_;
-  std::vector<Ring> rings_;
-  std::vector<Role> roles_;
-  std::vector<RingPlace> places_;
-};
-
 /// Of so many triangles no mesh is made.
 constexpr double max_triangles = 500e6;
 
-/// `size` is as the outline is scaled.
-void check_number(const Outline& outline, double size, double said) {
-  ExactSum twice;
-  for (const OutlineRing& ring : outline.rings) add_twice_area(twice, {ring.sites}, outline.places);
-  constexpr double of_unit = 0.4330127018922193;  // √3 / 4, the area of a triangle of sides 1
-  const double triangles = twice.rounded(-1) / (of_unit * size * size);
-  if (!(triangles <= max_triangles))
-    throw InvalidInput("size: found " + text(said) + ", at which more than " + text(max_triangles) +
-                       " triangles would be made, expected a larger one");
+/// Throws InvalidInput when there would be too many.
+void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
+                  const std::function<bool()>& go_on) {
+  double triangles = 0;
+  for (const OutlinePart& part : parts_of(outline))
+    triangles += estimate_triangles(part.outline, field, said.keep_boundary, go_on);
+  if (!(triangles <= max_triangles)) {
+    const std::string others = said.grade || !said.sizes.empty() ? " and what else asks for sizes" : "";
+    throw InvalidInput("size: found " + text(said.size) + others + ", at which about " + text(std::round(triangles)) +
+                       " triangles would be made, expected larger sizes: no more than " + text(max_triangles) +
+                       " triangles");
+  }
+  if (said.estimated) said.estimated(triangles);
 }
 
 /// Lengths are squared: coordinates that are far too large or small for that are multiplied by a power of two for a while,
@@ -170,7 +127,7 @@ meshops::PolygonSoup cones_over(const Outline& outline) {
 
 /// Triangles on places: those of the outline first.
 struct Pieces {
-  std::vector<Point> places;
+  std::vector<Point> places = {};
   std::vector<Triangle> triangles = {};
   std::size_t retreats = 0;
 };
@@ -195,16 +152,16 @@ Pieces advance_from(const Outline& outline, const SizeField& field, const FillOp
   mesh.request_halfedge_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  meshops::build_mesh(mesh, cones_over(outline));
+  const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline));
   const std::size_t outside = mesh.n_faces();
   std::vector<FrontEdge> edges;
   for (const OutlineRing& ring : outline.rings)
     for (std::size_t i = 0; i < ring.sites.size(); ++i)
       edges.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
   std::vector<Point> places = outline.places;
-  places.resize(mesh.n_vertices());
+  places.resize(places.size() + outline.rings.size());
 
-  Front front(mesh);
+  Front front(mesh, site_of_vertex);
   LoFront policy(std::move(places), edges, field);
   meshops::advance(front, policy, Told(policy, options.progress, outline.places.size()));
   Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats()};
@@ -242,9 +199,10 @@ meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t po
   return soup;
 }
 
-void place(Mesh& mesh, std::span<const Point> places) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    mesh.set_point(meshops::Vertex(static_cast<int>(i)), {places[i].x, places[i].y, 0});
+/// Vertex v goes where point[v] is.
+void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint32_t> point) {
+  for (std::size_t v = 0; v < point.size(); ++v)
+    mesh.set_point(meshops::Vertex(static_cast<int>(v)), {places[point[v]].x, places[point[v]].y, 0});
 }
 
 /// The same triangles on places that are better, or others.
@@ -254,60 +212,65 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   mesh.request_halfedge_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
-  place(mesh, pieces.places);
+  const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
+  place(mesh, pieces.places, site);
   const std::function<void()> ask = asking(options.progress, outline, pieces.triangles.size());
   improve(mesh, outline, field, [&] {
     if (ask) ask();
   });
   pieces.triangles.clear();
-  pieces.places.resize(mesh.n_vertices());
   for (std::size_t i = outline; i < pieces.places.size(); ++i) {
     const auto& p = mesh.point(meshops::Vertex(static_cast<int>(i)));
     pieces.places[i] = {p[0], p[1]};
   }
   meshops::for_each_face(mesh, [&](meshops::Face f) {
     const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
-    const auto number = [](meshops::Vertex v) { return static_cast<std::uint32_t>(v.idx()); };
+    const auto number = [&](meshops::Vertex v) { return site[static_cast<std::size_t>(v.idx())]; };
     pieces.triangles.push_back(
         {number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)), number(mesh.to_vertex_handle(next))});
   });
   drop_unused(pieces, outline);
 }
 
-/// The numbers under which the places are among the points of the result.
-std::vector<std::uint32_t> numbers_of(const Outline& outline, const Pieces& pieces, std::size_t input) {
-  std::vector<std::uint32_t> number = outline.input;
-  for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)
-    number.push_back(static_cast<std::uint32_t>(input + i - outline.input.size()));
-  return number;
+/// The triangles of one group, on places of its part of the outline first.
+Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options,
+                 const std::function<bool()>& go_on) {
+  if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
+  Pieces pieces = advance_from(outline, *field, options);
+  drop_unused(pieces, outline.places.size());
+  make_better(pieces, outline.places.size(), *field, options);
+  return pieces;
 }
 
-void link(Filling& filling) {
-  meshops::build_mesh(filling.mesh, soup_of(filling.triangles, filling.points.size()));
-  place(filling.mesh, filling.points);
-  const Mesh& mesh = filling.mesh;
-  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
-    const Halfedge first = mesh.halfedge_handle(meshops::Face(static_cast<int>(t)));
-    const auto beyond = [&](Halfedge h) {
-      const meshops::Face f = mesh.face_handle(mesh.opposite_halfedge_handle(h));
-      return f.is_valid() ? static_cast<std::uint32_t>(f.idx()) : TriangleArrays::none;
-    };
-    filling.neighbors.push_back(
-        {beyond(mesh.next_halfedge_handle(first)), beyond(mesh.prev_halfedge_handle(first)), beyond(first)});
+/// Appends the triangles of a part, on points of the whole.
+void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uint32_t> number, const Scale& scale,
+         std::vector<std::pair<Triangle, std::size_t>>& triangles, Filling& filling) {
+  std::vector<std::uint32_t> point;
+  for (const Site s : part.site) point.push_back(number[s]);
+  for (std::size_t i = part.site.size(); i < pieces.places.size(); ++i) {
+    point.push_back(static_cast<std::uint32_t>(filling.points.size()));
+    filling.points.push_back(scale.out(pieces.places[i]));
   }
+  for (const Triangle& triangle : pieces.triangles) {
+    Triangle named{point[triangle[0]], point[triangle[1]], point[triangle[2]]};
+    std::rotate(named.begin(), std::min_element(named.begin(), named.end()), named.end());
+    triangles.emplace_back(named, part.group);
+  }
+  filling.retreats += pieces.retreats;
 }
 
-std::vector<Polygon> polygons_of(const Outline& outline, const Rings& rings, std::span<const std::uint32_t> number,
-                                 std::span<const Polygon> input, std::span<const Point> points) {
+std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rings,
+                                 std::span<const std::uint32_t> number, std::span<const Polygon> input,
+                                 std::span<const Point> points) {
   std::vector<Polygon> polygons(input.size());
   for (std::size_t p = 0; p < input.size(); ++p) polygons[p].holes.resize(input[p].holes.size());
   for (const OutlineRing& ring : outline.rings) {
-    const auto [polygon, hole] = rings.role(ring.input);
+    const auto [polygon, hole] = rings.roles[ring.input];
     Ring& cut = hole ? polygons[polygon].holes[*hole] : polygons[polygon].shell;
     for (const Site s : ring.sites) cut.points.push_back(number[s]);
   }
-  for (Polygon& polygon : polygons) measure(polygon, points);
+  for (Polygon& polygon : polygons)
+    if (!polygon.shell.points.empty()) measure(polygon, points);
   return polygons;
 }
 
@@ -320,37 +283,44 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
     if (ask) ask();
     return true;
   };
-  const Rings rings(points, polygons, go_on);
+  const PolygonRings rings = valid_polygons(points, polygons, said.groups, go_on);
   Filling filling;
   filling.points.assign(points.begin(), points.end());
   filling.boundary_points = points.size();
-  if (rings.rings().empty()) {
+  if (rings.input.empty()) {
+    filling.polygons.assign(polygons.begin(), polygons.end());
     link(filling);
     return filling;
   }
-  Outline outline = outline_of(points, rings.rings(), rings.places());
+  Outline outline = outline_of(points, rings.noded.rings, rings.places, rings.groups);
   const Scale scale(outline);
   std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
-  const FillOptions options = scale.in(said, sizes);
-  check_number(outline, options.size, said.size);
-  const SizeField field = field_of(outline, options);
-  if (!options.keep_boundary) cut(outline, field, go_on);
-
-  Pieces pieces = advance_from(outline, field, options);
-  drop_unused(pieces, outline.places.size());
-  make_better(pieces, outline.places.size(), field, options);
-
-  const std::vector<std::uint32_t> number = numbers_of(outline, pieces, points.size());
-  for (std::size_t i = outline.input.size(); i < pieces.places.size(); ++i)
-    filling.points.push_back(scale.out(pieces.places[i]));
-  filling.boundary_points = points.size() + outline.places.size() - outline.input.size();
-  filling.retreats = pieces.retreats;
-  for (const Triangle& triangle : pieces.triangles) {
-    Triangle named{number[triangle[0]], number[triangle[1]], number[triangle[2]]};
-    std::rotate(named.begin(), std::min_element(named.begin(), named.end()), named.end());
-    filling.triangles.push_back(named);
+  FillOptions options = scale.in(said, sizes);
+  std::optional<SizeField> field;
+  if (!std::isinf(said.size)) {
+    field.emplace(field_of(outline, options));
+    check_number(outline, *field, said, go_on);
+    if (!options.keep_boundary) cut(outline, *field, go_on);
   }
-  std::sort(filling.triangles.begin(), filling.triangles.end());
+  std::vector<std::uint32_t> number = outline.input;
+  for (std::size_t i = outline.input.size(); i < outline.places.size(); ++i) {
+    number.push_back(static_cast<std::uint32_t>(filling.points.size()));
+    filling.points.push_back(scale.out(outline.places[i]));
+  }
+  filling.boundary_points = filling.points.size();
+
+  std::vector<std::pair<Triangle, std::size_t>> triangles;
+  if (said.progress)
+    options.progress = [&](const Progress& progress) {
+      return said.progress({triangles.size() + progress.triangles, progress.points});
+    };
+  for (const OutlinePart& part : parts_of(outline))
+    add(part, pieces_of(part.outline, field ? &*field : nullptr, options, go_on), number, scale, triangles, filling);
+  std::sort(triangles.begin(), triangles.end());
+  for (const auto& [triangle, group] : triangles) {
+    filling.triangles.push_back(triangle);
+    filling.groups.push_back(group);
+  }
   link(filling);
   filling.polygons = polygons_of(outline, rings, number, polygons, filling.points);
   return filling;

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "meshops/stellar/flip.h"
+#include "rbpa/fill/plane_predicates.h"
 #include "rbpa/fill/shape_quality.h"
-#include "rbpa/predicate/predicates.h"
 
 namespace rbpa {
 namespace {
-
-using P = Predicates<long double>;
 
 constexpr int rounds = 6;            // of flips, with moves between them
 constexpr int moves_in_a_round = 2;  // of each point
@@ -47,9 +45,9 @@ class EdgeQueue {
 bool is_illegal(const Mesh& mesh, meshops::Edge e) {
   if (mesh.is_boundary(e)) return false;
   const meshops::Halfedge h = mesh.halfedge_handle(e, 0), other = mesh.halfedge_handle(e, 1);
-  return P::in_circle(at(mesh, mesh.from_vertex_handle(h)), at(mesh, mesh.to_vertex_handle(h)),
-                      at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(h))),
-                      at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(other)))) > 0;
+  return plane_in_circle(at(mesh, mesh.from_vertex_handle(h)), at(mesh, mesh.to_vertex_handle(h)),
+                         at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(h))),
+                         at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(other)))) > 0;
 }
 
 /// Flips until no edge is illegal: each flip lowers the surface that the points make on the paraboloid over the plane, so
@@ -86,7 +84,7 @@ double least_quality(const Point& p, const std::vector<Point>& ring) {
 
 bool is_star(const Point& p, const std::vector<Point>& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i)
-    if (P::orientation(p, ring[i], ring[(i + 1) % ring.size()]) <= 0) return false;
+    if (plane_orientation(p, ring[i], ring[(i + 1) % ring.size()]) <= 0) return false;
   return true;
 }
 
@@ -112,6 +110,7 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
     if (i % 1024 == 0) ask();
     const meshops::Vertex v(static_cast<int>(i));
+    if (mesh.is_boundary(v)) continue;  // a further fan at a point where the boundary touches itself
     ring_of(mesh, v, ring);
     const Point p = at(mesh, v), goal = wanted(p, ring, field);
     const double before = least_quality(p, ring);

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "rbpa/fill/plane_predicates.h"
 #include "rbpa/fill/shape_quality.h"
-#include "rbpa/predicate/predicates.h"
 
 namespace rbpa {
 namespace {
@@ -20,9 +20,7 @@ constexpr double good = 0.6;
 /// One that is worse makes the front retreat.
 constexpr double bad = 0.25;
 
-int orientation(const Point& a, const Point& b, const Point& c) {
-  return Predicates<long double>::orientation(a, b, c);
-}
+int orientation(const Point& a, const Point& b, const Point& c) { return plane_orientation(a, b, c); }
 
 double distance(const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;

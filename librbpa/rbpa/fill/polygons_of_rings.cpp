@@ -5,7 +5,10 @@
 #include <string>
 
 #include "rbpa/core/error.h"
+#include "rbpa/fill/noded_rings.h"
+#include "rbpa/fill/placed_rings.h"
 #include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/validity.h"
 #include "rbpa/shape/measure.h"
 #include "rbpa/shape/nesting.h"
 #include "rbpa/shape/steps.h"
@@ -15,20 +18,21 @@ namespace {
 
 Ring reversed(const Ring& ring) { return {{ring.points.rbegin(), ring.points.rend()}}; }
 
-/// Rings that do not meet, and which is in which.
+/// Rings that meet in single points at most, and which is in which.
 class ApartRings {
  public:
   ApartRings(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on)
-      : points_(points), rings_(rings) {
+      : points_(points), rings_(rings), go_on_(go_on) {
     const RingName name = [](std::size_t ring) { return "ring " + std::to_string(ring); };
     check_points(points, rings, name);
-    const NestedRings nested = nest_rings(points, rings, name, go_on);
-    if (nested.meet) throw InvalidInput(nested.meet->why + "; expected rings that do not meet");
-    place_ = nested.place;
+    Steps step(go_on);
+    place_ = place_rings(points, rings, node(points, rings, step), name, go_on);
   }
 
   std::vector<Polygon> polygons() const {
     std::vector<Polygon> polygons = regions(false);
+    // Rings that touch each other in turn may cut an inside in two.
+    if (const auto why = why_invalid(points_, polygons, go_on_)) throw InvalidInput(*why);
     for (Polygon& polygon : polygons) measure(polygon, points_);
     return polygons;
   }
@@ -58,6 +62,7 @@ class ApartRings {
 
   std::span<const Point> points_;
   std::span<const Ring> rings_;
+  const std::function<bool()>& go_on_;
   std::vector<RingPlace> place_;
 };
 

@@ -38,9 +38,8 @@ bool meet(const Edge& a, const Edge& b) {
 
 class RingSweep {
  public:
-  RingSweep(std::span<const Point> points, std::span<const Ring> rings, const RingName& name,
-            const std::function<bool()>& go_on)
-      : points_(points), rings_(rings), name_(name), step_(go_on) {
+  RingSweep(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on)
+      : points_(points), rings_(rings), step_(go_on) {
     nested_.place.resize(rings.size());
     for (std::size_t r = 0; r < rings.size(); ++r) {
       const std::vector<std::uint32_t>& ring = rings[r].points;
@@ -53,39 +52,77 @@ class RingSweep {
   }
 
   NestedRings run() {
-    if (!find_repeated()) sweep();
+    if (find_repeated()) return std::move(nested_);
+    sweep();
+    if (!nested_.meet) find_crossing_at_a_point();
     return std::move(nested_);
   }
 
  private:
   using Status = std::set<const Edge*, Below>;
 
-  std::string edge_text(const Edge& edge) const {
-    const std::size_t next = (edge.side.edge + 1) % rings_[edge.side.ring].points.size();
-    return "the edge from vertex " + std::to_string(edge.side.edge) + " " + place_of(points_[edge.from]) +
-           " to vertex " + std::to_string(next) + " " + place_of(points_[edge.to]) + " of " + name_(edge.side.ring);
-  }
-  std::string vertex_text(const RingsMeet::Side& at) const {
-    return "vertex " + std::to_string(at.edge) + " " + place_of(points_[rings_[at.ring].points[at.edge]]) + " of " +
-           name_(at.ring);
-  }
-  void found(std::string why, const RingsMeet::Side& a, const RingsMeet::Side& b) {
-    nested_.meet = RingsMeet{std::move(why), a, b};
+  void found(RingsMeet::How how, const RingsMeet::Side& a, const RingsMeet::Side& b) {
+    nested_.meet = RingsMeet{how, a, b};
   }
 
-  /// Points that come twice, in one ring or in two.
+  std::uint32_t point_at(const RingsMeet::Side& v) const { return rings_[v.ring].points[v.edge]; }
+
+  /// Places that come twice in one ring, or as two points. Points that several rings have are kept.
   bool find_repeated() {
     std::vector<RingsMeet::Side> vertices;
     for (const Edge& edge : edges_) vertices.push_back(edge.side);
-    const auto at = [&](const RingsMeet::Side& v) { return points_[rings_[v.ring].points[v.edge]]; };
+    const auto at = [&](const RingsMeet::Side& v) { return points_[point_at(v)]; };
     sort(vertices, step_, [&](const RingsMeet::Side& a, const RingsMeet::Side& b) {
       return std::tuple(at(a), a.ring, a.edge) < std::tuple(at(b), b.ring, b.edge);
     });
-    const auto twice = std::adjacent_find(vertices.begin(), vertices.end(),
-                                          [&](const auto& a, const auto& b) { return at(a) == at(b); });
-    if (twice == vertices.end()) return false;
-    found(vertex_text(*twice) + " and " + vertex_text(twice[1]) + " are one place", *twice, twice[1]);
-    return true;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      const RingsMeet::Side &a = vertices[i], &b = vertices[i + 1];
+      if (at(a) != at(b)) continue;
+      if (a.ring == b.ring || point_at(a) != point_at(b)) {
+        found(RingsMeet::How::one_place, a, b);
+        return true;
+      }
+      if (shared_.empty() || at(shared_.back()) != at(a)) shared_.push_back(a);
+      shared_.push_back(b);
+    }
+    return false;
+  }
+
+  /// A point that several rings have, and an edge there.
+  struct Spoke {
+    Point to;
+    RingsMeet::Side vertex;
+  };
+
+  /// Rings that share a point do not cross there if their pairs of edges, in the order around it, are nested.
+  void find_crossing_at_a_point() {
+    for (auto first = shared_.begin(); first != shared_.end();) {
+      step_();
+      const std::uint32_t point = point_at(*first);
+      std::vector<Spoke> spokes;
+      for (; first != shared_.end() && point_at(*first) == point; ++first) {
+        const std::vector<std::uint32_t>& ring = rings_[first->ring].points;
+        const std::size_t n = ring.size();
+        spokes.push_back({points_[ring[(first->edge + 1) % n]], *first});
+        spokes.push_back({points_[ring[(first->edge + n - 1) % n]], *first});
+      }
+      const Point& at = points_[point];
+      sort(spokes, step_, [&](const Spoke& a, const Spoke& b) {
+        const bool a_right = at < a.to, b_right = at < b.to;
+        return a_right != b_right ? a_right : orientation(at, a.to, b.to) > 0;
+      });
+      std::vector<RingsMeet::Side> open;
+      for (const Spoke& spoke : spokes) {
+        if (!open.empty() && open.back().ring == spoke.vertex.ring) {
+          open.pop_back();
+          continue;
+        }
+        const auto begun = std::find_if(open.begin(), open.end(),
+                                        [&](const RingsMeet::Side& v) { return v.ring == spoke.vertex.ring; });
+        if (begun != open.end()) return found(RingsMeet::How::cross_at_a_point, *begun, open.back());
+        open.push_back(spoke.vertex);
+      }
+    }
   }
 
   bool test(const Edge& a, const Edge& b) {
@@ -94,7 +131,17 @@ class RingSweep {
                          orientation(b.low, b.high, a.low) * orientation(b.low, b.high, a.high) < 0;
     const bool in_order = std::pair(a.side.ring, a.side.edge) < std::pair(b.side.ring, b.side.edge);
     const Edge &first = in_order ? a : b, &second = in_order ? b : a;
-    found(edge_text(first) + (crosses ? " crosses " : " touches ") + edge_text(second), first.side, second.side);
+    const auto ends_on = [](const Edge& edge, const Edge& other) {
+      return orientation(other.low, other.high, edge.low) == 0 || orientation(other.low, other.high, edge.high) == 0;
+    };
+    using How = RingsMeet::How;
+    if (crosses || (ends_on(a, b) && ends_on(b, a))) {
+      found(crosses ? How::edges_cross : How::edges_overlap, first.side, second.side);
+    } else {
+      const Edge &on = ends_on(a, b) ? a : b, &whole = ends_on(a, b) ? b : a;
+      const bool low = orientation(whole.low, whole.high, on.low) == 0;
+      found(How::vertex_on_edge, low ? low_end(on) : high_end(on), whole.side);
+    }
     return true;
   }
 
@@ -114,25 +161,29 @@ class RingSweep {
         if (remove(*end)) return;
       const auto above = crossed_.lower_bound(at);
       if (above != crossed_.end() && orientation((*above)->low, (*above)->high, at) == 0) {
-        found(vertex_text(starts_at(**start)) + " lies on " + edge_text(**above), starts_at(**start), (*above)->side);
+        found(RingsMeet::How::vertex_on_edge, low_end(**start), (*above)->side);
         return;
       }
       const auto first = start;
       for (; start != starts.end() && (*start)->low == at; ++start)
         if (insert(*start)) return;
-      if (const std::size_t ring = (*first)->side.ring; !seen[ring]) {
-        seen[ring] = true;
-        nest(ring, *first, *std::next(first));
-      }
+      // From below: where several rings begin, what lies under one is known before it.
+      std::sort(first, start, Below());
+      for (auto edge = first; edge != start; ++edge)
+        if (const std::size_t ring = (*edge)->side.ring; !seen[ring]) {
+          seen[ring] = true;
+          nest(ring, *edge);
+        }
     }
     for (; end != ends.end(); ++end)
       if (remove(*end)) return;
   }
 
-  /// The vertex at the lower end.
-  RingsMeet::Side starts_at(const Edge& edge) const {
-    return {edge.side.ring,
-            edge.runs_up ? edge.side.edge : (edge.side.edge + 1) % rings_[edge.side.ring].points.size()};
+  /// The vertices at the ends.
+  RingsMeet::Side low_end(const Edge& edge) const { return end_of(edge, !edge.runs_up); }
+  RingsMeet::Side high_end(const Edge& edge) const { return end_of(edge, edge.runs_up); }
+  RingsMeet::Side end_of(const Edge& edge, bool last) const {
+    return {edge.side.ring, last ? (edge.side.edge + 1) % rings_[edge.side.ring].points.size() : edge.side.edge};
   }
 
   bool insert(const Edge* edge) {
@@ -150,9 +201,8 @@ class RingSweep {
     return between && test(*below, **above);
   }
 
-  /// At the first point of a ring, at which two edges begin.
-  void nest(std::size_t ring, const Edge* a, const Edge* b) {
-    const Edge* lower = Below()(a, b) ? a : b;
+  /// At the first point of a ring, at which two of its edges begin.
+  void nest(std::size_t ring, const Edge* lower) {
     const auto place = place_[number(lower)];
     nested_.place[ring].is_counter_clockwise = lower->runs_up;
     if (place == crossed_.begin()) return;
@@ -167,11 +217,11 @@ class RingSweep {
 
   std::span<const Point> points_;
   std::span<const Ring> rings_;
-  const RingName& name_;
   Steps step_;
   std::vector<Edge> edges_;
   Status crossed_;
   std::vector<Status::const_iterator> place_;
+  std::vector<RingsMeet::Side> shared_;  // vertices at points that several rings have, by place
   NestedRings nested_;
 };
 
@@ -203,9 +253,8 @@ void check_points(std::span<const Point> points, std::span<const Ring> rings, co
   }
 }
 
-NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const RingName& name,
-                       const std::function<bool()>& go_on) {
-  return RingSweep(points, rings, name, go_on).run();
+NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on) {
+  return RingSweep(points, rings, go_on).run();
 }
 
 }  // namespace rbpa

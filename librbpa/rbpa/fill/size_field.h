@@ -19,6 +19,9 @@ class SizeField {
 
   /// No value is less.
   double least() const { return least_; }
+  /// Nor greater; and the slope.
+  double most() const { return most_; }
+  double grade() const { return grade_; }
 
  private:
   /// Sources of a range, in a tree whose node k has the children 2 k + 1 and 2 k + 2.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "meshops/core/validate.h"
+#include "meshops/topology/build_mesh.h"
 #include "rbpa/shape/exact_sum.h"
 #include "support/exact.h"
 
@@ -33,24 +35,51 @@ void add_twice(rbpa::ExactSum& sum, const Point& a, const Point& b) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
+/// The input's ring as it is to be passed: vertices that follow each other at one place are one.
+Points without_repeated(const Ring& ring, std::span<const Point> points) {
+  Points places;
+  for (const std::uint32_t i : ring.points)
+    if (places.empty() || places.back() != points[i]) places.push_back(points[i]);
+  while (places.size() > 1 && places.back() == places.front()) places.pop_back();
+  return places;
+}
+
+bool is_exactly_between(const Point& p, const Point& a, const Point& b) {
+  return exact::orientation(a, b, p) == 0 && std::min(a, b) < p && p < std::max(a, b);
+}
+
+/// Whether the ring of input points `passed` goes round `expected`, with nothing between its vertices but other vertices
+/// that lie exactly on its edges. Both begin at the same place.
+bool goes_round(const Points& passed, const Points& expected) {
+  std::size_t next = 0;
+  for (const Point& p : passed) {
+    if (next < expected.size() && p == expected[next]) {
+      ++next;
+      continue;
+    }
+    if (next == 0 || !is_exactly_between(p, expected[next - 1], expected[next % expected.size()])) return false;
+  }
+  return next == expected.size();
+}
+
 /// The ring with new points on its edges, `cut`, which may run the other way and begin elsewhere.
 std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const Point> points, std::size_t given,
                             bool keeps) {
-  std::vector<std::uint32_t> corners;
+  Points passed;
   for (const std::uint32_t i : cut.points)
-    if (i < given) corners.push_back(i);
-  std::vector<std::uint32_t> expected = input.points;
-  const auto least_first = [](std::vector<std::uint32_t>& ring) {
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  };
-  least_first(corners);
-  least_first(expected);
-  if (corners != expected) {
+    if (i < given) passed.push_back(points[i]);
+  if (std::set<std::uint32_t>(cut.points.begin(), cut.points.end()).size() != cut.points.size())
+    return "a ring passes a point twice";
+  Points expected = without_repeated(input, points);
+  if (passed.empty() || expected.empty()) return passed.empty() && expected.empty() ? "" : "a ring has been lost";
+  bool goes = false;
+  for (int turned = 0; turned < 2 && !goes; ++turned) {
+    std::rotate(passed.begin(), std::find(passed.begin(), passed.end(), expected.front()), passed.end());
+    goes = goes_round(passed, expected);
     std::reverse(expected.begin(), expected.end());
-    least_first(expected);
   }
-  if (corners != expected) return "a ring does not pass the points of the input in their order";
-  if (keeps && cut.points.size() != input.points.size()) return "an edge was cut that was to be kept";
+  if (!goes) return "a ring does not pass the points of the input in their order";
+  if (keeps && passed.size() != cut.points.size()) return "an edge was cut that was to be kept";
   // Round once, from corner to corner.
   const std::size_t n = cut.points.size();
   const std::size_t start = static_cast<std::size_t>(
@@ -68,6 +97,31 @@ std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const 
       if (!(off <= 4 * 0x1p-53 * far)) return "a point that was put on an edge is not on it";
     }
     i = j;
+  }
+  return "";
+}
+
+/// Arrays and mesh are sound, and the same.
+std::string wrong_with_mesh(const rbpa::Filling& filling) {
+  const auto& triangles = filling.triangles;
+  require_linked(filling, filling.points.size());
+  if (const auto defects = meshops::validate(filling.mesh); !defects.empty()) return describe(defects.front());
+  if (filling.mesh.n_faces() != triangles.size() || filling.mesh.n_vertices() != filling.point_of_vertex.size())
+    return "the mesh has other elements than the arrays";
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    Triangle corners{};
+    std::size_t k = 0;
+    for (const auto v : filling.mesh.fv_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f))))
+      corners[k++] = filling.point_of_vertex[static_cast<std::size_t>(v.idx())];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    if (corners != triangles[f]) return "a face of the mesh is not the triangle of its number";
+  }
+  for (std::size_t i = 0; i < filling.point_of_vertex.size(); ++i) {
+    const std::uint32_t under = filling.point_of_vertex[i];
+    if (i < filling.points.size() && under != i) return "a vertex does not stand on the point of its number";
+    const auto& p = filling.mesh.point(rbpa::Mesh::VertexHandle(static_cast<int>(i)));
+    if (Point{p[0], p[1]} != filling.points[under] || p[2] != 0)
+      return "a vertex of the mesh is not where its point is";
   }
   return "";
 }
@@ -93,22 +147,7 @@ std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Poi
       if (filling.neighbors[t][(k + 2) % 3] == rbpa::TriangleArrays::none) open.insert({from, to});
     }
   }
-  require_linked(filling, filling.points.size());
-  if (const auto defects = meshops::validate(filling.mesh); !defects.empty()) return describe(defects.front());
-  if (filling.mesh.n_faces() != triangles.size() || filling.mesh.n_vertices() != filling.points.size())
-    return "the mesh has other elements than the arrays";
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    Triangle corners{};
-    std::size_t k = 0;
-    for (const auto v : filling.mesh.fv_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f))))
-      corners[k++] = static_cast<std::uint32_t>(v.idx());
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    if (corners != triangles[f]) return "a face of the mesh is not the triangle of its number";
-  }
-  for (std::size_t i = 0; i < filling.points.size(); ++i) {
-    const auto& p = filling.mesh.point(rbpa::Mesh::VertexHandle(static_cast<int>(i)));
-    if (Point{p[0], p[1]} != filling.points[i] || p[2] != 0) return "a vertex of the mesh is not where its point is";
-  }
+  if (std::string wrong = wrong_with_mesh(filling); !wrong.empty()) return wrong;
   if (!std::equal(points.begin(), points.end(), filling.points.begin())) return "a point of the input has moved";
   for (std::size_t i = points.size(); i < used.size(); ++i)
     if (!used[i]) return "a new point is in no triangle";
@@ -137,6 +176,99 @@ std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Poi
     for (std::size_t h = 0; h < input.holes.size() && wrong.empty(); ++h)
       wrong = wrong_with_ring(cut.holes[h], input.holes[h], filling.points, points.size(), keeps_boundary);
     if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+namespace {
+
+/// One group as if it had been filled alone, but for its neighbours and its mesh, which are made here.
+rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t given,
+                    std::span<const Polygon> polygons) {
+  rbpa::Filling part;
+  std::vector<bool> used(filling.points.size(), false);
+  for (std::size_t t = 0; t < filling.triangles.size(); ++t)
+    if (filling.groups[t] == group)
+      for (const std::uint32_t i : filling.triangles[t]) used[i] = true;
+  std::vector<std::uint32_t> number(filling.points.size(), rbpa::TriangleArrays::none);
+  for (std::size_t i = 0; i < filling.points.size(); ++i) {
+    if (i >= given && !used[i]) continue;
+    number[i] = static_cast<std::uint32_t>(part.points.size());
+    part.points.push_back(filling.points[i]);
+    part.boundary_points += i < filling.boundary_points;
+  }
+  meshops::PolygonSoup soup{.points = part.points.size(), .corners = {}};
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> left;  // of directed sides
+  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
+    if (filling.groups[t] != group) continue;
+    auto triangle = filling.triangles[t];
+    for (std::uint32_t& i : triangle) i = number[i];
+    for (std::size_t k = 0; k < 3; ++k)
+      left[{triangle[k], triangle[(k + 1) % 3]}] = static_cast<std::uint32_t>(part.triangles.size());
+    part.triangles.push_back(triangle);
+    soup.add_face(triangle);
+  }
+  for (const auto& triangle : part.triangles) {
+    auto& neighbors = part.neighbors.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto beyond = left.find({triangle[(k + 1) % 3], triangle[k]});
+      neighbors[(k + 2) % 3] = beyond == left.end() ? rbpa::TriangleArrays::none : beyond->second;
+    }
+  }
+  part.point_of_vertex = meshops::build_mesh(part.mesh, soup);
+  for (std::size_t v = 0; v < part.point_of_vertex.size(); ++v) {
+    const Point& p = part.points[part.point_of_vertex[v]];
+    part.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {p.x, p.y, 0});
+  }
+  part.polygons.assign(polygons.begin(), polygons.end());
+  for (Polygon& polygon : part.polygons) {
+    for (std::uint32_t& i : polygon.shell.points) i = number[i];
+    for (Ring& hole : polygon.holes)
+      for (std::uint32_t& i : hole.points) i = number[i];
+  }
+  return part;
+}
+
+std::string wrong_with_neighbors_of_groups(const rbpa::Filling& filling) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> left;
+  const auto side = [&](std::size_t t, std::size_t k) {
+    return std::pair(filling.triangles[t][(k + 1) % 3], filling.triangles[t][(k + 2) % 3]);
+  };
+  for (std::size_t t = 0; t < filling.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) left[side(t, k)].push_back(t);
+  std::set<std::size_t> overlapping;
+  for (const auto& [ends, triangles] : left)
+    if (triangles.size() > 1)
+      for (const std::size_t t : triangles) overlapping.insert(filling.groups[t]);
+  for (std::size_t t = 0; t < filling.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [from, to] = side(t, k);
+      std::uint32_t expected = rbpa::TriangleArrays::none;
+      if (const auto beyond = left.find({to, from}); beyond != left.end())
+        for (const std::size_t other : beyond->second)
+          if (filling.groups[other] == filling.groups[t] ||
+              (!overlapping.contains(filling.groups[other]) && !overlapping.contains(filling.groups[t])))
+            expected = static_cast<std::uint32_t>(other);
+      if (filling.neighbors[t][k] != expected) return "triangle " + std::to_string(t) + " has another neighbour";
+    }
+  return "";
+}
+
+}  // namespace
+
+std::string wrong_with_groups(const rbpa::Filling& filling, std::span<const Point> points,
+                              std::span<const Polygon> polygons, std::span<const std::size_t> groups,
+                              bool keeps_boundary) {
+  if (filling.groups.size() != filling.triangles.size()) return "not every triangle has a group";
+  if (std::string wrong = wrong_with_mesh(filling); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_with_neighbors_of_groups(filling); !wrong.empty()) return wrong;
+  if (filling.polygons.size() != polygons.size()) return "there are other polygons than in the input";
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::size_t first = groups[g], last = g + 1 < groups.size() ? groups[g + 1] : polygons.size();
+    const rbpa::Filling part =
+        alone(filling, g, points.size(), std::span(filling.polygons).subspan(first, last - first));
+    const std::string wrong = wrong_with_filling(part, points, polygons.subspan(first, last - first), keeps_boundary);
+    if (!wrong.empty()) return "group " + std::to_string(g) + ": " + wrong;
   }
   return "";
 }

@@ -20,6 +20,12 @@ namespace rbpa_test {
 std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const rbpa::Point> points,
                                std::span<const rbpa::Polygon> polygons, bool keeps_boundary);
 
+/// The same of groups that may share edges and overlap: each by itself is filled as above; what lies beyond the edges of one
+/// is the one triangle of another there, where neither overlaps others, and nothing else.
+std::string wrong_with_groups(const rbpa::Filling& filling, std::span<const rbpa::Point> points,
+                              std::span<const rbpa::Polygon> polygons, std::span<const std::size_t> groups,
+                              bool keeps_boundary);
+
 /// How good triangles are.
 struct FillQuality {
   std::size_t edges = 0, edges_in_range = 0;  ///< from 0.6 to 1.6 of what is wanted in their middle

@@ -42,15 +42,25 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   };
   CHECK(names(refusal(moved(5, {5, 1}), {with_hole}),
               {"crosses", "from vertex 0 (1, 1) to vertex 1 (5, 1) of hole 0 of polygon 0", "the shell of polygon 0"}));
-  CHECK(names(refusal(moved(5, {4, 1}), {with_hole}), {"touches", "vertex 1 (4, 1) of hole 0 of polygon 0"}));
-  CHECK(names(refusal(moved(5, {4, 0}), {with_hole}),
-              {"one place", "vertex 1 (4, 0) of the shell", "vertex 1 (4, 0) of hole 0"}));
+  // Valid: a hole that touches the shell on an edge, or in a corner; a repeated vertex.
+  CHECK(refusal(moved(5, {4, 1}), {with_hole}) == "");
+  CHECK(refusal(moved(5, {4, 0}), {with_hole}) == "");
+  CHECK(refusal({{1, 1}, {1, 1}, {2, 1}, {1, 2}}, {square()}) == "");
+  // Twice, so that the inside is in two pieces; along an edge; across the shell at a common vertex.
+  Points twice = moved(4, {0, 1});
+  twice[5] = {4, 1};
+  CHECK(names(refusal(twice, {with_hole}), {"touch at (4, 1)", "in one piece"}));
+  twice[5] = {0, 2};
+  CHECK(names(refusal(twice, {with_hole}), {"runs along", "hole 0 of polygon 0"}));
+  Points across = moved(4, {0, 0});
+  across[5] = {5, -1};
+  across[6] = {5, -2};
+  CHECK(names(refusal(across, {with_hole}), {"hole 0 of polygon 0", "expected it in the shell"}));
   CHECK(names(refusal(points, {{.shell = {{0, 1, 3, 2}}}}), {"crosses", "(4, 0)", "(0, 4)"}));
-  CHECK(names(refusal(points, {{.shell = {{0, 1, 2, 1}}}}), {"one place", "(4, 0)"}));
+  CHECK(names(refusal(points, {{.shell = {{0, 1, 2, 1}}}}), {"passes (4, 0) twice"}));
   CHECK(names(refusal(points, {{.shell = {{0, 1}}}}), {"the shell of polygon 0", "found 2 points"}));
   CHECK(names(refusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {square()}), {"the shell of polygon 0", "(0, 0)", "no area"}));
   CHECK(names(refusal({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, {square()}), {"no area"}));
-  CHECK(names(refusal({{1, 1}, {1, 1}, {2, 1}, {1, 2}}, {square()}), {"one place", "(1, 1)"}));
   CHECK(names(refusal(points, {{.shell = {{0, 1, 9}}}}), {"vertex 2 of the shell of polygon 0", "point 9"}));
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   CHECK(names(refusal(moved(6, {nan, 0}), {with_hole}), {"vertex 2 of hole 0 of polygon 0", "finite"}));
@@ -70,11 +80,12 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   CHECK(names(refusal(points, {square(), hole_of_other}), {"hole 0 of polygon 1", "in the shell of polygon 0"}));
   // Sizes.
   for (const double bad : {0.0, -1.0, nan, infinity}) {
-    CHECK(names(refusal(points, {square()}, {.size = bad}), {"size", "above 0"}));
+    if (bad != infinity) CHECK(names(refusal(points, {square()}, {.size = bad}), {"size", "above 0"}));
     CHECK(names(refusal(points, {square()}, {.size = 1, .grade = bad}), {"grade", "above 0"}));
     const std::vector<rbpa::SizeAt> sizes = {{{0, 0}, 1}, {{0, 0}, bad}};
     CHECK(names(refusal(points, {square()}, {.size = 1, .sizes = sizes}), {"size 1 of sizes", "above 0"}));
   }
+  CHECK(names(refusal(points, {square()}, {.size = infinity, .grade = 1}), {"size", "no point is added", "a grade"}));
   const std::vector<rbpa::SizeAt> nowhere = {{{nan, 0}, 1}};
   CHECK(names(refusal(points, {square()}, {.size = 1, .sizes = nowhere}), {"size 0 of sizes", "finite"}));
   CHECK(names(refusal(points, {square()}, {.size = 1e-9}), {"1e-09", "triangles"}));

@@ -1,0 +1,12 @@
+// What: neighbours and mesh of triangles that fill groups of polygons.
+#pragma once
+
+#include "rbpa/fill/fill.h"
+
+namespace rbpa {
+
+/// Fills in `neighbors`, `mesh` and `point_of_vertex`.
+/// Requires: points, triangles and their groups; the triangles of one group meet in whole edges. Cost: n log n.
+void link(Filling& filling);
+
+}  // namespace rbpa

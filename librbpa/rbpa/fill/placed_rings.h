@@ -1,0 +1,25 @@
+// What: rings of a user's, noded, with which lies in which; or why they are no rings of polygons, and where.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rbpa/core/point.h"
+#include "rbpa/fill/noded_rings.h"
+#include "rbpa/fill/simple_rings.h"
+
+namespace rbpa {
+
+/// What is wrong with rings that meet, in the words of the input: the vertices are those of `rings`.
+std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::span<const Ring> rings,
+                    const NodedRings& noded, const RingName& name);
+
+/// Which ring lies in which. Throws: InvalidInput when they cross, overlap, or one passes a place twice; Cancelled.
+std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
+                                   const RingName& name, const std::function<bool()>& go_on);
+
+}  // namespace rbpa

@@ -1,0 +1,35 @@
+// What: the exact predicates of the plane on any finite coordinates, in double wherever the three or four points allow it.
+// Why:  what the filter leaves goes to expansions there, and to integers of any length in long double, which are ten times
+//       as slow; points of fills are often nearly on a line, as those on one edge are.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "rbpa/core/point.h"
+#include "rbpa/predicate/magnitude.h"
+#include "rbpa/predicate/predicates.h"
+
+namespace rbpa {
+
+/// The coordinate is as fits_double() has it: of 53 bits, none of which is lower than 2^least_in_double.
+inline bool fits_double(double x) {
+  constexpr double least = 0x1p-97, most = 0x1p150;
+  static_assert(least_in_double <= -97 - 52 && largest_in_double >= 150);
+  return x == 0 || (std::abs(x) >= least && std::abs(x) < most);
+}
+inline bool fits_double(const Point& p) { return fits_double(p.x) && fits_double(p.y); }
+
+inline int plane_orientation(const Point& a, const Point& b, const Point& c) {
+  return fits_double(a) && fits_double(b) && fits_double(c) ? Predicates<double>::orientation(a, b, c)
+                                                            : Predicates<long double>::orientation(a, b, c);
+}
+
+/// Requires (a, b, p) to turn left.
+inline int plane_in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
+  return fits_double(a) && fits_double(b) && fits_double(p) && fits_double(q)
+             ? Predicates<double>::in_circle(a, b, p, q)
+             : Predicates<long double>::in_circle(a, b, p, q);
+}
+
+}  // namespace rbpa

@@ -1,0 +1,137 @@
+#include "rbpa/fill/size_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "rbpa/fill/constrained_delaunay.h"
+#include "rbpa/shape/steps.h"
+
+namespace rbpa {
+namespace {
+
+constexpr std::size_t most_pieces = std::size_t{1} << 17U;  // more than there are at the beginning
+constexpr int most_rounds = 400;                            // of halving: doubles have no finer pieces
+constexpr double tolerance = 0.1;
+
+Point between(const Point& a, const Point& b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
+double distance(const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+/// A part of a polygon.
+struct Area {
+  static constexpr double per_measure = 2.3094010767585034;  // 4 / √3: a triangle of sides 1 has the area √3 / 4
+  static double density(double size) { return 1 / size / size; }
+
+  std::array<Point, 3> corner;
+
+  double measure() const {
+    const auto& [a, b, c] = corner;
+    return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+  }
+  Point middle() const {
+    return {corner[0].x + (corner[1].x - corner[0].x) / 3 + (corner[2].x - corner[0].x) / 3,
+            corner[0].y + (corner[1].y - corner[0].y) / 3 + (corner[2].y - corner[0].y) / 3};
+  }
+  double radius() const {
+    const Point at = middle();
+    return std::max({distance(at, corner[0]), distance(at, corner[1]), distance(at, corner[2])});
+  }
+  /// Cut at the middle of the longest side.
+  std::array<Area, 2> halves() const {
+    std::size_t k = 0;
+    for (const std::size_t other : {1U, 2U})
+      if (distance(corner[other], corner[(other + 1) % 3]) > distance(corner[k], corner[(k + 1) % 3])) k = other;
+    const Point &a = corner[k], &b = corner[(k + 1) % 3], &c = corner[(k + 2) % 3], m = between(a, b);
+    return {Area{{a, m, c}}, Area{{m, b, c}}};
+  }
+};
+
+/// A part of an edge.
+struct Stretch {
+  static constexpr double per_measure = 1;
+  static double density(double size) { return 1 / size; }
+
+  Point a, b;
+
+  double measure() const { return distance(a, b); }
+  Point middle() const { return between(a, b); }
+  double radius() const { return measure() / 2; }
+  std::array<Stretch, 2> halves() const { return {Stretch{a, middle()}, Stretch{middle(), b}}; }
+};
+
+/// The integral over one part, and how far it may be off.
+template <typename Part>
+struct Piece {
+  Piece(const Part& of, std::size_t piece_of, const SizeField& field) : part(of), whole(piece_of) {
+    const double size = field.at(part.middle()), change = field.grade() * part.radius(), measure = part.measure();
+    const double low = std::max(size - change, field.least()), high = std::min(size + change, field.most());
+    value = Part::per_measure * measure * Part::density(size);
+    doubt = Part::per_measure * measure * (Part::density(low) - Part::density(high));
+  }
+
+  Part part;
+  std::size_t whole;  // which of the parts at the beginning it is of
+  double value, doubt;
+};
+
+/// The integrals over each of the parts.
+template <typename Part>
+std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& field, Steps& step) {
+  std::vector<Piece<Part>> pieces;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    step();
+    pieces.emplace_back(parts[i], i, field);
+  }
+  const std::size_t most = parts.size() + most_pieces;
+  for (int round = 0; round < most_rounds && pieces.size() < most; ++round) {
+    double value = 0, doubt = 0;
+    for (const auto& piece : pieces) {
+      value += piece.value;
+      doubt += piece.doubt;
+    }
+    if (!(doubt > tolerance * value)) break;
+    // Half of what is tolerated can be left in pieces that are not halved.
+    const double tolerated = tolerance / 2 * value / static_cast<double>(pieces.size());
+    for (std::size_t i = pieces.size(); i-- > 0 && pieces.size() < most;) {
+      step();
+      if (!(pieces[i].doubt > tolerated)) continue;
+      const auto [first, second] = pieces[i].part.halves();
+      const std::size_t whole = pieces[i].whole;
+      pieces[i] = {first, whole, field};
+      pieces.emplace_back(second, whole, field);
+    }
+  }
+  std::vector<double> integrals(parts.size(), 0.0);
+  for (const auto& piece : pieces) integrals[piece.whole] += piece.value;
+  return integrals;
+}
+
+}  // namespace
+
+double estimate_triangles(const Outline& outline, const SizeField& field, bool keep_boundary,
+                          const std::function<bool()>& go_on) {
+  Steps step(go_on);
+  std::vector<Stretch> stretches;
+  for (const OutlineRing& ring : outline.rings)
+    for (std::size_t i = 0; i < ring.sites.size(); ++i)
+      stretches.push_back({outline.places[ring.sites[i]], outline.places[ring.sites[(i + 1) % ring.sites.size()]]});
+  double boundary = static_cast<double>(stretches.size());
+  if (!keep_boundary) {
+    boundary = 0;
+    for (const double pieces : integrate(stretches, field, step)) boundary += std::max(pieces, 1.0);
+  }
+  std::vector<Area> areas;
+  for (const auto& [a, b, c] : constrained_delaunay(outline, go_on))
+    areas.push_back({{outline.places[a], outline.places[b], outline.places[c]}});
+  double inside = 0;
+  for (const double part : integrate(areas, field, step)) inside += part;
+  return std::max(boundary, inside);
+}
+
+}  // namespace rbpa
