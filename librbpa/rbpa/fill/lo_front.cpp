@@ -19,6 +19,12 @@ constexpr double clearance = 0.5, tight_clearance = 0.35;
 constexpr double good = 0.6;
 /// One that is worse makes the front retreat.
 constexpr double bad = 0.25;
+/// So often the look around is doubled as it is. What is farther is seen past long edges, along which a front advances by
+/// its own corners: these are tried first, and from then on each look is so many times as wide as the last.
+constexpr int near_looks = 8;
+constexpr double far_step = 16;
+/// Edges that are asked first whether they reach into a triangle: those that did last.
+constexpr std::size_t most_blockers = 4;
 
 int orientation(const Point& a, const Point& b, const Point& c) { return plane_orientation(a, b, c); }
 
@@ -37,6 +43,10 @@ double distance(const Point& p, const Point& a, const Point& b) {
 /// The inner parts of both segments have one point in common.
 bool cross(const Point& p, const Point& q, const Point& r, const Point& s) {
   return orientation(p, q, r) * orientation(p, q, s) < 0 && orientation(r, s, p) * orientation(r, s, q) < 0;
+}
+
+bool is_within(const Box& box, const Point& p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
 std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
@@ -90,8 +100,10 @@ Point LoFront::apex_at(const Task& task, double share) const {
   return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
 }
 
-/// Gathers what is within `reach` of edge and ideal apex.
+/// Gathers what is within `reach` of edge and ideal apex: of the candidates those that have not been gathered before.
 void LoFront::look_around(Task& task, double reach) const {
+  const Box before = task.box;
+  const bool again = std::exchange(task.looked, true);
   task.box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
   task.box = {{task.box.low.x - reach, task.box.low.y - reach}, {task.box.high.x + reach, task.box.high.y + reach}};
   task.near.clear();
@@ -102,61 +114,104 @@ void LoFront::look_around(Task& task, double reach) const {
         std::max(p.y, q.y) < task.box.low.y || std::min(p.y, q.y) > task.box.high.y)
       return;
     task.near.push_back(edge);
-    for (const Site s : {edge.from, edge.to}) {
-      const Point& c = places_[s];
-      if (c.x >= task.box.low.x && c.x <= task.box.high.x && c.y >= task.box.low.y && c.y <= task.box.high.y)
-        task.candidates.push_back(s);
-    }
+    // Each end of an edge begins another.
+    if (is_within(task.box, p) && !(again && is_within(before, p)) && orientation(task.a, task.b, p) > 0)
+      task.candidates.push_back(edge.from);
   });
-  std::sort(task.candidates.begin(), task.candidates.end());
-  task.candidates.erase(std::unique(task.candidates.begin(), task.candidates.end()), task.candidates.end());
-  std::erase_if(task.candidates, [&](Site s) { return orientation(task.a, task.b, places_[s]) <= 0; });
+}
+
+/// Whether an edge of the front reaches into the triangle of the task's edge and an apex, a site or a new point.
+bool LoFront::reaches_into(const FrontEdge& edge, const Task& task, const Point& apex, std::optional<Site> site) const {
+  const Point &p = places_[edge.from], &q = places_[edge.to];
+  if (std::max(p.x, q.x) < std::min({task.a.x, task.b.x, apex.x}) ||
+      std::min(p.x, q.x) > std::max({task.a.x, task.b.x, apex.x}) ||
+      std::max(p.y, q.y) < std::min({task.a.y, task.b.y, apex.y}) ||
+      std::min(p.y, q.y) > std::max({task.a.y, task.b.y, apex.y}))
+    return false;
+  const bool is_corner = edge.from == task.from || edge.from == task.to || edge.from == site;
+  // Each end of an edge begins another, so that one of them is enough.
+  if (!is_corner && orientation(task.a, task.b, p) >= 0 && orientation(task.b, apex, p) >= 0 &&
+      orientation(apex, task.a, p) >= 0)
+    return true;
+  if (cross(p, q, task.b, apex) || cross(p, q, task.a, apex)) return true;
+  // A new point might lie on an edge. A site does not: fronts do not touch themselves.
+  return !site && orientation(p, q, apex) == 0 && std::min(p, q) <= apex && apex <= std::max(p, q);
+}
+
+/// Whether one of the edges does that reached into the last triangles.
+bool LoFront::is_known_blocked(Task& task, Site site) const {
+  const auto blocker = std::find_if(task.blockers.begin(), task.blockers.end(), [&](const FrontEdge& edge) {
+    return reaches_into(edge, task, places_[site], site);
+  });
+  if (blocker == task.blockers.end()) return false;
+  std::rotate(task.blockers.begin(), blocker, blocker + 1);
+  return true;
 }
 
 /// Whether the triangle of the edge and an apex within the box, a site or a new point, is empty.
-bool LoFront::is_free(const Task& task, const Point& apex, std::optional<Site> site) const {
-  const Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {apex, apex});
-  const auto is_corner = [&](Site s) { return s == task.from || s == task.to || s == site; };
-  const auto covers = [&](const Point& p) {
-    return orientation(task.a, task.b, p) >= 0 && orientation(task.b, apex, p) >= 0 &&
-           orientation(apex, task.a, p) >= 0;
-  };
-  return std::none_of(task.near.begin(), task.near.end(), [&](const FrontEdge& edge) {
-    const Point &p = places_[edge.from], &q = places_[edge.to];
-    if (std::max(p.x, q.x) < box.low.x || std::min(p.x, q.x) > box.high.x || std::max(p.y, q.y) < box.low.y ||
-        std::min(p.y, q.y) > box.high.y)
-      return false;
-    // Each end of an edge begins another, so that one of them is enough.
-    if (!is_corner(edge.from) && covers(p)) return true;
-    if (cross(p, q, task.b, apex) || cross(p, q, task.a, apex)) return true;
-    // A new point might lie on an edge. A site does not: fronts do not touch themselves.
-    return !site && orientation(p, q, apex) == 0 && std::min(p, q) <= apex && apex <= std::max(p, q);
-  });
+bool LoFront::is_free(Task& task, const Point& apex, std::optional<Site> site) const {
+  const auto blocker = std::find_if(task.near.begin(), task.near.end(),
+                                    [&](const FrontEdge& edge) { return reaches_into(edge, task, apex, site); });
+  if (blocker == task.near.end()) return true;
+  if (task.blockers.size() == most_blockers) task.blockers.pop_back();
+  task.blockers.insert(task.blockers.begin(), *blocker);
+  return false;
+}
+
+/// The first of the candidates, least number first, that makes an empty triangle. Only as much is sorted as is looked at, and
+/// what the known blockers hide goes in one sweep now and then: of many candidates most are hidden by few edges.
+std::optional<LoFront::Ranked> LoFront::first_free(Task& task, std::vector<Ranked>& order) const {
+  const auto later = [](const Ranked& a, const Ranked& b) { return b < a; };
+  std::make_heap(order.begin(), order.end(), later);
+  for (std::size_t tried = 1, sweep = 8; !order.empty(); ++tried) {
+    std::pop_heap(order.begin(), order.end(), later);
+    const Ranked first = order.back();
+    order.pop_back();
+    if (!is_known_blocked(task, first.second) && is_free(task, places_[first.second], first.second)) return first;
+    if (tried < sweep) continue;
+    sweep *= 2;
+    std::erase_if(order, [&](const Ranked& other) { return is_known_blocked(task, other.second); });
+    std::make_heap(order.begin(), order.end(), later);
+  }
+  return std::nullopt;
 }
 
 /// The nearest point of the front that can take the place of the ideal apex.
 std::optional<Site> LoFront::near_ideal(Task& task, double reach) const {
-  std::vector<std::pair<double, Site>> order;
+  std::vector<Ranked> order;
   for (const Site s : task.candidates)
     if (const double far = distance(places_[s], task.ideal); far <= reach) order.emplace_back(far, s);
-  std::sort(order.begin(), order.end());
-  for (const auto& [far, s] : order)
-    if (is_free(task, places_[s], s)) return s;
-  return std::nullopt;
+  const auto nearest = first_free(task, order);
+  return nearest ? std::optional(nearest->second) : std::nullopt;
 }
 
 /// Of the points of the front in the box that which makes the best triangle.
-std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
-  std::vector<std::pair<double, Site>> order;
-  for (const Site s : task.candidates) order.emplace_back(-shape_quality(task.a, task.b, places_[s]), s);
-  std::sort(order.begin(), order.end());
-  for (const auto& [worse, s] : order)
-    if (is_free(task, places_[s], s)) return Choice{s, -worse};
-  return std::nullopt;
+std::optional<LoFront::Choice> LoFront::best_of(Task& task) const {
+  std::vector<Ranked> order;
+  for (const Site s : task.candidates)
+    if (!is_known_blocked(task, s)) order.emplace_back(-shape_quality(task.a, task.b, places_[s]), s);
+  const auto best = first_free(task, order);
+  return best ? std::optional(Choice{best->second, -best->first}) : std::nullopt;
+}
+
+/// Of the ends of the edges beside it on the front that which makes the better triangle.
+std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h, Task& task) const {
+  task.candidates.clear();
+  Box box = common_box({task.a, task.a}, {task.b, task.b});
+  const meshops::Connectivity& mesh = front.mesh();
+  for (const Site s : {front.from_site(mesh.prev_halfedge_handle(h)), front.to_site(mesh.next_halfedge_handle(h))}) {
+    if (orientation(task.a, task.b, places_[s]) <= 0) continue;
+    task.candidates.push_back(s);
+    box = common_box(box, {places_[s], places_[s]});
+  }
+  if (task.candidates.empty()) return std::nullopt;
+  task.near.clear();
+  tree_.for_each_near(box, [&](const FrontEdge& edge) { task.near.push_back(edge); });
+  return best_of(task);
 }
 
 /// A new apex, if it is as clear of the front as that.
-std::optional<Point> LoFront::placed(const Task& task, double share, double wanted) const {
+std::optional<Point> LoFront::placed(Task& task, double share, double wanted) const {
   const Point apex = apex_at(task, share);
   const double least = std::max(wanted * task.side, least_clearance_);
   if (!is_finite(apex) || orientation(task.a, task.b, apex) <= 0) return std::nullopt;
@@ -184,12 +239,18 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
     places_.push_back(*apex);
     return static_cast<Site>(front.sites());
   }
-  for (double reach = std::max(2 * task.side, tree_.least_side()); !best; reach *= 2) {
+  int looks = 0;
+  for (double reach = std::max(2 * task.side, tree_.least_side()); !best; reach *= looks < near_looks ? 2 : far_step) {
+    if (looks == near_looks) best = corner_of(front, h, task);
+    if (best) break;
     look_around(task, reach);
     best = best_of(task);
     if (!best && tree_.is_within(task.box)) return std::nullopt;  // which cannot be
+    ++looks;
   }
-  if (best->quality < bad && !again && retreats_left_ > 0) {
+  // What is as far as that is no nearer from behind.
+  const bool is_far = looks >= near_looks;
+  if (!is_far && best->quality < bad && !again && retreats_left_ > 0) {
     if (const auto face = behind(front, h)) {
       retreated_from_.insert(key_of(task.from, task.to));
       --retreats_left_;

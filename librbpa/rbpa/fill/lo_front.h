@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "meshops/front/policy.h"
@@ -53,25 +54,34 @@ class LoFront {
   struct Task {
     Point a, b;
     Site from, to;
-    double length;                      ///< of the edge
-    double side;                        ///< that the others should have
-    Point ideal;                        ///< where the apex would be best
-    std::vector<FrontEdge> near = {};   ///< every edge of the front that meets `box`
-    std::vector<Site> candidates = {};  ///< ends of those, on the left of the edge
+    double length;                         ///< of the edge
+    double side;                           ///< that the others should have
+    Point ideal;                           ///< where the apex would be best
+    std::vector<FrontEdge> near = {};      ///< every edge of the front that meets `box`
+    std::vector<Site> candidates = {};     ///< ends of those, on the left of the edge
+    std::vector<FrontEdge> blockers = {};  ///< the last that reached into a triangle
     Box box = {};
+    bool looked = false;
   };
   struct Choice {
     Site apex;
     double quality;
   };
 
+  /// A candidate, by how good it is: the least is the best.
+  using Ranked = std::pair<double, Site>;
+
   Task task_of(Site from, Site to) const;
   Point apex_at(const Task& task, double share) const;
   void look_around(Task& task, double reach) const;
   std::optional<Site> near_ideal(Task& task, double reach) const;
-  std::optional<Choice> best_of(const Task& task) const;
-  std::optional<Point> placed(const Task& task, double share, double clearance) const;
-  bool is_free(const Task& task, const Point& apex, std::optional<Site> site) const;
+  std::optional<Choice> best_of(Task& task) const;
+  std::optional<Choice> corner_of(const Front& front, Halfedge h, Task& task) const;
+  std::optional<Ranked> first_free(Task& task, std::vector<Ranked>& order) const;
+  std::optional<Point> placed(Task& task, double share, double clearance) const;
+  bool reaches_into(const FrontEdge& edge, const Task& task, const Point& apex, std::optional<Site> site) const;
+  bool is_known_blocked(Task& task, Site site) const;
+  bool is_free(Task& task, const Point& apex, std::optional<Site> site) const;
   std::optional<meshops::Face> behind(const Front& front, Halfedge h) const;
 
   std::vector<Point> places_;
