@@ -13,6 +13,7 @@
 
 #include "meshops/front/curve_events.h"
 #include "meshops/front/engine_side.h"
+#include "meshops/front/near_miss.h"
 #include "meshops/front/order.h"
 #include "meshops/front/policy.h"
 #include "meshops/front/visitor.h"
@@ -113,6 +114,15 @@ bool begin(Front& front, Policy& policy, Visitor& visitor) {
 ///         than by activate() and freeze().
 template <FrontPolicy Policy, typename Visitor>
 void advance(Front& front, Policy& policy, Visitor&& visitor) {
+  static_assert(!detail::misses_key<Policy>,
+                "the policy has a member key that is passed over: expected key(const Front&, Halfedge), public, of a "
+                "type that is "
+                "std::totally_ordered");
+  static_assert(
+      !detail::misses_glues<Policy>,
+      "the policy has a member glues that is passed over: expected bool glues(const Front&, Halfedge, Site), public");
+  static_assert(!detail::misses_curves<std::remove_cvref_t<Visitor>>(),
+                "the visitor has events of curves that are passed over: expected it to derive from CurveVisitor");
   typename detail::OrderOf<Policy>::type order(front, policy);
   const detail::EngineSide engine(front);
   Halfedge h;

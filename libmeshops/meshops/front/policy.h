@@ -62,7 +62,8 @@ concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& fr
 /// A policy may have an order of its own.
 ///   key(front, h)      of a boundary halfedge that has become active: the least comes first, of equal ones the oldest. It
 ///                      is asked for once each time, and must not change the front.
-/// Without it the order is first in, first out.
+/// Without it the order is first in, first out. A member with this name, or the name `glues`, that has another form is an
+/// error when compiling, and not passed over; so is one that `requires` takes out: put it into a class derived of the policy.
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;

@@ -17,8 +17,7 @@ void demand(bool holds, const char* law) {
 }
 
 /// Answers anything.
-template <bool ordered, bool gluing>
-struct AnyPolicy {
+struct AnyAnswers {
   Choices& choices;
   AdvanceCounts& counts;
   std::size_t questions;
@@ -51,13 +50,30 @@ struct AnyPolicy {
         return any_site(front);
     }
   }
-  std::uint32_t key(const Front&, Halfedge) requires ordered { return below(choices, 5); }
-  bool glues(const Front& front, Halfedge h, Site apex) requires gluing {
+};
+
+template <bool gluing>
+struct AnyGlues : AnyAnswers {};
+template <>
+struct AnyGlues<true> : AnyAnswers {
+  bool glues(const Front& front, Halfedge h, Site apex) {
+    if (choices.one_in(400)) throw std::runtime_error("tired of gluing");
     demand(front.is_boundary(h) && apex != front.from_site(h) && apex != front.to_site(h),
            "asked is of a side on the boundary, and of a triangle");
     const bool yes = choices.one_in(2);
     ++(yes ? counts.glued : counts.not_glued);
     return yes;
+  }
+};
+
+/// Of which keys throw, too.
+template <bool ordered, bool gluing>
+struct AnyPolicy : AnyGlues<gluing> {};
+template <bool gluing>
+struct AnyPolicy<true, gluing> : AnyGlues<gluing> {
+  std::uint32_t key(const Front&, Halfedge) {
+    if (this->choices.one_in(400)) throw std::runtime_error("tired of keys");
+    return below(this->choices, 5);
   }
 };
 static_assert(FrontPolicy<AnyPolicy<false, false>> && !OrderedFrontPolicy<AnyPolicy<false, true>>);
@@ -110,7 +126,7 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
     void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
     void curve_closed(const Front&) { --curves; }
   } account(counts);
-  AnyPolicy<ordered, gluing> policy{choices, counts, questions};
+  AnyPolicy<ordered, gluing> policy{{{choices, counts, questions}}};
   for (unsigned level = 0; level < 4 && !policy.tired(); ++level) {
     bool thrown = false;
     try {

@@ -1,0 +1,113 @@
+// Members with the name of an optional one and another form are found when compiling; what has the form, or no such name, is
+// not.
+#include "meshops/front/near_miss.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <optional>
+
+#include "meshops/front/engine.h"
+#include "support/meshes.h"
+
+using namespace meshops;
+using namespace meshops::test;
+using detail::misses_curves;
+using detail::misses_glues;
+using detail::misses_key;
+
+namespace {
+
+struct Plain {
+  std::optional<std::array<Site, 3>> seed(const Front& front) {
+    return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
+  }
+  std::optional<Site> propose(const Front&, Halfedge) { return std::nullopt; }
+};
+static_assert(!misses_key<Plain> && !misses_glues<Plain>);
+
+struct OnlyLess {
+  double value;
+  bool operator<(const OnlyLess& other) const { return value < other.value; }
+};
+
+struct KeyOfMutableFront : Plain {
+  int key(Front&, Halfedge) { return 0; }
+};
+struct KeyWithoutHalfedge : Plain {
+  int key(const Front&) { return 0; }
+};
+struct KeyWithOnlyLess : Plain {
+  OnlyLess key(const Front&, Halfedge) { return {0}; }
+};
+class PrivateKey : public Plain {
+  [[maybe_unused]] int key(const Front&, Halfedge) { return 0; }
+};
+struct FinalKey final : Plain {
+  int key(Front&, Halfedge) { return 0; }
+};
+struct OverloadedKey : Plain {
+  int key(Front&, Halfedge) { return 0; }
+  int key(Front&) { return 0; }
+};
+static_assert(misses_key<KeyOfMutableFront> && misses_key<KeyWithoutHalfedge> && misses_key<KeyWithOnlyLess>);
+static_assert(misses_key<PrivateKey> && misses_key<FinalKey> && misses_key<OverloadedKey>);
+
+struct GoodKey : Plain {
+  int key(const Front&, Halfedge) const { return 0; }
+};
+struct GenericKey : Plain {
+  template <typename AnyFront>
+  int key(const AnyFront&, Halfedge) const {
+    return 0;
+  }
+};
+struct ChangingKey : Plain {
+  int key(const Front&, Halfedge) { return 0; }
+};
+static_assert(!misses_key<GoodKey> && !misses_key<GenericKey> && !misses_key<ChangingKey>);
+static_assert(misses_key<const ChangingKey> || !FrontPolicy<const ChangingKey>);
+
+struct IntGlues : Plain {
+  int glues(const Front&, Halfedge, Site) { return 1; }
+};
+struct GluesWithoutApex : Plain {
+  bool glues(const Front&, Halfedge) { return true; }
+};
+struct GoodGlues : Plain {
+  bool glues(const Front&, Halfedge, Site) { return true; }
+};
+static_assert(misses_glues<IntGlues> && misses_glues<GluesWithoutApex> && !misses_glues<GoodGlues>);
+
+struct CurvesOverridden : FrontVisitor {
+  void curve_split(const Front&, Halfedge, Halfedge) {}
+};
+struct CurvesInOtherForm : FrontVisitor {
+  void curve_closed() {}
+};
+struct Follows : CurveVisitor {
+  void curve_split(const Front&, Halfedge, Halfedge) {}
+};
+struct Frozen : FrontVisitor {
+  void frozen(const Front&, Halfedge) {}
+};
+static_assert(misses_curves<CurvesOverridden>() && misses_curves<CurvesInOtherForm>());
+static_assert(!misses_curves<Follows>() && !misses_curves<Frozen>() && !misses_curves<FrontVisitor>());
+
+}  // namespace
+
+TEST_SUITE("near misses") {
+  TEST_CASE("members in the form that is wanted are taken, generic ones too") {
+    const auto runs = [](auto policy) {
+      TestMesh mesh;
+      Front front(mesh, 3);
+      advance(front, policy, Follows{});
+      return front.faces() == 1;
+    };
+    CHECK(runs(Plain{}));
+    CHECK(runs(GoodKey{}));
+    CHECK(runs(GenericKey{}));
+    CHECK(runs(ChangingKey{}));
+    CHECK(runs(GoodGlues{}));
+  }
+}

@@ -1,0 +1,199 @@
+// Whatever throws out of a policy or a visitor, no edge of the front is lost: another advance() asks about each of them, and
+// makes the mesh of a run without throws.
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/front/engine.h"
+#include "support/check_sound.h"
+#include "support/meshes.h"
+#include "support/snapshot.h"
+
+using namespace meshops;
+using namespace meshops::test;
+
+namespace {
+
+/// Throws at one of the questions, which are counted.
+struct Fuse {
+  long left = -1;
+  long asked = 0;
+  void burn() {
+    ++asked;
+    if (left >= 0 && left-- == 0) throw std::runtime_error("blown");
+  }
+};
+Fuse fuse;  // keys are compared and moved without a word to anybody
+
+/// Whose order and moves throw, too.
+struct Fragile {
+  unsigned value = 0;
+  explicit Fragile(unsigned v) : value(v) {}
+  Fragile(const Fragile& other) : value(other.value) { fuse.burn(); }
+  Fragile(Fragile&& other) : value(std::exchange(other.value, 999'999U)) { fuse.burn(); }
+  Fragile& operator=(const Fragile& other) {
+    fuse.burn();
+    value = other.value;
+    return *this;
+  }
+  Fragile& operator=(Fragile&& other) {
+    fuse.burn();
+    value = std::exchange(other.value, 999'999U);
+    return *this;
+  }
+  ~Fragile() = default;
+  friend bool operator==(const Fragile& a, const Fragile& b) { return a.value == b.value; }
+  friend bool operator<(const Fragile& a, const Fragile& b) {
+    fuse.burn();
+    return a.value < b.value;
+  }
+  friend bool operator>(const Fragile& a, const Fragile& b) { return b < a; }
+  friend bool operator<=(const Fragile& a, const Fragile& b) { return !(b < a); }
+  friend bool operator>=(const Fragile& a, const Fragile& b) { return !(a < b); }
+};
+
+constexpr Site sites = 24;
+unsigned mixed(Site a, Site b, unsigned salt) { return (a * 7919U + b * 104'729U + salt * 31U) % 1009U; }
+
+/// A function of the edge.
+struct OfTheEdge {
+  std::optional<std::array<Site, 3>> seed(const Front& front) {
+    fuse.burn();
+    for (Site s = 0; s + 2 < sites; s += 5)
+      if (front.is_free(s) && front.is_free(s + 1) && front.is_free(s + 2)) return std::array{s, s + 1, s + 2};
+    return std::nullopt;
+  }
+  std::optional<Site> propose(const Front& front, Halfedge h) {
+    fuse.burn();
+    const unsigned m = mixed(front.from_site(h), front.to_site(h), 1);
+    if (m % 7 == 0) return std::nullopt;
+    if (m % 3 == 0) return front.to_site(front.mesh().next_halfedge_handle(h));
+    return m % sites;
+  }
+};
+struct ByKey : OfTheEdge {
+  unsigned key(const Front& front, Halfedge h) {
+    fuse.burn();
+    return mixed(front.from_site(h), front.to_site(h), 2) % 11;  // many are equal
+  }
+};
+struct ByFragileKey : OfTheEdge {
+  Fragile key(const Front& front, Halfedge h) { return Fragile(mixed(front.from_site(h), front.to_site(h), 2) % 11); }
+};
+struct Gluing : ByKey {
+  bool glues(const Front& front, Halfedge h, Site apex) {
+    fuse.burn();
+    return mixed(front.from_site(h), front.to_site(h), apex) % 3 != 0;
+  }
+};
+
+struct Burning : CurveVisitor {
+  void seeded(const Front&, const InsertedTriangle&) { fuse.burn(); }
+  void attached(const Front&, Halfedge, const InsertedTriangle&) { fuse.burn(); }
+  void frozen(const Front&, Halfedge) { fuse.burn(); }
+  void refused(const Front&, Halfedge, const Refusal&) { fuse.burn(); }
+  void curve_begun(const Front&, Halfedge) { fuse.burn(); }
+  void curves_joined(const Front&, Halfedge) { fuse.burn(); }
+  void curve_split(const Front&, Halfedge, Halfedge) { fuse.burn(); }
+  void curve_closed(const Front&) { fuse.burn(); }
+};
+
+/// Throws at the question `at`, then every `every` questions if that is not 0, goes on after each, and returns the mesh.
+template <typename Policy>
+std::vector<int> run(long at, long every, std::size_t& throws) {
+  TestMesh mesh;
+  Front front(mesh, sites);
+  Policy policy;
+  fuse = {at, 0};
+  for (;;) {
+    try {
+      advance(front, policy, Burning{});
+      break;
+    } catch (const std::runtime_error&) {
+      ++throws;
+      fuse.left = every > 0 ? every : -1;
+      check_sound(mesh);
+      for (const BoundaryCurve& curve : front.curves())
+        for (const Halfedge h : curve) REQUIRE((front.is_active(h) || front.is_frozen(h)));
+    }
+  }
+  fuse.left = -1;
+  check_sound(mesh);
+  for (const BoundaryCurve& curve : front.curves())
+    for (const Halfedge h : curve) REQUIRE(front.is_frozen(h));
+  front.finish();
+  return snapshot(mesh);
+}
+
+template <typename Policy>
+void check_every_throw() {
+  std::size_t throws = 0;
+  const std::vector<int> expected = run<Policy>(-1, 0, throws);
+  const long questions = fuse.asked;
+  REQUIRE(throws == 0);
+  REQUIRE(questions > 40);
+  for (long at = 0; at < questions; at += 1 + questions / 400) {
+    CAPTURE(at);
+    throws = 0;
+    REQUIRE(run<Policy>(at, 0, throws) == expected);
+    REQUIRE(throws == 1);
+  }
+  // Again and again: rarely enough that a run gets somewhere between two throws.
+  throws = 0;
+  CHECK(run<Policy>(7, 2000, throws) == expected);
+  CHECK(throws >= 1);
+}
+
+}  // namespace
+
+TEST_SUITE("throws") {
+  TEST_CASE("first in, first out: whichever question or event throws, the mesh is that of a run without") {
+    check_every_throw<OfTheEdge>();
+  }
+  TEST_CASE("least key first: whichever question or event throws, the mesh is that of a run without") {
+    check_every_throw<ByKey>();
+  }
+  TEST_CASE("whichever comparison or move of a key throws, within the heap too, the mesh is that of a run without") {
+    check_every_throw<ByFragileKey>();
+  }
+  TEST_CASE("whichever question of what is glued throws, the mesh is that of a run without") {
+    check_every_throw<Gluing>();
+  }
+
+  TEST_CASE("keys that throw lose no edge: each is asked about in the end") {
+    struct Strip {
+      std::size_t thrown = 0, proposals = 0;
+      unsigned calls = 0;
+      std::optional<std::array<Site, 3>> seed(const Front& front) {
+        return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
+      }
+      std::optional<Site> propose(const Front& front, Halfedge) {
+        ++proposals;
+        return front.sites() < 60 ? std::optional(static_cast<Site>(front.sites())) : std::nullopt;
+      }
+      int key(const Front&, Halfedge h) {
+        if (thrown < 200 && ++calls % 7 == 0) {
+          ++thrown;
+          throw std::runtime_error("no key");
+        }
+        return h.idx();
+      }
+    } policy;
+    TestMesh mesh;
+    Front front(mesh, 3);
+    // The keys of all that waits are asked for again after a throw, so the number of throws is limited.
+    for (bool done = false; !done;) try {
+        advance(front, policy);
+        done = true;
+      } catch (const std::runtime_error&) {
+        check_sound(mesh);
+      }
+    CHECK(policy.thrown > 50);
+    CHECK(front.sites() == 60);
+    CHECK(policy.proposals == 57 + 60);
+    for (const BoundaryCurve& curve : front.curves())
+      for (const Halfedge h : curve) CHECK(front.is_frozen(h));
+  }
+}
