@@ -25,15 +25,18 @@ bool is_of_word(char c) {
   return std::isalnum(byte) != 0 || c == '_' || c == '.' || byte >= 0x80;
 }
 
+bool is_quote(char c) { return c == '"' || c == '\''; }
+
 std::string_view without_quotes(std::string_view word) {
-  return word.size() > 2 && word.front() == '"' ? word.substr(1, word.size() - 2) : word;
+  return word.size() > 2 && is_quote(word.front()) ? word.substr(1, word.size() - 2) : word;
 }
 
 /// Recursive descent, a function for each rule of the grammar.
 class Parser {
  public:
-  Parser(const std::string& text, const FieldNames& names, Instructions& result, std::vector<std::string>& fields)
-      : rest_(text), names_(names), result_(result), fields_(fields) {}
+  Parser(const std::string& text, const FieldNames& names, Instructions& result, std::vector<std::string>& fields,
+         std::vector<Condition::Text>& texts)
+      : rest_(text), names_(names), result_(result), fields_(fields), texts_(texts) {}
 
   void parse() {
     take();
@@ -48,8 +51,8 @@ class Parser {
   void take() {
     while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front())) != 0) rest_.remove_prefix(1);
     std::size_t size = 0;
-    if (!rest_.empty() && rest_.front() == '"') size = std::min(rest_.find('"', 1), rest_.size() - 1) + 1;
-    while ((size == 0 || rest_.front() != '"') && size < rest_.size() && is_of_word(rest_[size])) {
+    if (!rest_.empty() && is_quote(rest_.front())) size = std::min(rest_.find(rest_.front(), 1), rest_.size() - 1) + 1;
+    while ((size == 0 || !is_quote(rest_.front())) && size < rest_.size() && is_of_word(rest_[size])) {
       ++size;
       const bool exponent =
           (rest_[size - 1] == 'e' || rest_[size - 1] == 'E') && (is_digit(rest_.front()) || rest_.front() == '.');
@@ -111,10 +114,48 @@ class Parser {
     }
   }
 
+  /// Whether the next word is a text in quotes of either kind.
+  bool is_text() const {
+    return names_.texts && word_.size() > 1 && is_quote(word_.front()) && word_.back() == word_.front();
+  }
+
+  /// Appends whether the field is the text that is next.
+  void take_text(const std::string& field) {
+    result_.push_back({Step::text, 0, texts_.size()});
+    texts_.push_back({field, std::string(word_.substr(1, word_.size() - 2))});
+    take();
+  }
+
+  /// What is to be compared with a text is no number.
+  std::string name_of(const Condition::Instruction& left, std::size_t known) {
+    if (left.step != Step::field) refuse("a number or " + names_.described);
+    std::string name = fields_[left.field];
+    if (fields_.size() > known) fields_.pop_back();
+    return name;
+  }
+
+  void take_texts(const std::string& field, bool negated) {
+    for (bool first = true;; first = false) {
+      if (!is_text()) refuse("a text in quotes, as before");
+      take_text(field);
+      if (!first) result_.push_back({Step::either});
+      if (!take_if(",")) break;
+    }
+    if (!take_if(")")) refuse("',' or ')'");
+    if (negated) result_.push_back({Step::negation});
+  }
+
   void take_comparison() {
+    const std::size_t known = fields_.size();
     Condition::Instruction left = take_operand();
-    if (is("in") || is("not")) return take_list(left, take_if("not"));
+    if (is("in") || is("not")) return take_list(left, known, take_if("not"));
     std::optional<Step> step = take_sign();
+    if (step && is_text()) {
+      if (*step != Step::equal && *step != Step::not_equal) refuse("a number (a text is compared with == and !=)");
+      take_text(name_of(left, known));
+      if (*step == Step::not_equal) result_.push_back({Step::negation});
+      return;
+    }
     result_.push_back(left);
     if (!step) return;
     // 0 < z < 10 is 0 < z and z < 10.
@@ -127,9 +168,10 @@ class Parser {
     }
   }
 
-  void take_list(const Condition::Instruction& left, bool negated) {
+  void take_list(const Condition::Instruction& left, std::size_t known, bool negated) {
     if (!take_if("in")) refuse("in");
     if (!take_if("(")) refuse("'('");
+    if (is_text()) return take_texts(name_of(left, known), negated);
     bool first = true;
     do {
       result_.push_back(left);
@@ -171,6 +213,7 @@ class Parser {
   const FieldNames& names_;
   Instructions& result_;
   std::vector<std::string>& fields_;
+  std::vector<Condition::Text>& texts_;
 };
 
 double evaluated(Step step, double a, double b) {
@@ -201,11 +244,11 @@ FieldNames names_of_columns() {
     if (word.empty()) return false;
     return is_of_word(word.front()) || (word.size() > 2 && word.front() == '"' && word.back() == '"');
   };
-  return {are, "the name of a column (in double quotes where it is no word)"};
+  return {are, "the name of a column (in double quotes where it is no word)", true};
 }
 
 Condition::Condition(const std::string& text, const FieldNames& names) {
-  Parser(text, names, instructions_, fields_).parse();
+  Parser(text, names, instructions_, fields_, texts_).parse();
 }
 
 bool Decision::operator()(std::span<const double> values) {
@@ -215,6 +258,8 @@ bool Decision::operator()(std::span<const double> values) {
       stack_.push_back(instruction.number);
     } else if (instruction.step == Step::field) {
       stack_.push_back(values[instruction.field]);
+    } else if (instruction.step == Step::text) {
+      stack_.push_back(values[first_text_ + instruction.field]);
     } else if (instruction.step == Step::negation) {
       stack_.back() = stack_.back() == 0 ? 1 : 0;
     } else {

@@ -14,44 +14,67 @@ namespace rbpa::app {
 struct FieldNames {
   bool (*are)(std::string_view word);
   std::string described;  ///< for messages, behind "expected a number or "
+  bool texts = false;     ///< they may be compared with a text
 };
 
 /// Of tables: any name. One that is no word, such as "point class", stands in double quotes.
 FieldNames names_of_columns();
 
 /// Comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or `field in (2, 6)`, or a
-/// field that is not 0; joined by not, and, or (also ! && ||) and brackets. Small and capital letters are the same.
+/// field that is not 0; joined by not, and, or (also ! && ||) and brackets. Small and capital letters are the same. Where
+/// fields may be texts: `field == "A"`, != and `in ("A", "B")`, quotes of either kind, letters as they are.
 class Condition {
  public:
   /// Throws WrongUsage naming what is not understood.
   Condition(const std::string& text, const FieldNames& names);
 
-  enum class Step { field, number, equal, not_equal, less, less_equal, greater, greater_equal, both, either, negation };
+  enum class Step {
+    field,
+    number,
+    equal,
+    not_equal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    both,
+    either,
+    negation,
+    text
+  };
   /// In the order of evaluation: values before what is made of them.
   struct Instruction {
     Step step;
     double number = 0;      ///< of Step::number
-    std::size_t field = 0;  ///< of Step::field: which of fields()
+    std::size_t field = 0;  ///< of Step::field: which of fields(); of Step::text: which of texts()
   };
   const std::vector<Instruction>& instructions() const { return instructions_; }
   /// As they were written, each once.
   const std::vector<std::string>& fields() const { return fields_; }
+  /// Whether a field is a text.
+  struct Text {
+    std::string field, text;
+  };
+  const std::vector<Text>& texts() const { return texts_; }
 
  private:
   std::vector<Instruction> instructions_;
   std::vector<std::string> fields_;
+  std::vector<Text> texts_;
 };
 
 /// Says of one point after the other whether a condition holds.
 class Decision {
  public:
-  explicit Decision(const Condition& condition) : instructions_(condition.instructions()) {}
+  explicit Decision(const Condition& condition)
+      : instructions_(condition.instructions()), first_text_(condition.fields().size()) {}
 
-  /// `values` are those of the condition's fields.
+  /// `values` are those of the condition's fields, and behind them 1 or 0 for each of its texts.
   bool operator()(std::span<const double> values);
 
  private:
   std::vector<Condition::Instruction> instructions_;
+  std::size_t first_text_;
   std::vector<double> stack_;
 };
 

@@ -429,11 +429,11 @@ TEST_SUITE("points of space") {
                          "p: found no header line, expected one with the names that --where asks for", BadInput);
     CHECK_THROWS_WITH_AS(where("x,y,z\n1,2,3\n", "n == 1"), "p:1: found 'x,y,z', expected a header with a column 'n'",
                          BadInput);
-    CHECK_THROWS_WITH_AS(
-        where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
-        "p:2: found 'NA', expected a number in a column that --where asks for (--skip-invalid leaves out "
-        "lines that are no point)",
-        BadInput);
+    CHECK_THROWS_WITH_AS(where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
+                         "p:2: found 'NA', expected a number in a column that --where asks for (== \"...\" compares a "
+                         "text) (--skip-invalid leaves out "
+                         "lines that are no point)",
+                         BadInput);
   }
 
   TEST_CASE("a path is read, compressed or not") {

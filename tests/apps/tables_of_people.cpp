@@ -98,7 +98,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("a,b,c\n1,2,3\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("lon,height,depth\n1,2,3\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read("x,y,WKT\n1,2,POINT (3 4)\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read("x,y,WKT\n1,2,POINT (3 4)\n").points == std::vector<Point>{{3, 4}});
     CHECK(read("lat,lon\n1,2\n", {.columns = Columns{}}).points == std::vector<Point>{{1, 2}});
   }
 
@@ -171,6 +171,66 @@ TEST_SUITE("tables of people") {
     CHECK(refusal(std::string("\xFF\xFE"
                               "1\0,\0",
                               6)) == "t: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
+  }
+
+  TEST_CASE("--where compares texts that stand in quotes") {
+    const auto where = [](const std::string& text) { return TableRule{.where = Condition(text, names_of_columns())}; };
+    const std::string text =
+        "x,y,grp,\"my kind\",n\n0,0,A,\"a, b\",1\n1,0,B,c,2\n2,0,\"A\",,3\n3,0, a ,it's,4\n4,0,6,c,5\n";
+    const auto xs = [&](const std::string& condition) {
+      CAPTURE(condition);
+      std::vector<double> found;
+      for (const Point& p : read(text, where(condition)).points) found.push_back(p.x);
+      return found;
+    };
+    using Xs = std::vector<double>;
+    for (const std::string quote : {"\"", "'"}) {
+      const auto quoted = [&](const std::string& word) { return quote + word + quote; };
+      CHECK(xs("grp == " + quoted("A")) == Xs{0, 2});
+      CHECK(xs("grp=" + quoted("a")) == Xs{3});
+      CHECK(xs("GRP != " + quoted("A")) == Xs{1, 3, 4});
+      CHECK(xs("\"my kind\" == " + quoted("a, b")) == Xs{0});
+      CHECK(xs("\"my kind\" <> " + quoted("c") + " and n < 4") == Xs{0, 2});
+      CHECK(xs("\"my kind\" == " + quoted("")) == Xs{2});
+      CHECK(xs("grp in (" + quoted("A") + ", " + quoted("B") + ")") == Xs{0, 1, 2});
+      CHECK(xs("grp not in (" + quoted("A") + "," + quoted("B") + ") or n == 2") == Xs{1, 3, 4});
+      CHECK(xs("not grp == " + quoted("A") + " and (n > 4 or grp == " + quoted("B") + ")") == Xs{1, 4});
+      CHECK(xs("grp == " + quoted("6") + " and n != 2") == Xs{4});
+    }
+    CHECK(xs("\"my kind\" == \"it's\"") == Xs{3});
+    // A text that meets a number, and what is none of either.
+    CHECK(refusal(text, where("grp == 6")) ==
+          "t:2: found 'A', expected a number in a column that --where asks for (== \"...\" compares a text) "
+          "(--skip-invalid leaves out lines that are no point)");
+    CHECK(refusal(text, where("kind == 'A'")).find("expected a header with a column 'kind'") != std::string::npos);
+    const auto refused = [](const std::string& condition) -> std::string {
+      try {
+        const Condition parsed(condition, names_of_columns());
+      } catch (const WrongUsage& error) {
+        return error.what();
+      }
+      return "none";
+    };
+    CHECK(refused("grp < 'A'") == "--where: found ''A'', expected a number (a text is compared with == and !=)");
+    CHECK(refused("3 == 'A'").find("expected a number or the name of a column") != std::string::npos);
+    CHECK(refused("grp in ('A', 3)") == "--where: found '3', expected a text in quotes, as before");
+    CHECK(refused("grp in ('A' 'B')") == "--where: found ''B'', expected ',' or ')'");
+    CHECK(refused("'A' == grp").find("expected a number or the name of a column") != std::string::npos);
+    CHECK(refused("grp == 'A").find("expected a number or the name of a column") != std::string::npos);
+  }
+
+  TEST_CASE("geometries go before coordinates beside them, where there are any, and that is said") {
+    const std::string lines = "lon,lat,name,WKT\n9,9,a,POINT (1 2)\n8,8,b,MULTIPOINT(3 4)\n";
+    const PointFile file = read(lines);
+    CHECK(file.points == std::vector<Point>{{1, 2}, {3, 4}});
+    CHECK(file.remarks == std::vector<std::string>{"the geometries of column 'WKT' are read, and not 'lon' and 'lat' "
+                                                   "(--columns chooses these)"});
+    CHECK(read("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read(lines, {.columns = Columns{{.name = "lon"}, {.name = "lat"}}}).points ==
+          std::vector<Point>{{9, 9}, {8, 8}});
+    // The bytes of a geometry, or none.
+    CHECK(read("x,y,geom\n1,2,0101000000000000000000F03F\n3,4,\n").points == std::vector<Point>{{1, 2}, {3, 4}});
+    CHECK(read("x,y,geom\n1,2,\n").remarks.empty());
   }
 
   TEST_CASE("a column of geometries") {
@@ -319,7 +379,8 @@ TEST_SUITE("tables of people") {
     CHECK(read("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
     CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
     CHECK(refusal(holes, where("n == 5")) ==
-          "t:4: found 'NA', expected a number in a column that --where asks for (--skip-invalid leaves out lines "
+          "t:4: found 'NA', expected a number in a column that --where asks for (== \"...\" compares a text) "
+          "(--skip-invalid leaves out lines "
           "that are no point)");
     const PointFile skipped = read(holes, where("n == 5", true));
     CHECK(skipped.points == std::vector<Point>{{1, 2}});

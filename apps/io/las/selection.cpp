@@ -15,7 +15,7 @@ std::string formats_with(std::string_view field, unsigned minor) {
 
 }  // namespace
 
-FieldNames names_of_las_fields() { return {is_las_field, "a field of LAS: " + las_field_names()}; }
+FieldNames names_of_las_fields() { return {is_las_field, "a field of LAS: " + las_field_names(), false}; }
 
 Selection::Selection(const Condition& condition, const LasRecords& records, const std::string& name)
     : axes_(records.axes), values_(condition.fields().size()), holds_(condition) {

@@ -9,7 +9,9 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
   if (!where_) return;
   if (names.empty()) bad_input(name, "no header line", "one with the names that --where asks for");
   for (const std::string& field : where_->fields()) columns_.push_back(find_column(names, field, lines, name));
-  values_.resize(columns_.size());
+  for (const Condition::Text& text : where_->texts())
+    text_columns_.push_back(find_column(names, text.field, lines, name));
+  values_.resize(columns_.size() + text_columns_.size());
   holds_.emplace(*where_);
 }
 

@@ -16,7 +16,8 @@
 
 namespace rbpa::app {
 
-constexpr std::string_view of_where = " in a column that --where asks for";  ///< behind what a number is expected to be
+constexpr std::string_view of_where =
+    " in a column that --where asks for (== \"...\" compares a text)";  ///< behind what a number is expected to be
 
 class LineSelection {
  public:
@@ -36,6 +37,8 @@ class LineSelection {
     if (!where_) return true;
     std::size_t count = 0;
     for (; !fields.at_end(); ++count) {
+      if (std::find(text_columns_.begin(), text_columns_.end(), count) != text_columns_.end())
+        compare_texts(count, without_quotes(Fields(fields).take()));
       if (std::find(columns_.begin(), columns_.end(), count) == columns_.end()) {
         fields.take();
         continue;
@@ -68,9 +71,15 @@ class LineSelection {
   void tell(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
 
  private:
+  void compare_texts(std::size_t column, std::string_view found) {
+    for (std::size_t i = 0; i < text_columns_.size(); ++i)
+      if (text_columns_[i] == column) values_[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
+  }
+
   std::optional<Condition> where_;
   bool skip_invalid_;
-  std::vector<std::size_t> columns_ = {};  // of the condition's fields
+  std::vector<std::size_t> columns_ = {};       // of the condition's fields
+  std::vector<std::size_t> text_columns_ = {};  // of its texts
   std::vector<double> values_ = {};
   std::optional<Decision> holds_ = std::nullopt;
   std::size_t selected_ = 0, deselected_ = 0, skipped_ = 0;

@@ -1,7 +1,9 @@
 #include "io/table/text_points.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -130,7 +132,16 @@ class TextTable::Reader {
 
   /// Whether the line is a header with names that say where the points are.
   bool find_by_header(const std::vector<std::string_view>& fields) {
-    if (const std::optional<NamedColumns> found = find_coordinates(fields)) {
+    const std::optional<std::size_t> geometries = find_wkt(fields);
+    const std::optional<NamedColumns> found = find_coordinates(fields);
+    if (found && geometries && next_line_has_geometry()) {
+      file_.remarks.push_back("the geometries of column " + in_quotes(fields[*geometries]) + " are read, and not " +
+                              in_quotes(fields[found->x]) + " and " + in_quotes(fields[found->y]) +
+                              " (--columns chooses these)");
+      wkt_ = geometries;
+      return true;
+    }
+    if (found) {
       x_ = found->x;
       y_ = found->y;
       file_.degrees = found->degrees;
@@ -140,8 +151,20 @@ class TextTable::Reader {
                                 ", as the header says (--columns chooses others)");
       return true;
     }
-    wkt_ = find_wkt(fields);
+    wkt_ = geometries;
     return wkt_.has_value();
+  }
+
+  /// A column that is called so may have something else in it, such as the bytes of a geometry, or nothing.
+  bool next_line_has_geometry() const {
+    const std::string_view rest = lines_.rest();
+    const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
+    constexpr std::string_view kinds[] = {"POINT", "LINESTRING", "POLYGON", "GEOMETRYCOLLECTION"};
+    const auto same = [](char a, char b) { return std::toupper(static_cast<unsigned char>(a)) == b; };
+    return line.find('(') != std::string_view::npos &&
+           std::any_of(std::begin(kinds), std::end(kinds), [&](std::string_view kind) {
+             return std::search(line.begin(), line.end(), kind.begin(), kind.end(), same) != line.end();
+           });
   }
 
   /// That of the line, which is the first of data. The commas of a geometry separate none of its fields.
