@@ -19,8 +19,8 @@
 #include "io/output_file.h"
 #include "picture/png.h"
 #include "picture/svg.h"
-#include "rbpa/arrays/link_triangles.h"
 #include "rbpa/shape/coverage.h"
+#include "rbpa/shape/link_triangles.h"
 #include "rbpa/shape/polygons.h"
 #include "triangulation/counts.h"
 

@@ -1,15 +1,16 @@
 // What: what lies across of each triangle, where triangles in canonical order are all that is known.
-// Law:  the same neighbours as LinkedTriangles finds while it takes patches.
+// Law:  the neighbours that triangulate() finds.
 // Why:  less memory: no more than the result and four bytes a point, after everything of the run is gone.
 // Cost: linear where few triangles are at a point, n log n where many are.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "rbpa/arrays/triple.h"
 #include "rbpa/core/api.h"
 
 namespace rbpa {
@@ -17,7 +18,8 @@ namespace rbpa {
 /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none.
 /// Requires: triangles of a complex in the plane as in a Triangulation; corners are below `points`.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<Triple> link_triangles(std::span<const Triple> triangles, std::size_t points,
-                                            const std::function<bool()>& go_on = {});
+RBPA_API std::vector<std::array<std::uint32_t, 3>> link_triangles(
+    std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points,
+    const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-#include "rbpa/arrays/link_triangles.h"
+#include "rbpa/shape/link_triangles.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,6 +10,7 @@
 namespace rbpa {
 namespace {
 
+using Triple = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t none = TriangleArrays::none;
 
 /// A side at a point, which is the lower of its ends.

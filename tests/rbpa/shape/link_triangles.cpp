@@ -1,7 +1,8 @@
-#include "rbpa/arrays/link_triangles.h"
+#include "rbpa/shape/link_triangles.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +13,7 @@
 
 using namespace rbpa_test;
 
-TEST_SUITE_BEGIN("arrays");
+TEST_SUITE_BEGIN("shape");
 
 TEST_CASE("neighbours by the triangles alone are those that the run finds") {
   Random random(61);
