@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -98,6 +99,32 @@ TEST_CASE("parcels on random points: whole, cut, graded, kept, without a size") 
     check_groups(points, polygons, {.size = 1, .keep_boundary = true});
     check_groups(points, polygons, {.size = infinity});
   }
+}
+
+TEST_CASE("an edge that one parcel has to keep whole stays whole in its neighbour") {
+  Random random(13);
+  std::size_t filled = 0, whole = 0;
+  for (int i = 0; i < 100; ++i) {
+    // Below the slanted edge between the parcels lies one of a hole, some units in the last place away.
+    const Point a{0, random.between(1, 2)}, b{1, random.between(1, 2)};
+    const auto below = [&](double share) {
+      double y = a.y + share * (b.y - a.y);
+      for (int step = random.integer(1, 2); step > 0; --step) y = std::nextafter(y, 0);
+      return Point{share, y};
+    };
+    const Points points = {{0, 0}, {1, 0}, b, a, below(0.125), below(0.875), {0.5, 0.25}, {1, 3}, {0, 3}};
+    std::vector<Polygon> polygons = {{.shell = {{0, 1, 2, 3}}, .holes = {{{4, 5, 6}}}}, {.shell = {{3, 2, 7, 8}}}};
+    if (i % 2 == 0) std::swap(polygons[0], polygons[1]);
+    if (rbpa_test::refusal(points, polygons, {.size = 3, .groups = one_by_one(polygons)}) != "") continue;  // they meet
+    ++filled;
+    check_groups(points, polygons, {.size = 0.07});
+    const Filling filling = fill(points, polygons, {.size = 0.07, .groups = one_by_one(polygons)});
+    const auto& ring = filling.polygons[i % 2 == 0 ? 0 : 1].shell.points;
+    const auto at = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), 3U) - ring.begin());
+    whole += ring[(at + 1) % ring.size()] == 2 || ring[(at + ring.size() - 1) % ring.size()] == 2;
+  }
+  CHECK(filled > 30);
+  CHECK(whole > 0);
 }
 
 TEST_CASE("features that overlap, or come twice, are filled each by itself") {
