@@ -1,8 +1,10 @@
 #include "rbpa/fill/constrained_delaunay.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -42,6 +44,9 @@ class Constrained {
       for (std::size_t i = 0; i < ring.sites.size(); ++i)
         edges_.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
     sort(edges_, step_, std::less<>());
+    first_edge_.assign(places_.size() + 1, 0);
+    for (const Directed& edge : edges_) ++first_edge_[edge.from + 1];
+    std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
     Triangulation whole =
         triangulate(places_, std::numeric_limits<double>::infinity(),
                     {.neighbors = true, .threads = 1, .progress = [&](const auto&) { return !go_on || go_on(); }});
@@ -59,7 +64,8 @@ class Constrained {
 
  private:
   bool is_edge(Site from, Site to) const {
-    return std::binary_search(edges_.begin(), edges_.end(), Directed{from, to});
+    const auto begin = edges_.begin();
+    return std::binary_search(begin + first_edge_[from], begin + first_edge_[from + 1], Directed{from, to});
   }
   int orientation(Site a, Site b, Site c) const {
     return Predicates<Real>::orientation(places_[a], places_[b], places_[c]);
@@ -340,7 +346,8 @@ class Constrained {
 
   std::span<const Point> places_;
   Steps step_;
-  std::vector<Directed> edges_;  // of rings, ascending
+  std::vector<Directed> edges_;             // of rings, ascending
+  std::vector<std::ptrdiff_t> first_edge_;  // of each place among them; and their end
   std::vector<Triangle> corners_, across_;
   std::vector<std::uint32_t> star_;  // of each place a triangle at it
   // Of the edge that is being inserted:

@@ -1,0 +1,57 @@
+// `rbpa fill` under a limit of memory: what would not suffice is refused before the first triangle.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/resource.h>
+
+#include <string>
+
+#include "support/child.h"
+#include "support/program.h"
+
+using namespace apps_test;
+
+// The shadow memory of a sanitizer alone is more than any limit.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace {
+
+constexpr rlim_t limit = rlim_t{400} << 20U;
+
+/// Of a unit square in triangles of a size, in so many bytes of address space.
+Ending fill_limited(const Folder& folder, const std::string& options) {
+  folder.file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+  folder.file("sizes", "0.5 0.5 1e-9\n");
+  const std::string command =
+      RBPA_PROGRAM " fill " + folder.path("square.wkt") + " " + options + " -o " + folder.path("out.off");
+  Child child({"/bin/sh", "-c", "exec " + command}, [&] {
+    const rlimit both{limit, limit};
+    setrlimit(RLIMIT_AS, &both);
+    redirect(2, folder.path("err"), O_WRONLY | O_CREAT | O_TRUNC);
+  });
+  return child.wait();
+}
+
+}  // namespace
+
+TEST_CASE("a fill for which memory does not suffice is refused before it starts, with the estimate and what there is") {
+  const Folder folder;
+  // About 2.3 million triangles; and sizes that a single point asks for.
+  for (const std::string& options :
+       {std::string("--size 0.001"), "--size 1 --size-at " + folder.path("sizes") + " --grade 0.001"}) {
+    CAPTURE(options);
+    CHECK(fill_limited(folder, options) == Ending{.code = 3});
+    const std::string said = folder.content("err");
+    CHECK(said.find("square.wkt: found") != std::string::npos);
+    CHECK(said.find("triangles would be made") != std::string::npos);
+    CHECK(said.find("expected") != std::string::npos);
+    CHECK_FALSE(folder.has("out.off"));
+  }
+}
+
+TEST_CASE("a fill for which memory suffices is done under the same limit") {
+  const Folder folder;
+  CHECK(fill_limited(folder, "--size 0.05") == Ending{.code = 0});
+  CHECK(folder.has("out.off"));
+}
+
+#endif
