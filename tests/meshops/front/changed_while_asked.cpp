@@ -9,22 +9,13 @@
 #include "meshops/front/engine.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
+#include "support/refusal.h"
 #include "support/snapshot.h"
 
 using namespace meshops;
 using namespace meshops::test;
 
 namespace {
-
-template <typename Operate>
-std::string refusal(Operate operate) {
-  try {
-    operate();
-  } catch (const ContractViolation& violation) {
-    return violation.what();
-  }
-  return "done";
-}
 
 enum class When { seed, propose, key, glues, seeded, attached, frozen, curve, never };
 using Change = std::function<void(Front&)>;

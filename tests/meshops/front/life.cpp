@@ -12,6 +12,7 @@
 #include "meshops/patch/assembler.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
+#include "support/refusal.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -23,16 +24,6 @@ static_assert(!std::is_move_constructible_v<Front> && !std::is_move_assignable_v
 static_assert(!std::is_copy_constructible_v<SiteVertices> && std::is_nothrow_move_constructible_v<SiteVertices>);
 static_assert(!std::is_copy_constructible_v<AssembledPatches> && std::is_move_constructible_v<AssembledPatches>);
 static_assert(!std::is_copy_constructible_v<PatchAssembler>);
-
-template <typename Operate>
-std::string refusal(Operate operate) {
-  try {
-    operate();
-  } catch (const ContractViolation& violation) {
-    return violation.what();
-  }
-  return "done";
-}
 
 /// Everything that reads the mesh or changes it.
 const std::vector<std::pair<const char*, std::function<void(Front&)>>>& entries() {
