@@ -13,6 +13,7 @@
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
 #include "support/meshes.h"
+#include "support/refusal.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -25,16 +26,6 @@ PolygonSoup with_begin(std::vector<std::size_t> begin) {
   soup.corners = {0, 1, 2, 2, 1, 3};
   soup.begin = std::move(begin);
   return soup;
-}
-
-template <typename Read>
-std::string refusal(Read read) {
-  try {
-    read();
-  } catch (const ContractViolation& violation) {
-    return violation.what();
-  }
-  return "taken";
 }
 
 /// What everybody says who reads a soup.
