@@ -34,7 +34,8 @@ void is_sound(const PolygonFile& file) {
 
 /// Where rings meet the library names both, which is what was found.
 void is_a_refusal(const std::string& message) {
-  if (message.find("; expected rings that meet in single points at most") == std::string::npos) return fuzz::is_a_sentence(message);
+  if (message.find("; expected rings that meet in single points at most") == std::string::npos)
+    return fuzz::is_a_sentence(message);
   fuzz::require(message.starts_with("FILE: ") && rbpa::app::printable(message) == message,
                 "a message is one line of visible characters, and says where");
 }
