@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/markup.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -47,24 +49,6 @@ void write_ends(OutputFile& file, std::uint64_t& end, std::uint64_t corners, std
   }
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  return result;
-}
-
 /// What of features is written.
 class CellData {
  public:
@@ -73,7 +57,7 @@ class CellData {
     blocks_.push_back({offset, cells_ * sizeof(std::uint32_t)});
     names_.emplace_back("feature");
     for (const FeatureNumbers& numbers : features_->numbers) {
-      const std::string name = escaped(numbers.name);
+      const std::string name = markup_escaped(numbers.name);
       std::string unique = name;
       for (int i = 2; std::find(names_.begin(), names_.end(), unique) != names_.end(); ++i)
         unique = name + "_" + std::to_string(i);

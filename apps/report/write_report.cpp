@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <string_view>
 
+#include "io/markup.h"
 #include "io/message.h"
 #include "report/blob.h"
 #include "report/page_parts.h"
@@ -14,26 +14,6 @@ namespace rbpa::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 Json radius(const std::optional<double>& alpha) {
   if (!alpha) return nullptr;
@@ -159,7 +139,7 @@ void write_pairs(OutputFile& file, const Report& report) {
 
 void write_report(OutputFile& file, const Report& report) {
   file.write(page_before_title);
-  file.write(escaped(printable(report.source)));
+  file.write(markup_escaped(printable(report.source)));
   file.write(page_before_data);
   file.write("<script type=\"application/json\" id=\"data-facts\">\n");
   file.write(facts(report));

@@ -319,7 +319,7 @@ TEST_SUITE("las") {
     }
   }
 
-  TEST_CASE("a header that counts no points, as of a writer that broke off, gives all when what is wrong is left out") {
+  TEST_CASE("a header that counts no points, as an interrupted writer leaves it, gives all with --skip-invalid") {
     const auto file = [](unsigned minor, unsigned count) {
       LasFile las{.minor = minor, .format = minor < 4 ? 0U : 6U};
       for (int i = 0; i < 20; ++i) las.points.push_back({.x = i, .y = i * i, .z = i % 3});

@@ -93,7 +93,7 @@ double number_of(const Json& value) {
 
 /// Text of a page as it is read.
 std::string plain(std::string text) {
-  for (const auto& [reference, sign] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&amp;", "&"}})
+  for (const auto& [reference, sign] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
     text = std::regex_replace(text, std::regex(reference), sign);
   return text;
 }

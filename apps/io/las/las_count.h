@@ -16,8 +16,8 @@ class LasCount {
       : claimed_(claimed), room_(room), length_(length) {}
 
   /// How many there are to read. Throws BadInput when the header counts more points than the file has whole records, or
-  /// fewer. With `skip_invalid` it is the smaller of the two, but all records where the header counts none, as that of a
-  /// writer that broke off; `remarks` says what was left out or counted.
+  /// fewer. With `skip_invalid` it is the smaller of the two, but all records where the header counts none, as an
+  /// interrupted writer leaves it; `remarks` lists what was left out or counted.
   std::size_t settle(bool skip_invalid, const std::string& name, std::vector<std::string>& remarks) const;
 
   /// Of a file whose end is not known yet: how many to look for, and for how many the header leaves room.

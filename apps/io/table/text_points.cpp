@@ -109,7 +109,7 @@ class TextTable::Reader {
     }
     if (x_ == y_) refuse_one_column(fields[x_]);  // under two names, or by name and by number
     if (!by_name && (is_number(fields[x_]) || is_number(fields[y_]))) {
-      // A third number may be anything but in a file whose ending says what it is.
+      // Only the ending .xyz makes a third number a height; elsewhere it may be anything.
       if (!rule_.columns && fields.size() > 2 && input_ending(name_) == "xyz") z_ = 2;
       return false;
     }

@@ -48,7 +48,7 @@ def as_array(points: npt.ArrayLike, name: str, columns: int = 2) -> npt.NDArray[
         try:
             return np.column_stack([geometry.x, geometry.y, geometry.z] if columns == 3 else [geometry.x, geometry.y])
         except ValueError:
-            geometry = list(geometry)  # which says what there is among them
+            geometry = list(geometry)  # a list, whose error names the kinds found
     if hasattr(geometry, "geom_type"):
         raise InvalidInput(f"{name}: found a {geometry.geom_type}, expected points; shapely.get_coordinates() has its vertices")
     is_list = isinstance(geometry, (list, tuple)) or (isinstance(geometry, np.ndarray) and geometry.dtype == object)

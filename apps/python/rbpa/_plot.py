@@ -16,7 +16,7 @@ _INK = 0.3  # the share of the page that strokes or dots cover where they are de
 _PALEST = 0.05  # so that a dot apart from the others is seen
 _LINE = 0.4  # the width of a side where there is room
 _CELL = 8.0  # in which points are counted
-_LEAST_SIDE = 1.5  # triangles with shorter sides are not told apart
+_LEAST_SIDE = 1.5  # triangles with shorter sides cannot be seen singly
 
 
 def axes_or_current(ax: Any) -> Any:
