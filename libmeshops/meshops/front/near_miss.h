@@ -42,7 +42,7 @@ constexpr bool misses_key = names_key<std::remove_cv_t<Policy>>() && !OrderedFro
 template <typename Policy>
 constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !GluingFrontPolicy<Policy>;
 
-/// It overrides an event of curves, and does not receive them.
+/// The visitor overrides an event of curves, but would not receive it.
 template <typename Visitor>
 constexpr bool misses_curves() {
   if constexpr (std::derived_from<Visitor, FrontVisitor>)
