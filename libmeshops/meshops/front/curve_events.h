@@ -1,4 +1,4 @@
-// What: tells a visitor what a triangle has done to the curves of a front.
+// What: notifies a visitor of what a triangle has done to the curves of a front.
 // Law:  begun − joined + split − closed is the change of the number of boundary curves.
 #pragma once
 
@@ -43,11 +43,11 @@ inline std::array<Vertex, 3> corners(const Connectivity& mesh, Face triangle) {
   return {mesh.from_vertex_handle(first), mesh.from_vertex_handle(second), mesh.to_vertex_handle(second)};
 }
 
-/// Tells the events that make `now` of `before` curves. Several are said to be joined first, and then split.
+/// The events that make `now` of `before` curves: several are joined first, and then split.
 template <typename Visitor>
-void tell_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor) {
+void notify_of_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor) {
   const Front& front = changed;
-  EngineSide(changed).tell([&] {
+  EngineSide(changed).notify([&] {
     if (before == 0 && now.count() > 0) visitor.curve_begun(front, now[0]);
     for (; before > 1; --before) visitor.curves_joined(front, now.count() > 0 ? now[0] : Halfedge());
     for (std::size_t i = 1; i < now.count(); ++i) visitor.curve_split(front, now[i - 1], now[i]);

@@ -22,20 +22,32 @@ class EngineSide {
     return answer;
   }
 
-  /// The same of the visitor, which may activate and freeze edges.
-  template <typename Tell>
-  void tell(Tell event) const {
+  /// Calls the visitor, which may activate and freeze edges.
+  template <typename Event>
+  void notify(Event event) const {
     const Call call(front_, Front::Caller::visitor);
     event();
     front_.require_intact();
   }
 
   /// The next in the queue that is active, and stays so; it is in no queue any more.
-  Halfedge next_queued() const { return front_.next_queued(); }
-  /// An active halfedge is so no longer. Returns: whether it was.
-  bool take(Halfedge h) const { return front_.take(h); }
-  /// After a throw: queues every active halfedge once. First the one in hand, if it is still to be asked about, then
-  /// `next`, then what was queued, then all others. Nothing when the front is not intact.
+  Halfedge next_queued() const {
+    front_.require_intact();
+    return front_.waiting_.next();
+  }
+  /// An active halfedge that is not deferred is active no longer. Returns: whether it was one.
+  bool take(Halfedge h) const {
+    front_.require_intact();
+    return front_.waiting_.release_queued(h);
+  }
+  /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or taken away.
+  void defer(Halfedge h) const { front_.waiting_.defer(h, front_.revision()); }
+  /// Queues those that have waited for it. Returns: whether there were any.
+  bool wake_deferred() const { return front_.waiting_.wake_deferred(front_.revision()); }
+  /// The first that waits for it, which is active, and in no queue any more.
+  Halfedge next_deferred() const { return front_.waiting_.next_deferred(); }
+  /// After a throw: queues every active halfedge once that is not deferred. First the one in hand, if it is still to be asked
+  /// about, then `next`, then what was queued, then all others. Nothing when the front is not intact.
   void requeue(Halfedge in_hand, std::span<const Halfedge> next) const { front_.requeue(in_hand, next); }
 
  private:

@@ -22,7 +22,7 @@ SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_verte
 }  // namespace
 
 Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
-    : mesh_(mesh), vertices_(mesh, sites), supply_(supply) {
+    : mesh_(mesh), vertices_(mesh, sites), supply_(supply), waiting_(mesh) {
   require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
   require(supply > 0, "Front: supply is 0");
   mesh.resize(sites, 0, 0);
@@ -30,7 +30,7 @@ Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
 }
 
 Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
-    : mesh_(mesh), vertices_(vertices_on(mesh, site_of_vertex)), supply_(1), keeps_handles_(true) {
+    : mesh_(mesh), vertices_(vertices_on(mesh, site_of_vertex)), supply_(1), keeps_handles_(true), waiting_(mesh) {
   require(has_status(mesh), "Front: the mesh needs status of every kind to mark what is deleted");
   if (const auto defects = validate(mesh); !defects.empty())
     throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
@@ -55,12 +55,11 @@ Front::Front(AssembledPatches&& assembled, std::size_t supply)
       supply_(supply),
       edges_(mesh_.n_edges()),
       faces_(mesh_.n_faces()),
-      active_(std::move(assembled.open_)) {
+      waiting_(mesh_) {
   require(supply > 0, "Front: supply is 0");
-  state_.resize(edges_, State::neither);
-  for (const Halfedge h : active_) set_state(h, State::active);
+  waiting_.queue_all(std::move(assembled.open_));
   for (const auto& [first, end] : assembled.holes_)
-    for (int e = first; e < end; ++e) set_aside(Halfedge(2 * e + 1));
+    for (int e = first; e < end; ++e) waiting_.freeze(Halfedge(2 * e + 1));
 }
 
 void Front::violated() const {
@@ -224,7 +223,7 @@ InsertedTriangle Front::put(const Fit& fit) {
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
   for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) vertices_.release(result.left_over[i]);
   for (unsigned i = 0; i < 3; ++i)
-    if (!sides.side[i].is_valid()) queue(mesh_.opposite_halfedge_handle(result.side[i]));
+    if (!sides.side[i].is_valid()) waiting_.queue(mesh_.opposite_halfedge_handle(result.side[i]));
   return result;
 }
 
@@ -268,88 +267,36 @@ DetachedTriangle Front::detach(Face f) {
     if (mesh_.is_isolated(rim.corner[i])) vertices_.release(rim.corner[i]);
     if (rim.is_glued[i]) {
       detached.side[i] = rim.side[i];
-      queue(rim.side[i]);
+      waiting_.queue(rim.side[i]);
     } else {
       ++dead_edges_;
-      set_state(rim.side[i], State::neither);
+      waiting_.release(rim.side[i]);
     }
   }
   return detached;
 }
 
-void Front::set_state(Halfedge h, State state) {
-  const auto edge = static_cast<std::size_t>(h.idx()) / 2;
-  if (edge >= state_.size()) {
-    if (state == State::neither) return;
-    state_.resize(edge + 1, State::neither);
-  }
-  state_[edge] = state;
-}
-
-Halfedge Front::next_queued() {
-  require_intact();
-  while (head_ < active_.size())
-    if (const Halfedge h = active_[head_++]; is_active(h)) {
-      require_live(h);
-      return h;
-    }
-  active_.clear();
-  head_ = 0;
-  return Halfedge();
-}
-
 void Front::requeue(Halfedge in_hand, std::span<const Halfedge> next) {
   if (!is_intact()) return;
-  std::vector<Halfedge> queue;
-  std::vector<bool> queued(edges_, false);
-  const auto add = [&](Halfedge h) {
-    if (state(h) != State::active) return;
-    auto is_queued = queued[static_cast<std::size_t>(h.idx()) / 2];
-    if (!is_queued) queue.push_back(h);
-    is_queued = true;
-  };
-  if (is_boundary(in_hand) && state(in_hand) == State::neither) {
-    set_state(in_hand, State::active);
-    add(in_hand);
+  std::vector<Halfedge> first;
+  if (is_boundary(in_hand) && !waiting_.is_waiting(in_hand)) {
+    waiting_.queue(in_hand);
+    first.push_back(in_hand);
   }
-  for (const Halfedge h : next) add(h);
-  for (std::size_t i = head_; i < active_.size(); ++i) add(active_[i]);
-  for (int i = 0; i < static_cast<int>(2 * edges_); ++i) add(Halfedge(i));
-  active_ = std::move(queue);
-  head_ = 0;
+  first.insert(first.end(), next.begin(), next.end());
+  waiting_.requeue(first);
 }
 
 void Front::activate(Halfedge h) {
   require_states_changeable();
   require(is_boundary(h), "activate: not a boundary halfedge");
-  if (!is_active(h)) queue(h);
+  if (!is_active(h) || waiting_.is_deferred(h)) waiting_.queue(h);
 }
 
 void Front::freeze(Halfedge h) {
   require_states_changeable();
   require(is_boundary(h), "freeze: not a boundary halfedge");
-  if (!is_frozen(h)) set_aside(h);
-}
-
-void Front::queue(Halfedge h) {
-  // The part before head_ is spent: reuse it when it is most of the queue, so that the queue stays as long as the
-  // front and not as the run.
-  if (active_.size() == active_.capacity() && head_ > active_.size() / 2) {
-    active_.erase(active_.begin(), active_.begin() + static_cast<std::ptrdiff_t>(head_));
-    head_ = 0;
-  }
-  active_.push_back(h);
-  set_state(h, State::active);
-}
-
-void Front::set_aside(Halfedge h) {
-  frozen_.push_back(h);
-  set_state(h, State::frozen);
-}
-
-/// An active or frozen edge goes by the front only.
-void Front::require_live(Halfedge h) const {
-  require(is_live(mesh_, h), "Front: the mesh was changed by others: an edge of the front is marked deleted");
+  if (!is_frozen(h)) waiting_.freeze(h);
 }
 
 std::vector<BoundaryCurve> Front::curves() const {
@@ -389,14 +336,7 @@ LevelTransfer Front::next_level() {
   }
   // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
   std::vector<Site> on_boundary;
-  const auto note = [&](Halfedge h) {
-    require_live(h);
-    on_boundary.push_back(from_site(h));
-  };
-  for (const Halfedge h : frozen_)
-    if (is_frozen(h)) note(h);
-  for (std::size_t i = head_; i < active_.size(); ++i)
-    if (is_active(active_[i])) note(active_[i]);
+  waiting_.for_each([&](Halfedge h) { on_boundary.push_back(from_site(h)); });
   sort_and_unite(on_boundary);
   std::vector<Site> free;
   std::copy_if(carried_.begin(), carried_.end(), std::back_inserter(free), [&](Site s) { return is_free(s); });
@@ -405,12 +345,7 @@ LevelTransfer Front::next_level() {
   std::merge(on_boundary.begin(), on_boundary.end(), free.begin(), free.end(), transfer.carried.begin());
   transfer.left_behind = carried_.size() - transfer.carried.size();
   carried_ = transfer.carried;
-  for (const Halfedge h : frozen_) {
-    if (!is_frozen(h)) continue;
-    activate(h);
-    ++transfer.reactivated;
-  }
-  frozen_.clear();
+  transfer.reactivated = waiting_.wake_all();
   faces_before_.push_back(faces_);
   return transfer;
 }
@@ -427,11 +362,8 @@ std::vector<Site> Front::finish() {
   }
   counts_ = finished;
   vertices_.clear();
+  waiting_.clear();
   // Not = {}, which empties a vector and keeps its memory.
-  state_ = std::vector<State>();
-  active_ = std::vector<Halfedge>();
-  head_ = 0;
-  frozen_ = std::vector<Halfedge>();
   carried_ = std::vector<Site>();
   reopened_ = std::vector<Site>();
   return site_of;

@@ -19,6 +19,7 @@
 #include "meshops/front/boundary_curve.h"
 #include "meshops/front/fit.h"
 #include "meshops/front/refusal.h"
+#include "meshops/front/waiting_edges.h"
 #include "meshops/handle/insert_triangle.h"
 #include "meshops/patch/assembled.h"
 #include "meshops/patch/site_vertices.h"
@@ -175,33 +176,36 @@ class MESHOPS_API Front {
   /// Cost:     constant, plus the degree of a corner at which a fan falls in two.
   DetachedTriangle detach(Face f);
 
-  /// The next active halfedge, first in first out, which is then no longer active until it is made so, frozen or attached
-  /// to; an invalid handle when the front has run dry.
+  /// The next active halfedge, first in first out, deferred ones last, which is then no longer active until it is made so,
+  /// frozen or attached to; an invalid handle when the front has run dry.
   Halfedge pop() {
     require_changeable();
-    const Halfedge h = next_queued();
-    if (h.is_valid()) take(h);
+    Halfedge h = waiting_.next();
+    if (!h.is_valid()) h = waiting_.next_deferred();
+    if (h.is_valid()) waiting_.release(h);
     return h;
   }
   /// A boundary halfedge of the mesh: false of any other handle.
   bool is_boundary(Halfedge h) const;
+  /// It waits for its turn, or the engine was asked to defer it.
   bool is_active(Halfedge h) const {
     require_intact();
-    return state(h) == State::active;
+    return waiting_.is_active(h);
   }
   bool is_frozen(Halfedge h) const {
     require_intact();
-    return state(h) == State::frozen;
+    return waiting_.is_frozen(h);
   }
 
-  /// Makes a boundary halfedge active: one that was popped, or one that is frozen, which wakes. Nothing when it is active.
+  /// Queues a boundary halfedge: one that was popped, or one that is frozen or deferred, which wakes. Nothing when it is
+  /// queued.
   /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
   void activate(Halfedge h);
   /// Sets a boundary halfedge aside: nothing can be attached to it at this level. Nothing when it is frozen.
   /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
   void freeze(Halfedge h);
   /// What was set aside at this level, in that order; some of it may have been attached to or woken since.
-  const std::vector<Halfedge>& frozen() const { return frozen_; }
+  const std::vector<Halfedge>& frozen() const { return waiting_.frozen(); }
 
   /// The boundary curves, each from its least halfedge. Cost: linear in the edges.
   std::vector<BoundaryCurve> curves() const;
@@ -224,8 +228,6 @@ class MESHOPS_API Front {
   std::vector<Site> finish();
 
  private:
-  enum class State : std::uint8_t { neither, active, frozen };
-
   /// Elements for insert_triangle(), which are there already.
   struct Supply {
     Front& front;
@@ -267,23 +269,7 @@ class MESHOPS_API Front {
   /// As from_site() and to_site(), of a halfedge that there is.
   Site start(Halfedge h) const { return vertices_.site(mesh_.from_vertex_handle(h)); }
   Site end(Halfedge h) const { return vertices_.site(mesh_.to_vertex_handle(h)); }
-  State state(Halfedge h) const {
-    const auto edge = static_cast<std::size_t>(h.idx()) / 2;
-    return h.idx() >= 0 && edge < state_.size() && mesh_.is_boundary(h) ? state_[edge] : State::neither;
-  }
-  void set_state(Halfedge h, State state);
-  void require_live(Halfedge h) const;
-  void queue(Halfedge h);
-  void set_aside(Halfedge h);
   friend class detail::EngineSide;
-  /// The next in the queue that is active, and stays so.
-  Halfedge next_queued();
-  /// An active halfedge is so no longer. Returns: whether it was.
-  bool take(Halfedge h) {
-    if (!is_active(h)) return false;
-    set_state(h, State::neither);
-    return true;
-  }
   Fit at_corners(Site a, Site b, Site c) const;
   Fit at_side(Halfedge h, Site apex) const;
   template <typename Glues>
@@ -307,10 +293,7 @@ class MESHOPS_API Front {
   std::size_t faces_ = 0;
   std::size_t dead_edges_ = 0;
   std::size_t dead_faces_ = 0;
-  std::vector<State> state_;      // of each edge's boundary halfedge, if it has one; behind the end: neither
-  std::vector<Halfedge> active_;  // a queue from head_ on; what is no longer active is passed over
-  std::size_t head_ = 0;
-  std::vector<Halfedge> frozen_;
+  detail::WaitingEdges waiting_;
   std::vector<Site> carried_;              // by the last transfer
   std::size_t carried_before_ = 0;         // the number of sites then; later ones have been added since
   std::vector<Site> reopened_;             // that had turned inner and are on the boundary again, or free

@@ -17,6 +17,9 @@ struct NamedKey {
 struct NamedGlues {
   int glues;
 };
+struct NamedRekeys {
+  int rekeys_neighbours;
+};
 template <typename Policy, typename Named>
 struct Beside : Policy, Named {};
 
@@ -36,11 +39,25 @@ constexpr bool names_glues() {
   else
     return requires { &Policy::glues; };
 }
+template <typename Policy>
+constexpr bool names_rekeys() {
+  if constexpr (std::is_class_v<Policy> && !std::is_final_v<Policy>) return !requires {
+      &Beside<Policy, NamedRekeys>::rekeys_neighbours;
+    };
+  else
+    return requires { &Policy::rekeys_neighbours; };
+}
 
 template <typename Policy>
 constexpr bool misses_key = names_key<std::remove_cv_t<Policy>>() && !OrderedFrontPolicy<Policy>;
 template <typename Policy>
 constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !GluingFrontPolicy<Policy>;
+
+/// `false` is an answer, also of a policy without keys.
+template <typename Policy>
+constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !RekeyingFrontPolicy<Policy> && !requires {
+  requires !std::bool_constant<Policy::rekeys_neighbours>::value;
+};
 
 /// The visitor overrides an event of curves, but would not receive it.
 template <typename Visitor>

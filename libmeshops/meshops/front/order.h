@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meshops/front/engine_side.h"
+#include "meshops/front/keyed_edges.h"
 #include "meshops/front/policy.h"
 
 namespace meshops::detail {
@@ -17,7 +18,11 @@ template <typename Policy>
 class FirstInFirstOut {
  public:
   FirstInFirstOut(Front& front, Policy&) : front_(front) {}
-  Halfedge next() { return front_.pop(); }
+  Halfedge next() {
+    const Halfedge h = EngineSide(front_).next_queued();
+    if (h.is_valid()) EngineSide(front_).take(h);
+    return h;
+  }
   void give_back(Halfedge in_hand) { EngineSide(front_).requeue(in_hand, {}); }
 
  private:
@@ -33,57 +38,61 @@ class LeastKeyFirst {
 
   Halfedge next() {
     const EngineSide engine(front_);
+    if constexpr (rekeys)
+      for (; !changed_.empty(); changed_.pop_back())
+        if (const Halfedge h = changed_.back(); front_.is_active(h) && keyed_.contains(h)) {
+          moving_ = {keyed_.age(h), h};
+          keyed_.rekey(h, key(h));
+          moving_ = Aged();
+        }
     for (Halfedge h = engine.next_queued(); h.is_valid(); h = engine.next_queued()) {
       moving_ = {age_++, h};
-      queue_.push_back({engine.ask([&] { return policy_.key(std::as_const(front_), h); }), moving_.age, h});
-      std::push_heap(queue_.begin(), queue_.end());
-      moving_ = Waiting();
+      keyed_.push({key(h), moving_.age, h});
+      moving_ = Aged();
     }
-    while (!queue_.empty()) {
-      const Halfedge h = queue_.front().halfedge;
-      moving_ = {queue_.back().age, queue_.back().halfedge};
-      std::pop_heap(queue_.begin(), queue_.end());
-      queue_.pop_back();
-      moving_ = Waiting();
+    while (!keyed_.empty()) {
+      const Halfedge h = keyed_.least().halfedge;
+      moving_ = keyed_.moved_by_pop();
+      keyed_.pop();
+      moving_ = Aged();
       if (engine.take(h)) return h;
     }
     return Halfedge();
   }
 
+  /// A triangle at the vertex has come or gone.
+  void neighbours_changed(Vertex v) {
+    const Connectivity& mesh = front_.mesh();
+    const Halfedge out = mesh.halfedge_handle(v);
+    if (!out.is_valid() || !mesh.is_boundary(out)) return;
+    changed_.push_back(out);
+    changed_.push_back(mesh.prev_halfedge_handle(out));
+  }
+
   /// After a throw: what is still active goes back to the front's queue, the oldest first. Keys, their order and their moves
-  /// may have thrown: nothing is read of the heap but which halfedges are in it.
+  /// may have thrown: nothing is read of them but which halfedges they are of.
   void give_back(Halfedge in_hand) {
-    std::vector<Waiting> waiting;
-    waiting.reserve(queue_.size() + 1);
-    for (const Entry& entry : queue_) waiting.push_back({entry.age, entry.halfedge});
+    std::vector<Aged> waiting = keyed_.aged();
     waiting.push_back(moving_);
-    std::sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) { return a.age < b.age; });
+    std::sort(waiting.begin(), waiting.end(), [](const Aged& a, const Aged& b) { return a.age < b.age; });
     std::vector<Halfedge> oldest_first;
     oldest_first.reserve(waiting.size());
-    for (const Waiting& one : waiting) oldest_first.push_back(one.halfedge);
+    for (const Aged& one : waiting) oldest_first.push_back(one.halfedge);
     EngineSide(front_).requeue(in_hand, oldest_first);
-    queue_.clear();
   }
 
  private:
+  static constexpr bool rekeys = RekeyingFrontPolicy<Policy>;
   using Key = std::remove_cvref_t<decltype(std::declval<Policy&>().key(std::declval<const Front&>(), Halfedge()))>;
-  struct Entry {
-    Key key;
-    std::size_t age;
-    Halfedge halfedge;
-    /// A heap has the greatest on top.
-    friend bool operator<(const Entry& a, const Entry& b) {
-      return b.key < a.key || (!(a.key < b.key) && b.age < a.age);
-    }
-  };
-  struct Waiting {
-    std::size_t age = 0;
-    Halfedge halfedge;
-  };
+  Key key(Halfedge h) {
+    return EngineSide(front_).ask([&] { return policy_.key(std::as_const(front_), h); });
+  }
+
   Front& front_;
   Policy& policy_;
-  std::vector<Entry> queue_;  // a heap
-  Waiting moving_;            // on its way into the heap, or within it
+  std::conditional_t<rekeys, RekeyedEdges<Key>, KeyedEdges<Key>> keyed_;
+  std::vector<Halfedge> changed_;  // whose neighbours on the curve changed
+  Aged moving_;                    // on its way into keyed_, or within it
   std::size_t age_ = 0;
 };
 

@@ -5,15 +5,20 @@
 #include <array>
 #include <concepts>
 #include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "meshops/front/front.h"
 
 namespace meshops {
 
-/// What is to be done at an edge of the front: attach a triangle with its apex on a site, freeze the edge, or take a
-/// triangle away again.
+/// What is to be done at an edge of the front: attach a triangle with its apex on a site, insert a list of triangles, take a
+/// triangle away, ask again later, or freeze the edge.
 class Proposal {
  public:
+  using Triangle = std::array<Site, 3>;
+
   /// The site at the apex; nothing to freeze the edge.
   Proposal(std::optional<Site> apex) : apex_(apex) {}
   Proposal(Site apex) : apex_(apex) {}
@@ -24,13 +29,32 @@ class Proposal {
     proposal.detached_ = f;
     return proposal;
   }
+  /// Triangles for Front::create(), one after another, wherever they lie: each takes a number that follows the last site for
+  /// a new one when it is inserted. The first that is refused ends the list; those before it stay. The edge is frozen if it
+  /// is still on the boundary then.
+  static Proposal triangles(std::vector<Triangle> triangles) {
+    Proposal proposal(std::nullopt);
+    proposal.triangles_ = std::move(triangles);
+    return proposal;
+  }
+  /// The edge stays active, and its turn comes again when no other edge waits and a triangle has been inserted or taken away
+  /// since. Without such a change, and without another seed, it is frozen.
+  static Proposal defer() {
+    Proposal proposal(std::nullopt);
+    proposal.is_deferred_ = true;
+    return proposal;
+  }
 
   const std::optional<Site>& apex() const { return apex_; }
   const std::optional<Face>& detached() const { return detached_; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  bool is_deferred() const { return is_deferred_; }
 
  private:
   std::optional<Site> apex_;
   std::optional<Face> detached_;
+  std::vector<Triangle> triangles_;
+  bool is_deferred_ = false;
 };
 
 /// A policy knows geometry, the engine topology. Ball pivoting in the plane and in space, and classical advancing-front
@@ -67,6 +91,15 @@ concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& fr
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;
+};
+
+/// Keys may depend on the neighbours on the curve, as angles between edges do. A policy that says so,
+///   static constexpr bool rekeys_neighbours = true;
+/// is asked for the key again of both boundary halfedges at each corner of a triangle that was inserted or taken away, if
+/// they are active. Their age stays: where no triangle is taken away, keys that stay the same make the same run.
+template <typename P>
+concept RekeyingFrontPolicy = OrderedFrontPolicy<P> && requires {
+  requires std::bool_constant<P::rekeys_neighbours>::value;
 };
 
 }  // namespace meshops

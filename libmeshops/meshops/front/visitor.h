@@ -11,15 +11,18 @@ namespace meshops {
 /// class, and may throw to end the run.
 struct FrontVisitor {
   void seeded(const Front&, const InsertedTriangle&) {}
-  void attached(const Front&, Halfedge /*to*/, const InsertedTriangle&) {}
+  /// A proposal for the boundary halfedge `at` has led to this triangle: its side 0 is `at` when an apex was proposed.
+  void attached(const Front&, Halfedge /*at*/, const InsertedTriangle&) {}
+  /// The edge stays active, and its turn comes again after a change.
+  void deferred(const Front&, Halfedge) {}
   void frozen(const Front&, Halfedge) {}
   void detached(const Front&, const DetachedTriangle&) {}
-  /// What the policy proposed for this edge cannot be: the edge is frozen, which is told after.
+  /// What the policy proposed for this edge cannot be. If the edge is on the boundary still, it is frozen next.
   void refused(const Front&, Halfedge, const Refusal&) {}
   /// The same of a seed.
   void seed_refused(const Front&, const std::array<Site, 3>& /*seed*/, const Refusal&) {}
 
-  /// Only a visitor that says true is told of curves: see CurveVisitor.
+  /// Only a visitor for which it is true receives the events of curves: see CurveVisitor.
   static constexpr bool follows_curves = false;
   /// A curve is there now, through this halfedge.
   void curve_begun(const Front&, Halfedge) {}

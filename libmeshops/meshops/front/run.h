@@ -1,0 +1,147 @@
+// What: one run of an advancing front, from what is active to nothing more to ask about.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "meshops/front/curve_events.h"
+#include "meshops/front/engine_side.h"
+#include "meshops/front/order.h"
+#include "meshops/front/policy.h"
+
+namespace meshops::detail {
+
+template <typename Policy, typename Visitor>
+class Run {
+ public:
+  Run(Front& front, Policy& policy, Visitor& visitor)
+      : front_(front), engine_(front), policy_(policy), visitor_(visitor), order_(front, policy) {}
+
+  /// Throws: what the policy or the visitor throws; then what waited, waits in the front's queue.
+  void advance() {
+    Halfedge h;  // in hand
+    try {
+      do {
+        for (h = order_.next(); h.is_valid(); h = order_.next())
+          follow(h, engine_.ask([&]() -> Proposal { return policy_.propose(seen(), h); }));
+      } while (engine_.wake_deferred() || begin() || freeze_deferred());
+    } catch (...) {
+      order_.give_back(h);
+      throw;
+    }
+  }
+
+ private:
+  const Front& seen() const { return front_; }
+
+  /// Does what the policy wants of an edge.
+  void follow(Halfedge h, const Proposal& proposal) {
+    if (proposal.apex()) {
+      if (!insert(h, h, *proposal.apex())) freeze(h);
+    } else if (proposal.detached()) {
+      detach(h, *proposal.detached());
+    } else if (proposal.is_deferred()) {
+      engine_.defer(h);
+      engine_.notify([&] { visitor_.deferred(seen(), h); });
+    } else {
+      for (const auto& [a, b, c] : proposal.triangles())
+        if (!insert(h, a, b, c)) break;
+      if (front_.is_boundary(h) && !front_.is_active(h)) freeze(h);
+    }
+  }
+
+  /// Inserts a triangle that was proposed for h, if it fits. Returns: whether it did.
+  template <typename... Place>
+  bool insert(Halfedge h, Place... place) {
+    const Fit fit = this->fit(place...);
+    if (fit.refusal)
+      engine_.notify([&] { visitor_.refused(seen(), h, *fit.refusal); });
+    else
+      put(fit, [&](const InsertedTriangle& triangle) { visitor_.attached(seen(), h, triangle); });
+    return !fit.refusal;
+  }
+
+  /// Inserts the next seed that fits. Returns: whether there is one.
+  bool begin() {
+    std::optional<std::array<Site, 3>> refused;
+    for (;;) {
+      const std::optional<std::array<Site, 3>> seed = engine_.ask([&] { return policy_.seed(seen()); });
+      // A policy that proposes the same again knows no other.
+      if (!seed || seed == refused) return false;
+      const Fit fit = this->fit((*seed)[0], (*seed)[1], (*seed)[2]);
+      if (!fit.refusal) {
+        put(fit, [&](const InsertedTriangle& triangle) { visitor_.seeded(seen(), triangle); });
+        return true;
+      }
+      engine_.notify([&] { visitor_.seed_refused(seen(), *seed, *fit.refusal); });
+      refused = seed;
+    }
+  }
+
+  /// Where a triangle goes, given by its corners or by a halfedge and the apex: glued by its sites, or as the policy answers.
+  template <typename... Place>
+  Fit fit(Place... place) {
+    if constexpr (GluingFrontPolicy<Policy>)
+      return front_.fit(place..., [&](Halfedge side, Site apex) {
+        return engine_.ask([&] { return policy_.glues(seen(), side, apex); });
+      });
+    else
+      return front_.fit(place...);
+  }
+
+  /// Inserts a triangle that fits. `event` comes before those of curves.
+  template <typename Event>
+  void put(const Fit& fit, Event event) {
+    std::size_t before = 0;
+    if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), fit.sides.side).count();
+    const InsertedTriangle triangle = front_.insert(fit);
+    if constexpr (RekeyingFrontPolicy<Policy>)
+      for (const Vertex v : corners(front_.mesh(), triangle.face)) order_.neighbours_changed(v);
+    engine_.notify([&] { event(triangle); });
+    if constexpr (Visitor::follows_curves)
+      notify_of_curves(front_, before, DistinctCurves(front_.mesh(), corners(front_.mesh(), triangle.face)), visitor_);
+  }
+
+  void detach(Halfedge h, Face f) {
+    if (const auto refusal = front_.detach_blocker(f)) {
+      engine_.notify([&] { visitor_.refused(seen(), h, *refusal); });
+      freeze(h);
+      return;
+    }
+    front_.activate(h);  // it may go with the triangle
+    std::size_t before = 0;
+    if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), corners(front_.mesh(), f)).count();
+    const DetachedTriangle triangle = front_.detach(f);
+    if constexpr (RekeyingFrontPolicy<Policy>)
+      for (const Halfedge side : triangle.side)
+        if (side.is_valid()) {
+          order_.neighbours_changed(front_.mesh().from_vertex_handle(side));
+          order_.neighbours_changed(front_.mesh().to_vertex_handle(side));
+        }
+    engine_.notify([&] { visitor_.detached(seen(), triangle); });
+    if constexpr (Visitor::follows_curves)
+      notify_of_curves(front_, before, DistinctCurves(front_.mesh(), triangle.side), visitor_);
+  }
+
+  void freeze(Halfedge h) {
+    front_.freeze(h);
+    engine_.notify([&] { visitor_.frozen(seen(), h); });
+  }
+
+  /// When nothing will change any more. Returns: whether there were any; the visitor may have woken others meanwhile.
+  bool freeze_deferred() {
+    Halfedge h = engine_.next_deferred();
+    const bool any = h.is_valid();
+    for (; h.is_valid(); h = engine_.next_deferred()) freeze(h);
+    return any;
+  }
+
+  Front& front_;
+  EngineSide engine_;
+  Policy& policy_;
+  Visitor& visitor_;
+  typename OrderOf<Policy>::type order_;
+};
+
+}  // namespace meshops::detail

@@ -1,0 +1,112 @@
+#include "meshops/front/waiting_edges.h"
+
+#include "meshops/core/contract.h"
+
+namespace meshops::detail {
+
+void WaitingEdges::set_state(Halfedge h, State state) {
+  const auto edge = static_cast<std::size_t>(h.idx()) / 2;
+  if (edge >= state_.size()) {
+    if (state == State::neither) return;
+    state_.resize(edge + 1, State::neither);
+  }
+  state_[edge] = state;
+}
+
+void WaitingEdges::queue(Halfedge h) {
+  // The part before head_ is spent: reuse it when it is most of the queue, so that the queue stays as long as the
+  // front and not as the run.
+  if (active_.size() == active_.capacity() && head_ > active_.size() / 2) {
+    active_.erase(active_.begin(), active_.begin() + static_cast<std::ptrdiff_t>(head_));
+    head_ = 0;
+  }
+  active_.push_back(h);
+  set_state(h, State::active);
+}
+
+void WaitingEdges::queue_all(std::vector<Halfedge>&& active) {
+  active_ = std::move(active);
+  state_.resize(mesh_.n_edges(), State::neither);
+  for (const Halfedge h : active_) set_state(h, State::active);
+}
+
+Halfedge WaitingEdges::next() {
+  while (head_ < active_.size())
+    if (const Halfedge h = active_[head_++]; is_active(h)) return checked(h);
+  active_.clear();
+  head_ = 0;
+  return Halfedge();
+}
+
+void WaitingEdges::requeue(std::span<const Halfedge> first) {
+  std::vector<Halfedge> queue;
+  std::vector<bool> queued(state_.size(), false);
+  const auto add = [&](Halfedge h) {
+    if (state(h) != State::active) return;
+    auto is_queued = queued[static_cast<std::size_t>(h.idx()) / 2];
+    if (!is_queued) queue.push_back(h);
+    is_queued = true;
+  };
+  for (const Halfedge h : first) add(h);
+  for (std::size_t i = head_; i < active_.size(); ++i) add(active_[i]);
+  for (std::size_t i = 0; i < 2 * state_.size(); ++i) add(Halfedge(static_cast<int>(i)));
+  active_ = std::move(queue);
+  head_ = 0;
+}
+
+void WaitingEdges::defer(Halfedge h, std::size_t revision) {
+  if (revision != deferred_revision_) {
+    deferred_revision_ = revision;
+    deferred_now_ = deferred_.size();
+  }
+  deferred_.push_back(h);
+  set_state(h, State::deferred);
+}
+
+bool WaitingEdges::wake_deferred(std::size_t revision) {
+  const std::size_t end = revision == deferred_revision_ ? deferred_now_ : deferred_.size();
+  bool woken = false;
+  for (std::size_t i = deferred_head_; i < end; ++i)
+    if (is_deferred(deferred_[i])) {
+      queue(checked(deferred_[i]));
+      woken = true;
+    }
+  deferred_.erase(deferred_.begin(), deferred_.begin() + static_cast<std::ptrdiff_t>(end));
+  deferred_head_ = deferred_now_ = 0;
+  return woken;
+}
+
+Halfedge WaitingEdges::next_deferred() {
+  while (deferred_head_ < deferred_.size())
+    if (const Halfedge h = deferred_[deferred_head_++]; is_deferred(h)) return checked(h);
+  deferred_.clear();
+  deferred_head_ = deferred_now_ = 0;
+  return Halfedge();
+}
+
+std::size_t WaitingEdges::wake_all() {
+  std::size_t woken = 0;
+  for (const Halfedge h : frozen_) {
+    if (!is_frozen(h)) continue;
+    queue(h);
+    ++woken;
+  }
+  frozen_.clear();
+  return woken;
+}
+
+void WaitingEdges::clear() {
+  // Not = {}, which empties a vector and keeps its memory.
+  state_ = std::vector<State>();
+  active_ = std::vector<Halfedge>();
+  head_ = 0;
+  frozen_ = std::vector<Halfedge>();
+  deferred_ = std::vector<Halfedge>();
+  deferred_head_ = deferred_now_ = 0;
+}
+
+void WaitingEdges::deleted_by_others() {
+  throw ContractViolation("Front: the mesh was changed by others: an edge of the front is marked deleted");
+}
+
+}  // namespace meshops::detail
