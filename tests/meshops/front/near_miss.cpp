@@ -15,6 +15,7 @@ using namespace meshops::test;
 using detail::misses_curves;
 using detail::misses_glues;
 using detail::misses_key;
+using detail::misses_rekeys;
 
 namespace {
 
@@ -79,6 +80,24 @@ struct GoodGlues : Plain {
 };
 static_assert(misses_glues<IntGlues> && misses_glues<GluesWithoutApex> && !misses_glues<GoodGlues>);
 
+struct Rekeys : GoodKey {
+  static constexpr bool rekeys_neighbours = true;
+};
+struct RekeysNot : Plain {
+  static constexpr bool rekeys_neighbours = false;
+};
+struct RekeysWithoutKey : Plain {
+  static constexpr bool rekeys_neighbours = true;
+};
+struct RekeysAtRunTime : GoodKey {
+  bool rekeys_neighbours = true;
+};
+struct RekeysByCall : GoodKey {
+  static constexpr bool rekeys_neighbours() { return true; }
+};
+static_assert(misses_rekeys<RekeysWithoutKey> && misses_rekeys<RekeysAtRunTime> && misses_rekeys<RekeysByCall>);
+static_assert(!misses_rekeys<Rekeys> && !misses_rekeys<RekeysNot> && !misses_rekeys<Plain> && !misses_rekeys<GoodKey>);
+
 struct CurvesOverridden : FrontVisitor {
   void curve_split(const Front&, Halfedge, Halfedge) {}
 };
@@ -108,6 +127,8 @@ TEST_SUITE("near misses") {
     CHECK(runs(GoodKey{}));
     CHECK(runs(GenericKey{}));
     CHECK(runs(ChangingKey{}));
+    CHECK(runs(Rekeys{}));
+    CHECK(runs(RekeysNot{}));
     CHECK(runs(GoodGlues{}));
   }
 }

@@ -31,7 +31,10 @@ void advance(std::uint64_t seed, std::size_t questions) {
   CHECK(counts.detached > counts.proposals / 200);
   CHECK(counts.seeded > counts.proposals / 1000);
   CHECK(counts.seeds_refused > counts.proposals / 1000);
-  CHECK(counts.thrown > counts.proposals / 2000);
+  CHECK(counts.deferred > counts.proposals / 20);
+  CHECK(counts.lists > counts.proposals / 20);
+  CHECK(counts.policies > 200);
+  CHECK(counts.thrown > counts.proposals / 500);
   CHECK(counts.glued > counts.proposals / 100);
   CHECK(counts.not_glued > counts.proposals / 100);
   CHECK(counts.there > counts.proposals / 10'000);

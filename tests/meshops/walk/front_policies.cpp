@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "meshops/core/validate.h"
 #include "meshops/front/engine.h"
@@ -21,6 +22,7 @@ struct AnyAnswers {
   Choices& choices;
   AdvanceCounts& counts;
   std::size_t questions;
+  bool lists = false;  // the last answer was a list
 
   bool tired() { return counts.proposals >= questions || !choices.any_left(); }
   Site any_site(const Front& front) {
@@ -28,15 +30,26 @@ struct AnyAnswers {
     return below(choices,
                  static_cast<std::uint32_t>(front.sites()) + (choices.one_in(12) && front.sites() < 60 ? 2 : 0));
   }
+  std::array<Site, 3> any_triangle(const Front& front) { return {any_site(front), any_site(front), any_site(front)}; }
+  /// Half of them at the edge.
+  std::vector<Proposal::Triangle> any_list(const Front& front, Halfedge h) {
+    std::vector<Proposal::Triangle> list(below(choices, 5));
+    for (Proposal::Triangle& triangle : list) triangle = any_triangle(front);
+    if (!list.empty() && choices.one_in(2)) list[0] = {front.from_site(h), front.to_site(h), any_site(front)};
+    return list;
+  }
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     if (tired() || choices.one_in(6)) return std::nullopt;
-    return std::array{any_site(front), any_site(front), any_site(front)};
+    if (choices.one_in(400)) throw std::runtime_error("tired of seeds");
+    return any_triangle(front);
   }
   Proposal propose(const Front& front, Halfedge h) {
     ++counts.proposals;
     if (tired()) return std::nullopt;
     if (choices.one_in(400)) throw std::runtime_error("tired");
-    switch (below(choices, 8)) {
+    const std::uint32_t answer = below(choices, 10);
+    lists = answer == 3;
+    switch (answer) {
       case 0:
         return std::nullopt;
       case 1:
@@ -46,6 +59,11 @@ struct AnyAnswers {
                    : Proposal(std::nullopt);
       case 2:
         return front.to_site(front.mesh().next_halfedge_handle(h));
+      case 3:
+        ++counts.lists;
+        return Proposal::triangles(any_list(front, h));
+      case 4:
+        return Proposal::defer();
       default:
         return any_site(front);
     }
@@ -66,67 +84,111 @@ struct AnyGlues<true> : AnyAnswers {
   }
 };
 
+enum class Order { first_in, keys, keys_again };
+
 /// Of which keys throw, too.
-template <bool ordered, bool gluing>
-struct AnyPolicy : AnyGlues<gluing> {};
-template <bool gluing>
-struct AnyPolicy<true, gluing> : AnyGlues<gluing> {
+template <Order order, bool gluing>
+struct AnyPolicy : AnyGlues<gluing> {
+  static constexpr bool rekeys_neighbours = order == Order::keys_again;
   std::uint32_t key(const Front&, Halfedge) {
     if (this->choices.one_in(400)) throw std::runtime_error("tired of keys");
     return below(this->choices, 5);
   }
 };
-static_assert(FrontPolicy<AnyPolicy<false, false>> && !OrderedFrontPolicy<AnyPolicy<false, true>>);
-static_assert(OrderedFrontPolicy<AnyPolicy<true, false>>);
-static_assert(GluingFrontPolicy<AnyPolicy<true, true>> && !GluingFrontPolicy<AnyPolicy<true, false>>);
+template <bool gluing>
+struct AnyPolicy<Order::first_in, gluing> : AnyGlues<gluing> {};
+static_assert(FrontPolicy<AnyPolicy<Order::first_in, false>> && !OrderedFrontPolicy<AnyPolicy<Order::first_in, true>>);
+static_assert(OrderedFrontPolicy<AnyPolicy<Order::keys, false>> && !RekeyingFrontPolicy<AnyPolicy<Order::keys, false>>);
+static_assert(RekeyingFrontPolicy<AnyPolicy<Order::keys_again, true>>);
+static_assert(GluingFrontPolicy<AnyPolicy<Order::keys, true>> && !GluingFrontPolicy<AnyPolicy<Order::keys, false>>);
 
-template <bool ordered, bool gluing>
+/// Keeps its own account of triangles, halfedges and curves; and throws, too.
+struct Account : CurveVisitor {
+  Account(AnyAnswers& asked, bool glues) : policy(asked), gluing(glues), counts(asked.counts) {}
+  AnyAnswers& policy;
+  bool gluing;
+  AdvanceCounts& counts;
+  std::size_t triangles = 0;
+  long curves = 0;
+  Halfedge refused_at;
+
+  void may_throw() {
+    if (policy.choices.one_in(800)) throw std::runtime_error("tired of events");
+  }
+  /// After a throw: events that would have followed did not come.
+  void begin_anew(const Front& front) {
+    demand(front.faces() == triangles, "a throw takes no triangle away, and adds none");
+    curves = static_cast<long>(front.curves().size());
+    refused_at = Halfedge();
+  }
+
+  void seeded(const Front& front, const InsertedTriangle&) {
+    ++counts.seeded;
+    demand(front.faces() == ++triangles, "a seed is a triangle more");
+    may_throw();
+  }
+  void attached(const Front& front, Halfedge h, const InsertedTriangle& t) {
+    ++counts.attached;
+    demand(front.faces() == ++triangles, "what is attached is a triangle more");
+    demand(policy.lists || t.side[0] == h, "an apex is attached at the edge");
+    may_throw();
+  }
+  void deferred(const Front& front, Halfedge h) {
+    ++counts.deferred;
+    demand(front.is_active(h) && !front.is_frozen(h), "what is deferred is active");
+    may_throw();
+  }
+  void detached(const Front& front, const DetachedTriangle&) {
+    ++counts.detached;
+    demand(front.faces() == --triangles, "what is detached is a triangle less");
+    may_throw();
+  }
+  void refused(const Front& front, Halfedge h, const Refusal& refusal) {
+    ++counts.refused;
+    counts.there += refusal.kind == RefusalKind::triangle_there;
+    demand((policy.lists || front.is_boundary(h)) && !describe(refusal).empty(),
+           "refused is something at the front, with a reason");
+    if (front.is_boundary(h)) refused_at = h;
+    may_throw();
+  }
+  void seed_refused(const Front& front, const std::array<Site, 3>& seed, const Refusal& refusal) {
+    ++counts.seeds_refused;
+    demand(gluing || front.create_blocker(seed[0], seed[1], seed[2]) == refusal,
+           "a seed is refused for what the blocker says");
+    may_throw();
+  }
+  void frozen(const Front& front, Halfedge h) {
+    ++counts.frozen;
+    demand(front.is_frozen(h), "frozen is what the event names");
+    demand(!refused_at.is_valid() || refused_at == h, "an edge where something was refused is frozen next");
+    refused_at = Halfedge();
+    demand(curves == static_cast<long>(front.curves().size()), "the events of curves count them");
+    may_throw();
+  }
+  void curve_begun(const Front&, Halfedge) { ++curves; }
+  void curves_joined(const Front&, Halfedge) { --curves; }
+  void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
+  void curve_closed(const Front&) { --curves; }
+};
+
+/// After a throw each active edge waits once, deferred ones too.
+void check_queue(Front& front) {
+  std::size_t active = 0;
+  for (const BoundaryCurve& curve : front.curves())
+    for (const Halfedge h : curve) active += front.is_active(h);
+  std::vector<Halfedge> popped;
+  for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) popped.push_back(h);
+  demand(popped.size() == active, "what is active after a throw is in the queue, once");
+  for (const Halfedge h : popped) front.activate(h);
+}
+
+template <Order order, bool gluing>
 void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
   TestMesh mesh;
   Front front(mesh, 3 + below(choices, choices.one_in(3) ? 40 : 10));
-  /// Keeps its own account of triangles, halfedges and curves.
-  struct Account : CurveVisitor {
-    explicit Account(AdvanceCounts& all) : counts(all) {}
-    AdvanceCounts& counts;
-    std::size_t triangles = 0;
-    long curves = 0;
-    Halfedge refused_at;
-    void seeded(const Front& front, const InsertedTriangle&) {
-      ++counts.seeded;
-      demand(front.faces() == ++triangles, "a seed is a triangle more");
-    }
-    void attached(const Front& front, Halfedge h, const InsertedTriangle& t) {
-      ++counts.attached;
-      demand(front.faces() == ++triangles && t.side[0] == h, "what is attached is a triangle more, at the edge");
-    }
-    void detached(const Front& front, const DetachedTriangle&) {
-      ++counts.detached;
-      demand(front.faces() == --triangles, "what is detached is a triangle less");
-    }
-    void refused(const Front& front, Halfedge h, const Refusal& refusal) {
-      ++counts.refused;
-      counts.there += refusal.kind == RefusalKind::triangle_there;
-      demand(front.is_boundary(h) && !describe(refusal).empty(), "refused is something at the front, with a reason");
-      refused_at = h;
-    }
-    void seed_refused(const Front& front, const std::array<Site, 3>& seed, const Refusal& refusal) {
-      ++counts.seeds_refused;
-      demand(gluing || front.create_blocker(seed[0], seed[1], seed[2]) == refusal,
-             "a seed is refused for what the blocker says");
-    }
-    void frozen(const Front& front, Halfedge h) {
-      ++counts.frozen;
-      demand(front.is_frozen(h), "frozen is what is told to be");
-      demand(!refused_at.is_valid() || refused_at == h, "an edge where something was refused is frozen next");
-      refused_at = Halfedge();
-      demand(curves == static_cast<long>(front.curves().size()), "the events of curves tell how many there are");
-    }
-    void curve_begun(const Front&, Halfedge) { ++curves; }
-    void curves_joined(const Front&, Halfedge) { --curves; }
-    void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
-    void curve_closed(const Front&) { --curves; }
-  } account(counts);
-  AnyPolicy<ordered, gluing> policy{{{choices, counts, questions}}};
+  AnyPolicy<order, gluing> policy{{{choices, counts, questions}}};
+  Account account(policy, gluing);
+  ++counts.policies;
   for (unsigned level = 0; level < 4 && !policy.tired(); ++level) {
     bool thrown = false;
     try {
@@ -136,33 +198,40 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
     } catch (const std::runtime_error&) {
       ++counts.thrown;
       thrown = true;
+      account.begin_anew(front);
+      if (choices.one_in(2)) check_queue(front);
     }
     demand(validate(mesh).empty(), "the mesh is sound, whatever the policy says");
     for (const BoundaryCurve& curve : front.curves())
       for (const Halfedge h : curve)
         demand(front.is_frozen(h) || (thrown && front.is_active(h)),
                "all is frozen at the end; or active, if it threw");
-    front.next_level();
+    if (!thrown || choices.one_in(2)) front.next_level();
   }
   front.finish();
   demand(validate(mesh).empty(), "what finish() leaves is sound");
 }
 
+template <Order order>
+void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
+  if (choices.one_in(2))
+    advance_once<order, true>(choices, questions, counts);
+  else
+    advance_once<order, false>(choices, questions, counts);
+}
+
 }  // namespace
 
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts) {
-  while (counts.proposals < questions && choices.any_left()) switch (below(choices, 4)) {
+  while (counts.proposals < questions && choices.any_left()) switch (below(choices, 3)) {
       case 0:
-        advance_once<false, false>(choices, questions, counts);
+        advance_once<Order::first_in>(choices, questions, counts);
         break;
       case 1:
-        advance_once<true, false>(choices, questions, counts);
-        break;
-      case 2:
-        advance_once<false, true>(choices, questions, counts);
+        advance_once<Order::keys>(choices, questions, counts);
         break;
       default:
-        advance_once<true, true>(choices, questions, counts);
+        advance_once<Order::keys_again>(choices, questions, counts);
     }
 }
 

@@ -12,12 +12,12 @@ namespace meshops::test {
 /// What advancing fronts have met.
 struct AdvanceCounts {
   std::size_t proposals = 0, attached = 0, frozen = 0, refused = 0, detached = 0, seeded = 0, seeds_refused = 0;
-  std::size_t thrown = 0, glued = 0, not_glued = 0, there = 0;
+  std::size_t thrown = 0, glued = 0, not_glued = 0, there = 0, deferred = 0, lists = 0, policies = 0;
 };
 
-/// Lets a policy advance that answers anything, in its own order or first in first out, with an opinion on which sides are
-/// glued or without, and sometimes throws; until it has
-/// been asked so many questions, or the choices end. Throws LawBroken.
+/// Advances fronts with policies that answer anything, first in first out or by keys, which may be asked again, with an
+/// opinion on which sides are glued or without. Policies and visitors throw sometimes. Ends after so many proposals, or with
+/// the choices. Throws LawBroken.
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts);
 
 }  // namespace meshops::test
