@@ -32,7 +32,7 @@ void WaitingEdges::queue_all(std::vector<Halfedge>&& active) {
 
 Halfedge WaitingEdges::next() {
   while (head_ < active_.size())
-    if (const Halfedge h = active_[head_++]; is_active(h)) return checked(h);
+    if (const Halfedge h = active_[head_++]; state(h) == State::active) return checked(h);
   active_.clear();
   head_ = 0;
   return Halfedge();

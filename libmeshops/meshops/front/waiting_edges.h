@@ -42,7 +42,7 @@ class MESHOPS_API WaitingEdges {
     return was_queued;
   }
 
-  /// Takes the next out of the queue that is active, and stays so; an invalid handle when there is none.
+  /// Takes the next out of the queue that is active, not deferred, and stays so; an invalid handle when there is none.
   /// Throws: ContractViolation when others have deleted it.
   Halfedge next();
   /// Queues every active halfedge once that is not deferred: those of `first`, then what was queued, then all others.

@@ -140,6 +140,26 @@ TEST_SUITE("defer") {
     CHECK(front.frozen().size() == 3);
   }
 
+  TEST_CASE("an edge that is twice in the queue is asked about once before a change") {
+    struct Twice : FrontVisitor {
+      bool done = false;
+      void deferred(const Front& front, Halfedge h) {
+        if (std::exchange(done, true)) return;
+        auto& changeable = const_cast<Front&>(front);  // as its owner has it
+        changeable.activate(h);
+        changeable.freeze(h);
+        changeable.activate(h);
+      }
+    } visitor;
+    Waiting policy;
+    policy.faces = 100;
+    policy.seeds = {{0, 1, 2}};
+    TestMesh mesh;
+    Front front(mesh, 6);
+    advance(front, policy, visitor);
+    CHECK(policy.asked == of_first + Sides{{1, 0}});
+  }
+
   TEST_CASE("an edge that a visitor wakes when the last are frozen is asked about, and frozen in the end") {
     struct Waking : FrontVisitor {
       std::size_t wakes = 3;

@@ -55,6 +55,27 @@ TEST_SUITE("order") {
     CHECK(std::is_sorted(asked.begin() + 40, asked.end(), std::greater<>()));
   }
 
+  TEST_CASE("seeds that are there before the run grow side by side, by a ring in turn") {
+    struct Component : Noting {
+      std::vector<bool> second = {false, false, false, true, true, true};  // of each site
+      std::vector<bool> asked;
+      std::optional<Site> propose(const Front& front, Halfedge h) {
+        const bool is_of_second = second[front.from_site(h)];
+        asked.push_back(is_of_second);
+        if (front.sites() == 40) return std::nullopt;
+        second.push_back(is_of_second);
+        return static_cast<Site>(front.sites());
+      }
+    } policy;
+    TestMesh mesh;
+    Front front(mesh, 6);
+    front.create(0, 1, 2);
+    front.create(3, 4, 5);
+    advance(front, policy);
+    // Rings of 3 edges, 6 edges, and a part of one of 12.
+    for (std::size_t i = 0; i < 34; ++i) CHECK(policy.asked[i] == (i < 6 ? i > 2 : i < 18 ? i > 11 : i > 29));
+  }
+
   TEST_CASE("of equal keys the oldest comes first: as without an order") {
     CHECK(run<AllEqual>().asked_from == run<Noting>().asked_from);
   }

@@ -1,0 +1,16 @@
+# refused_policies.cpp does not compile, for four reasons, each with its message.
+# usage: cmake -DCOMPILER=... -DLIBRARY=... -DSOURCE=... -P check_refused_policies.cmake
+execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${LIBRARY} ${SOURCE} RESULT_VARIABLE status ERROR_VARIABLE messages)
+if(status EQUAL 0)
+  message(FATAL_ERROR "${SOURCE} compiles")
+endif()
+foreach(expected IN ITEMS
+    "a member key that is passed over: expected key(const Front&, Halfedge)"
+    "a member glues that is passed over: expected bool glues(const Front&, Halfedge, Site)"
+    "a member rekeys_neighbours that is passed over: expected static constexpr bool"
+    "events of curves that are passed over: expected it to derive from CurveVisitor")
+  string(FIND "${messages}" "${expected}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "no message says \"${expected}\":\n${messages}")
+  endif()
+endforeach()
