@@ -103,31 +103,19 @@ FlipEffect History::flip(Edge e, Keep keep) {
 }
 
 WeldEffect History::collapse(Halfedge h, Keep keep) {
-  return perform<WeldEffect>([this, h, keep] {
-    const WeldEffect effect = meshops::collapse(mesh_, h, keep);
-    return std::pair(effect, undo_of_weld(effect));
-  });
+  return weld([this, h, keep] { return meshops::collapse(mesh_, h, keep); });
 }
 
 WeldEdgeEffect History::weld_edge(Halfedge h, Keep keep) {
-  return perform<WeldEdgeEffect>([this, h, keep] {
-    const WeldEdgeEffect effect = meshops::weld_edge(mesh_, h, keep);
-    return std::pair(effect, undo_of_weld(effect));
-  });
+  return weld([this, h, keep] { return meshops::weld_edge(mesh_, h, keep); });
 }
 
 WeldFaceEffect History::weld_face(Vertex v, Keep keep) {
-  return perform<WeldFaceEffect>([this, v, keep] {
-    const WeldFaceEffect effect = meshops::weld_face(mesh_, v, keep);
-    return std::pair(effect, undo_of_weld(effect));
-  });
+  return weld([this, v, keep] { return meshops::weld_face(mesh_, v, keep); });
 }
 
 WeldEffect History::remove_vertex(Vertex v, Keep keep) {
-  return perform<WeldEffect>([this, v, keep] {
-    const WeldEffect effect = meshops::remove_vertex(mesh_, v, keep);
-    return std::pair(effect, undo_of_weld(effect));
-  });
+  return weld([this, v, keep] { return meshops::remove_vertex(mesh_, v, keep); });
 }
 
 InsertDiagonalEffect History::insert_diagonal(Halfedge from, Halfedge to, Keep keep) {

@@ -96,6 +96,14 @@ class MESHOPS_API History {
     remember({[perform]() mutable { return Undo(perform().second); }, std::move(back), before, sizes()});
     return effect;
   }
+  template <typename Perform>
+  auto weld(Perform operate) {
+    using Effect = decltype(operate());
+    return perform<Effect>([operate, this] {
+      const Effect effect = operate();
+      return std::pair(effect, undo_of_weld(effect));
+    });
+  }
   Undo undo_of_split(Halfedge halfedge);
   Undo undo_of_weld(const WeldEffect& effect);
   Undo named_again(std::vector<Vertex> vertices) const;
