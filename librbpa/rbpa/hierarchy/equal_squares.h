@@ -50,21 +50,21 @@ class EqualSquares {
 
   std::size_t max_held() const { return *std::max_element(held_.begin(), held_.end()); }
 
-  /// Calls visit(std::span<Point>, Square) with every square that holds more than `few` of the points, which are those
+  /// Calls visit(std::span<Point>, Square) with every square that holds more than `bound` of the points, which are those
   /// that were counted.
   template <typename Visit>
-  void for_each_above(std::size_t few, std::span<const Point> points, Visit visit) const {
+  void for_each_above(std::size_t bound, std::span<const Point> points, Visit visit) const {
     std::vector<std::uint32_t> end(held_.size());  // of the points of such a square, in one order
     std::uint32_t size = 0;
     for (std::size_t i = 0; i < held_.size(); ++i) {
       end[i] = size;
-      if (held_[i] > few) size += held_[i];
+      if (held_[i] > bound) size += held_[i];
     }
     meshops::FreshVector<Point> sorted(size);
     for (std::size_t p = 0; p < points.size(); ++p)
-      if (const std::uint32_t i = square_of_[p]; held_[i] > few) sorted[end[i]++] = points[p];
+      if (const std::uint32_t i = square_of_[p]; held_[i] > bound) sorted[end[i]++] = points[p];
     for (std::size_t i = 0; i < held_.size(); ++i) {
-      if (held_[i] <= few) continue;
+      if (held_[i] <= bound) continue;
       const std::size_t column = i & ((std::size_t{1} << depth_) - 1), row = i >> depth_;
       visit(std::span(sorted).subspan(end[i] - held_[i], held_[i]), Square<Real>{columns_[column], rows_[row], side_});
     }
