@@ -32,14 +32,14 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
 }
 
 /// What the report is to be about.
-struct Request {
+struct AlphaRequest {
   std::size_t max_components;
   double cover;
   bool with_plateaus, with_pairs;
   ComplexKind kind;  ///< whose pairs
 };
 
-AlphaReport examine(const std::vector<Point>& points, const Request& request, const RunOptions& run) {
+AlphaReport examine(const std::vector<Point>& points, const AlphaRequest& request, const RunOptions& run) {
   const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
   AlphaReport report{.radii = {.max_components = request.max_components, .cover = request.cover}};
   find_radii(report.radii, delaunay, points, request.with_plateaus, run.quiet);
@@ -70,11 +70,11 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
-  const Request request{.max_components = parse_components(arguments.components),
-                        .cover = arguments.cover ? parse_cover(*arguments.cover) : 1,
-                        .with_plateaus = !arguments.csv || arguments.picture,
-                        .with_pairs = arguments.persistence || arguments.picture,
-                        .kind = parse_complex(arguments)};
+  const AlphaRequest request{.max_components = parse_components(arguments.components),
+                             .cover = arguments.cover ? parse_cover(*arguments.cover) : 1,
+                             .with_plateaus = !arguments.csv || arguments.picture,
+                             .with_pairs = arguments.persistence || arguments.picture,
+                             .kind = parse_complex(arguments)};
   const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)

@@ -39,7 +39,7 @@ double parse_positive(const std::string& option, const std::string& text, const 
 }
 
 /// What the command line asks for.
-struct Request {
+struct FillRequest {
   std::string path;
   PolygonFormat format;
   double size;
@@ -62,16 +62,16 @@ PolygonFormat parse_format(const std::string& path, const std::optional<std::str
   return *known;
 }
 
-Request parse(const FillArguments& arguments) {
-  Request request{.path = arguments.polygons,
-                  .format = parse_format(arguments.polygons, arguments.format),
-                  .size = arguments.size == "inf"
-                              ? std::numeric_limits<double>::infinity()
-                              : parse_positive("--size", arguments.size, "inf or a length in units of the polygons"),
-                  .size_at = arguments.size_at,
-                  .grade = {},
-                  .targets = {},
-                  .width = parse_width(arguments.width)};
+FillRequest parse(const FillArguments& arguments) {
+  FillRequest request{.path = arguments.polygons,
+                      .format = parse_format(arguments.polygons, arguments.format),
+                      .size = arguments.size == "inf" ? std::numeric_limits<double>::infinity()
+                                                      : parse_positive("--size", arguments.size,
+                                                                       "inf or a length in units of the polygons"),
+                      .size_at = arguments.size_at,
+                      .grade = {},
+                      .targets = {},
+                      .width = parse_width(arguments.width)};
   if (arguments.grade)
     request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
@@ -135,9 +135,9 @@ class FillProgress {
   ProgressLine line_;
 };
 
-std::string name_of(const Request& request) { return request.path == "-" ? "standard input" : request.path; }
+std::string name_of(const FillRequest& request) { return request.path == "-" ? "standard input" : request.path; }
 
-PolygonFile read(const Request& request, bool quiet) {
+PolygonFile read(const FillRequest& request, bool quiet) {
   std::optional<ProgressLine> line(std::in_place, "rbpa", !quiet && !read_from_terminal(request.path), "reading");
   PolygonFile file = read_polygons(request.path, request.format);
   line.reset();
@@ -146,7 +146,7 @@ PolygonFile read(const Request& request, bool quiet) {
   return file;
 }
 
-ValidFeatures check(const Request& request, const PolygonFile& file, const FillArguments& arguments) {
+ValidFeatures check(const FillRequest& request, const PolygonFile& file, const FillArguments& arguments) {
   const std::string name = name_of(request);
   ValidFeatures valid = valid_features(file, name, arguments.skip_invalid);
   const std::vector<std::string>& why = valid.why_left_out;
@@ -157,8 +157,8 @@ ValidFeatures check(const Request& request, const PolygonFile& file, const FillA
   return valid;
 }
 
-Filling make(const Request& request, const PolygonFile& file, const ValidFeatures& valid, std::span<const SizeAt> sizes,
-             const FillArguments& arguments) {
+Filling make(const FillRequest& request, const PolygonFile& file, const ValidFeatures& valid,
+             std::span<const SizeAt> sizes, const FillArguments& arguments) {
   FillProgress progress(!arguments.quiet);
   const std::string name = name_of(request);
   try {
@@ -202,7 +202,7 @@ Triangulation arrays_of(const Filling& filling) {
   return arrays;
 }
 
-void write_targets(OutputSet& outputs, const Request& request, const Filling& filling, const Triangulation& arrays,
+void write_targets(OutputSet& outputs, const FillRequest& request, const Filling& filling, const Triangulation& arrays,
                    const TriangleFeatures& features, bool quiet, const std::vector<std::string>& names) {
   const ProgressLine line("rbpa", !quiet && !written_to_terminal(names), "writing");
   for (const Target& target : request.targets) {
@@ -222,7 +222,7 @@ void write_targets(OutputSet& outputs, const Request& request, const Filling& fi
 }  // namespace
 
 void run_fill(const FillArguments& arguments) {
-  const Request request = parse(arguments);
+  const FillRequest request = parse(arguments);
   Stopwatch watch;
   const PolygonFile file = read(request, arguments.quiet);
   std::vector<SizeAt> sizes;

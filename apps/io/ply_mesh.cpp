@@ -13,15 +13,15 @@ namespace rbpa::app {
 namespace {
 
 /// Where things are in the file.
-struct Layout {
+struct PlyMeshLayout {
   const PlyElement* vertex = nullptr;
   std::array<std::size_t, 3> coordinate{};  ///< x, y, z among the properties of a vertex
   const PlyElement* face = nullptr;         ///< none: points alone
   std::size_t corners = 0;                  ///< the list among the properties of a face
 };
 
-Layout lay_out(const PlyHeader& header, const std::string& name) {
-  Layout layout{.vertex = &vertices_of(header, name)};
+PlyMeshLayout lay_out(const PlyHeader& header, const std::string& name) {
+  PlyMeshLayout layout{.vertex = &vertices_of(header, name)};
   constexpr std::string_view axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) layout.coordinate[i] = find_number(*layout.vertex, axes[i], "x, y and z", name);
   for (const PlyElement& element : header.elements) {
@@ -47,8 +47,8 @@ std::optional<std::uint32_t> load_corner(Scalar type, const char* at, std::endia
 }
 
 template <typename Data, typename ReadVertex, typename ReadFace>
-void pass_all(Data& data, const PlyHeader& header, const Layout& layout, MeshFile& mesh, const ReadVertex& read_vertex,
-              const ReadFace& read_face) {
+void pass_all(Data& data, const PlyHeader& header, const PlyMeshLayout& layout, MeshFile& mesh,
+              const ReadVertex& read_vertex, const ReadFace& read_face) {
   for (const PlyElement& element : header.elements) {
     data.require_room(element);
     if (&element == layout.vertex) {
@@ -63,7 +63,7 @@ void pass_all(Data& data, const PlyHeader& header, const Layout& layout, MeshFil
   }
 }
 
-MeshFile read_binary(const PlyHeader& header, const Layout& layout, const std::string& name) {
+MeshFile read_binary(const PlyHeader& header, const PlyMeshLayout& layout, const std::string& name) {
   MeshFile mesh;
   PlyBinary data(header, name);
   const std::endian order = *header.binary;
@@ -101,7 +101,7 @@ MeshFile read_binary(const PlyHeader& header, const Layout& layout, const std::s
   return mesh;
 }
 
-MeshFile read_ascii(const PlyHeader& header, const Layout& layout, const std::string& name) {
+MeshFile read_ascii(const PlyHeader& header, const PlyMeshLayout& layout, const std::string& name) {
   MeshFile mesh;
   PlyText data(header, name);
   const auto read_vertex = [&](std::size_t, std::string_view& rest) {
@@ -133,7 +133,7 @@ MeshFile read_ascii(const PlyHeader& header, const Layout& layout, const std::st
 
 MeshFile read_ply_mesh(std::string_view bytes, const std::string& name) {
   const PlyHeader header = read_ply_header(bytes, name);
-  const Layout layout = lay_out(header, name);
+  const PlyMeshLayout layout = lay_out(header, name);
   return header.binary ? read_binary(header, layout, name) : read_ascii(header, layout, name);
 }
 

@@ -5,7 +5,7 @@
 namespace rbpa::app {
 namespace {
 
-struct Polygons {
+struct SoupPolygons {
   std::span<const std::array<double, 3>> positions;
   const meshops::PolygonSoup& soup;
 
@@ -19,7 +19,7 @@ struct Polygons {
 
 void write_mesh(OutputFile& file, MeshFormat format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup) {
-  const Polygons mesh{positions, soup};
+  const SoupPolygons mesh{positions, soup};
   switch (format) {
     case MeshFormat::off:
       return write_off(file, mesh);

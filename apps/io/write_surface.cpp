@@ -12,7 +12,7 @@ namespace rbpa::app {
 namespace {
 
 /// The mesh, as the formats see it.
-struct Polygons {
+struct SurfacePolygons {
   const SpaceMesh& mesh;
 
   std::size_t points() const { return mesh.vertices.size(); }
@@ -80,11 +80,11 @@ void write_stl(OutputFile& file, const SpaceMesh& mesh) {
 void write_surface(OutputFile& file, SurfaceFormat format, const SpaceMesh& mesh) {
   switch (format) {
     case SurfaceFormat::off:
-      return write_off(file, Polygons{mesh});
+      return write_off(file, SurfacePolygons{mesh});
     case SurfaceFormat::obj:
-      return write_obj(file, Polygons{mesh});
+      return write_obj(file, SurfacePolygons{mesh});
     case SurfaceFormat::ply:
-      return write_ply(file, Polygons{mesh});
+      return write_ply(file, SurfacePolygons{mesh});
     case SurfaceFormat::stl:
       return write_stl(file, mesh);
     case SurfaceFormat::npy:

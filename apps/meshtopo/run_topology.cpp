@@ -19,7 +19,7 @@
 namespace rbpa::app {
 namespace {
 
-using Positions = std::span<const std::array<double, 3>>;
+using PositionSpan = std::span<const std::array<double, 3>>;
 
 /// Loops need a surface: pinches come apart by themselves, anything else is refused.
 void require_surface(const Findings& findings, const MeshSource& source) {
@@ -34,7 +34,7 @@ void require_surface(const Findings& findings, const MeshSource& source) {
             "a surface for --generators, or --repair");
 }
 
-std::vector<Polyline> generators_of(const meshops::PolygonSoup& soup, Positions positions) {
+std::vector<Polyline> generators_of(const meshops::PolygonSoup& soup, PositionSpan positions) {
   OpenMesh::PolyConnectivity mesh;
   const std::vector<std::uint32_t> point_of = meshops::build_mesh(mesh, soup, until_interrupted());
   return generators(mesh, point_of, positions);
@@ -63,7 +63,7 @@ class Run {
     }
     if (plan_.generators) {
       if (!repaired) require_surface(findings, plan_.source);
-      const Positions positions = repaired ? Positions(moved) : Positions(mesh.positions);
+      const PositionSpan positions = repaired ? PositionSpan(moved) : PositionSpan(mesh.positions);
       const std::vector<Polyline> loops = find_loops(*surface, positions);
       write(outputs.add(plan_.generators->path),
             [&](OutputFile& file) { write_polylines(file, plan_.generators->format, positions, loops); });
@@ -105,7 +105,7 @@ class Run {
     return repaired;
   }
 
-  std::vector<Polyline> find_loops(const meshops::PolygonSoup& soup, Positions positions) const {
+  std::vector<Polyline> find_loops(const meshops::PolygonSoup& soup, PositionSpan positions) const {
     const ProgressLine shown = line("loops");
     return generators_of(soup, positions);
   }

@@ -13,7 +13,7 @@ namespace rbpa::app {
 namespace {
 
 // Pixels from the upper left corner.
-constexpr int left = 80, right = 800, width = 970, height = 1090;
+constexpr int left = 80, right = 800, image_width = 970, image_height = 1090;
 constexpr int curves_top = 80, curves_bottom = 500;
 constexpr int diagram_top = 600, never_dies = 605, last_death = 630, diagram_bottom = 1030;
 
@@ -176,7 +176,7 @@ std::string svg_of(const FiltrationPlot& plot) {
   const double margin = high > low ? (high - low) / 40 : 1;
   const Axis x{low - margin, high + margin, left, right};
   const std::string size =
-      std::string("width=\"") + std::to_string(width) + "\" height=\"" + std::to_string(height) + "\"";
+      std::string("width=\"") + std::to_string(image_width) + "\" height=\"" + std::to_string(image_height) + "\"";
   std::string svg = std::string("<svg xmlns=\"http://www.w3.org/2000/svg\" ") + size +
                     " font-family=\"sans-serif\" font-size=\"14\">\n";
   svg += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";

@@ -24,10 +24,10 @@ using Json = nlohmann::ordered_json;
 
 /// The first words of a file, before the checksum of the rest of the line in eight digits, and that.
 constexpr std::string_view beginning = "RBPA partial 1 ";
-constexpr std::size_t digits = 8;
+constexpr std::size_t checksum_digits = 8;
 
 std::string hexadecimal(std::uint32_t value) {
-  char text[digits + 1];
+  char text[checksum_digits + 1];
   std::snprintf(text, sizeof text, "%08x", value);
   return text;
 }
@@ -141,9 +141,9 @@ PartialFile read_partial(const std::string& path) {
     bad_input(path, left.empty() ? "an empty file" : "a file of another kind", expected);
   left.remove_prefix(beginning.size());
   const std::size_t end = left.find('\n');
-  if (end == std::string_view::npos || end < digits) damaged(path);
-  const std::string_view head = left.substr(digits + 1, end - digits);
-  if (left.substr(0, digits + 1) != hexadecimal(checksum_of(head)) + " ") damaged(path);
+  if (end == std::string_view::npos || end < checksum_digits) damaged(path);
+  const std::string_view head = left.substr(checksum_digits + 1, end - checksum_digits);
+  if (left.substr(0, checksum_digits + 1) != hexadecimal(checksum_of(head)) + " ") damaged(path);
   left.remove_prefix(end + 1);
   try {
     const Json json = Json::parse(head);

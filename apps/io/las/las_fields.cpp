@@ -8,11 +8,11 @@ namespace rbpa::app {
 namespace {
 
 /// What stands behind the fields that all formats of a family have.
-struct Layout {
+struct FieldLayout {
   std::size_t size;
   std::size_t time = 0, colour = 0, infrared = 0;  // 0: there is none
 };
-constexpr Layout layouts[last_las_format + 1] = {
+constexpr FieldLayout layouts[last_las_format + 1] = {
     {20},              // 0
     {28, 20},          // 1
     {26, 0, 20},       // 2
@@ -80,7 +80,7 @@ double LasField::value(const char* record) const {
 }
 
 std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor) {
-  const Layout& layout = layouts[format];
+  const FieldLayout& layout = layouts[format];
   const bool is_new = format >= first_of_new_family;
   for (const Known& field : fields) {
     if (!is(name, field.name)) continue;

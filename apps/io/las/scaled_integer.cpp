@@ -12,8 +12,8 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::int64_t greatest = std::int64_t{1} << 53;  // up to it every integer is a double
-constexpr int max_places = 15;                            // ten to that is exact, and below 2^53
+constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // up to it every integer is a double
+constexpr int max_places = 15;                                  // ten to that is exact, and below 2^53
 
 /// digits · 10^-places.
 struct Decimal {
@@ -46,7 +46,7 @@ std::optional<Decimal> decimal_of(double value) {
   if (all.front() == '-') decimal.digits = -decimal.digits;
   if (decimal.digits == 0) return Decimal{0, 0};
   for (; decimal.places < 0; ++decimal.places) {
-    if (std::abs(decimal.digits) > greatest / 10) return std::nullopt;
+    if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
     decimal.digits *= 10;
   }
   if (decimal.places > max_places) return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<Decimal> decimal_of(double value) {
 /// The digits with so many places, when they stay small enough.
 std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   for (; decimal.places < places; ++decimal.places) {
-    if (std::abs(decimal.digits) > greatest / 10) return std::nullopt;
+    if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
     decimal.digits *= 10;
   }
   return decimal.digits;
@@ -70,7 +70,7 @@ ScaledInteger::ScaledInteger(double scale, double offset) : scale_(scale), offse
   const int places = std::max(a->places, b->places);
   const std::optional<std::int64_t> factor = with_places(*a, places), summand = with_places(*b, places);
   constexpr std::int64_t largest_value = std::int64_t{1} << 31;
-  if (!factor || !summand || std::abs(*factor) > (greatest - std::abs(*summand)) / largest_value) return;
+  if (!factor || !summand || std::abs(*factor) > (greatest_exact - std::abs(*summand)) / largest_value) return;
   exact_ = true;
   factor_ = *factor;
   summand_ = *summand;

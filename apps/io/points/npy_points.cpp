@@ -75,11 +75,11 @@ std::optional<NumberType> parse_type(std::string_view descr) {
   return std::nullopt;
 }
 
-struct Shape {
+struct ArrayShape {
   std::size_t rows, columns;
 };
 
-std::optional<Shape> parse_shape(std::string_view text, std::array<std::size_t, 2> columns) {
+std::optional<ArrayShape> parse_shape(std::string_view text, std::array<std::size_t, 2> columns) {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')') return std::nullopt;
   text = text.substr(1, text.size() - 2);
   std::vector<std::size_t> sizes;
@@ -92,7 +92,7 @@ std::optional<Shape> parse_shape(std::string_view text, std::array<std::size_t, 
     if (!text.empty() && text.front() == ',') text.remove_prefix(1);
   }
   if (sizes.size() != 2 || (sizes[1] != columns[0] && sizes[1] != columns[1])) return std::nullopt;
-  return Shape{sizes[0], sizes[1]};
+  return ArrayShape{sizes[0], sizes[1]};
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
   const std::optional<NumberType> number = parse_type(descr);
   if (!number) bad_input(name, "numbers of type " + in_quotes(descr), "float32, float64 or integers");
   const std::string_view shape_text = value_of(header.text, "shape");
-  const std::optional<Shape> shape = parse_shape(shape_text, columns);
+  const std::optional<ArrayShape> shape = parse_shape(shape_text, columns);
   if (!shape)
     bad_input(name, "shape " + in_quotes(shape_text),
               "(n, " + std::to_string(columns[0]) + ") or (n, " + std::to_string(columns[1]) + ")");

@@ -11,13 +11,13 @@
 namespace rbpa::app {
 namespace {
 
-struct Layout {
+struct PcdColumns {
   std::vector<const PcdField*> numbers = {};  ///< of x, y, z and, when there are six, of the normal
   const PcdField* color = nullptr;            ///< 0xRRGGBB in an integer, or in the bits of a float
 };
 
-Layout lay_out(const PcdHeader& header, const std::string& name, std::vector<std::string>& remarks) {
-  Layout layout;
+PcdColumns lay_out(const PcdHeader& header, const std::string& name, std::vector<std::string>& remarks) {
+  PcdColumns layout;
   for (const std::string_view axis : {"x", "y", "z"}) {
     layout.numbers.push_back(header.find(axis));
     if (layout.numbers.back() == nullptr) bad_input(name, "points without " + in_quotes(axis), "the fields x, y and z");
@@ -40,7 +40,7 @@ std::array<std::uint8_t, 3> channels(std::uint32_t bits) {
   return {byte(16), byte(8), byte(0)};
 }
 
-void read_binary(const PcdHeader& header, const Layout& layout, const std::string& name, SpacePoints& file) {
+void read_binary(const PcdHeader& header, const PcdColumns& layout, const std::string& name, SpacePoints& file) {
   constexpr std::endian order = std::endian::little;
   std::array<double, 6> value{};
   for (std::size_t i = 0; i < header.points; ++i) {
@@ -64,7 +64,7 @@ std::uint32_t color_bits(double number, const PcdField& field, const std::string
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed, or not
 }
 
-void read_ascii(const PcdHeader& header, const Layout& layout, const std::string& name, SpacePoints& file) {
+void read_ascii(const PcdHeader& header, const PcdColumns& layout, const std::string& name, SpacePoints& file) {
   constexpr std::size_t color = 6, nothing = 7;
   std::vector<std::size_t> role(header.numbers, nothing);
   for (std::size_t k = 0; k < layout.numbers.size(); ++k) role[layout.numbers[k]->first] = k;
@@ -96,7 +96,7 @@ void read_ascii(const PcdHeader& header, const Layout& layout, const std::string
 SpacePoints read_pcd_space(std::string_view bytes, const std::string& name) {
   const PcdHeader header = read_pcd_header(bytes, name);
   SpacePoints file;
-  const Layout layout = lay_out(header, name, file.remarks);
+  const PcdColumns layout = lay_out(header, name, file.remarks);
   if (header.points == 0) return file;  // however many numbers each is said to have
   reserve_points(file, header.points, layout.numbers.size() == 6, layout.color != nullptr);
   header.binary ? read_binary(header, layout, name, file) : read_ascii(header, layout, name, file);

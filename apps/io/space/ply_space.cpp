@@ -12,13 +12,13 @@ namespace rbpa::app {
 namespace {
 
 /// Where things are among the properties of a vertex.
-struct Layout {
+struct PlyColumns {
   std::vector<std::size_t> numbers = {};  ///< of x, y, z and, when there are six, of the normal
   std::vector<std::size_t> colors = {};   ///< none, or three
 };
 
-Layout lay_out(const PlyElement& vertex, const std::string& name, std::vector<std::string>& remarks) {
-  Layout layout;
+PlyColumns lay_out(const PlyElement& vertex, const std::string& name, std::vector<std::string>& remarks) {
+  PlyColumns layout;
   for (const std::string_view axis : {"x", "y", "z"})
     layout.numbers.push_back(find_number(vertex, axis, "x, y and z", name));
   std::vector<std::size_t> normal;
@@ -38,7 +38,7 @@ Layout lay_out(const PlyElement& vertex, const std::string& name, std::vector<st
   return layout;
 }
 
-void read_binary(const PlyHeader& header, const PlyElement& vertex, const Layout& layout, const std::string& name,
+void read_binary(const PlyHeader& header, const PlyElement& vertex, const PlyColumns& layout, const std::string& name,
                  SpacePoints& file) {
   std::array<double, 6> value{};
   const std::span<const double> values(value.data(), layout.numbers.size());
@@ -79,7 +79,7 @@ void read_binary(const PlyHeader& header, const PlyElement& vertex, const Layout
   }
 }
 
-void read_ascii(const PlyHeader& header, const PlyElement& vertex, const Layout& layout, const std::string& name,
+void read_ascii(const PlyHeader& header, const PlyElement& vertex, const PlyColumns& layout, const std::string& name,
                 SpacePoints& file) {
   PlyText data(header, name);
   for (const PlyElement& element : header.elements) {
@@ -124,7 +124,7 @@ SpacePoints read_ply_space(std::string_view bytes, const std::string& name) {
   const PlyHeader header = read_ply_header(bytes, name);
   const PlyElement& vertex = vertices_of(header, name);
   SpacePoints file;
-  const Layout layout = lay_out(vertex, name, file.remarks);
+  const PlyColumns layout = lay_out(vertex, name, file.remarks);
   header.binary ? read_binary(header, vertex, layout, name, file) : read_ascii(header, vertex, layout, name, file);
   return file;
 }
