@@ -1,73 +1,31 @@
 // Gzip files that unpack to more than their headers claim, or to more than there is memory for.
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <string>
 #include <vector>
 
+#include "io/failure.h"
+#include "io/las/las_header.h"
+#include "io/off_header.h"
+#include "io/ply_data.h"
+#include "io/points/npy_points.h"
+#include "io/points/pgm_points.h"
+#include "io/space/pcd_header.h"
+#include "io/space/readers.h"
+#include "io/stl_mesh.h"
+#include "support/claiming_files.h"
 #include "support/gzip.h"
 #include "support/image_files.h"
-#include "support/las_file.h"
 #include "support/mesh_files.h"
 #include "support/program.h"
 
 using namespace apps_test;
+using namespace rbpa::app;
 
 namespace {
 
 const std::string zeros(1, '\0');
 constexpr std::size_t slack = std::size_t{1} << 20U;
-
-/// A file under the name that says what it is.
-struct File {
-  std::string name, content;
-  std::size_t behind = 0;  ///< of its bytes, what the header does not speak of
-};
-
-std::string npy(const std::string& shape, std::size_t numbers) {
-  std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': " + shape + "}\n";
-  return std::string("\x93NUMPY\x01\x00", 8) + little(header.size(), 2) + header + std::string(4 * numbers, '\0');
-}
-
-std::string las(const std::vector<LasRecord>& extended = {}, std::size_t points = 3) {
-  LasFile file{.minor = 4, .format = 6, .extended = extended};
-  for (std::size_t i = 0; i < points; ++i) file.points.push_back({.x = static_cast<int>(i), .y = static_cast<int>(i)});
-  return bytes_of(file);
-}
-
-std::string pcd(const std::string& kind, std::size_t points, const std::string& data) {
-  return "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + std::to_string(points) +
-         "\nHEIGHT 1\nPOINTS " + std::to_string(points) + "\nDATA " + kind + "\n" + data;
-}
-
-/// A list as long as 32 bits can say, of which the first is empty and the second has three values.
-const std::string ply_with_long_lists =
-    "ply\nformat binary_little_endian 1.0\nelement face 2\nproperty list int int vertex_indices\n"
-    "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n" +
-    little(0, 4) + little(3, 4) + std::string(12, '\0') + std::string(12, '\0');
-
-/// Whole files that say how much they hold.
-const std::vector<File> points = {{"p.ply", pyramid_ply},
-                                  {"b.ply", ply_binary(std::endian::big)},
-                                  {"l.ply", ply_with_long_lists},
-                                  {"p.off", pyramid_off},
-                                  {"p.npy", npy("(5, 2)", 10)},
-                                  {"t.pgm", "P2\n2 2\n255\n0 0\n0 255\n", 1},
-                                  {"b.pgm", std::string("P5\n2 2\n65535\n") + std::string(8, '\0')},
-                                  {"p.las", las()},
-                                  {"e.las", las({{"user", 1, std::string(100, 'x')}, {"user", 2, "y"}})}};
-const std::vector<File> space = {{"p.ply", pyramid_ply},
-                                 {"b.ply", ply_binary(std::endian::little)},
-                                 {"p.off", pyramid_off},
-                                 {"p.npy", npy("(5, 3)", 15)},
-                                 {"p.las", las()},
-                                 {"b.pcd", pcd("binary", 3, std::string(36, '\0'))},
-                                 {"t.pcd", pcd("ascii", 3, "0 0 0\n1 0 0\n0 1 0\n")}};
-const std::vector<File> meshes = {{"p.ply", pyramid_ply},
-                                  {"b.ply", ply_binary(std::endian::big)},
-                                  {"l.ply", ply_with_long_lists},
-                                  {"p.off", pyramid_off},
-                                  {"b.stl", stl_binary(pyramid_triangles)}};
 
 /// What is said, and the exit code, of `command` in so many bytes of address space.
 Outcome limited(const Folder& folder, const std::string& command, std::size_t mebibytes) {
@@ -115,9 +73,9 @@ const std::string stream = " (rbpa stream reads tables, .npy, .f64xy and LAS a b
 
 TEST_SUITE("gzip bombs") {
   TEST_CASE("no more is unpacked than the header of points, of points of space, of a mesh claims") {
-    check_claims(points, RBPA_PROGRAM, " info ", "");
-    check_claims(space, RBPA_PROGRAM, " surface ", " --radius 1 -o s.off");
-    check_claims(meshes, MESHTOPO_PROGRAM, " ", "");
+    check_claims(claiming_points(), RBPA_PROGRAM, " info ", "");
+    check_claims(claiming_space(), RBPA_PROGRAM, " surface ", " --radius 1 -o s.off");
+    check_claims(claiming_meshes(), MESHTOPO_PROGRAM, " ", "");
   }
 
   TEST_CASE("what has no header is unpacked as far as memory suffices") {
@@ -159,6 +117,40 @@ TEST_SUITE("gzip bombs") {
     check_memory(folder, rbpa + " fill q.wkt --size 1 --size-at sizes.gz -o s.off", "sizes.gz");
   }
 
+  TEST_CASE("a claim is never more than a whole file has, and that of the whole file is all of it") {
+    const auto check = [](const File& file, const auto& claim) {
+      CAPTURE(file.name);
+      const std::string_view content = file.content;
+      const auto claimed = static_cast<double>(content.size() - file.behind);
+      CHECK(claim(content, file.name) == claimed);
+      const std::size_t header = file.name.ends_with(".las") ? 375 : file.name.ends_with(".stl") ? 84 : 1;
+      double before = 0;
+      for (std::size_t size = header; size < content.size(); ++size) {
+        try {
+          const double now = claim(content.substr(0, size), file.name);
+          CHECK(now <= claimed);
+          CHECK(now >= before);
+          before = now;
+        } catch (const BadInput&) {
+          CHECK(before == 0);  // in the header
+        }
+      }
+      CHECK(before > 0);
+    };
+    for (const auto& files : {claiming_points(), claiming_space(), claiming_meshes()})
+      for (const File& file : files) {
+        const std::string format = file.name.substr(2);
+        if (format == "ply") check(file, claimed_ply_size);
+        if (format == "off") check(file, claimed_off_size);
+        if (format == "pgm") check(file, claimed_pgm_size);
+        if (format == "las") check(file, claimed_las_size);
+        if (format == "pcd") check(file, claimed_pcd_size);
+        if (format == "stl") check(file, claimed_stl_size);
+      }
+    check({"p.npy", npy_of_zeros("(5, 2)", 10)}, claimed_npy_size);
+    check({"p.npy", npy_of_zeros("(5, 3)", 15)}, claimed_npy_space_size);
+  }
+
   TEST_CASE("a header that is none is refused as it is where it is not packed") {
     const Folder folder;
     for (const char* name : {"p.ply", "p.off", "p.npy", "p.pgm", "p.las"}) {
@@ -175,7 +167,7 @@ TEST_SUITE("gzip bombs") {
 
   TEST_CASE("bytes behind the data, less than a mebibyte, count as little as where nothing is packed") {
     const Folder folder;
-    for (const auto& [name, content, behind] : points) {
+    for (const auto& [name, content, behind] : claiming_points()) {
       CAPTURE(name);
       const std::string more = content + std::string(slack - 1, name == "t.pgm" ? '\n' : '\0');
       folder.file(name, more);
@@ -208,12 +200,13 @@ TEST_SUITE("gzip bombs") {
       binary += little(in_list, 4) + std::string(4 * in_list, '\0');
     }
     for (std::size_t i = 0; i < 1'000'000; ++i) grey += i % 7 == 0 ? " 0\n   " : "9 \t  ";
-    const std::vector<File> files = {{"a.ply", ascii},
-                                     {"b.ply", binary},
-                                     {"p.off", off},
-                                     {"p.pgm", grey},
-                                     {"p.npy", npy("(1000000, 2)", 2'000'000)},
-                                     {"p.las", las({{"user", 1, std::string(5 * slack, 'x')}, {"user", 2, "y"}}, 200)}};
+    const std::vector<File> files = {
+        {"a.ply", ascii},
+        {"b.ply", binary},
+        {"p.off", off},
+        {"p.pgm", grey},
+        {"p.npy", npy_of_zeros("(1000000, 2)", 2'000'000)},
+        {"p.las", las_of(200, {{"user", 1, std::string(5 * slack, 'x')}, {"user", 2, "y"}})}};
     for (const auto& [name, content, behind] : files) {
       CAPTURE(name);
       folder.file(name, content);
@@ -233,7 +226,7 @@ TEST_SUITE("gzip bombs") {
 
   TEST_CASE("a header of LAS that is wrong is no limit where all whole records are wanted") {
     const Folder folder;
-    std::string content = las({}, 100'000);
+    std::string content = las_of(100'000);
     content.replace(107, 4, little(0, 4));
     content.replace(247, 8, little(0, 8));
     folder.file("p.las.gz", packed(content));
