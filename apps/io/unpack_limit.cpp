@@ -28,12 +28,21 @@ void UnpackLimit::require(std::string_view unpacked) {
               "at most a fifth of the " + bytes_text(bytes_for_each * *most_) +
                   " of memory there are, as reading takes several times as much" + way_out_);
   if (size <= next_) return;
-  const double claimed = claim_.size(unpacked, name_);
+  const double claimed = claimed_by(unpacked);
   if (size > claimed + slack)
     bad_input(name_, "more than " + counted(static_cast<std::size_t>(claimed) + slack, "byte") + " unpacked",
               counted(static_cast<std::size_t>(claimed), "byte") + " as the header claims, or at most " +
                   std::to_string(slack) + " more" + std::string(claim_.hint));
   next_ = std::max(claimed + slack, 2 * size);
+}
+
+/// Messages about headers take what they are given for the whole file.
+double UnpackLimit::claimed_by(std::string_view unpacked) const {
+  try {
+    return claim_.size(unpacked, name_);
+  } catch (const BadInput& refusal) {
+    throw BadInput(std::string(refusal.what()) + " (in the first " + counted(unpacked.size(), "byte") + " unpacked)");
+  }
 }
 
 }  // namespace rbpa::app

@@ -22,6 +22,8 @@ class UnpackLimit {
   void require(std::string_view unpacked);
 
  private:
+  double claimed_by(std::string_view unpacked) const;
+
   const std::string& name_;
   Claim claim_;
   const std::string& way_out_;
