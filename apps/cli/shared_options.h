@@ -24,7 +24,8 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
              "Leave out lines of text, and records of LAS, that are no point, and say how many");
   verb.add_option("--where", arguments.where,
-                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\"")
+                  "Points that count, by fields of LAS or columns of text: \"class == 6 and z > 3\", or of text "
+                  "\"group in ('A', 'B')\"")
       ->type_name("CONDITION");
 }
 

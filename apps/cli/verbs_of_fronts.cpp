@@ -61,8 +61,10 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   verb.add_option("--format", arguments.format,
                   "Format of POINTS, where its ending does not say: " + std::string(space_formats))
       ->type_name("NAME");
-  verb.add_option("--columns", arguments.columns,
-                  "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names")
+  verb.add_option(
+          "--columns", arguments.columns,
+          "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names; colours are those "
+          "that the header calls red, green and blue, or r, g and b")
       ->type_name("X,Y,Z[,NX,NY,NZ]");
   add_selection_options(verb, arguments);
   verb.add_option("--radius", arguments.radius,

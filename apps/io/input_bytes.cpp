@@ -14,6 +14,7 @@
 #include "io/failure.h"
 #include "io/gunzip.h"
 #include "io/interrupt.h"
+#include "io/unpack_limit.h"
 #include "meshops/core/large_pages.h"
 
 namespace rbpa::app {
@@ -37,17 +38,21 @@ bool same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_s
 
 }  // namespace
 
-void InputBytes::gunzip() {
+void InputBytes::gunzip(const Claim& claim, const std::string& way_out) {
   const std::unique_ptr<char, Free> packed = std::move(data_);
   const std::string_view bytes(packed.get(), size_);
   room_ = size_ = 0;
+  UnpackLimit limit(name_, claim, way_out);
   app::gunzip(
       bytes, name_,
       [this](std::size_t size) {
         if (room_ - size_ < size) make_room(std::max(2 * room_, size_ + size));
         return data_.get() + size_;
       },
-      [this](std::size_t size) { size_ += size; });
+      [&](std::size_t size) {
+        size_ += size;
+        limit.require(this->bytes());
+      });
 }
 
 InputBytes::InputBytes(const std::string& name, const std::string& expected)

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/claim.h"
+
 namespace rbpa::app {
 
 /// The bytes are read, not mapped: a mapped file that somebody shortens kills whoever looks at it. What the difference
@@ -17,8 +19,9 @@ class InputBytes {
   /// such file, or when a regular file changes while it is read; Failure when reading breaks off; Cancelled.
   InputBytes(const std::string& name, const std::string& expected);
 
-  /// The bytes of a gzip file become those of the file that was compressed. Throws BadInput, Cancelled.
-  void gunzip();
+  /// The bytes of a gzip file become those of the file that was compressed, up to what its header claims or memory
+  /// suffices for (UnpackLimit, which also says what `way_out` is). Throws BadInput, Cancelled.
+  void gunzip(const Claim& claim, const std::string& way_out = "");
 
   std::string_view bytes() const { return {data_.get(), size_}; }
   /// What messages call it.

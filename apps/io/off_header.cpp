@@ -1,5 +1,6 @@
 #include "io/off_header.h"
 
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/vertex_lines.h"
@@ -24,6 +25,10 @@ struct Keyword {
 }  // namespace
 
 OffHeader read_off_header(std::string_view text, const std::string& name) {
+  return read_off_header(text, text.size(), name);
+}
+
+OffHeader read_off_header(std::string_view text, std::size_t size, const std::string& name) {
   Lines lines(text);
   if (!lines.next_with_content()) bad_input(name, "no OFF header", "an ASCII .off file");
   std::string_view rest = lines.line();
@@ -47,10 +52,18 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
                          .line = lines.number(),
                          .counts = rest,
                          .lines = lines};
+  const std::size_t left = size - (text.size() - lines.rest().size());
   // The shortest vertex line is "0 0" and its end, but for the last.
-  if (*vertices > (lines.rest().size() + 1) / 4)
-    bad_input(name, counted(lines.rest().size(), "byte") + " of data", announced(header, *vertices, "vertex line"));
+  if (*vertices > (left + 1) / 4)
+    bad_input(name, counted(left, "byte") + " of data", announced(header, *vertices, "vertex line"));
   return header;
+}
+
+double claimed_off_size(std::string_view first, const std::string& name) {
+  const OffHeader header = read_off_header(first, unknown_size, name);
+  std::string_view counts = header.counts;
+  const std::size_t faces = parse_count(take_word(counts)).value_or(0);
+  return end_of_lines(first, header.lines, static_cast<double>(header.vertices) + static_cast<double>(faces));
 }
 
 std::string announced(const OffHeader& header, std::size_t count, std::string_view noun) {

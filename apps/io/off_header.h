@@ -22,6 +22,12 @@ struct OffHeader {
 /// naming the line, also when the file is too short for so many vertices of at least two coordinates.
 OffHeader read_off_header(std::string_view text, const std::string& name);
 
+/// The same of a file of `size` bytes of which `text` are the first, all of its header among them.
+OffHeader read_off_header(std::string_view text, std::size_t size, const std::string& name);
+
+/// A Claim: so many lines of vertices and faces.
+double claimed_off_size(std::string_view first, const std::string& name);
+
 /// "3 vertex lines as line 2 says".
 std::string announced(const OffHeader& header, std::size_t count, std::string_view noun);
 

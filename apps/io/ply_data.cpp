@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/vertex_lines.h"
 
@@ -30,6 +31,48 @@ std::size_t find_number(const PlyElement& element, std::string_view property, st
   if (const std::optional<std::size_t> place = number_place(element, property)) return *place;
   bad_input(at_line(name, element.line), "vertices without " + in_quotes(property),
             "number properties " + std::string(wanted));
+}
+
+namespace {
+
+/// Where in `data` the element that begins at `at` ends; nothing when a length of its lists is not there.
+std::optional<double> end_of_element(const PlyElement& element, double at, std::string_view data, std::endian order) {
+  for (const PlyProperty& property : element.properties) {
+    double values = 1;
+    if (property.count_type) {
+      const double length = at;
+      at += static_cast<double>(size_of(*property.count_type));
+      if (at > static_cast<double>(data.size())) return std::nullopt;
+      values = load_number(*property.count_type, data.data() + static_cast<std::size_t>(length), order);
+    }
+    at += std::max(values, 0.0) * static_cast<double>(size_of(property.type));
+  }
+  return at;
+}
+
+double end_of_elements(const PlyHeader& header) {
+  double at = 0;
+  for (const PlyElement& element : header.elements) {
+    std::size_t left = element.count;
+    for (; element.has_lists() && left > 0; --left) {
+      if (left % 16384 == 0) stop_if_interrupted();
+      const std::optional<double> end = end_of_element(element, at, header.data, *header.binary);
+      if (!end) break;
+      at = *end;
+    }
+    at += static_cast<double>(left) * static_cast<double>(element.least_size());
+  }
+  return at;
+}
+
+}  // namespace
+
+double claimed_ply_size(std::string_view first, const std::string& name) {
+  const PlyHeader header = read_ply_header(first, name);
+  if (header.binary) return static_cast<double>(first.size() - header.data.size()) + end_of_elements(header);
+  double lines = 0;
+  for (const PlyElement& element : header.elements) lines += static_cast<double>(element.count);
+  return end_of_lines(first, Lines(header.data), lines);
 }
 
 void PlyBinary::require_room(const PlyElement& element) const {

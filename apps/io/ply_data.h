@@ -28,6 +28,9 @@ std::optional<std::size_t> number_place(const PlyElement& element, std::string_v
 std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
                         const std::string& name);
 
+/// A Claim: the bytes of all elements, or as many lines. A binary list says how long it is where it stands.
+double claimed_ply_size(std::string_view first, const std::string& name);
+
 /// The data of a binary file.
 class PlyBinary {
  public:

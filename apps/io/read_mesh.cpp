@@ -6,7 +6,9 @@
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
 #include "io/obj_mesh.h"
+#include "io/off_header.h"
 #include "io/off_mesh.h"
+#include "io/ply_data.h"
 #include "io/ply_mesh.h"
 #include "io/stl_mesh.h"
 
@@ -27,11 +29,25 @@ MeshFile parse(MeshFormat format, std::string_view bytes, const std::string& nam
   return read_stl_mesh(bytes, name);
 }
 
+Claim claim_of(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::off:
+      return {claimed_off_size};
+    case MeshFormat::ply:
+      return {claimed_ply_size};
+    case MeshFormat::stl:
+      return {claimed_stl_size};
+    case MeshFormat::obj:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 MeshFile read_mesh(const MeshSource& source) {
   InputBytes input(source.path, "a mesh file");
-  if (is_gzip(input.bytes())) input.gunzip();
+  if (is_gzip(input.bytes())) input.gunzip(claim_of(source.format));
   return mesh_in(input.bytes(), input.name(), source.format);
 }
 

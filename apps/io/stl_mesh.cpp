@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "io/claim.h"
 #include "io/equal_positions.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -151,6 +152,11 @@ class AsciiReader {
 };
 
 }  // namespace
+
+double claimed_stl_size(std::string_view first, const std::string&) {
+  if (!is_binary(first) || first.size() < header_size) return any_size;
+  return static_cast<double>(header_size + facet_size * announced_facets(first));
+}
 
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name) {
   return is_binary(bytes) ? read_binary(bytes, name) : AsciiReader(bytes, name).read();

@@ -16,4 +16,7 @@ namespace rbpa::app {
 /// facet of a binary file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 
+/// A Claim: the facets of a binary file. ASCII claims nothing.
+double claimed_stl_size(std::string_view first, const std::string& name);
+
 }  // namespace rbpa::app

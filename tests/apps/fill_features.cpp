@@ -87,6 +87,22 @@ TEST_SUITE("fill") {
           std::string::npos);
   }
 
+  TEST_CASE("names of properties are XML in a .vtu: control characters are spaces, and signs are entities") {
+    const Folder folder;
+    folder.file(
+        "p.json",
+        collection({feature(R"({"a>b<c&d\"e": 1.5, "tab\tand\u0001": 2.5})", "[[0,0],[1,0],[1,1],[0,1],[0,0]]")}));
+    REQUIRE(folder.rbpa("fill p.json --size 1 -o p.vtu -q").code == 0);
+    const std::string vtu = folder.content("p.vtu"), head = vtu.substr(0, vtu.find("<AppendedData"));
+    for (const double value : array_of<double>(vtu, "a&gt;b&lt;c&amp;d&quot;e")) CHECK(value == 1.5);
+    for (const double value : array_of<double>(vtu, "tab and ")) CHECK(value == 2.5);
+    const std::size_t triangles = array_of<std::uint32_t>(vtu, "feature").size();
+    CHECK(triangles > 0);
+    CHECK(array_of<double>(vtu, "a&gt;b&lt;c&amp;d&quot;e").size() == triangles);
+    CHECK(array_of<double>(vtu, "tab and ").size() == triangles);
+    CHECK(std::all_of(head.begin(), head.end(), [](char c) { return c == '\n' || c >= ' '; }));
+  }
+
   TEST_CASE("a feature that is not valid is named; --skip-invalid goes on without it and counts it") {
     const Folder folder;
     std::vector<std::string> features = parcels();

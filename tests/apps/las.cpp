@@ -94,6 +94,14 @@ std::vector<LasPoint> two_points(const LasFile& file) {
            .infrared = 60000}};
 }
 
+/// GeoTIFF: of each key its number, place, count and value.
+LasRecord keys(const std::vector<std::vector<unsigned>>& entries) {
+  std::string data = little(1, 2) + little(1, 2) + little(0, 2) + little(entries.size(), 2);
+  for (const auto& entry : entries)
+    for (const unsigned number : entry) data += little(number, 2);
+  return {"LASF_Projection", 34735, data};
+}
+
 }  // namespace
 
 TEST_SUITE("las") {
@@ -192,12 +200,6 @@ TEST_SUITE("las") {
   }
 
   TEST_CASE("the coordinate reference system: text before keys, and keys that say nothing") {
-    const auto keys = [](std::vector<std::vector<unsigned>> entries) {
-      std::string data = little(1, 2) + little(1, 2) + little(0, 2) + little(entries.size(), 2);
-      for (const auto& entry : entries)
-        for (const unsigned number : entry) data += little(number, 2);
-      return LasRecord{"LASF_Projection", 34735, data};
-    };
     const LasRecord text{"LASF_Projection", 2112,
                          "PROJCS[\"Amersfoort / RD New\",GEOGCS[\"Amersfoort\",AUTHORITY[\"EPSG\",\"4289\"]],"
                          "AUTHORITY[\"EPSG\",\"28992\"]]" +
@@ -445,6 +447,25 @@ TEST_SUITE("las") {
     CHECK(file("las_certainty3d.las").points ==
           read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = PointFormat::text}).points);
     CHECK_THROWS_AS(file("las_garbage_vlr_count.las"), BadInput);  // which lacks a part of its last point
+  }
+
+  TEST_CASE("a system in US survey feet goes from LAS to GeoJSON and on, with its coordinates") {
+    const Folder folder;
+    LasFile file{.offset = {1500000, 612345, 0}};
+    file.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 2903}, {3076, 0, 1, 9003}})};
+    file.points = {{.x = 0, .y = 0}, {.x = 125, .y = 0}, {.x = 125, .y = 50}, {.x = 0, .y = 50}};
+    folder.file("p.las", bytes_of(file));
+    const Outcome outcome = folder.rbpa("shape p.las --alpha inf -o s.geojson -o s.ewkt");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.starts_with("rbpa: s.geojson: written in EPSG:2903, "));
+    const std::string content = folder.content("s.geojson");
+    CHECK(content.starts_with(
+        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2903"}},)"));
+    CHECK(content.find("[[[1500000,612345],[1500001.25,612345],[1500001.25,612345.5],[1500000,612345.5],"
+                       "[1500000,612345]]]") != std::string::npos);
+    CHECK(folder.content("s.ewkt").starts_with("SRID=2903;"));
+    CHECK(folder.rbpa("info s.geojson --vertices").out.find("crs         EPSG:2903\n") != std::string::npos);
+    CHECK(folder.rbpa("shape s.geojson --vertices --alpha inf -o - --output-format json -q").out == content);
   }
 
   TEST_CASE("on the command line: with its system, and compressed by gzip") {

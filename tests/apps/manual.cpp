@@ -126,6 +126,26 @@ TEST_SUITE("manual") {
     CHECK(folder.rbpa("--man").out.find("Which alpha to choose: plateau first.") != std::string::npos);
   }
 
+  TEST_CASE(
+      "the help of --where has a condition on texts, that of surface --columns says which are colours; both hold") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,z,r,g,b,group\n0,0,0,9,8,7,A\n1,0,0,9,8,7,B\n0,1,0,9,8,7,A\n5,5,5,9,8,7,C\n");
+    const auto words = [](std::string text) {  // on one line, blanks once
+      text = std::regex_replace(text, std::regex("\\s+"), " ");
+      return text;
+    };
+    const std::string condition = "group in ('A', 'B')", colors = "that the header calls red, green and blue, or r, g";
+    for (const std::string verb : {"info", "mesh", "shape", "alpha", "stream", "surface"}) {
+      CAPTURE(verb);
+      CHECK(words(folder.rbpa("help " + verb).out).find("or of text \"" + condition + "\"") != std::string::npos);
+    }
+    CHECK(words(folder.rbpa("help surface").out).find(colors) != std::string::npos);
+    CHECK(folder.rbpa("info p.csv --where \"" + condition + "\"").out.starts_with("points      3\n"));
+    REQUIRE(folder.rbpa("surface p.csv --columns x,y,z --radius 5 --where \"" + condition + "\" -o s.ply -q").code ==
+            0);
+    CHECK(folder.content("s.ply").find("property uchar red") != std::string::npos);
+  }
+
   TEST_CASE("help VERB is VERB --help") {
     const Folder folder;
     CHECK(folder.rbpa("help").out == folder.rbpa("--help").out);

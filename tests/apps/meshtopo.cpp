@@ -88,7 +88,7 @@ TEST_SUITE("meshtopo") {
       if (std::filesystem::exists(rbpa_test::further_data() / (std::string(mesh.name) + ".off"))) {
         is_known(rbpa_test::further_data(), mesh);
       } else {
-        MESSAGE("SKIPPED: no ", mesh.name, ".off in ", rbpa_test::further_data().string());
+        MESSAGE("SKIPPED: no ", std::string(mesh.name), ".off in ", rbpa_test::further_data().string());
       }
     }
   }

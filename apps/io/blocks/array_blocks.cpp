@@ -1,11 +1,11 @@
 #include "io/blocks/array_blocks.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "io/blocks/byte_blocks.h"
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/las/las_header.h"
 #include "io/las/las_projection.h"
@@ -15,9 +15,6 @@
 
 namespace rbpa::app {
 namespace {
-
-/// What a header may claim of a file that is packed, of which nobody knows how long it will be.
-constexpr std::size_t unknown_size = std::numeric_limits<std::size_t>::max() / 2;
 
 std::size_t size_of_content(const ByteBlocks& bytes) { return bytes.is_packed() ? unknown_size : bytes.file_size(); }
 

@@ -148,8 +148,14 @@ void ByteBlocks::require_unchanged() const {
 }
 
 std::string first_bytes(ByteBlocks& bytes, std::size_t size) {
-  std::string first(size, '\0');
-  first.resize(bytes.read(first.data(), size));
+  std::string first;
+  for (bool ended = false; first.size() < size && !ended;) {  // a header may claim what is not there
+    const std::size_t before = first.size(), some = std::min(size - before, at_once);
+    first.resize(before + some);
+    const std::size_t count = bytes.read(first.data() + before, some);
+    first.resize(before + count);
+    ended = count < some;
+  }
   return first;
 }
 

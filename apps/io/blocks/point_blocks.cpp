@@ -1,8 +1,10 @@
 #include "io/blocks/point_blocks.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "io/available_memory.h"
 #include "io/blocks/array_blocks.h"
 #include "io/blocks/byte_blocks.h"
 #include "io/failure.h"
@@ -42,11 +44,21 @@ class TextBlocks final : public PointBlocks {
     const std::size_t count = bytes_.read(text_.data() + before, at_once);
     text_.resize(before + count);
     ended_ = count < at_once;
-    const std::size_t end = ended_ ? text_.size() : text_.rfind('\n') + 1;  // 0: a line longer than this
-    if (end == 0 && !ended_) return;
+    const std::size_t last = std::string_view(text_).substr(before).rfind('\n');  // before it none ends
+    if (last == std::string_view::npos && !ended_) return require_memory();
+    const std::size_t end = ended_ ? text_.size() : before + last + 1;
     table_.read(std::string_view(text_).substr(0, end));
     text_.erase(0, end);
     block = table_.file().points;
+  }
+
+  /// For a line that has not ended so far.
+  void require_memory() const {
+    constexpr double bytes_for_each = 5;  // the string, a larger one when it grows, and the point or its vertices
+    const std::optional<double> there = available_memory();
+    const auto size = static_cast<double>(text_.size());
+    if (there && bytes_for_each * size > *there)
+      bad_input(bytes_.name(), "a line of more than " + bytes_text(size), "lines for which memory suffices");
   }
 
   void tell() {

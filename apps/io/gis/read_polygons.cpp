@@ -26,7 +26,7 @@ PolygonFile parse(std::string_view bytes, const std::string& name, PolygonFormat
 
 PolygonFile read_polygons(const std::string& path, PolygonFormat format) {
   InputBytes input(path, "a file of polygons");
-  if (is_gzip(input.bytes())) input.gunzip();
+  if (is_gzip(input.bytes())) input.gunzip({});
   if (input.bytes().empty()) bad_input(input.name(), "an empty file", "polygons");
   return parse(input.bytes(), input.name(), format);
 }

@@ -29,7 +29,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 
 std::vector<SizeAt> read_sizes(const std::string& path) {
   InputBytes input(path, "a file of sizes");
-  if (is_gzip(input.bytes())) input.gunzip();
+  if (is_gzip(input.bytes())) input.gunzip({});
   std::vector<SizeAt> sizes;
   Lines lines(input.bytes());
   for (bool is_first = true; lines.next_with_content(); is_first = false) {

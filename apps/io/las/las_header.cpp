@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/las/las_fields.h"
 #include "io/number.h"
@@ -57,9 +58,18 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
     if (at >= header.begin && at <= size && (at - header.begin) / header.length >= claimed) left = at - header.begin;
   };
   if (header.extended_records > 0) ends_at(header.extended_begin);
-  constexpr std::size_t has_waveforms = 235;
-  if (header.minor >= 3 && header.size >= has_waveforms) ends_at(las_value<std::uint64_t>(bytes.data() + 227));
+  ends_at(header.waveforms);
   header.count = {claimed, std::min(whole, left / header.length), header.length};
+}
+
+/// Of so many extended variable length records, as far as they are there: each begins with its length.
+double end_of_extended(std::string_view first, std::size_t begin, std::size_t records) {
+  constexpr double header_size = 60;
+  auto end = static_cast<double>(begin);
+  for (; records > 0 && end + header_size <= static_cast<double>(first.size()); --records)
+    end +=
+        header_size + static_cast<double>(las_value<std::uint64_t>(first.data() + static_cast<std::size_t>(end) + 20));
+  return end + header_size * static_cast<double>(records);
 }
 
 }  // namespace
@@ -99,8 +109,18 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
     header.extended_begin = las_value<std::uint64_t>(at + 235);
     header.extended_records = las_value<std::uint32_t>(at + 243);
   }
+  constexpr std::size_t has_waveforms = 235;
+  if (header.minor >= 3 && header.size >= has_waveforms) header.waveforms = las_value<std::uint64_t>(at + 227);
   find_points(header, bytes, size, name);
   return header;
+}
+
+double claimed_las_size(std::string_view first, const std::string& name) {
+  const LasHeader header = read_las_header(first, unknown_size, name);
+  const double points = static_cast<double>(header.begin) +
+                        static_cast<double>(header.count.sought(false)) * static_cast<double>(header.length);
+  const double waveforms = header.waveforms == 0 ? 0 : end_of_extended(first, header.waveforms, 1);
+  return std::max({points, waveforms, end_of_extended(first, header.extended_begin, header.extended_records)});
 }
 
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {

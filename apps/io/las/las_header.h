@@ -30,6 +30,7 @@ struct LasHeader {
   std::size_t length;                            ///< of a point record, with whatever follows the fields of its format
   std::size_t begin;                             ///< of the first
   std::size_t extended_begin, extended_records;  ///< variable length records behind the points, from 1.4 on
+  std::size_t waveforms;                         ///< where such a record with waveforms begins, from 1.3 on; 0: nowhere
   std::array<double, 3> scale, offset;
 };
 
@@ -38,6 +39,9 @@ LasHeader read_las_header(std::string_view bytes, const std::string& name);
 
 /// The same of a file of `size` bytes of which `bytes` are the first: its header, or all before its points and two more.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
+
+/// A Claim: the points, and the records behind them that the header speaks of. Those say how long they are.
+double claimed_las_size(std::string_view first, const std::string& name);
 
 /// Throws BadInput when the scale or the offset of x, y or z (0, 1, 2) gives no coordinates. read_las_header() has looked
 /// at x and y; the height matters where it is asked for.

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <optional>
 
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/lines.h"
 #include "io/points/binary_points.h"
@@ -117,6 +118,10 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
     bad_input(name, counted(available, "byte") + " of data",
               std::to_string(shape->rows) + " rows of " + std::to_string(layout.row()) + " bytes as the header says");
   return layout;
+}
+
+double claimed_npy_size(std::string_view first, const std::string& name) {
+  return read_npy_layout(first, unknown_size, name).end();
 }
 
 PointFile read_npy_points(std::string_view bytes, const std::string& name) {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <limits>
 
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/lines.h"
@@ -17,17 +18,19 @@ class Numbers {
 
   /// The next number, which must lie between `least` and `greatest`; `expected` says so.
   std::size_t take(std::size_t least, std::size_t greatest, const std::string& expected) {
-    pass_space();
-    std::size_t size = 0;
-    while (size < rest_.size() && !is_space(rest_[size]) && rest_[size] != '#') ++size;
-    const std::string_view word = rest_.substr(0, size);
+    const std::string_view word = next_word();
     if (word.empty()) bad_input(at_line(name_, line_), "the end of the file", expected);
     std::size_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + size, value);
-    if (error != std::errc() || end != word.data() + size || value < least || value > greatest)
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || value < least || value > greatest)
       bad_input(at_line(name_, line_), in_quotes(word), expected);
-    rest_.remove_prefix(size);
+    rest_.remove_prefix(word.size());
     return value;
+  }
+  /// Passes over the next word; false, and at the end, where it may go on behind the text.
+  bool pass() {
+    rest_.remove_prefix(next_word().size());
+    return !rest_.empty();
   }
   std::string_view rest() const { return rest_; }
   /// What follows the one blank or line end that must come next.
@@ -40,6 +43,12 @@ class Numbers {
 
  private:
   static bool is_space(char c) { return is_blank(c) || c == '\n' || c == '\v' || c == '\f'; }
+  std::string_view next_word() {
+    pass_space();
+    std::size_t size = 0;
+    while (size < rest_.size() && !is_space(rest_[size]) && rest_[size] != '#') ++size;
+    return rest_.substr(0, size);
+  }
   void pass_space() {
     bool in_comment = false;
     for (; !rest_.empty(); rest_.remove_prefix(1)) {
@@ -62,30 +71,48 @@ class Numbers {
 
 /// A header, and what follows it.
 struct Pgm {
+  bool text;
   std::size_t width, height, white;
+  Numbers numbers;  ///< the pixels of text
   std::string_view data;
+
+  std::size_t pixels() const { return width * height; }
+  /// Bytes of the pixels; of text at least, as before each number there is a blank.
+  std::size_t size() const { return (text || white >= 256 ? 2 : 1) * pixels(); }
 };
 
-/// `needed` bytes must be left for the pixels.
-void require_room(const Pgm& pgm, std::size_t needed, const std::string& name) {
-  if (pgm.data.size() < needed)
+Pgm read_header(std::string_view bytes, const std::string& name) {
+  const std::string_view magic = bytes.substr(0, 2);
+  if (magic != "P2" && magic != "P5") bad_input(name, in_quotes(magic), "a PGM image, which begins with 'P2' or 'P5'");
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  Numbers numbers(bytes.substr(2), name);
+  const std::size_t width = numbers.take(0, any, "a width in pixels");
+  const std::size_t height = numbers.take(0, any, "a height in pixels");
+  const std::size_t white = numbers.take(1, 65535, "a greatest grey value of 1 to 65535");
+  require_image_size(width, height, name);
+  const bool text = magic == "P2";
+  return {text, width, height, white, numbers, text ? numbers.rest() : numbers.rest_behind_blank()};
+}
+
+void require_room(const Pgm& pgm, const std::string& name) {
+  if (pgm.data.size() < pgm.size())
     bad_input(name, counted(pgm.data.size(), "byte") + " of pixels",
-              "at least " + std::to_string(needed) + " for " + std::to_string(pgm.width) + " x " +
+              "at least " + std::to_string(pgm.size()) + " for " + std::to_string(pgm.width) + " x " +
                   std::to_string(pgm.height) + " pixels as the header says");
 }
 
-void read_text(Shades& image, Numbers& numbers, const Pgm& pgm, double threshold) {
+void read_text(Shades& image, Pgm& pgm, double threshold) {
   const std::string expected = "a grey value of at most " + std::to_string(pgm.white);
-  for (std::size_t i = 0; i < pgm.width * pgm.height; ++i) {
+  for (std::size_t i = 0; i < pgm.pixels(); ++i) {
     if (i % 65536 == 0) stop_if_interrupted();
-    const std::size_t grey = numbers.take(0, pgm.white, expected);
+    const std::size_t grey = pgm.numbers.take(0, pgm.white, expected);
     image.pixels.push_back(shade_of(static_cast<double>(grey), static_cast<double>(pgm.white), threshold));
   }
 }
 
 void read_bytes(Shades& image, const Pgm& pgm, double threshold, const std::string& name) {
   const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(pgm.data[i])); };
-  for (std::size_t i = 0; i < pgm.width * pgm.height; ++i) {
+  for (std::size_t i = 0; i < pgm.pixels(); ++i) {
     if (i % 65536 == 0) stop_if_interrupted();
     const std::size_t grey = pgm.white < 256 ? byte(i) : 256 * byte(2 * i) + byte(2 * i + 1);
     if (grey > pgm.white)
@@ -97,30 +124,23 @@ void read_bytes(Shades& image, const Pgm& pgm, double threshold, const std::stri
 
 }  // namespace
 
-std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& name, const PixelRule& rule) {
-  const std::string_view magic = bytes.substr(0, 2);
-  if (magic != "P2" && magic != "P5") bad_input(name, in_quotes(magic), "a PGM image, which begins with 'P2' or 'P5'");
-  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
-  Numbers numbers(bytes.substr(2), name);
-  Pgm pgm{};
-  pgm.width = numbers.take(0, any, "a width in pixels");
-  pgm.height = numbers.take(0, any, "a height in pixels");
-  pgm.white = numbers.take(1, 65535, "a greatest grey value of 1 to 65535");
-  require_image_size(pgm.width, pgm.height, name);
-  pgm.data = numbers.rest();
-  const std::size_t pixels = pgm.width * pgm.height;
+double claimed_pgm_size(std::string_view first, const std::string& name) {
+  Pgm pgm = read_header(first, name);
+  if (!pgm.text) return static_cast<double>(first.size() - pgm.data.size() + pgm.size());
+  std::size_t left = pgm.pixels(), end = first.size() - pgm.data.size();
+  for (; left > 0 && pgm.numbers.pass(); --left) end = first.size() - pgm.numbers.rest().size();
+  return static_cast<double>(end + 2 * left);
+}
 
+std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& name, const PixelRule& rule) {
+  Pgm pgm = read_header(bytes, name);
+  require_room(pgm, name);
   Shades image{pgm.width, pgm.height};
-  if (magic == "P2") {
-    require_room(pgm, 2 * pixels, name);  // before each number there is a blank
-    image.pixels.reserve(pixels);
-    read_text(image, numbers, pgm, rule.threshold);
-  } else {
-    pgm.data = numbers.rest_behind_blank();
-    require_room(pgm, (pgm.white < 256 ? 1 : 2) * pixels, name);
-    image.pixels.reserve(pixels);
+  image.pixels.reserve(pgm.pixels());
+  if (pgm.text)
+    read_text(image, pgm, rule.threshold);
+  else
     read_bytes(image, pgm, rule.threshold, name);
-  }
   return foreground_points(image, rule.foreground);
 }
 

@@ -15,4 +15,7 @@ namespace rbpa::app {
 /// for the size it claims; Cancelled.
 std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& name, const PixelRule& rule);
 
+/// A Claim: the bytes of all pixels, or as many numbers.
+double claimed_pgm_size(std::string_view first, const std::string& name);
+
 }  // namespace rbpa::app

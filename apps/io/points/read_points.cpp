@@ -7,9 +7,12 @@
 #include "io/gis/wkt_points.h"
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
+#include "io/las/las_header.h"
 #include "io/las/las_points.h"
 #include "io/las/selection.h"
+#include "io/off_header.h"
 #include "io/ogr/ogr.h"
+#include "io/ply_data.h"
 #include "io/points/binary_points.h"
 #include "io/points/longitude.h"
 #include "io/points/npy_points.h"
@@ -53,6 +56,23 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
                            .where = source.where});
 }
 
+Claim claim_of(const PointSource& source) {
+  switch (source.format) {
+    case PointFormat::npy:
+      return {claimed_npy_size};
+    case PointFormat::off:
+      return {claimed_off_size};
+    case PointFormat::ply:
+      return {claimed_ply_size};
+    case PointFormat::pgm:
+      return {claimed_pgm_size};
+    case PointFormat::las:  // whose header may be wrong
+      return source.skip_invalid ? Claim() : Claim{claimed_las_size, " (--skip-invalid reads what is there)"};
+    default:
+      return {};
+  }
+}
+
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
   if (source.shift_longitude) shift_longitude(file, name);
@@ -80,7 +100,8 @@ PointFile read_points(const PointSource& source) {
     return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
   InputBytes input(source.path, "a file of points");
   // Numbers may begin like a gzip file.
-  if (is_gzip(input.bytes()) && (source.format != PointFormat::raw || is_gzip_name(source.path))) input.gunzip();
+  if (is_gzip(input.bytes()) && (source.format != PointFormat::raw || is_gzip_name(source.path)))
+    input.gunzip(claim_of(source), " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
   return points_in(input.bytes(), input.name(), source);
 }
 

@@ -1,13 +1,26 @@
 #include <array>
 
+#include "io/claim.h"
 #include "io/interrupt.h"
 #include "io/points/npy_points.h"
 #include "io/space/readers.h"
 
 namespace rbpa::app {
 
+namespace {
+
+NpyLayout layout_of(std::string_view bytes, std::size_t size, const std::string& name) {
+  return read_npy_layout(bytes, size, name, {3, 6});
+}
+
+}  // namespace
+
+double claimed_npy_space_size(std::string_view first, const std::string& name) {
+  return layout_of(first, unknown_size, name).end();
+}
+
 SpacePoints read_npy_space(std::string_view bytes, const std::string& name) {
-  const NpyLayout array = read_npy_layout(bytes, bytes.size(), name, {3, 6});
+  const NpyLayout array = layout_of(bytes, bytes.size(), name);
   const char* data = bytes.data() + array.data;
   const std::size_t next_row = array.columns_first ? array.item() : array.row();
   const std::size_t next_column = array.columns_first ? array.rows * array.item() : array.item();

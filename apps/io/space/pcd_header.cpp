@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/claim.h"
 #include "io/failure.h"
 #include "io/lines.h"
 #include "io/vertex_lines.h"
@@ -29,7 +30,9 @@ std::vector<std::string_view> words_of(std::string_view rest) {
 
 class HeaderReader {
  public:
-  HeaderReader(std::string_view bytes, const std::string& name) : lines_(bytes), name_(name) {}
+  /// Of a file of `size` bytes of which `bytes` are the first.
+  HeaderReader(std::string_view bytes, std::size_t size, const std::string& name)
+      : lines_(bytes), missing_(size - bytes.size()), name_(name) {}
 
   PcdHeader read() {
     while (header_.data.data() == nullptr) {
@@ -130,12 +133,13 @@ class HeaderReader {
     header_.points = points_ ? *points_ : *width_ * height;
     header_.line = points_ ? points_line_ : size_line_;
     // Of text each number takes a character, and another behind it unless it is the last of the file.
-    const std::size_t left = header_.data.size();
+    const std::size_t left = header_.data.size() + missing_;
     const std::size_t room = header_.binary ? left / header_.size : (left + 1) / (2 * header_.numbers);
     if (header_.points > room) bad_input(name_, counted(left, "byte") + " of data", announced(header_));
   }
 
   Lines lines_;
+  std::size_t missing_;
   const std::string& name_;
   PcdHeader header_{};
   std::vector<std::string_view> fields_ = {}, sizes_ = {}, types_ = {}, counts_ = {};
@@ -154,6 +158,15 @@ std::string announced(const PcdHeader& header) {
   return counted(header.points, "point") + " as line " + std::to_string(header.line) + " says";
 }
 
-PcdHeader read_pcd_header(std::string_view bytes, const std::string& name) { return HeaderReader(bytes, name).read(); }
+PcdHeader read_pcd_header(std::string_view bytes, const std::string& name) {
+  return HeaderReader(bytes, bytes.size(), name).read();
+}
+
+double claimed_pcd_size(std::string_view first, const std::string& name) {
+  const PcdHeader header = HeaderReader(first, unknown_size, name).read();
+  const auto points = static_cast<double>(header.points);
+  if (!header.binary) return end_of_lines(first, Lines(header.data), points);
+  return static_cast<double>(first.size() - header.data.size()) + points * static_cast<double>(header.size);
+}
 
 }  // namespace rbpa::app

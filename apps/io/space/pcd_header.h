@@ -36,6 +36,9 @@ struct PcdHeader {
 /// Throws BadInput naming the line; also when what follows is too short for so many points.
 PcdHeader read_pcd_header(std::string_view bytes, const std::string& name);
 
+/// A Claim: the bytes of all points, or as many lines.
+double claimed_pcd_size(std::string_view first, const std::string& name);
+
 /// "3 points as line 9 says".
 std::string announced(const PcdHeader& header);
 

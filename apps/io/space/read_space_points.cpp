@@ -5,8 +5,12 @@
 #include "io/failure.h"
 #include "io/gunzip.h"
 #include "io/input_bytes.h"
+#include "io/las/las_header.h"
 #include "io/las/selection.h"
 #include "io/number.h"
+#include "io/off_header.h"
+#include "io/ply_data.h"
+#include "io/space/pcd_header.h"
 #include "io/space/readers.h"
 
 namespace rbpa::app {
@@ -30,6 +34,23 @@ SpacePoints parse(std::string_view bytes, const std::string& name, SpaceFormat f
       break;
   }
   return read_space_table(bytes, name, choice);
+}
+
+Claim claim_of(SpaceFormat format, const SpaceChoice& choice) {
+  switch (format) {
+    case SpaceFormat::ply:
+      return {claimed_ply_size};
+    case SpaceFormat::off:
+      return {claimed_off_size};
+    case SpaceFormat::pcd:
+      return {claimed_pcd_size};
+    case SpaceFormat::npy:
+      return {claimed_npy_space_size};
+    case SpaceFormat::las:  // whose header may be wrong
+      return choice.skip_invalid ? Claim() : Claim{claimed_las_size, " (--skip-invalid reads what is there)"};
+    default:
+      return {};
+  }
 }
 
 std::string normal_of(std::size_t point, const std::string& name) {
@@ -68,7 +89,7 @@ void reserve_points(SpacePoints& file, std::size_t count, bool normals, bool col
 
 SpacePoints read_space_points(const std::string& path, SpaceFormat format, const SpaceChoice& choice) {
   InputBytes input(path, "a file of points");
-  if (is_gzip(input.bytes())) input.gunzip();
+  if (is_gzip(input.bytes())) input.gunzip(claim_of(format, choice));
   return space_points_in(input.bytes(), input.name(), format, choice);
 }
 

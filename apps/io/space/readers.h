@@ -38,6 +38,9 @@ SpacePoints read_pcd_space(std::string_view bytes, const std::string& name);
 /// An array of shape (n, 3) or (n, 6) as read_npy_layout() has it.
 SpacePoints read_npy_space(std::string_view bytes, const std::string& name);
 
+/// A Claim: the bytes of all its rows.
+double claimed_npy_space_size(std::string_view first, const std::string& name);
+
 /// x, y and z of every record, or of those that a condition selects; red, green and blue unless all are black.
 SpacePoints read_las_space(std::string_view bytes, const std::string& name, const SpaceChoice& choice);
 

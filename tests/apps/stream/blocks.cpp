@@ -7,6 +7,7 @@
 #include "io/blocks/point_blocks.h"
 #include "io/failure.h"
 #include "io/las/selection.h"
+#include "support/gzip.h"
 #include "support/las_file.h"
 #include "support/program.h"
 #include "support/random.h"
@@ -161,3 +162,25 @@ TEST_CASE("what is wrong with a file is said by its line or point, as when it is
         "/dev/null: found a pipe or a device, expected a file, which can be read twice");
   CHECK(refusal({.path = folder.path("")}).find("found a folder") != std::string::npos);
 }
+
+// The shadow memory of a sanitizer alone is more than any limit.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("a line that does not end, and points that begin where no file does, take no memory") {
+  const Folder folder;
+  constexpr std::size_t mebibyte = std::size_t{1} << 20U;
+  folder.file("p.xy.gz", apps_test::bomb("0 0\n1 0\n", std::string(1, '\0'), 256 * mebibyte));
+  apps_test::LasFile las;
+  las.points.resize(3);
+  folder.file("p.las.gz", apps_test::packed(apps_test::bytes_of(las).replace(96, 4, "\xFF\xFF\xFF\xFF")));
+  const auto refused = [&](const std::string& name) {
+    const auto outcome = folder.run(
+        "/bin/sh", "-c 'ulimit -v 200000; " RBPA_PROGRAM " stream " + name + " --alpha 1 --memory 64M -o t.npy'");
+    CHECK(outcome.code == 3);
+    return outcome.err;
+  };
+  const std::string said = refused("p.xy.gz");
+  CHECK(said.starts_with("rbpa: p.xy.gz: found a line of more than "));
+  CHECK(said.ends_with(" MB, expected lines for which memory suffices\n"));
+  CHECK(refused("p.las.gz").find("p.las.gz: found 0 whole records of ") != std::string::npos);
+}
+#endif

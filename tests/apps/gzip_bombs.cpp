@@ -1,0 +1,250 @@
+// Gzip files that unpack to more than their headers claim, or to more than there is memory for.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/las/las_header.h"
+#include "io/off_header.h"
+#include "io/ply_data.h"
+#include "io/points/npy_points.h"
+#include "io/points/pgm_points.h"
+#include "io/space/pcd_header.h"
+#include "io/space/readers.h"
+#include "io/stl_mesh.h"
+#include "support/claiming_files.h"
+#include "support/gzip.h"
+#include "support/image_files.h"
+#include "support/mesh_files.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using namespace rbpa::app;
+
+namespace {
+
+const std::string zeros(1, '\0');
+constexpr std::size_t slack = std::size_t{1} << 20U;
+
+/// What is said, and the exit code, of `command` in so many bytes of address space.
+Outcome limited(const Folder& folder, const std::string& command, std::size_t mebibytes) {
+  return folder.run("/bin/sh", "-c 'ulimit -v " + std::to_string(mebibytes << 10U) + "; " + command + "'");
+}
+
+/// The shadow memory of a sanitizer alone is more than any limit.
+bool can_limit() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  MESSAGE("SKIPPED: sanitizers take memory for themselves");
+  return false;
+#else
+  return true;
+#endif
+}
+
+constexpr std::size_t limit = 160, more_than_that = std::size_t{192} << 20U;
+
+void check_claims(const std::vector<File>& files, const std::string& program, const std::string& before,
+                  const std::string& options) {
+  const Folder folder;
+  for (const auto& [name, content, behind] : files) {
+    CAPTURE(name);
+    folder.file(name + ".gz", bomb(content, zeros, more_than_that));
+    const Outcome outcome = limited(folder, program + before + name + ".gz" + options, limit);
+    CHECK(outcome.code == 3);
+    const std::size_t claimed = content.size() - behind;
+    CHECK(outcome.err.substr(outcome.err.find(": ") + 2) ==
+          name + ".gz: found more than " + std::to_string(claimed + slack) + " bytes unpacked, expected " +
+              std::to_string(claimed) + " bytes as the header claims, or at most 1048576 more" +
+              (name.ends_with(".las") ? " (--skip-invalid reads what is there)\n" : "\n"));
+  }
+}
+
+/// Without a claim memory is the limit. `way_out` is what follows the sentence.
+void check_memory(const Folder& folder, const std::string& command, const std::string& name,
+                  const std::string& way_out = "") {
+  const Outcome outcome = limited(folder, command, limit);
+  CHECK(outcome.code == 3);
+  CHECK(outcome.err.find(name + ": found more than ") != std::string::npos);
+  CHECK(outcome.err.find(" MB unpacked, expected at most a fifth of the ") != std::string::npos);
+  CHECK(outcome.err.ends_with(" MB of memory there are, as reading takes several times as much" + way_out + "\n"));
+}
+
+const std::string stream = " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)";
+
+}  // namespace
+
+TEST_SUITE("gzip bombs") {
+  TEST_CASE("no more is unpacked than the header of points, of points of space, of a mesh claims") {
+    if (!can_limit()) return;
+    check_claims(claiming_points(), RBPA_PROGRAM, " info ", "");
+    check_claims(claiming_space(), RBPA_PROGRAM, " surface ", " --radius 1 -o s.off");
+    check_claims(claiming_meshes(), MESHTOPO_PROGRAM, " ", "");
+  }
+
+  TEST_CASE("what has no header is unpacked as far as memory suffices") {
+    if (!can_limit()) return;
+    const Folder folder;
+    const std::string rbpa = RBPA_PROGRAM, polygon = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n";
+    for (const auto& [name, content, behind] : std::vector<File>{{"p.xy", corner},
+                                                                 {"p.csv", "x,y\n0,0\n"},
+                                                                 {"p.geojson", "{\"type\": "},
+                                                                 {"p.wkt", "POINT (1 2)\n"},
+                                                                 {"p.f64xy", ""},
+                                                                 {"p.png", png_header(2, 2)}}) {
+      CAPTURE(name);
+      folder.file(name + ".gz", bomb(content, zeros, more_than_that));
+      check_memory(folder, rbpa + " info " + name + ".gz", name + ".gz", stream);
+      if (name == "p.f64xy") continue;  // numbers may begin like a gzip file: its name has to say that it is one
+      check_memory(folder, rbpa + " info - --format " + name.substr(2) + " < " + name + ".gz", "standard input",
+                   stream);
+    }
+    // Each four bytes of it are a point.
+    folder.file("many.xy.gz", bomb("", "0 0\n", more_than_that));
+    check_memory(folder, rbpa + " info many.xy.gz", "many.xy.gz", stream);
+    for (const auto& [name, content, behind] : std::vector<File>{{"p.xyz", "0 0 0\n"}, {"p.obj", pyramid_obj}}) {
+      folder.file(name + ".gz", bomb(content, zeros, more_than_that));
+      check_memory(folder, rbpa + " surface " + name + ".gz --radius 1 -o s.off", name + ".gz");
+    }
+    for (const auto& [name, content, behind] :
+         std::vector<File>{{"p.obj", pyramid_obj}, {"t.stl", stl_text({{0, 1, 2}})}}) {
+      folder.file(name + ".gz", bomb(content, " ", more_than_that));
+      check_memory(folder, MESHTOPO_PROGRAM + (" " + name) + ".gz", name + ".gz");
+    }
+    for (const auto& [name, content, behind] :
+         std::vector<File>{{"q.wkt", polygon}, {"q.poly", "4 2 0 0\n"}, {"q.json", "{"}}) {
+      folder.file(name + ".gz", bomb(content, " ", more_than_that));
+      check_memory(folder, rbpa + " fill " + name + ".gz --size 1 -o s.off", name + ".gz");
+    }
+    folder.file("q.wkt", polygon);
+    folder.file("sizes.gz", bomb("0 0 1\n", "\n", more_than_that));
+    check_memory(folder, rbpa + " fill q.wkt --size 1 --size-at sizes.gz -o s.off", "sizes.gz");
+  }
+
+  TEST_CASE("a claim is never more than a whole file has, and that of the whole file is all of it") {
+    const auto check = [](const File& file, const auto& claim) {
+      CAPTURE(file.name);
+      const std::string_view content = file.content;
+      const auto claimed = static_cast<double>(content.size() - file.behind);
+      CHECK(claim(content, file.name) == claimed);
+      const std::size_t header = file.name.ends_with(".las") ? 375 : file.name.ends_with(".stl") ? 84 : 1;
+      double before = 0;
+      for (std::size_t size = header; size < content.size(); ++size) {
+        try {
+          const double now = claim(content.substr(0, size), file.name);
+          CHECK(now <= claimed);
+          CHECK(now >= before);
+          before = now;
+        } catch (const BadInput&) {
+          CHECK(before == 0);  // in the header
+        }
+      }
+      CHECK(before > 0);
+    };
+    for (const auto& files : {claiming_points(), claiming_space(), claiming_meshes()})
+      for (const File& file : files) {
+        const std::string format = file.name.substr(2);
+        if (format == "ply") check(file, claimed_ply_size);
+        if (format == "off") check(file, claimed_off_size);
+        if (format == "pgm") check(file, claimed_pgm_size);
+        if (format == "las") check(file, claimed_las_size);
+        if (format == "pcd") check(file, claimed_pcd_size);
+        if (format == "stl") check(file, claimed_stl_size);
+      }
+    check({"p.npy", npy_of_zeros("(5, 2)", 10)}, claimed_npy_size);
+    check({"p.npy", npy_of_zeros("(5, 3)", 15)}, claimed_npy_space_size);
+  }
+
+  TEST_CASE("a header that is none is refused as it is where it is not packed, and so is one that does not end") {
+    const Folder folder;
+    const std::string comments(3 * slack, 'x');
+    for (const auto& [name, content, behind] : std::vector<File>{{"p.ply", comments},
+                                                                 {"c.ply", "ply\ncomment " + comments},
+                                                                 {"p.off", comments},
+                                                                 {"c.off", "OFF\n#" + comments},
+                                                                 {"p.npy", comments},
+                                                                 {"p.pgm", comments},
+                                                                 {"c.pgm", "P2\n#" + comments},
+                                                                 {"p.las", comments}}) {
+      CAPTURE(name);
+      folder.file(name, content);
+      folder.file(name + ".gz", packed(content));
+      const std::string command = "info - --format " + name.substr(2) + " < ";
+      const Outcome plain = folder.rbpa(command + name), outcome = folder.rbpa(command + name + ".gz");
+      CHECK(outcome.code == 3);
+      const std::string said = plain.err.substr(0, plain.err.size() - 1) + " (in the first ";
+      CHECK(outcome.err.starts_with(said));
+      CHECK(outcome.err.ends_with(" bytes unpacked)\n"));
+      CHECK(std::stoul(outcome.err.substr(said.size())) <= 2 * slack);
+    }
+  }
+
+  TEST_CASE("bytes behind the data, less than a mebibyte, count as little as where nothing is packed") {
+    const Folder folder;
+    for (const auto& [name, content, behind] : claiming_points()) {
+      CAPTURE(name);
+      const std::string more = content + std::string(slack - 1, name == "t.pgm" ? '\n' : '\0');
+      folder.file(name, more);
+      folder.file(name + ".gz", packed(more));
+      const Outcome plain = folder.rbpa("info " + name), outcome = folder.rbpa("info " + name + ".gz");
+      CHECK(outcome.code == plain.code);
+      CHECK(outcome.out == plain.out);
+    }
+  }
+
+  TEST_CASE("whole files of many megabytes are read whatever their lists, lines and records are") {
+    const Folder folder;
+    constexpr std::size_t count = 30'000, in_list = 40;
+    std::string ascii = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
+                        "\nproperty float x\nproperty float y\nelement face " + std::to_string(count) +
+                        "\nproperty list int int vertex_indices\nend_header\n";
+    std::string binary = ascii, off = "OFF\n" + std::to_string(count) + " " + std::to_string(count) + " 0\n";
+    binary.replace(binary.find("ascii"), 5, "binary_little_endian");
+    std::string list = std::to_string(in_list), grey = "P2\n1000 1000\n9\n";
+    for (std::size_t i = 0; i < in_list; ++i) list += " " + std::to_string(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string line = std::to_string(i) + " " + std::to_string(i * i % 1009);
+      ascii += line + "\n";
+      off += line + "                                 0\n\n# a comment\n";
+    }
+    binary += std::string(8 * count, '\0');
+    for (std::size_t i = 0; i < count; ++i) {
+      ascii += list + "\n";
+      off += list + "\n";
+      binary += little(in_list, 4) + std::string(4 * in_list, '\0');
+    }
+    for (std::size_t i = 0; i < 1'000'000; ++i) grey += i % 7 == 0 ? " 0\n   " : "9 \t  ";
+    const std::vector<File> files = {
+        {"a.ply", ascii},
+        {"b.ply", binary},
+        {"p.off", off},
+        {"p.pgm", grey},
+        {"p.npy", npy_of_zeros("(1000000, 2)", 2'000'000)},
+        {"p.las", las_of(200, {{"user", 1, std::string(5 * slack, 'x')}, {"user", 2, "y"}})}};
+    for (const auto& [name, content, behind] : files) {
+      CAPTURE(name);
+      folder.file(name, content);
+      folder.file(name + ".gz", packed(content));
+      const Outcome plain = folder.rbpa("info " + name), outcome = folder.rbpa("info " + name + ".gz");
+      CHECK(plain.code == 0);
+      CHECK(outcome.code == 0);
+      CHECK(outcome.out == plain.out);
+      // Cut, it ends as it does where it is not packed.
+      const std::string half = content.substr(0, content.size() - content.size() / 3);
+      folder.file(name, half);
+      folder.file(name + ".gz", packed(half));
+      const std::string command = "info - --format " + name.substr(2) + " < ";
+      CHECK(folder.rbpa(command + name + ".gz").err == folder.rbpa(command + name).err);
+    }
+  }
+
+  TEST_CASE("a header of LAS that is wrong is no limit where all whole records are wanted") {
+    const Folder folder;
+    std::string content = las_of(100'000);
+    content.replace(107, 4, little(0, 4));
+    content.replace(247, 8, little(0, 8));
+    folder.file("p.las.gz", packed(content));
+    CHECK(folder.rbpa("info p.las.gz").code == 3);
+    CHECK(folder.rbpa("info p.las.gz --skip-invalid").out.starts_with("points      100000\n"));
+  }
+}

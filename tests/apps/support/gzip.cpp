@@ -1,0 +1,35 @@
+#include "support/gzip.h"
+
+#include <zlib.h>
+
+#include <stdexcept>
+
+namespace apps_test {
+
+std::string packed(const std::string& content) {
+  z_stream state{};
+  constexpr int widest_window = 15, gzip_only = 16, memory = 8;
+  if (deflateInit2(&state, 1, Z_DEFLATED, widest_window + gzip_only, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib");
+  std::string bytes(deflateBound(&state, content.size()), '\0');
+  state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));  // which zlib only reads
+  state.avail_in = static_cast<uInt>(content.size());
+  state.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  state.avail_out = static_cast<uInt>(bytes.size());
+  const int code = deflate(&state, Z_FINISH);
+  bytes.resize(state.total_out);
+  deflateEnd(&state);
+  if (code != Z_STREAM_END) throw std::runtime_error("zlib");
+  return bytes;
+}
+
+std::string bomb(const std::string& content, const std::string& filler, std::size_t size) {
+  std::string much;
+  while (much.size() < (std::size_t{1} << 20U)) much += filler;
+  const std::string member = packed(much);  // a gzip file may have several
+  std::string bytes = packed(content);
+  for (std::size_t done = 0; done < size; done += much.size()) bytes += member;
+  return bytes;
+}
+
+}  // namespace apps_test
