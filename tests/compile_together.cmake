@@ -1,6 +1,7 @@
 # Compiles the sources of a test program several at a time, so that what they include is parsed once for each batch. Helpers
 # of two sources may have the same name: each source is included into a namespace of its own, behind the includes of all.
-# By themselves are compiled: sources that open a named namespace or instantiate a template of another, those with compile options of their own, and main.cpp.
+# By themselves are compiled: sources that open a named namespace or instantiate a template of another, those with compile
+# options of their own, and main.cpp.
 # Presets that are for finding faults do without (RBPA_COMPILE_TOGETHER), so that a missing include is found.
 #   rbpa_compile_together(program [sources in a batch, 8 unless given])
 function(rbpa_compile_together program)
@@ -11,6 +12,7 @@ function(rbpa_compile_together program)
   if(NOT size)
     set(size 8)
   endif()
+  target_link_libraries(${program} PRIVATE rbpa_together)
   get_target_property(sources ${program} SOURCES)
   set(batch_number 0)
   set(batch "")
