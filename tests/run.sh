@@ -42,7 +42,7 @@ test_preset() {
   return "$status"
 }
 if [ "$preset" = nightly ]; then
-  build release
+  build release --target all nightly_programs
   test_preset release nightly
   build sanitize --target test_meshops
   test_preset sanitize nightly-sanitize  # the long random walks
