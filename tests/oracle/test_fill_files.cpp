@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "apps/support/program.h"
+#include "io/failure.h"
 #include "io/formats.h"
 #include "io/gis/read_polygons.h"
 #include "oracle/arguments.h"
@@ -239,14 +240,25 @@ TEST_CASE("what rbpa shape writes, rbpa fill fills: further point files, where t
   check_shapes(further_data());
 }
 
+/// Lines in a polygon that bound no hole, of a .poly file, are not taken; they are no polygons for GEOS either.
+bool has_lines_inside(const std::string& path) {
+  try {
+    read(path);
+  } catch (const rbpa::app::BadInput& e) {
+    CHECK(std::string(e.what()).find("lines inside") != std::string::npos);
+    return true;
+  }
+  return false;
+}
+
 TEST_CASE("polygons that others drew are filled but for those that GEOS calls invalid, where they are") {
   const auto largest = argument("largest", 1500);
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(further_data(), missing)) {
-    const std::string path = entry.path().string();
-    if (!entry.path().filename().string().starts_with("poly_")) continue;
-    if (read(path).vertices.points.size() > largest) continue;
-    INFO(entry.path().filename().string());
+    const std::string path = entry.path().string(), name = entry.path().filename().string();
+    if (!name.starts_with("poly_")) continue;
+    INFO(name);
+    if (has_lines_inside(path) || read(path).vertices.points.size() > largest) continue;
     check_file(Folder(), path);
   }
 }
