@@ -31,12 +31,13 @@ std::uint32_t EdgeTree::find(const Point& from, const Point& to, std::size_t cha
 }
 
 void EdgeTree::insert(const FrontEdge& edge, const Point& from, const Point& to) {
-  nodes_[find(from, to, 1)].edges.push_back(edge);
+  const Box box{{std::min(from.x, to.x), std::min(from.y, to.y)}, {std::max(from.x, to.x), std::max(from.y, to.y)}};
+  nodes_[find(from, to, 1)].edges.push_back({edge, box});
 }
 
 void EdgeTree::erase(const FrontEdge& edge, const Point& from, const Point& to) {
-  std::vector<FrontEdge>& edges = nodes_[find(from, to, std::size_t{0} - 1)].edges;
-  edges.erase(std::find(edges.begin(), edges.end(), edge));
+  std::vector<Stored>& edges = nodes_[find(from, to, std::size_t{0} - 1)].edges;
+  edges.erase(std::find_if(edges.begin(), edges.end(), [&](const Stored& stored) { return stored.edge == edge; }));
 }
 
 }  // namespace rbpa

@@ -54,9 +54,7 @@ constexpr double max_triangles = 500e6;
 /// Throws InvalidInput when there would be too many.
 void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
                   const std::function<bool()>& go_on) {
-  double triangles = 0;
-  for (const OutlinePart& part : parts_of(outline))
-    triangles += estimate_triangles(part.outline, field, said.keep_boundary, go_on);
+  const double triangles = estimate_triangles(parts_of(outline), field, said.keep_boundary, go_on);
   if (!(triangles <= max_triangles)) {
     const std::string others = said.grade || !said.sizes.empty() ? " and what else asks for sizes" : "";
     throw InvalidInput("size: found " + text(said.size) + others + ", at which about " + text(std::round(triangles)) +
@@ -129,7 +127,7 @@ meshops::PolygonSoup cones_over(const Outline& outline) {
 struct Pieces {
   std::vector<Point> places = {};
   std::vector<Triangle> triangles = {};
-  std::size_t retreats = 0;
+  std::size_t retreats = 0, compared = 0;
 };
 
 class Told : public Monitor {
@@ -164,7 +162,8 @@ Pieces advance_from(const Outline& outline, const SizeField& field, const FillOp
   Front front(mesh, site_of_vertex);
   LoFront policy(std::move(places), edges, field);
   meshops::advance(front, policy, Told(policy, options.progress, outline.places.size()));
-  Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats()};
+  Pieces pieces{
+      .places = policy.places(), .triangles = {}, .retreats = policy.retreats(), .compared = policy.compared()};
   for (std::size_t i = 0; i < mesh.n_halfedges(); ++i)
     meshops::require(!front.is_boundary(Halfedge(static_cast<int>(i))), "fill: the front has not closed");
   meshops::for_each_face(mesh, [&](meshops::Face f) {
@@ -257,6 +256,7 @@ void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uin
     triangles.emplace_back(named, part.group);
   }
   filling.retreats += pieces.retreats;
+  filling.compared += pieces.compared;
 }
 
 std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rings,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rbpa/fill/plane_predicates.h"
+#include "rbpa/fill/shadow.h"
 #include "rbpa/fill/shape_quality.h"
 
 namespace rbpa {
@@ -23,6 +24,9 @@ constexpr double bad = 0.25;
 /// its own corners: these are tried first, and from then on each look is so many times as wide as the last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
+/// Where more edges than this are near, and all of them have been looked at so often for nothing, those that others hide are
+/// left out, as long as these hide many: so many others at a time.
+constexpr std::size_t few_edges = 32, most_looks = 2, most_casters = 8;
 /// Edges that are asked first whether they reach into a triangle: those that did last.
 constexpr std::size_t most_blockers = 4;
 
@@ -43,6 +47,19 @@ double distance(const Point& p, const Point& a, const Point& b) {
 /// The inner parts of both segments have one point in common.
 bool cross(const Point& p, const Point& q, const Point& r, const Point& s) {
   return orientation(p, q, r) * orientation(p, q, s) < 0 && orientation(r, s, p) * orientation(r, s, q) < 0;
+}
+
+/// The point is farther than that from the box of the segment.
+bool is_surely_clear(const Point& p, const Point& a, const Point& b, double reach) {
+  return p.x - std::max(a.x, b.x) > reach || std::min(a.x, b.x) - p.x > reach || p.y - std::max(a.y, b.y) > reach ||
+         std::min(a.y, b.y) - p.y > reach;
+}
+
+/// How wide the segment is, seen from the point: 0 to 2, one minus the cosine of the angle.
+double apparent_width(const Point& eye, const Point& p, const Point& q) {
+  const double ux = p.x - eye.x, uy = p.y - eye.y, vx = q.x - eye.x, vy = q.y - eye.y;
+  const double lengths = std::sqrt((ux * ux + uy * uy) * (vx * vx + vy * vy));
+  return lengths > 0 ? 1 - (ux * vx + uy * vy) / lengths : 0;
 }
 
 bool is_within(const Box& box, const Point& p) {
@@ -107,17 +124,67 @@ void LoFront::look_around(Task& task, double reach) const {
   task.box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
   task.box = {{task.box.low.x - reach, task.box.low.y - reach}, {task.box.high.x + reach, task.box.high.y + reach}};
   task.near.clear();
+  task.hidden.clear();
   task.candidates.clear();
-  tree_.for_each_near(task.box, [&](const FrontEdge& edge) {
-    const Point &p = places_[edge.from], &q = places_[edge.to];
-    if (std::max(p.x, q.x) < task.box.low.x || std::min(p.x, q.x) > task.box.high.x ||
-        std::max(p.y, q.y) < task.box.low.y || std::min(p.y, q.y) > task.box.high.y)
-      return;
-    task.near.push_back(edge);
+  tree_.for_each_near(task.box, [&](const FrontEdge& edge) { task.near.push_back(edge); });
+  task.looked_at = 0;
+  if (!task.shadows.empty()) hide(task);
+  for (const auto& [from, to] : task.near) {
+    const Point& p = places_[from];
     // Each end of an edge begins another.
     if (is_within(task.box, p) && !(again && is_within(before, p)) && orientation(task.a, task.b, p) > 0)
-      task.candidates.push_back(edge.from);
-  });
+      task.candidates.push_back(from);
+  }
+}
+
+/// Whether it lies in one of the shadows: that which hid the last is asked first.
+bool LoFront::is_hidden(Task& task, const FrontEdge& edge) const {
+  const auto shadow = std::find_if(task.shadows.begin(), task.shadows.end(),
+                                   [&](const Shadow& one) { return one.hides(places_[edge.from], places_[edge.to]); });
+  if (shadow == task.shadows.end()) return false;
+  std::swap(*shadow, task.shadows.front());
+  return true;
+}
+
+/// Leaves out what lies in shadows.
+void LoFront::hide(Task& task) const {
+  const auto hidden =
+      std::partition(task.near.begin(), task.near.end(), [&](const FrontEdge& edge) { return !is_hidden(task, edge); });
+  task.hidden.insert(task.hidden.end(), hidden, task.near.end());
+  task.near.erase(hidden, task.near.end());
+}
+
+/// Leaves out as much as is worth while.
+void LoFront::hide_all(Task& task) const {
+  task.looked_at = 0;
+  if (task.shadows.empty()) {
+    task.shadows.push_back(Shadow::behind(task.a, task.b));
+    hide(task);
+  }
+  while (task.near.size() > few_edges && hide_behind_widest(task)) continue;
+}
+
+/// Leaves out what the edges that look widest hide from an end of the task's edge; false where that is less than a quarter, by
+/// a sample.
+bool LoFront::hide_behind_widest(Task& task) const {
+  const Point middle{task.a.x + (task.b.x - task.a.x) / 2, task.a.y + (task.b.y - task.a.y) / 2};
+  std::vector<std::pair<double, FrontEdge>> widest;
+  for (const FrontEdge& edge : task.near)
+    widest.emplace_back(apparent_width(middle, places_[edge.from], places_[edge.to]), edge);
+  const auto last = widest.begin() + most_casters;
+  std::partial_sort(widest.begin(), last, widest.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  task.shadows.clear();
+  for (auto at = widest.begin(); at != last; ++at) {
+    const Point &p = places_[at->second.from], &q = places_[at->second.to];
+    for (const Point& eye : {task.a, task.b})
+      if (orientation(p, q, eye) > 0) task.shadows.push_back(Shadow::cast(eye, p, q));
+  }
+  const std::size_t step = task.near.size() / few_edges;
+  std::size_t of_sample = 0;
+  for (std::size_t i = 0; i < few_edges; ++i) of_sample += is_hidden(task, task.near[i * step]);
+  if (4 * of_sample < few_edges) return false;
+  hide(task);
+  return true;
 }
 
 /// Whether an edge of the front reaches into the triangle of the task's edge and an apex, a site or a new point.
@@ -128,11 +195,12 @@ bool LoFront::reaches_into(const FrontEdge& edge, const Task& task, const Point&
       std::max(p.y, q.y) < std::min({task.a.y, task.b.y, apex.y}) ||
       std::min(p.y, q.y) > std::max({task.a.y, task.b.y, apex.y}))
     return false;
-  const bool is_corner = edge.from == task.from || edge.from == task.to || edge.from == site;
-  // Each end of an edge begins another, so that one of them is enough.
-  if (!is_corner && orientation(task.a, task.b, p) >= 0 && orientation(task.b, apex, p) >= 0 &&
-      orientation(apex, task.a, p) >= 0)
-    return true;
+  const auto holds = [&](Site end, const Point& at) {
+    return end != task.from && end != task.to && end != site && orientation(task.a, task.b, at) >= 0 &&
+           orientation(task.b, apex, at) >= 0 && orientation(apex, task.a, at) >= 0;
+  };
+  // Each end of an edge begins another, so that one of them is enough; but that one may have been left out.
+  if (holds(edge.from, p) || (!task.hidden.empty() && holds(edge.to, q))) return true;
   if (cross(p, q, task.b, apex) || cross(p, q, task.a, apex)) return true;
   // A new point might lie on an edge. A site does not: fronts do not touch themselves.
   return !site && orientation(p, q, apex) == 0 && std::min(p, q) <= apex && apex <= std::max(p, q);
@@ -152,9 +220,12 @@ bool LoFront::is_known_blocked(Task& task, Site site) const {
 bool LoFront::is_free(Task& task, const Point& apex, std::optional<Site> site) const {
   const auto blocker = std::find_if(task.near.begin(), task.near.end(),
                                     [&](const FrontEdge& edge) { return reaches_into(edge, task, apex, site); });
+  compared_ += static_cast<std::size_t>(blocker - task.near.begin());
   if (blocker == task.near.end()) return true;
   if (task.blockers.size() == most_blockers) task.blockers.pop_back();
   task.blockers.insert(task.blockers.begin(), *blocker);
+  task.looked_at += static_cast<std::size_t>(blocker - task.near.begin());
+  if (task.near.size() > few_edges && task.looked_at > most_looks * task.near.size()) hide_all(task);
   return false;
 }
 
@@ -206,6 +277,7 @@ std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h
   }
   if (task.candidates.empty()) return std::nullopt;
   task.near.clear();
+  task.hidden.clear();
   tree_.for_each_near(box, [&](const FrontEdge& edge) { task.near.push_back(edge); });
   return best_of(task);
 }
@@ -215,8 +287,11 @@ std::optional<Point> LoFront::placed(Task& task, double share, double wanted) co
   const Point apex = apex_at(task, share);
   const double least = std::max(wanted * task.side, least_clearance_);
   if (!is_finite(apex) || orientation(task.a, task.b, apex) <= 0) return std::nullopt;
-  for (const auto& [from, to] : task.near)
-    if (!(distance(apex, places_[from], places_[to]) >= least)) return std::nullopt;
+  for (const std::vector<FrontEdge>* edges : {&task.near, &task.hidden})
+    for (const auto& [from, to] : *edges)
+      if (!is_surely_clear(apex, places_[from], places_[to], 2 * least) &&
+          !(distance(apex, places_[from], places_[to]) >= least))
+        return std::nullopt;
   if (!is_free(task, apex, std::nullopt)) return std::nullopt;
   return apex;
 }

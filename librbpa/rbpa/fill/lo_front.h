@@ -20,6 +20,7 @@
 #include "meshops/front/policy.h"
 #include "rbpa/core/point.h"
 #include "rbpa/fill/edge_tree.h"
+#include "rbpa/fill/shadow.h"
 #include "rbpa/fill/size_field.h"
 
 namespace rbpa {
@@ -37,6 +38,8 @@ class LoFront {
   /// Where the sites are, those that were placed as well.
   const std::vector<Point>& places() const { return places_; }
   std::size_t retreats() const { return retreated_; }
+  /// How many edges of the front were compared with triangles: the work of finding empty ones.
+  std::size_t compared() const { return compared_; }
 
   /// Shortest first.
   double key(const Front& front, Halfedge h) const;
@@ -54,13 +57,16 @@ class LoFront {
   struct Task {
     Point a, b;
     Site from, to;
-    double length;                         ///< of the edge
-    double side;                           ///< that the others should have
-    Point ideal;                           ///< where the apex would be best
-    std::vector<FrontEdge> near = {};      ///< every edge of the front that meets `box`
-    std::vector<Site> candidates = {};     ///< ends of those, on the left of the edge
+    double length;                       ///< of the edge
+    double side;                         ///< that the others should have
+    Point ideal;                         ///< where the apex would be best
+    std::vector<FrontEdge> near = {};    ///< every edge of the front that meets `box`,
+    std::vector<FrontEdge> hidden = {};  ///< but for these: any triangle into which one reaches is not empty without it
+    std::vector<Shadow> shadows = {};    ///< by which they were left out
+    std::vector<Site> candidates = {};   ///< ends of those, on the left of the edge
     std::vector<FrontEdge> blockers = {};  ///< the last that reached into a triangle
     Box box = {};
+    std::size_t looked_at = 0;  ///< of `near`, for triangles that were not empty
     bool looked = false;
   };
   struct Choice {
@@ -74,6 +80,10 @@ class LoFront {
   Task task_of(Site from, Site to) const;
   Point apex_at(const Task& task, double share) const;
   void look_around(Task& task, double reach) const;
+  bool is_hidden(Task& task, const FrontEdge& edge) const;
+  void hide(Task& task) const;
+  void hide_all(Task& task) const;
+  bool hide_behind_widest(Task& task) const;
   std::optional<Site> near_ideal(Task& task, double reach) const;
   std::optional<Choice> best_of(Task& task) const;
   std::optional<Choice> corner_of(const Front& front, Halfedge h, Task& task) const;
@@ -91,6 +101,7 @@ class LoFront {
   double least_clearance_;  // so far from the front is every new point
   std::size_t retreats_left_;
   std::size_t retreated_ = 0;
+  mutable std::size_t compared_ = 0;
   std::unordered_set<std::uint64_t> retreated_from_;  // pairs of sites
 };
 

@@ -13,8 +13,8 @@
 namespace rbpa {
 namespace {
 
-constexpr std::size_t most_pieces = std::size_t{1} << 17U;  // more than there are at the beginning
-constexpr int most_rounds = 400;                            // of halving: doubles have no finer pieces
+constexpr std::size_t pieces_of_all = std::size_t{1} << 17U, pieces_of_each = 64;  // and so many at most
+constexpr int most_rounds = 400;  // of halving: doubles have no finer pieces
 constexpr double tolerance = 0.1;
 
 Point between(const Point& a, const Point& b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
@@ -72,15 +72,16 @@ struct Piece {
     const double size = field.at(part.middle()), change = field.grade() * part.radius(), measure = part.measure();
     const double low = std::max(size - change, field.least()), high = std::min(size + change, field.most());
     value = Part::per_measure * measure * Part::density(size);
-    doubt = Part::per_measure * measure * (Part::density(low) - Part::density(high));
+    least = Part::per_measure * measure * Part::density(high);
+    doubt = Part::per_measure * measure * Part::density(low) - least;
   }
 
   Part part;
   std::size_t whole;  // which of the parts at the beginning it is of
-  double value, doubt;
+  double value, least, doubt;
 };
 
-/// The integrals over each of the parts.
+/// The integrals over each of the parts; what they are at least, where there would be too many pieces.
 template <typename Part>
 std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& field, Steps& step) {
   std::vector<Piece<Part>> pieces;
@@ -88,14 +89,16 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
     step();
     pieces.emplace_back(parts[i], i, field);
   }
-  const std::size_t most = parts.size() + most_pieces;
+  const std::size_t most = pieces_of_all + pieces_of_each * parts.size();
+  bool is_known = false;
   for (int round = 0; round < most_rounds && pieces.size() < most; ++round) {
     double value = 0, doubt = 0;
     for (const auto& piece : pieces) {
       value += piece.value;
       doubt += piece.doubt;
     }
-    if (!(doubt > tolerance * value)) break;
+    is_known = !(doubt > tolerance * value);
+    if (is_known) break;
     // Half of what is tolerated can be left in pieces that are not halved.
     const double tolerated = tolerance / 2 * value / static_cast<double>(pieces.size());
     for (std::size_t i = pieces.size(); i-- > 0 && pieces.size() < most;) {
@@ -108,30 +111,38 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
     }
   }
   std::vector<double> integrals(parts.size(), 0.0);
-  for (const auto& piece : pieces) integrals[piece.whole] += piece.value;
+  for (const auto& piece : pieces) integrals[piece.whole] += is_known ? piece.value : piece.least;
   return integrals;
 }
 
 }  // namespace
 
-double estimate_triangles(const Outline& outline, const SizeField& field, bool keep_boundary,
+double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
                           const std::function<bool()>& go_on) {
   Steps step(go_on);
+  // Of all groups together, so that they share the pieces.
   std::vector<Stretch> stretches;
-  for (const OutlineRing& ring : outline.rings)
-    for (std::size_t i = 0; i < ring.sites.size(); ++i)
-      stretches.push_back({outline.places[ring.sites[i]], outline.places[ring.sites[(i + 1) % ring.sites.size()]]});
-  double boundary = static_cast<double>(stretches.size());
-  if (!keep_boundary) {
-    boundary = 0;
-    for (const double pieces : integrate(stretches, field, step)) boundary += std::max(pieces, 1.0);
-  }
   std::vector<Area> areas;
-  for (const auto& [a, b, c] : constrained_delaunay(outline, go_on))
-    areas.push_back({{outline.places[a], outline.places[b], outline.places[c]}});
-  double inside = 0;
-  for (const double part : integrate(areas, field, step)) inside += part;
-  return std::max(boundary, inside);
+  std::vector<std::size_t> group_of_stretch, group_of_area;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Outline& outline = groups[g].outline;
+    for (const OutlineRing& ring : outline.rings)
+      for (std::size_t i = 0; i < ring.sites.size(); ++i)
+        stretches.push_back({outline.places[ring.sites[i]], outline.places[ring.sites[(i + 1) % ring.sites.size()]]});
+    for (const auto& [a, b, c] : constrained_delaunay(outline, go_on))
+      areas.push_back({{outline.places[a], outline.places[b], outline.places[c]}});
+    group_of_stretch.resize(stretches.size(), g);
+    group_of_area.resize(areas.size(), g);
+  }
+  std::vector<double> boundary(groups.size(), 0.0), inside(groups.size(), 0.0);
+  const std::vector<double> pieces =
+      keep_boundary ? std::vector<double>(stretches.size(), 1.0) : integrate(stretches, field, step);
+  for (std::size_t i = 0; i < pieces.size(); ++i) boundary[group_of_stretch[i]] += std::max(pieces[i], 1.0);
+  const std::vector<double> parts = integrate(areas, field, step);
+  for (std::size_t i = 0; i < parts.size(); ++i) inside[group_of_area[i]] += parts[i];
+  double triangles = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) triangles += std::max(boundary[g], inside[g]);
+  return triangles;
 }
 
 }  // namespace rbpa

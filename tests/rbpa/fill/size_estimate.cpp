@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -10,7 +12,9 @@
 
 #include "fill/refusal.h"
 #include "rbpa/fill/fill.h"
+#include "rbpa/triangulate.h"
 #include "support/generate_polygons.h"
+#include "support/random.h"
 
 TEST_SUITE_BEGIN("fill");
 
@@ -52,6 +56,38 @@ TEST_CASE("the estimate is between a third of the triangles and twice as many, w
       CHECK(estimate <= 2 * triangles);
     }
   }
+}
+
+TEST_CASE(
+    "parcels in a sliver, whose edges ask for sizes 2^42 apart, are estimated at the cost of one, and not too high") {
+  rbpa_test::Random random(5);
+  std::vector<rbpa::Point> points;
+  for (int i = 0; i < 100; ++i)
+    points.push_back({double(random.integer(0, 300)) / 3 + 1, 1 + 0x1p-40 * double(random.integer(0, 300)) / 3});
+  std::vector<rbpa::SizeAt> sources;
+  std::vector<rbpa::OutlinePart> parts;
+  std::vector<rbpa::Polygon> polygons;
+  std::vector<std::size_t> groups;
+  for (const auto& corners : rbpa::triangulate(points, std::numeric_limits<double>::infinity()).triangles) {
+    rbpa::OutlinePart& part = parts.emplace_back();
+    part.outline.rings.push_back({.sites = {0, 1, 2}});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const rbpa::Point &a = points[corners[k]], &b = points[corners[(k + 1) % 3]];
+      part.outline.places.push_back(a);
+      sources.push_back({{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}, std::hypot(b.x - a.x, b.y - a.y)});
+    }
+    groups.push_back(polygons.size());
+    polygons.push_back({.shell = {{corners[0], corners[1], corners[2]}}});
+  }
+  CHECK(parts.size() > 100);
+  std::size_t calls = 0;
+  const std::function<bool()> count = [&] { return ++calls > 0; };
+  const double estimate = rbpa::estimate_triangles(parts, rbpa::SizeField(4, 0.5, sources), false, count);
+  CHECK(calls < 3000);  // of 16384 steps each
+  const auto triangles =
+      static_cast<double>(rbpa::fill(points, polygons, {.size = 4, .grade = 0.5, .groups = groups}).triangles.size());
+  CHECK(estimate >= triangles / 3);
+  CHECK(estimate <= 2 * triangles);
 }
 
 TEST_CASE("a caller who finds the estimate too large ends the run") {
