@@ -23,7 +23,7 @@ class RimWalk {
   std::uint32_t from(const OpenSide& side) const { return corner(side.triangle, side.across + 1); }
   std::uint32_t to(const OpenSide& side) const { return corner(side.triangle, side.across + 2); }
 
-  bool is_new(const OpenSide& side) const { return (seen_[side.triangle] >> side.across & 1U) == 0; }
+  bool is_new(const OpenSide& side) const { return (unsigned{seen_[side.triangle]} >> side.across & 1U) == 0; }
 
   /// The points from the beginning of a side that is new on, triangles on the left: to the first that the region does not
   /// own, or of a closed curve each once.
