@@ -51,7 +51,7 @@ class Place {
                                       "--alpha",
                                       "4.5",
                                       "--tile-size",
-                                      "1000",
+                                      "100",
                                       "-o",
                                       folder_.path("t.npy"),
                                       "-o",
