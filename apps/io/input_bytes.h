@@ -19,8 +19,8 @@ class InputBytes {
   /// such file, or when a regular file changes while it is read; Failure when reading breaks off; Cancelled.
   InputBytes(const std::string& name, const std::string& expected);
 
-  /// The bytes of a gzip file become those of the file that was compressed, up to what its header claims or memory
-  /// suffices for (UnpackLimit, which also says what `way_out` is). Throws BadInput, Cancelled.
+  /// Replaces the bytes of a gzip file by those that were compressed. Its header and memory limit how many those are, and
+  /// `way_out` ends the message that memory does not suffice (UnpackLimit). Throws BadInput, Cancelled.
   void gunzip(const Claim& claim, const std::string& way_out = "");
 
   std::string_view bytes() const { return {data_.get(), size_}; }

@@ -36,7 +36,7 @@ void UnpackLimit::require(std::string_view unpacked) {
   next_ = std::max(claimed + slack, 2 * size);
 }
 
-/// Messages about headers take what they are given for the whole file.
+/// A message about a header says how much was unpacked, since more of the file may follow.
 double UnpackLimit::claimed_by(std::string_view unpacked) const {
   try {
     return claim_.size(unpacked, name_);

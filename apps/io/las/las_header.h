@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/claim.h"
 #include "io/las/las_count.h"
 #include "io/scalar.h"
 
@@ -42,6 +43,11 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
 
 /// A Claim: the points, and the records behind them that the header speaks of. Those say how long they are.
 double claimed_las_size(std::string_view first, const std::string& name);
+
+/// None where the points that are there are read, whatever the header says.
+inline Claim las_claim(bool skip_invalid) {
+  return skip_invalid ? Claim() : Claim{claimed_las_size, " (--skip-invalid reads what is there)"};
+}
 
 /// Throws BadInput when the scale or the offset of x, y or z (0, 1, 2) gives no coordinates. read_las_header() has looked
 /// at x and y; the height matters where it is asked for.

@@ -66,8 +66,8 @@ Claim claim_of(const PointSource& source) {
       return {claimed_ply_size};
     case PointFormat::pgm:
       return {claimed_pgm_size};
-    case PointFormat::las:  // whose header may be wrong
-      return source.skip_invalid ? Claim() : Claim{claimed_las_size, " (--skip-invalid reads what is there)"};
+    case PointFormat::las:
+      return las_claim(source.skip_invalid);
     default:
       return {};
   }

@@ -46,8 +46,8 @@ Claim claim_of(SpaceFormat format, const SpaceChoice& choice) {
       return {claimed_pcd_size};
     case SpaceFormat::npy:
       return {claimed_npy_space_size};
-    case SpaceFormat::las:  // whose header may be wrong
-      return choice.skip_invalid ? Claim() : Claim{claimed_las_size, " (--skip-invalid reads what is there)"};
+    case SpaceFormat::las:
+      return las_claim(choice.skip_invalid);
     default:
       return {};
   }

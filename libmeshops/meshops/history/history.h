@@ -96,8 +96,9 @@ class MESHOPS_API History {
     remember({[perform]() mutable { return Undo(perform().second); }, std::move(back), before, sizes()});
     return effect;
   }
-  template <typename Perform>
-  auto weld(Perform operate) {
+  /// A step by an operator that returns a WeldEffect.
+  template <typename Operate>
+  auto weld(Operate operate) {
     using Effect = decltype(operate());
     return perform<Effect>([operate, this] {
       const Effect effect = operate();

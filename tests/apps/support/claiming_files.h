@@ -9,7 +9,7 @@
 
 namespace apps_test {
 
-/// A file under the name that says what it is.
+/// The ending of its name says the format.
 struct File {
   std::string name, content;
   std::size_t behind = 0;  ///< of its bytes, what the header does not speak of
