@@ -55,39 +55,42 @@ Outcome run(const Folder& folder, const Reader& reader, const std::string& name,
   return folder.run("/bin/sh", "-c '" + first + reader.before + name + reader.behind + "'");
 }
 
+/// Each in a folder with its file, and what it makes of that.
+template <typename Check>
+void for_each_reader(const Check& check) {
+  const Folder folder;
+  folder.file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+  for (const Reader& reader : readers()) {
+    CAPTURE(reader.file.name);
+    folder.file(reader.file.name, reader.file.content);
+    const Outcome plain = run(folder, reader, reader.file.name);
+    CHECK(plain.code == 0);
+    CHECK_FALSE(plain.out.empty());
+    check(folder, reader, plain.out);
+  }
+}
+
 }  // namespace
 
 TEST_SUITE("readers") {
   TEST_CASE("names in Latin-1, of files that are packed or not") {
-    const Folder folder;
-    folder.file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
-    for (const Reader& reader : readers()) {
+    for_each_reader([](const Folder& folder, const Reader& reader, const std::string& expected) {
       const auto& [name, content, behind] = reader.file;
-      CAPTURE(name);
-      folder.file(name, content);
-      const Outcome plain = run(folder, reader, name);
-      CHECK(plain.code == 0);
-      CHECK_FALSE(plain.out.empty());
       const std::string latin = "\xE9t\xE9 " + name, shown = "\\xe9t\\xe9 " + name;
       folder.file(latin, content);
       folder.file(latin + ".gz", packed(content));
       for (const std::string& file : {latin, latin + ".gz"})
-        CHECK(run(folder, reader, "\"" + file + "\"").out == plain.out);
+        CHECK(run(folder, reader, "\"" + file + "\"").out == expected);
       folder.file(latin, "");
       const Outcome empty = run(folder, reader, "\"" + latin + "\"");
       CHECK(empty.code == 3);
       CHECK(empty.err.find(": " + shown + ": found ") != std::string::npos);
-    }
+    });
   }
 
   TEST_CASE("pipes with a name, whose bytes are packed or not, and come late and by pieces") {
-    const Folder folder;
-    folder.file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
-    for (const Reader& reader : readers()) {
+    for_each_reader([](const Folder& folder, const Reader& reader, const std::string& expected) {
       const auto& [name, content, behind] = reader.file;
-      CAPTURE(name);
-      folder.file(name, content);
-      const Outcome plain = run(folder, reader, name);
       for (const bool is_packed : {false, true}) {
         CAPTURE(is_packed);
         const std::string bytes = is_packed ? packed(content) : content;
@@ -98,9 +101,9 @@ TEST_SUITE("readers") {
         const Outcome outcome =
             run(folder, reader, pipe, "(sleep 0.01; cat first; sleep 0.01; cat second) > " + pipe + " & ");
         CHECK(outcome.code == 0);
-        CHECK(outcome.out == plain.out);
+        CHECK(outcome.out == expected);
         std::filesystem::remove(folder.path(pipe));
       }
-    }
+    });
   }
 }
