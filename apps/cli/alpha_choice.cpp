@@ -13,8 +13,8 @@
 #include "io/message.h"
 #include "io/number.h"
 #include "io/whole_number.h"
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/filtration/plateaus.h"
+#include "rbpa/filtration.h"
+#include "rbpa/plateaus.h"
 
 namespace rbpa::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/run_options.h"
-#include "rbpa/filtration/covering.h"
+#include "rbpa/covering.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::app {

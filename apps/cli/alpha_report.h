@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/output_file.h"
-#include "rbpa/filtration/persistence.h"
+#include "rbpa/persistence.h"
 #include "report/radii.h"
 
 namespace rbpa::app {

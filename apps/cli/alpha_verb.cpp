@@ -18,9 +18,9 @@
 #include "io/output_file.h"
 #include "io/same_file.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/filtration/persistence.h"
-#include "rbpa/filtration/plateaus.h"
+#include "rbpa/filtration.h"
+#include "rbpa/persistence.h"
+#include "rbpa/plateaus.h"
 
 namespace rbpa::app {
 namespace {

@@ -21,11 +21,6 @@ PointFile read(const PointSource& source, bool quiet) {
   return file;
 }
 
-SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run, Search search) {
-  TriangleProgress progress(!run.quiet);
-  return rbpa(points, alpha, {.search = search, .threads = run.threads, .progress = progress.watch()});
-}
-
 Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,
                            const RunOptions& run) {
   TriangleProgress progress(!run.quiet);

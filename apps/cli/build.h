@@ -5,17 +5,12 @@
 
 #include "cli/run_options.h"
 #include "io/points/read_points.h"
-#include "rbpa/rbpa.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {
 
 /// read_points() with a progress line, what there is to remark, and that heights are left out, unless quiet.
 PointFile read(const PointSource& source, bool quiet);
-
-/// rbpa() with a progress line unless quiet. Throws Cancelled after a signal.
-SolidAlphaComplex build(const std::vector<Point>& points, double alpha, const RunOptions& run,
-                        Search search = Search::near_to_far);
 
 /// triangulate(), with neighbours if asked for, and a progress line unless quiet. Throws Cancelled after a signal.
 Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,

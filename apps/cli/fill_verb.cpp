@@ -24,8 +24,8 @@
 #include "io/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
-#include "rbpa/core/error.h"
-#include "rbpa/fill/fill.h"
+#include "rbpa/base/error.h"
+#include "rbpa/fill.h"
 #include "triangulation/counts.h"
 
 namespace rbpa::app {

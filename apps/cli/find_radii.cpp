@@ -5,7 +5,7 @@
 #include "cli/progress.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/filtration/covering.h"
+#include "rbpa/covering.h"
 
 namespace rbpa::app {
 

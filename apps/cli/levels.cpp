@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/failure.h"
-#include "rbpa/filtration/level_topology.h"
+#include "rbpa/level_topology.h"
 
 namespace rbpa::app {
 namespace {

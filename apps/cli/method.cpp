@@ -1,23 +1,23 @@
 #include "cli/method.h"
 
-#include "cli/build.h"
 #include "cli/progress.h"
 #include "io/failure.h"
 #include "io/whole_number.h"
+#include "rbpa/paper.h"
 
 namespace rbpa::app {
 namespace {
 
-Search parse_search(const std::string& text) {
-  if (text == "near") return Search::near_to_far;
-  if (text == "paper") return Search::paper;
-  throw WrongUsage("--search: found " + in_quotes(text) + ", expected near or paper");
+bool is_by_paper(const std::string& search) {
+  if (search != "near" && search != "paper")
+    throw WrongUsage("--search: found " + in_quotes(search) + ", expected near or paper");
+  return search == "paper";
 }
 
 }  // namespace
 
 Method parse_method(const MethodArguments& arguments) {
-  Method method{.search = parse_search(arguments.search)};
+  Method method{.by_paper = is_by_paper(arguments.search)};
   if (arguments.method != "rbpa" && arguments.method != "hrbpa")
     throw WrongUsage("--method: found " + in_quotes(arguments.method) + ", expected rbpa or hrbpa");
   const bool hierarchical = arguments.method == "hrbpa";
@@ -26,18 +26,21 @@ Method parse_method(const MethodArguments& arguments) {
   if (hierarchical)
     method.leaf_capacity = arguments.leaf_capacity
                                ? parse_whole("--leaf-capacity", *arguments.leaf_capacity, {.least = 1}, "points")
-                               : usual_leaf_capacity(method.search);
+                           : method.by_paper ? paper::usual_leaf_capacity
+                                             : usual_leaf_capacity;
   return method;
 }
 
 Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run) {
-  if (!method.leaf_capacity) return {.complex = build(points, alpha, run, method.search), .levels = {}};
   TriangleProgress progress(!run.quiet);
-  return hrbpa(points, alpha,
-               {.search = method.search,
-                .leaf_capacity = *method.leaf_capacity,
-                .threads = run.threads,
-                .progress = progress.watch()});
+  if (!method.leaf_capacity) {
+    const auto of_one_radius = method.by_paper ? paper::rbpa : rbpa;
+    return {.complex = of_one_radius(points, alpha, {.threads = run.threads, .progress = progress.watch()}),
+            .levels = {}};
+  }
+  const auto by_levels = method.by_paper ? paper::hrbpa : hrbpa;
+  return by_levels(points, alpha,
+                   {.leaf_capacity = *method.leaf_capacity, .threads = run.threads, .progress = progress.watch()});
 }
 
 }  // namespace rbpa::app

@@ -21,13 +21,13 @@ struct MethodArguments {
 };
 
 struct Method {
-  Search search = Search::near_to_far;
+  bool by_paper = false;  ///< as the paper says it, or in tiles
   /// Hierarchical, with at most so many points in a leaf; absent: with one radius.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
 
   std::string name() const { return leaf_capacity ? "hrbpa" : "rbpa"; }
   /// Where there is no mesh, the triangles may be had as arrays.
-  bool makes_mesh() const { return leaf_capacity || search == Search::paper; }
+  bool makes_mesh() const { return leaf_capacity || by_paper; }
 };
 
 /// Throws WrongUsage naming the value: one that is none, or one that is about another method.

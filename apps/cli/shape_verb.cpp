@@ -19,9 +19,9 @@
 #include "io/output_file.h"
 #include "picture/png.h"
 #include "picture/svg.h"
-#include "rbpa/shape/coverage.h"
-#include "rbpa/shape/link_triangles.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/coverage.h"
+#include "rbpa/link_triangles.h"
+#include "rbpa/shape.h"
 #include "triangulation/counts.h"
 
 namespace rbpa::app {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "io/output_file.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "rbpa/topology.h"
 
 namespace rbpa::app {

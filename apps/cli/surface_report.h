@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "io/output_file.h"
-#include "rbpa/space/holes.h"
-#include "rbpa/space/surface.h"
-#include "rbpa/space/unused.h"
+#include "rbpa/holes.h"
+#include "rbpa/surface.h"
+#include "rbpa/unused.h"
 #include "triangulation/surface_counts.h"
 
 namespace rbpa::app {

@@ -16,10 +16,10 @@
 #include "io/progress_line.h"
 #include "io/write_surface.h"
 #include "picture/surface_picture.h"
-#include "rbpa/core/error.h"
-#include "rbpa/space/auto_radii.h"
-#include "rbpa/space/normals/estimate_normals.h"
-#include "rbpa/space/surface_levels.h"
+#include "rbpa/auto_radii.h"
+#include "rbpa/base/error.h"
+#include "rbpa/estimate_normals.h"
+#include "rbpa/surface_levels.h"
 
 namespace rbpa::app {
 namespace {

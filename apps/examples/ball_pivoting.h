@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "meshops/front/engine.h"
-#include "rbpa/space/facing_sides.h"
-#include "rbpa/space/rolling_ball.h"
+#include "rbpa/facing_sides.h"
+#include "rbpa/rolling_ball.h"
 
 /// A ball rolls over points with normals, from edge to edge. Each radius is a level of the front, with a ball and a policy of
 /// its own. Sites are input indices.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "meshops/front/front.h"
-#include "rbpa/space/surface.h"
+#include "rbpa/surface.h"
 
 /// Triangles in canonical order, across from each corner the triangle there, and levels from 0, as rbpa::surface() has them.
 /// Requires: `site` is what finish() returned, and next_level() came before each radius.

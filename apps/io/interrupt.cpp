@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa::app {
 namespace {

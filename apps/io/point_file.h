@@ -7,7 +7,7 @@
 
 #include "io/crs.h"
 #include "io/heights.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

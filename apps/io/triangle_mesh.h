@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

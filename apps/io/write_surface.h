@@ -8,7 +8,7 @@
 
 #include "io/formats.h"
 #include "io/output_file.h"
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 

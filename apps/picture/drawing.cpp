@@ -6,7 +6,7 @@
 #include "io/interrupt.h"
 #include "io/sort.h"
 #include "meshops/front/boundary_curve.h"
-#include "rbpa/shape/boundary_curves.h"
+#include "rbpa/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "io/triangle_mesh.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {

@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/filtration/persistence.h"
-#include "rbpa/filtration/plateaus.h"
+#include "rbpa/filtration.h"
+#include "rbpa/persistence.h"
+#include "rbpa/plateaus.h"
 
 namespace rbpa::app {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "io/output_file.h"
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 

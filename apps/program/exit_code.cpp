@@ -6,7 +6,7 @@
 #include "io/message.h"
 #include "io/output_file.h"
 #include "meshops/topology/progress.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa::app {
 

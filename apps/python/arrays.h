@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/core/duplicate.h"
-#include "rbpa/core/point.h"
-#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa::python {
 

@@ -1,4 +1,4 @@
-#include "rbpa/filtration/filtration.h"
+#include "rbpa/filtration.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -9,9 +9,9 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/filtration/covering.h"
-#include "rbpa/filtration/persistence.h"
-#include "rbpa/filtration/plateaus.h"
+#include "rbpa/covering.h"
+#include "rbpa/persistence.h"
+#include "rbpa/plateaus.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::python {

@@ -5,7 +5,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/topology/progress.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace {
 

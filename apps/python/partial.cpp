@@ -1,4 +1,4 @@
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 
 #include <pybind11/pybind11.h>
 
@@ -11,8 +11,8 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/core/error.h"
-#include "rbpa/partial/bytes.h"
+#include "rbpa/base/error.h"
+#include "rbpa/partial_bytes.h"
 
 namespace rbpa::python {
 namespace {

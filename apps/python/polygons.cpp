@@ -1,4 +1,4 @@
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 
 #include <pybind11/pybind11.h>
 

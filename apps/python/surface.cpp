@@ -1,4 +1,4 @@
-#include "rbpa/space/surface.h"
+#include "rbpa/surface.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -13,12 +13,12 @@
 #include "python/mesh.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/space/auto_radii.h"
-#include "rbpa/space/holes.h"
-#include "rbpa/space/normals/estimate_normals.h"
-#include "rbpa/space/surface_levels.h"
-#include "rbpa/space/surface_mesh.h"
-#include "rbpa/space/unused.h"
+#include "rbpa/auto_radii.h"
+#include "rbpa/estimate_normals.h"
+#include "rbpa/holes.h"
+#include "rbpa/surface_levels.h"
+#include "rbpa/surface_mesh.h"
+#include "rbpa/unused.h"
 
 namespace rbpa::python {
 namespace {

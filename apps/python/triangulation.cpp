@@ -11,7 +11,7 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa::python {
 namespace {

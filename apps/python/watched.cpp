@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa::python {
 namespace {

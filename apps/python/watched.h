@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "rbpa/core/progress.h"
+#include "rbpa/base/progress.h"
 
 namespace rbpa::python {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/filtration/plateaus.h"
+#include "rbpa/filtration.h"
+#include "rbpa/plateaus.h"
 
 namespace rbpa::app {
 

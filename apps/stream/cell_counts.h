@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

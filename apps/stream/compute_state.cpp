@@ -8,7 +8,7 @@
 #include <string>
 
 #include "io/failure.h"
-#include "rbpa/partial/bytes.h"
+#include "rbpa/partial_bytes.h"
 #include "stream/scratch_file.h"
 
 namespace rbpa::app {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 #include "stream/polygon_log.h"
 #include "stream/scratch.h"
 #include "stream/triangle_rows.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 #include "stream/pack_block.h"
 #include "stream/tile_file.h"
 

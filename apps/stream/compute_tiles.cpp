@@ -15,7 +15,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "stream/compute_state.h"
 #include "stream/compute_tile.h"
 #include "stream/cut_tiles.h"

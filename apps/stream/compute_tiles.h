@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 #include "stream/budget.h"
 #include "stream/manifest.h"
 #include "stream/polygon_log.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/crs.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "stream/request.h"
 #include "stream/scratch.h"
 #include "stream/tile_file.h"

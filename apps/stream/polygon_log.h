@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/gis/polygon_writers.h"
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 #include "stream/record_log.h"
 #include "stream/scratch.h"
 

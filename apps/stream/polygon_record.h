@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "io/gis/polygon_writers.h"
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 
 namespace rbpa::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "stream/scratch.h"
 
 namespace rbpa::app {

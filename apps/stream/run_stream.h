@@ -10,7 +10,7 @@
 #include <string>
 
 #include "io/output_file.h"
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 #include "stream/manifest.h"
 #include "stream/request.h"
 #include "stream/scratch.h"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
-#include "rbpa/partial/region.h"
+#include "rbpa/base/point.h"
+#include "rbpa/region.h"
 #include "stream/pack_block.h"
 #include "stream/scratch_file.h"
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/core/point.h"
-#include "rbpa/partial/region.h"
+#include "rbpa/base/point.h"
+#include "rbpa/region.h"
 #include "stream/reach.h"
 
 namespace rbpa::app {

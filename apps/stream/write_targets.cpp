@@ -9,7 +9,7 @@
 #include "io/gis/polygon_writers.h"
 #include "io/interrupt.h"
 #include "io/npy_header.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "stream/room_on_disk.h"
 
 namespace rbpa::app {

@@ -7,7 +7,7 @@
 
 #include "io/crs.h"
 #include "io/output_file.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "stream/polygon_log.h"
 #include "stream/request.h"
 #include "stream/run_stream.h"

@@ -9,7 +9,7 @@
 #include "io/interrupt.h"
 #include "io/npy_header.h"
 #include "io/number.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "stream/budget.h"
 #include "stream/scratch.h"
 #include "stream/write_targets.h"

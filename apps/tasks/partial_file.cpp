@@ -10,8 +10,8 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/core/error.h"
-#include "rbpa/partial/bytes.h"
+#include "rbpa/base/error.h"
+#include "rbpa/partial_bytes.h"
 #include "stream/polygon_log.h"
 #include "stream/polygon_record.h"
 #include "stream/scratch_file.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/output_file.h"
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 #include "tasks/run_facts.h"
 
 namespace rbpa::app {

@@ -11,7 +11,7 @@
 #include "io/interrupt.h"
 #include "io/npy_header.h"
 #include "io/number.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "stream/compute_tile.h"
 #include "stream/tile_mesh.h"
 #include "stream/triangle_rows.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "io/output_file.h"
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
 
 namespace rbpa::app {
 

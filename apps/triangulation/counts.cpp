@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/interrupt.h"
-#include "rbpa/shape/boundary_curves.h"
+#include "rbpa/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point3.h"
-#include "rbpa/space/surface.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/surface.h"
 
 namespace rbpa::app {
 

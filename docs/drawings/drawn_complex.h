@@ -8,7 +8,7 @@
 #include "drawings/drawn_mesh.h"
 #include "drawings/sheet.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 
 namespace figures {
 

@@ -6,9 +6,9 @@
 #include "drawings/figures.h"
 #include "drawings/random.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/filtration/persistence.h"
-#include "rbpa/filtration/plateaus.h"
+#include "rbpa/filtration.h"
+#include "rbpa/persistence.h"
+#include "rbpa/plateaus.h"
 
 namespace figures {
 namespace {

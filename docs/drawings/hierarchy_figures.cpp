@@ -12,6 +12,7 @@
 #include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "rbpa/hrbpa.h"
+#include "rbpa/paper.h"
 #include "rbpa/paper/quadtree.h"
 
 namespace figures {
@@ -46,7 +47,7 @@ double smallest_side(const std::vector<Leaf>& leaves) {
 
 /// By the paper's own method.
 Hierarchy hierarchy_of(const Points& points, double alpha, std::size_t leaf_capacity) {
-  return rbpa::hrbpa(points, alpha, {.search = rbpa::Search::paper, .leaf_capacity = leaf_capacity, .progress = {}});
+  return rbpa::paper::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
 }
 
 /// The default search counts points in squares in another way.

@@ -12,8 +12,8 @@
 #include "drawings/random.h"
 #include "drawings/sheet.h"
 #include "io/points/foreground.h"
-#include "rbpa/filtration/filtration.h"
-#include "rbpa/filtration/persistence.h"
+#include "rbpa/filtration.h"
+#include "rbpa/persistence.h"
 #include "rbpa/topology.h"
 
 namespace figures {

@@ -14,11 +14,11 @@
 #include "drawings/figures.h"
 #include "drawings/random.h"
 #include "drawings/sheet.h"
-#include "rbpa/parallel/threads.h"
-#include "rbpa/patches/find_patch.h"
-#include "rbpa/remainder/remainder.h"
-#include "rbpa/search/sites.h"
-#include "rbpa/tile/cut.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/patches/find_patch.h"
+#include "rbpa/plane/remainder/remainder.h"
+#include "rbpa/plane/tile/cut.h"
 #include "rbpa/triangulate.h"
 
 namespace figures {

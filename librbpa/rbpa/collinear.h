@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "rbpa/core/api.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa {
 

@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "meshops/front/front.h"
-#include "rbpa/core/api.h"
-#include "rbpa/core/complex.h"
-#include "rbpa/core/point.h"
-#include "rbpa/core/progress.h"
-#include "rbpa/core/search.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/complex.h"
 
 namespace rbpa {
 
@@ -41,16 +40,14 @@ struct EndedLevel {
   std::span<const std::uint32_t> input_index;  ///< of each site of the front, the input point it is
 };
 
-/// How many points a leaf of the quadtree holds where nothing else is asked for. The paper's grid is as coarse as they are
-/// large.
-constexpr std::size_t usual_leaf_capacity(Search search) { return search == Search::paper ? 32 : 16384; }
+/// A leaf of the quadtree holds at most so many points where nothing else is asked for.
+inline constexpr std::size_t usual_leaf_capacity = 16384;
 
 struct HierarchyOptions {
-  Search search = Search::near_to_far;
   /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1; absent: the usual.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
-  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors. The result
-  /// is the same.
+  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. The result is the
+  /// same.
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Not
   /// so often where points are sorted before the first triangle, where what tiles leave over is laid, and where the mesh

@@ -13,14 +13,14 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/api.h"
-#include "rbpa/core/point.h"
-#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa {
 
 struct LocateOptions {
-  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors.
+  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread; returning false ends the work. Empty: never.
   std::function<bool()> go_on = {};

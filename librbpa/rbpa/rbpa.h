@@ -10,18 +10,16 @@
 #include <functional>
 #include <span>
 
-#include "rbpa/core/api.h"
-#include "rbpa/core/complex.h"
-#include "rbpa/core/point.h"
-#include "rbpa/core/progress.h"
-#include "rbpa/core/search.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/complex.h"
 
 namespace rbpa {
 
 struct Options {
-  Search search = Search::near_to_far;
-  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors. The result
-  /// is the same.
+  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. The result is the
+  /// same.
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Not
   /// so often where points are sorted before the first triangle, where what tiles leave over is laid, and where the mesh

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "rbpa/core/api.h"
+#include "rbpa/base/api.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa {

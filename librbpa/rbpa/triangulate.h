@@ -12,11 +12,11 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/api.h"
-#include "rbpa/core/duplicate.h"
-#include "rbpa/core/point.h"
-#include "rbpa/core/progress.h"
-#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa {
 
@@ -30,7 +30,7 @@ struct TriangulationOptions {
   Complex complex = Complex::solid;
   bool neighbors = false;  ///< fills in Triangulation::neighbors
   bool boundary = false;   ///< fills in Triangulation::boundary
-  /// At most so many threads work, the calling one included; 0, and at most: as many as there are processors.
+  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it.
   /// Empty: never called.

@@ -12,7 +12,7 @@
 #include "bench/machine.h"
 #include "bench/stopwatch.h"
 #include "bench/timings.h"
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 
 namespace rbpa_bench {
 namespace {

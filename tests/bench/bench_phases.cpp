@@ -13,11 +13,11 @@
 #include "bench/arguments.h"
 #include "bench/memory.h"
 #include "bench/workload.h"
-#include "rbpa/patches/find_patch.h"
-#include "rbpa/predicate/radius.h"
-#include "rbpa/remainder/remainder.h"
-#include "rbpa/run/assembly.h"
-#include "rbpa/tile/for_each_tile.h"
+#include "rbpa/plane/mesh/assembly.h"
+#include "rbpa/plane/patches/find_patch.h"
+#include "rbpa/plane/predicate/radius.h"
+#include "rbpa/plane/remainder/remainder.h"
+#include "rbpa/plane/tile/for_each_tile.h"
 #include "support/spacing.h"
 
 namespace rbpa_bench {

@@ -5,11 +5,11 @@
 
 #include "bench/arguments.h"
 #include "bench/workload.h"
-#include "rbpa/patches/find_patch.h"
-#include "rbpa/predicate/radius.h"
+#include "rbpa/plane/grid/point_grid.h"
+#include "rbpa/plane/patches/find_patch.h"
+#include "rbpa/plane/predicate/radius.h"
+#include "rbpa/plane/tile/for_each_tile.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/search/point_grid.h"
-#include "rbpa/tile/for_each_tile.h"
 
 namespace rbpa_bench {
 namespace {

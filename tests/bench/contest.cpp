@@ -2,32 +2,32 @@
 
 #include "bench/stopwatch.h"
 #include "rbpa/hrbpa.h"
+#include "rbpa/paper.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa_bench {
 namespace {
 
-rbpa::Options options_for(rbpa::Search search, unsigned threads) {
-  return {.search = search, .threads = threads, .progress = {}};
-}
-
 Run told_by(const Stopwatch& watch) {
   return {.seconds = watch.seconds(), .triangles = 0, .processor_seconds = watch.processor_seconds()};
 }
 
-Run timed(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options, Triangles* list) {
+template <typename Compute>
+Run timed(Compute compute, std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
   const Stopwatch watch;
-  const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha, options);
+  const rbpa::SolidAlphaComplex complex = compute(points, alpha, rbpa::Options{.threads = threads, .progress = {}});
   Run run = told_by(watch);
   if (list) *list = rbpa::triangles(complex);
   run.triangles = complex.mesh.n_faces();
   return run;
 }
 
-Run timed_levels(std::span<const rbpa::Point> points, double alpha, const rbpa::HierarchyOptions& options) {
+template <typename Compute>
+Run timed_levels(Compute compute, std::span<const rbpa::Point> points, double alpha,
+                 const rbpa::HierarchyOptions& options) {
   const Stopwatch watch;
-  const rbpa::Hierarchy hierarchy = rbpa::hrbpa(points, alpha, options);
+  const rbpa::Hierarchy hierarchy = compute(points, alpha, options);
   Run run = told_by(watch);
   run.triangles = hierarchy.complex.mesh.n_faces();
   return run;
@@ -42,7 +42,7 @@ std::string named(const std::string& name, unsigned threads) {
 }  // namespace
 
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
-  return timed(points, alpha, options_for(rbpa::Search::near_to_far, threads), list);
+  return timed(rbpa::rbpa, points, alpha, threads, list);
 }
 
 Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads, bool neighbors, Triangles* list) {
@@ -58,15 +58,15 @@ Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threa
 }
 
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha) {
-  return timed(points, alpha, options_for(rbpa::Search::paper, 1), nullptr);
+  return timed(rbpa::paper::rbpa, points, alpha, 1, nullptr);
 }
 
 Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha) {
-  return timed_levels(points, alpha, {.search = rbpa::Search::paper, .threads = 1, .progress = {}});
+  return timed_levels(rbpa::paper::hrbpa, points, alpha, {.threads = 1, .progress = {}});
 }
 
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
-  return timed_levels(points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
+  return timed_levels(rbpa::hrbpa, points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
 }
 
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) { return run_hrbpa_with(points, alpha, usual_leaves); }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/hrbpa.h"
 #include "support/triangle.h"
 
@@ -55,7 +55,7 @@ Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha);
 
 /// rbpa::hrbpa(): the mesh of rbpa(), from the bottom up, with one thread.
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
-constexpr std::size_t usual_leaves = rbpa::usual_leaf_capacity(rbpa::Search::near_to_far);
+constexpr std::size_t usual_leaves = rbpa::usual_leaf_capacity;
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
 
 /// Whether triangles are left out by their circumradius, in plain double arithmetic.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa_bench {
 

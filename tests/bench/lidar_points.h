@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa_bench {
 

@@ -7,8 +7,8 @@
 
 #include "bench/lidar_points.h"
 #include "bench/stopwatch.h"
-#include "rbpa/partial/bytes.h"
-#include "rbpa/partial/partial.h"
+#include "rbpa/partial.h"
+#include "rbpa/partial_bytes.h"
 
 namespace rbpa_bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa_bench {
 

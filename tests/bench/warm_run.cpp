@@ -9,7 +9,7 @@
 #include "bench/memory.h"
 #include "bench/stopwatch.h"
 #include "io/blocks/point_blocks.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa_bench {

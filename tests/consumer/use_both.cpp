@@ -8,7 +8,7 @@
 #include "meshops/handle/create.h"
 #include "meshops/handle/unglue.h"
 #include "meshops/topology/count.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa_test {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {

@@ -9,6 +9,7 @@
 
 #include "meshops/core/validate.h"
 #include "oracle/delaunay.h"
+#include "rbpa/paper.h"
 #include "support/shrink.h"
 
 namespace rbpa_test {
@@ -133,25 +134,25 @@ std::string wrong_with(const rbpa::SolidAlphaComplex& complex, std::span<const r
   return wrong_points(complex, lowest, expected);
 }
 
-std::string wrong_with_rbpa(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options) {
+std::string wrong_with_rbpa(std::span<const rbpa::Point> points, double alpha, Rbpa compute) {
   try {
-    return wrong_with(rbpa::rbpa(points, alpha, options), points, DelaunayOracle(points).triangles(alpha));
+    return wrong_with(compute(points, alpha, {}), points, DelaunayOracle(points).triangles(alpha));
   } catch (const std::exception& error) {
     return std::string("thrown: ") + error.what();
   }
 }
 
-std::string report(const std::string& complaint, const Points& points, double alpha, const rbpa::Options& options) {
+std::string report(const std::string& complaint, const Points& points, double alpha, Rbpa compute) {
   using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::minutes(1);
   const auto fails = [&](const Points& some) {
-    return Clock::now() < deadline && !wrong_with_rbpa(some, alpha, options).empty();
+    return Clock::now() < deadline && !wrong_with_rbpa(some, alpha, compute).empty();
   };
   std::string text =
-      complaint + "\n  alpha " + literal(alpha) + (options.search == rbpa::Search::paper ? ", the paper's search" : "");
+      complaint + "\n  alpha " + literal(alpha) + (compute == rbpa::paper::rbpa ? ", the paper's search" : "");
   if (!fails(points)) return text + "\n  (not seen when run alone)";
   const Points few = shrink(points, fails);
-  return text + "\n  shrunk to " + std::to_string(few.size()) + " points: " + wrong_with_rbpa(few, alpha, options) +
+  return text + "\n  shrunk to " + std::to_string(few.size()) + " points: " + wrong_with_rbpa(few, alpha, compute) +
          "\n  " + literal(few);
 }
 

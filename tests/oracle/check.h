@@ -16,10 +16,13 @@ namespace rbpa_test {
 std::string wrong_with(const rbpa::SolidAlphaComplex& complex, std::span<const rbpa::Point> points,
                        const std::vector<Triangle>& expected);
 
-/// The first thing that is wrong with rbpa(points, alpha, options) according to CGAL; an exception counts.
-std::string wrong_with_rbpa(std::span<const rbpa::Point> points, double alpha, const rbpa::Options& options = {});
+/// rbpa() or paper::rbpa().
+using Rbpa = rbpa::SolidAlphaComplex (*)(std::span<const rbpa::Point>, double, const rbpa::Options&);
+
+/// The first thing that is wrong with compute(points, alpha) according to CGAL; an exception counts.
+std::string wrong_with_rbpa(std::span<const rbpa::Point> points, double alpha, Rbpa compute = rbpa::rbpa);
 
 /// What to print of a failure: the complaint, and the smallest set of points found in a minute that still fails.
-std::string report(const std::string& complaint, const Points& points, double alpha, const rbpa::Options& options = {});
+std::string report(const std::string& complaint, const Points& points, double alpha, Rbpa compute = rbpa::rbpa);
 
 }  // namespace rbpa_test

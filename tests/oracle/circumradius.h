@@ -3,7 +3,7 @@
 //       rational numbers, which know neither overflow nor underflow.
 #pragma once
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa_test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 
 namespace rbpa_test {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa_test {
 

@@ -8,9 +8,9 @@
 
 #include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
-#include "rbpa/core/error.h"
-#include "rbpa/fill/fill.h"
-#include "rbpa/fill/polygons_of_rings.h"
+#include "rbpa/base/error.h"
+#include "rbpa/fill.h"
+#include "rbpa/polygons_of_rings.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "rbpa/fill/fill.h"
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/fill.h"
+#include "rbpa/plane/predicate/predicates.h"
 #include "support/generate_polygons.h"
 
 namespace rbpa_test {

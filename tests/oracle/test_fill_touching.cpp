@@ -14,9 +14,9 @@
 
 #include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
-#include "rbpa/fill/fill.h"
-#include "rbpa/fill/validity.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/fill.h"
+#include "rbpa/shape.h"
+#include "rbpa/validity.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 #include "support/read_points.h"

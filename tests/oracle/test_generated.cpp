@@ -8,6 +8,7 @@
 #include "oracle/arguments.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
+#include "rbpa/paper.h"
 #include "support/random.h"
 #include "support/sets.h"
 #include "support/shrink.h"
@@ -64,7 +65,6 @@ TEST_CASE("the order of the input does not matter") {
 }
 
 TEST_CASE("the paper's RBPA finds the same complex") {
-  const rbpa::Options paper{.search = rbpa::Search::paper, .progress = {}};
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
     if (!of_asked_size(points)) continue;
@@ -73,8 +73,8 @@ TEST_CASE("the paper's RBPA finds the same complex") {
       // Cells of side 2α hold all points then.
       if (std::isinf(alpha) && points.size() > 1000) continue;
       INFO(set.name, ", ", points.size(), " points, alpha ", literal(alpha));
-      const std::string wrong = wrong_with(rbpa::rbpa(points, alpha, paper), points, oracle.triangles(alpha));
-      CHECK_MESSAGE(wrong.empty(), report(wrong, points, alpha, paper));
+      const std::string wrong = wrong_with(rbpa::paper::rbpa(points, alpha), points, oracle.triangles(alpha));
+      CHECK_MESSAGE(wrong.empty(), report(wrong, points, alpha, rbpa::paper::rbpa));
     }
   }
 }

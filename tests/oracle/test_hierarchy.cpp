@@ -22,14 +22,15 @@ namespace {
 
 constexpr std::size_t max_levels = 5;  // of a set with many, those looked at
 
-void check_set(const std::string& name, const Points& points, std::vector<double> alphas, Random& random,
-               rbpa::Search search = rbpa::Search::near_to_far) {
+template <typename Compute>
+void check_set(Compute compute, const std::string& name, const Points& points, std::vector<double> alphas,
+               Random& random) {
   const DelaunayOracle oracle(points);
   alphas.push_back(INFINITY);
   for (const double alpha : alphas) {
     const std::size_t capacity = std::size_t{1} << random.below(7);
     INFO(name, ", ", points.size(), " points, alpha ", literal(alpha), ", leaf capacity ", capacity);
-    const rbpa::Hierarchy h = hierarchy(points, alpha, capacity, search);
+    const rbpa::Hierarchy h = compute(points, alpha, capacity);
     const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
     CHECK_MESSAGE(wrong.empty(), wrong);
     const std::size_t step = std::max<std::size_t>(1, h.levels.size() / max_levels);
@@ -47,7 +48,7 @@ TEST_CASE("generated sets: after every level the mesh is the Delaunay triangles 
   Random random(21);
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
-    if (of_asked_size(points)) check_set(std::string(set.name), points, set.alphas, random);
+    if (of_asked_size(points)) check_set(hierarchy, std::string(set.name), points, set.alphas, random);
   }
 }
 
@@ -55,7 +56,7 @@ TEST_CASE("generated sets: the same of the paper's HRBPA") {
   Random random(23);
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
-    if (of_asked_size(points)) check_set(std::string(set.name), points, set.alphas, random, rbpa::Search::paper);
+    if (of_asked_size(points)) check_set(hierarchy_by_paper, std::string(set.name), points, set.alphas, random);
   }
 }
 
@@ -67,7 +68,7 @@ TEST_CASE("point files: after every level the mesh is the Delaunay triangles wit
       const Points points = read_points(file);
       if (!of_asked_size(points)) continue;
       ++sets;
-      check_set(file.name, points, {2 * mean_spacing(points)}, random);
+      check_set(hierarchy, file.name, points, {2 * mean_spacing(points)}, random);
     }
   }
   CHECK(sets >= 20);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "oracle/delaunay.h"
-#include "rbpa/divide/divide_and_conquer.h"
-#include "rbpa/predicate/magnitude.h"
+#include "rbpa/base/exact/magnitude.h"
+#include "rbpa/plane/divide/divide_and_conquer.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/sets.h"

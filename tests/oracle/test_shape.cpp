@@ -10,7 +10,7 @@
 
 #include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "support/data_folder.h"
 #include "support/generate.h"
 #include "support/pictures.h"

@@ -14,6 +14,7 @@
 #include "oracle/brute_force.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
+#include "rbpa/paper.h"
 #include "support/generate.h"
 #include "support/levels.h"
 #include "support/random.h"
@@ -86,16 +87,17 @@ void check_against_brute_force(const Points& points, double alpha) {
   REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha));
 }
 
-void check_against_cgal(const Points& points, double alpha, const rbpa::Options& options = {}) {
-  const std::string wrong = wrong_with_rbpa(points, alpha, options);
-  REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha, options));
+void check_against_cgal(const Points& points, double alpha, Rbpa compute = rbpa::rbpa) {
+  const std::string wrong = wrong_with_rbpa(points, alpha, compute);
+  REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha, compute));
 }
 
 /// The final complex, and the mesh after every level. Returns how many there were.
-std::size_t check_hierarchy(const Points& points, double alpha, std::size_t capacity, const DelaunayOracle& oracle,
-                            rbpa::Search search = rbpa::Search::near_to_far) {
+template <typename Compute>
+std::size_t check_hierarchy(Compute compute, const Points& points, double alpha, std::size_t capacity,
+                            const DelaunayOracle& oracle) {
   INFO("leaf capacity ", capacity, ", alpha ", literal(alpha));
-  const rbpa::Hierarchy h = hierarchy(points, alpha, capacity, search);
+  const rbpa::Hierarchy h = compute(points, alpha, capacity);
   const std::string wrong = wrong_with(h.complex, points, oracle.triangles(alpha));
   REQUIRE_MESSAGE(wrong.empty(), wrong);
   const std::string wrong_levels = wrong_numbers(h, alpha);
@@ -153,7 +155,7 @@ TEST_CASE("sets that were once wrong stay right") {
   };
   for (const auto& [points, alpha] : cases) {
     check_against_brute_force(points, alpha);
-    check_against_cgal(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
+    check_against_cgal(points, alpha, rbpa::paper::rbpa);
   }
 }
 
@@ -162,20 +164,19 @@ TEST_CASE("random sets on small grids: the complex is what its definition says")
 }
 
 TEST_CASE("random sets on small grids: the paper's RBPA finds the same complex") {
-  for_random_sets(2, [](const Points& points, double alpha, Random&) {
-    check_against_cgal(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
-  });
+  for_random_sets(
+      2, [](const Points& points, double alpha, Random&) { check_against_cgal(points, alpha, rbpa::paper::rbpa); });
 }
 
 TEST_CASE("random sets on small grids: after every level of hrbpa() the mesh is the complex of its radius") {
   for_random_sets(7, [](const Points& points, double alpha, Random& random) {
-    check_hierarchy(points, alpha, random.below(5) + 1, DelaunayOracle(points));
+    check_hierarchy(hierarchy, points, alpha, random.below(5) + 1, DelaunayOracle(points));
   });
 }
 
 TEST_CASE("random sets on small grids: the same after every level of the paper's HRBPA") {
   for_random_sets(8, [](const Points& points, double alpha, Random& random) {
-    check_hierarchy(points, alpha, random.below(5) + 1, DelaunayOracle(points), rbpa::Search::paper);
+    check_hierarchy(hierarchy_by_paper, points, alpha, random.below(5) + 1, DelaunayOracle(points));
   });
 }
 
@@ -223,7 +224,7 @@ TEST_CASE("every subset of a small grid: the complex is what its definition says
   for_subsets(even, [](const Points& points) {
     for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
       INFO("alpha ", literal(alpha));
-      check_against_cgal(points, alpha, {.search = rbpa::Search::paper, .progress = {}});
+      check_against_cgal(points, alpha, rbpa::paper::rbpa);
       if (points.size() <= 8)
         check_against_brute_force(points, alpha);
       else
@@ -239,8 +240,8 @@ TEST_CASE("every subset of a small grid: after every level of hrbpa() the mesh i
       const DelaunayOracle oracle(points);
       for (const std::size_t capacity : {1u, 2u, 5u})
         for (const double alpha : {0.75, 1.25, 10.0, double(INFINITY)}) {
-          most = std::max(most, check_hierarchy(points, alpha, capacity, oracle));
-          check_hierarchy(points, alpha, capacity, oracle, rbpa::Search::paper);
+          most = std::max(most, check_hierarchy(hierarchy, points, alpha, capacity, oracle));
+          check_hierarchy(hierarchy_by_paper, points, alpha, capacity, oracle);
         }
     });
   CHECK(most >= 5);

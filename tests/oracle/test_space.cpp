@@ -11,9 +11,9 @@
 
 #include "oracle/arguments.h"
 #include "oracle/cgal_space.h"
-#include "rbpa/space/holes.h"
-#include "rbpa/space/surface.h"
-#include "rbpa/space/surface_levels.h"
+#include "rbpa/holes.h"
+#include "rbpa/surface.h"
+#include "rbpa/surface_levels.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"
 

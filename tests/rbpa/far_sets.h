@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "rbpa/predicate/magnitude.h"
+#include "rbpa/base/exact/magnitude.h"
 #include "support/generate.h"
 #include "support/sets.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "support/random.h"
 #include "support/triangle.h"
 

@@ -10,13 +10,18 @@
 #include <vector>
 
 #include "rbpa/hrbpa.h"
+#include "rbpa/paper.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {
 
-inline rbpa::Hierarchy hierarchy(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity,
-                                 rbpa::Search search = rbpa::Search::near_to_far) {
-  return rbpa::hrbpa(points, alpha, {.search = search, .leaf_capacity = leaf_capacity, .progress = {}});
+inline rbpa::Hierarchy hierarchy(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
+  return rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
+}
+
+inline rbpa::Hierarchy hierarchy_by_paper(std::span<const rbpa::Point> points, double alpha,
+                                          std::size_t leaf_capacity) {
+  return rbpa::paper::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
 }
 
 inline std::size_t sum_of_taking_part(const rbpa::Hierarchy& h) {

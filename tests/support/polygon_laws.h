@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rbpa/rbpa.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 #include "support/random.h"
 
 namespace rbpa_test {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "io/heights.h"
-#include "rbpa/core/point.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/base/point.h"
+#include "rbpa/shape.h"
 
 namespace rbpa::app {
 

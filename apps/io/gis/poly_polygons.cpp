@@ -11,8 +11,8 @@
 #include "io/interrupt.h"
 #include "io/lines.h"
 #include "io/number.h"
-#include "rbpa/core/error.h"
-#include "rbpa/fill/polygons_of_rings.h"
+#include "rbpa/base/error.h"
+#include "rbpa/polygons_of_rings.h"
 
 namespace rbpa::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/point_file.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 
 namespace rbpa::app {
 

@@ -8,7 +8,7 @@
 
 #include "io/crs.h"
 #include "io/output_file.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 
 namespace rbpa::app {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "io/crs.h"
-#include "rbpa/core/point.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/base/point.h"
+#include "rbpa/shape.h"
 
 namespace rbpa::app {
 

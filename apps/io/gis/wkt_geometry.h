@@ -11,7 +11,7 @@
 #include "io/crs.h"
 #include "io/gis/polygon_file.h"
 #include "io/heights.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

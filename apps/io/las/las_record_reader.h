@@ -10,8 +10,8 @@
 
 #include "io/las/las_header.h"
 #include "io/las/selection.h"
-#include "rbpa/core/point.h"
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 

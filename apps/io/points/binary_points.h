@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/scalar.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/point_file.h"
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 

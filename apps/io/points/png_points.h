@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/points/foreground.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "rbpa/predicate/magnitude.h"
-#include "rbpa/predicate/predicates.h"
-#include "rbpa/shape/steps.h"
+#include "rbpa/base/exact/magnitude.h"
+#include "rbpa/plane/predicate/predicates.h"
+#include "rbpa/plane/shape/steps.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa {

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/fill/outline.h"
 
 namespace rbpa {

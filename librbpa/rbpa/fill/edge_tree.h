@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "meshops/patch/site.h"
-#include "rbpa/core/point.h"
-#include "rbpa/search/box.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/grid/box.h"
 
 namespace rbpa {
 

@@ -1,4 +1,4 @@
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 
 #include "meshops/front/engine.h"
 #include "meshops/topology/build_mesh.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
 #include "rbpa/fill/constrained_delaunay.h"
 #include "rbpa/fill/improve.h"
 #include "rbpa/fill/link_filling.h"
@@ -17,9 +18,8 @@
 #include "rbpa/fill/polygon_rings.h"
 #include "rbpa/fill/size_estimate.h"
 #include "rbpa/fill/size_field.h"
-#include "rbpa/run/input.h"
-#include "rbpa/run/monitor.h"
-#include "rbpa/shape/measure.h"
+#include "rbpa/plane/mesh/monitor.h"
+#include "rbpa/plane/shape/measure.h"
 
 namespace rbpa {
 namespace {

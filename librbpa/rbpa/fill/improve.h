@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "rbpa/core/mesh.h"
 #include "rbpa/fill/size_field.h"
+#include "rbpa/mesh.h"
 
 namespace rbpa {
 

@@ -1,7 +1,7 @@
 // What: neighbours and mesh of triangles that fill groups of polygons.
 #pragma once
 
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 
 namespace rbpa {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "meshops/front/policy.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/fill/edge_tree.h"
 #include "rbpa/fill/shadow.h"
 #include "rbpa/fill/size_field.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "rbpa/predicate/predicates.h"
-#include "rbpa/search/box.h"
+#include "rbpa/plane/grid/box.h"
+#include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {
 namespace {

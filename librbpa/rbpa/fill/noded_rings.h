@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point.h"
-#include "rbpa/shape/polygons.h"
-#include "rbpa/shape/steps.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/shape/steps.h"
+#include "rbpa/shape.h"
 
 namespace rbpa {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "rbpa/shape/steps.h"
+#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "meshops/patch/site.h"
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/fill/simple_rings.h"
 #include "rbpa/fill/size_field.h"
 

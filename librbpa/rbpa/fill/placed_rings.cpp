@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa {
 

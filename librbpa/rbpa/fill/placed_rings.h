@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/fill/noded_rings.h"
 #include "rbpa/fill/simple_rings.h"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rbpa/core/point.h"
-#include "rbpa/predicate/magnitude.h"
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/base/exact/magnitude.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "meshops/topology/disjoint_sets.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/fill/placed_rings.h"
-#include "rbpa/fill/validity.h"
-#include "rbpa/shape/steps.h"
+#include "rbpa/plane/shape/steps.h"
+#include "rbpa/validity.h"
 
 namespace rbpa {
 namespace {

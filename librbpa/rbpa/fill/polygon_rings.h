@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/fill/noded_rings.h"
 #include "rbpa/fill/simple_rings.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/shape.h"
 
 namespace rbpa {
 

@@ -1,17 +1,17 @@
-#include "rbpa/fill/polygons_of_rings.h"
+#include "rbpa/polygons_of_rings.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/fill/noded_rings.h"
 #include "rbpa/fill/placed_rings.h"
 #include "rbpa/fill/simple_rings.h"
-#include "rbpa/fill/validity.h"
-#include "rbpa/shape/measure.h"
-#include "rbpa/shape/nesting.h"
-#include "rbpa/shape/steps.h"
+#include "rbpa/plane/shape/measure.h"
+#include "rbpa/plane/shape/nesting.h"
+#include "rbpa/plane/shape/steps.h"
+#include "rbpa/validity.h"
 
 namespace rbpa {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "rbpa/fill/plane_predicates.h"
 
 namespace rbpa {

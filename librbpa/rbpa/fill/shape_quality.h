@@ -1,7 +1,7 @@
 // What: how good a triangle is, from 0 to 1.
 #pragma once
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa {
 

@@ -6,11 +6,11 @@
 #include <tuple>
 #include <utility>
 
-#include "rbpa/core/error.h"
-#include "rbpa/predicate/predicates.h"
-#include "rbpa/run/input.h"
-#include "rbpa/shape/below.h"
-#include "rbpa/shape/steps.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/plane/predicate/predicates.h"
+#include "rbpa/plane/shape/below.h"
+#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {

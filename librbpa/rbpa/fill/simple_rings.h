@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
-#include "rbpa/shape/polygons.h"
+#include "rbpa/base/point.h"
+#include "rbpa/shape.h"
 
 namespace rbpa {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rbpa/fill/constrained_delaunay.h"
-#include "rbpa/shape/steps.h"
+#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 
 namespace rbpa {
 

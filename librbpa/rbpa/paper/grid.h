@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "meshops/patch/site.h"
-#include "rbpa/core/point.h"
-#include "rbpa/predicate/radius.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/predicate/radius.h"
 
 namespace rbpa::paper {
 

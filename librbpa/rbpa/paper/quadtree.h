@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa::paper {
 

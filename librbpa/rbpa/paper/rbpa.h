@@ -16,7 +16,7 @@
 
 #include "meshops/front/front.h"
 #include "rbpa/paper/ball.h"
-#include "rbpa/run/monitor.h"
+#include "rbpa/plane/mesh/monitor.h"
 
 namespace rbpa::paper {
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/auto_radii.h"
+#include "rbpa/auto_radii.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <mutex>
 #include <utility>
 
-#include "rbpa/parallel/threads.h"
-#include "rbpa/space/check_input.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/normals/find_nearest.h"
 #include "rbpa/space/normals/fit_plane.h"
 #include "rbpa/space/spacing/tangent_cell.h"

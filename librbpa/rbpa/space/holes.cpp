@@ -1,4 +1,4 @@
-#include "rbpa/space/holes.h"
+#include "rbpa/holes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "meshops/core/contract.h"
-#include "rbpa/core/triangle_arrays.h"
-#include "rbpa/shape/boundary_walk.h"
-#include "rbpa/space/check_input.h"
+#include "rbpa/base/boundary_walk.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/excerpt.h"
 #include "rbpa/space/levels/interior.h"
 #include "rbpa/space/levels/part_below.h"

@@ -1,14 +1,14 @@
-#include "rbpa/space/rolling_ball.h"
+#include "rbpa/rolling_ball.h"
 
 #include <algorithm>
 
 #include "meshops/core/contract.h"
-#include "rbpa/core/duplicate.h"
-#include "rbpa/space/check_input.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/space/cells/cells.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/cells/scaled_points.h"
 #include "rbpa/space/pivot/roll_about_edge.h"
 #include "rbpa/space/predicate/agreement.h"
-#include "rbpa/space/search/cells.h"
-#include "rbpa/space/search/scaled_points.h"
 #include "rbpa/space/star/find_rings.h"
 
 namespace rbpa {

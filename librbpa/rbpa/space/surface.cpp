@@ -1,16 +1,16 @@
-#include "rbpa/space/surface.h"
+#include "rbpa/surface.h"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
 
-#include "rbpa/core/error.h"
-#include "rbpa/parallel/in_order.h"
-#include "rbpa/space/check_input.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/parallel/in_order.h"
+#include "rbpa/space/cells/cells.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/cells/scaled_points.h"
 #include "rbpa/space/predicate/agreement.h"
-#include "rbpa/space/search/cells.h"
-#include "rbpa/space/search/scaled_points.h"
 #include "rbpa/space/star/find_rings.h"
 #include "rbpa/space/star/surface_assembly.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface_levels.h"
+#include "rbpa/surface_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/space/check_input.h"
-#include "rbpa/space/facing_sides.h"
+#include "rbpa/facing_sides.h"
+#include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/excerpt.h"
 #include "rbpa/space/levels/interior.h"
 #include "rbpa/space/levels/part_below.h"

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface_mesh.h"
+#include "rbpa/surface_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/patch/assembler.h"
-#include "rbpa/core/error.h"
-#include "rbpa/run/input.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
 
 namespace rbpa {
 namespace {

@@ -1,4 +1,4 @@
-#include "rbpa/space/unused.h"
+#include "rbpa/unused.h"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "meshops/core/contract.h"
-#include "rbpa/space/check_input.h"
+#include "rbpa/space/cells/cells.h"
+#include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/excerpt.h"
 #include "rbpa/space/predicate/agreement.h"
 #include "rbpa/space/predicate/ball.h"
-#include "rbpa/space/search/cells.h"
 
 namespace rbpa {
 namespace {

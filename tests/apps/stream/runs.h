@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "support/program.h"
 
 namespace stream_test {

@@ -11,8 +11,8 @@
 
 #include "fill/laws.h"
 #include "fill/refusal.h"
-#include "rbpa/fill/fill.h"
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/fill.h"
+#include "rbpa/plane/predicate/predicates.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 

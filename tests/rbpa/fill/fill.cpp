@@ -1,4 +1,4 @@
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 
 #include <doctest/doctest.h>
 

@@ -10,7 +10,7 @@
 
 #include "fill/laws.h"
 #include "fill/refusal.h"
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 #include "rbpa/triangulate.h"
 #include "support/random.h"
 

@@ -9,7 +9,7 @@
 
 #include "meshops/core/validate.h"
 #include "meshops/topology/build_mesh.h"
-#include "rbpa/shape/exact_sum.h"
+#include "rbpa/plane/shape/exact_sum.h"
 #include "support/exact.h"
 
 namespace rbpa_test {

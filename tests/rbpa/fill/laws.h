@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {

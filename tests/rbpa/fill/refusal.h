@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/error.h"
-#include "rbpa/fill/fill.h"
+#include "rbpa/base/error.h"
+#include "rbpa/fill.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fill/laws.h"
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 #include "support/exact.h"
 #include "support/random.h"
 

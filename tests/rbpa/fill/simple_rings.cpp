@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/error.h"
-#include "rbpa/fill/polygons_of_rings.h"
+#include "rbpa/base/error.h"
+#include "rbpa/polygons_of_rings.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 

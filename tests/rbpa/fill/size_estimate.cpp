@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fill/refusal.h"
-#include "rbpa/fill/fill.h"
+#include "rbpa/fill.h"
 #include "rbpa/triangulate.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"

@@ -1,4 +1,4 @@
-#include "rbpa/fill/validity.h"
+#include "rbpa/validity.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/fill/simple_rings.h"
 #include "support/triangle.h"
 

@@ -1,5 +1,6 @@
 // The paper's HRBPA: level after level, beside rbpa() at the radius of the level and hrbpa() with tiles.
 #include "rbpa/hrbpa.h"
+#include "rbpa/paper.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +13,8 @@
 #include "far_sets.h"
 #include "meshops/core/validate.h"
 #include "paper/small_sets.h"
-#include "rbpa/core/error.h"
-#include "rbpa/core/mesh.h"
+#include "rbpa/base/error.h"
+#include "rbpa/mesh.h"
 #include "rbpa/paper/hrbpa.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
@@ -27,7 +28,6 @@ using rbpa::EndedLevel;
 using rbpa::Hierarchy;
 using rbpa::Level;
 using rbpa::Point;
-using rbpa::Search;
 
 TEST_SUITE_BEGIN("paper");
 
@@ -36,7 +36,7 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 
 Hierarchy by_the_paper(const Points& points, double alpha, std::size_t leaf_capacity) {
-  return rbpa::hrbpa(points, alpha, {.search = Search::paper, .leaf_capacity = leaf_capacity});
+  return rbpa::paper::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity});
 }
 
 bool admits(const Point& a, const Point& b, const Point& c, double alpha) {
@@ -142,23 +142,23 @@ TEST_CASE("after each level the mesh is what rbpa() makes with its radius") {
   for (const Points& points : {uniform(300, 1), sparse_grid(18, 0.4, 2), clusters(15, 3), star(325), far_and_tiny(8, 4),
                                mixed_exponents(15, 5), denormals(9, 40, 6)}) {
     std::vector<Seen> seen;
-    rbpa::hrbpa(points, infinity,
-                {.search = Search::paper, .leaf_capacity = 2, .level_ended = [&](const EndedLevel& ended) {
-                   const meshops::Front& front = ended.front;
-                   Seen& now = seen.emplace_back(Seen{ended.level.alpha, {}, {}});
-                   for (std::size_t f = 0; f < front.faces(); ++f) {
-                     meshops::Halfedge h = front.mesh().halfedge_handle(meshops::Face(static_cast<int>(f)));
-                     Triangle& corners = now.triangles.emplace_back();
-                     for (std::uint32_t& corner : corners) {
-                       corner = ended.input_index[front.from_site(h)];
-                       h = front.mesh().next_halfedge_handle(h);
-                     }
-                   }
-                   now.triangles = canonical(std::move(now.triangles));
-                   for (meshops::Site s = 0; s < front.sites(); ++s)
-                     if (front.is_free(s)) now.isolated.push_back(ended.input_index[s]);
-                   std::sort(now.isolated.begin(), now.isolated.end());
-                 }});
+    rbpa::paper::hrbpa(points, infinity, {.leaf_capacity = 2, .level_ended = [&](const EndedLevel& ended) {
+                                            const meshops::Front& front = ended.front;
+                                            Seen& now = seen.emplace_back(Seen{ended.level.alpha, {}, {}});
+                                            for (std::size_t f = 0; f < front.faces(); ++f) {
+                                              meshops::Halfedge h =
+                                                  front.mesh().halfedge_handle(meshops::Face(static_cast<int>(f)));
+                                              Triangle& corners = now.triangles.emplace_back();
+                                              for (std::uint32_t& corner : corners) {
+                                                corner = ended.input_index[front.from_site(h)];
+                                                h = front.mesh().next_halfedge_handle(h);
+                                              }
+                                            }
+                                            now.triangles = canonical(std::move(now.triangles));
+                                            for (meshops::Site s = 0; s < front.sites(); ++s)
+                                              if (front.is_free(s)) now.isolated.push_back(ended.input_index[s]);
+                                            std::sort(now.isolated.begin(), now.isolated.end());
+                                          }});
     REQUIRE(seen.size() >= 3);
     for (const Seen& level : seen) {
       const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, level.alpha);
@@ -287,10 +287,10 @@ TEST_CASE("points that a level looked at in vain are counted") {
 
 TEST_CASE("the usual capacity of leaves is a small one, as the grid of the first level is as coarse") {
   const Points points = uniform(3000, 11);
-  const double least = rbpa::hrbpa(points, 3, {.search = Search::paper}).least_radius;
-  CHECK(least == by_the_paper(points, 3, rbpa::usual_leaf_capacity(Search::paper)).least_radius);
+  const double least = rbpa::paper::hrbpa(points, 3).least_radius;
+  CHECK(least == by_the_paper(points, 3, rbpa::paper::usual_leaf_capacity).least_radius);
   CHECK(least < 4);
-  CHECK(rbpa::hrbpa(points, 3).least_radius == hierarchy(points, 3, rbpa::usual_leaf_capacity({})).least_radius);
+  CHECK(rbpa::hrbpa(points, 3).least_radius == hierarchy(points, 3, rbpa::usual_leaf_capacity).least_radius);
 }
 
 TEST_CASE("who throws, a visitor of levels or of progress, ends the run") {
@@ -302,12 +302,11 @@ TEST_CASE("who throws, a visitor of levels or of progress, ends the run") {
     const auto stop = [&](const EndedLevel&) {
       if (++calls == last) throw std::string("seen enough");
     };
-    CHECK_THROWS_AS(rbpa::hrbpa(points, infinity, {.search = Search::paper, .leaf_capacity = 1, .level_ended = stop}),
-                    std::string);
+    CHECK_THROWS_AS(rbpa::paper::hrbpa(points, infinity, {.leaf_capacity = 1, .level_ended = stop}), std::string);
     CHECK(calls == last);
   }
   const auto cancel = [](const rbpa::Progress&) { return false; };
-  CHECK_THROWS_AS(rbpa::hrbpa(uniform(20000, 13), 2, {.search = Search::paper, .progress = cancel}), rbpa::Cancelled);
+  CHECK_THROWS_AS(rbpa::paper::hrbpa(uniform(20000, 13), 2, {.progress = cancel}), rbpa::Cancelled);
   CHECK_THROWS(by_the_paper(points, 1, 0));
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "paper/small_sets.h"
+#include "rbpa/base/exact/magnitude.h"
 #include "rbpa/hrbpa.h"
-#include "rbpa/predicate/magnitude.h"
 #include "support/generate.h"
 #include "support/sets.h"
 

@@ -1,5 +1,6 @@
 // The paper's RBPA beside rbpa(), which finds the same triangles in tiles.
 #include "rbpa/rbpa.h"
+#include "rbpa/paper.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +13,8 @@
 #include "meshops/core/validate.h"
 #include "meshops/front/engine.h"
 #include "paper/small_sets.h"
-#include "rbpa/core/error.h"
-#include "rbpa/core/mesh.h"
+#include "rbpa/base/error.h"
+#include "rbpa/mesh.h"
 #include "rbpa/paper/rbpa.h"
 #include "support/generate.h"
 #include "support/sets.h"
@@ -22,7 +23,6 @@
 
 using namespace rbpa_test;
 using rbpa::Point;
-using rbpa::Search;
 using rbpa::SolidAlphaComplex;
 
 TEST_SUITE_BEGIN("paper");
@@ -31,9 +31,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-SolidAlphaComplex by_the_paper(const Points& points, double alpha) {
-  return rbpa::rbpa(points, alpha, {.search = Search::paper});
-}
+SolidAlphaComplex by_the_paper(const Points& points, double alpha) { return rbpa::paper::rbpa(points, alpha); }
 
 std::string wrong_with_paper(const Points& points, double alpha) {
   const SolidAlphaComplex paper = by_the_paper(points, alpha), direct = rbpa::rbpa(points, alpha);
@@ -141,10 +139,10 @@ TEST_CASE("progress grows, is asked in stretches without a triangle, and false o
   sparse.push_back({0, 0.5});
   for (const auto& [points, alpha] : {std::pair(sparse, 1.0), std::pair(jittered_grid(150, 0.8, 1), 2.0)}) {
     std::vector<rbpa::Progress> seen;
-    const auto watched = rbpa::rbpa(points, alpha, {.search = Search::paper, .progress = [&](const rbpa::Progress& p) {
-                                                      seen.push_back(p);
-                                                      return true;
-                                                    }});
+    const auto watched = rbpa::paper::rbpa(points, alpha, {.progress = [&](const rbpa::Progress& p) {
+                                             seen.push_back(p);
+                                             return true;
+                                           }});
     REQUIRE(seen.size() >= 2);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       CHECK(seen[i].points == points.size());
@@ -154,14 +152,12 @@ TEST_CASE("progress grows, is asked in stretches without a triangle, and false o
     for (const std::size_t last : {1u, 2u}) {
       std::size_t calls = 0;
       CHECK_THROWS_AS(
-          rbpa::rbpa(points, alpha,
-                     {.search = Search::paper, .progress = [&](const rbpa::Progress&) { return ++calls < last; }}),
+          rbpa::paper::rbpa(points, alpha, {.progress = [&](const rbpa::Progress&) { return ++calls < last; }}),
           rbpa::Cancelled);
       CHECK(calls == last);
     }
-    CHECK_THROWS_AS(rbpa::rbpa(points, alpha,
-                               {.search = Search::paper,
-                                .progress = [](const rbpa::Progress&) -> bool { throw std::string("stop"); }}),
+    CHECK_THROWS_AS(rbpa::paper::rbpa(points, alpha,
+                                      {.progress = [](const rbpa::Progress&) -> bool { throw std::string("stop"); }}),
                     std::string);
   }
 }

@@ -9,7 +9,7 @@
 
 #include "meshops/front/engine.h"
 #include "paper/small_sets.h"
-#include "rbpa/core/mesh.h"
+#include "rbpa/mesh.h"
 #include "rbpa/paper/rbpa.h"
 #include "support/generate.h"
 #include "support/shrink.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/complex.h"
-#include "rbpa/predicate/radius.h"
+#include "rbpa/complex.h"
+#include "rbpa/plane/predicate/radius.h"
 #include "support/exact.h"
 #include "support/random.h"
 #include "support/samples.h"

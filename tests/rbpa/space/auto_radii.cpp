@@ -1,4 +1,4 @@
-#include "rbpa/space/auto_radii.h"
+#include "rbpa/auto_radii.h"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/space/spacing/tangent_cell.h"
-#include "rbpa/space/surface_levels.h"
+#include "rbpa/surface_levels.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

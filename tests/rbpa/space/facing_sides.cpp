@@ -1,4 +1,4 @@
-#include "rbpa/space/facing_sides.h"
+#include "rbpa/facing_sides.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/holes.h"
+#include "rbpa/holes.h"
 
 #include <doctest/doctest.h>
 
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/core/error.h"
-#include "rbpa/space/surface_levels.h"
-#include "rbpa/space/unused.h"
+#include "rbpa/base/error.h"
+#include "rbpa/surface_levels.h"
+#include "rbpa/unused.h"
 #include "space/model.h"
 
 using namespace rbpa_test;

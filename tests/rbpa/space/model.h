@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/space/surface.h"
+#include "rbpa/surface.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 

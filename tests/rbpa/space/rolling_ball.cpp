@@ -1,4 +1,4 @@
-#include "rbpa/space/rolling_ball.h"
+#include "rbpa/rolling_ball.h"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/space/surface.h"
+#include "rbpa/surface.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface.h"
+#include "rbpa/surface.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 #include "rbpa/space/predicate/ball.h"
 #include "rbpa/triangulate.h"
 #include "support/generate.h"

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface_levels.h"
+#include "rbpa/surface_levels.h"
 
 #include <doctest/doctest.h>
 
@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "meshops/core/validate.h"
-#include "rbpa/core/error.h"
-#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/levels/part_below.h"
-#include "rbpa/space/surface_mesh.h"
+#include "rbpa/surface_mesh.h"
 #include "space/model.h"
 
 using namespace rbpa_test;

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface_mesh.h"
+#include "rbpa/surface_mesh.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 //       the library.
 #pragma once
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 
 namespace rbpa_test::exact {
 

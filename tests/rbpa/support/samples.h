@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "rbpa/core/point.h"
+#include "rbpa/base/point.h"
 #include "support/random.h"
 
 namespace rbpa_test {

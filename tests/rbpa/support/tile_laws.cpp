@@ -9,8 +9,8 @@
 
 #include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
-#include "rbpa/patches/find_patch.h"
-#include "rbpa/tile/cut.h"
+#include "rbpa/plane/patches/find_patch.h"
+#include "rbpa/plane/tile/cut.h"
 #include "support/one_target.h"
 #include "support/shrink.h"
 #include "support/tile_sets.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/predicate/radius.h"
-#include "rbpa/search/point_grid.h"
-#include "rbpa/tile/tile_patch.h"
+#include "rbpa/plane/grid/point_grid.h"
+#include "rbpa/plane/predicate/radius.h"
+#include "rbpa/plane/tile/tile_patch.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "rbpa/predicate/magnitude.h"
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/base/exact/magnitude.h"
+#include "rbpa/plane/predicate/predicates.h"
 #include "support/generate.h"
 #include "support/samples.h"
 #include "support/sets.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "rbpa/space/search/cells.h"
+#include "rbpa/space/cells/cells.h"
 
 namespace rbpa::space {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/duplicate.h"
-#include "rbpa/core/point3.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::space {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/core/triangle_arrays.h"
+#include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa::space {
 

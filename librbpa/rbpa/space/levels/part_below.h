@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/core/triangle_arrays.h"
-#include "rbpa/space/surface.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/surface.h"
 
 namespace rbpa::space {
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/normals/estimate_normals.h"
+#include "rbpa/estimate_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 #include <string>
 #include <utility>
 
-#include "rbpa/core/error.h"
-#include "rbpa/space/check_input.h"
+#include "rbpa/base/error.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/cells/scale.h"
 #include "rbpa/space/normals/find_nearest.h"
 #include "rbpa/space/normals/fit_plane.h"
 #include "rbpa/space/normals/orient_normals.h"
-#include "rbpa/space/search/scale.h"
 
 namespace rbpa {
 namespace {

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/core/point3.h"
-#include "rbpa/parallel/threads.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::space {
 

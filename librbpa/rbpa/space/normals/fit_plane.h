@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/space/normals/find_nearest.h"
 
 namespace rbpa::space {

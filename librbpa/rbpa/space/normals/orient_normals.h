@@ -9,7 +9,7 @@
 #include <functional>
 #include <span>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/space/normals/find_nearest.h"
 
 namespace rbpa::space {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/core/duplicate.h"
-#include "rbpa/core/point3.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/space/predicate/normal_sign.h"
 
 namespace rbpa::space {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/space/predicate/exact.h"
 
 namespace rbpa::space {

@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-#include "rbpa/predicate/integer_scale.h"
+#include "rbpa/base/exact/integer_scale.h"
 
 namespace rbpa::space::exact {
 namespace {

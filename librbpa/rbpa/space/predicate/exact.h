@@ -3,7 +3,7 @@
 // Cost: microseconds, growing with the span of the exponents.
 #pragma once
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::space::exact {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::space {
 

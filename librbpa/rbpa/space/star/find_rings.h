@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/space/search/cells.h"
+#include "rbpa/space/cells/cells.h"
 
 namespace rbpa::space {
 

@@ -25,13 +25,13 @@
 #include <span>
 #include <utility>
 
+#include "rbpa/base/lanes/mask_bits-inl.h"
 #include "rbpa/space/predicate/ball.h"
 #include "rbpa/space/star/few_caps-inl.h"
 #include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
 #include "rbpa/space/star/reach-inl.h"
 #include "rbpa/space/star/taken_caps-inl.h"
-#include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {

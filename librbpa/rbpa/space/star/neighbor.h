@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "rbpa/core/point3.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/space/predicate/ball.h"
 
 namespace rbpa::space {

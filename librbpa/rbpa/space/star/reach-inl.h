@@ -20,9 +20,9 @@
 #include <limits>
 #include <span>
 
+#include "rbpa/base/lanes/mask_bits-inl.h"
 #include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
-#include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "rbpa/core/error.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa::space {
 void SurfaceAssembly::finish(std::size_t input_points, Threads& threads, std::vector<Triple>& triangles,

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/parallel/threads.h"
-#include "rbpa/space/search/cells.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/space/cells/cells.h"
 #include "rbpa/space/star/find_rings.h"
 
 namespace rbpa::space {

@@ -19,9 +19,9 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/space/search/cells.h"
+#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/space/cells/cells.h"
 #include "rbpa/space/star/reach-inl.h"
-#include "rbpa/vector/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {

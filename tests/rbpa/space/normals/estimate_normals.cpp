@@ -1,4 +1,4 @@
-#include "rbpa/space/normals/estimate_normals.h"
+#include "rbpa/estimate_normals.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/core/error.h"
-#include "rbpa/space/surface.h"
+#include "rbpa/base/error.h"
+#include "rbpa/surface.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"
 

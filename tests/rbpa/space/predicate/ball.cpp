@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "oracle/rational.h"
-#include "rbpa/predicate/predicates.h"
+#include "rbpa/plane/predicate/predicates.h"
+#include "rbpa/space/cells/scale.h"
 #include "rbpa/space/predicate/normal_sign.h"
-#include "rbpa/space/search/scale.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

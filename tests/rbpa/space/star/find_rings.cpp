@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "rbpa/space/search/scale.h"
+#include "rbpa/space/cells/scale.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

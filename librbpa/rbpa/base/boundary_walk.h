@@ -1,0 +1,65 @@
+// What: walks along boundary sides of triangles in arrays.
+// Law:  a walk that comes to a point where the complex touches itself (a pinch) goes on at the same fan of triangles.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/base/triangle_arrays.h"
+
+namespace rbpa {
+
+/// The side of a triangle across from a corner.
+struct BoundarySide {
+  std::uint32_t triangle;
+  std::size_t across;
+};
+
+class BoundaryWalk {
+ public:
+  /// Keeps the spans. Requires: as require_linked().
+  explicit BoundaryWalk(const TriangleArrays& of) : of_(of), seen_(of.triangles.size(), 0) {}
+
+  /// A boundary side that no curve has passed.
+  bool is_new(const BoundarySide& side) const {
+    return neighbor(side) == TriangleArrays::none &&
+           (static_cast<unsigned>(seen_[side.triangle]) >> side.across & 1U) == 0;
+  }
+
+  /// The points of the whole curve of a side that is new, with the triangles to the right; none of its sides is new any
+  /// more.
+  std::vector<std::uint32_t> curve_from(const BoundarySide& side) {
+    std::vector<std::uint32_t> points;
+    walk_from(side, [&](const BoundarySide& at) { points.push_back(of_.triangles[at.triangle][(at.across + 2) % 3]); });
+    return points;
+  }
+  /// The same, calling visit(side) for each side of the curve in this order.
+  template <typename Visit>
+  void walk_from(BoundarySide side, Visit visit) {
+    for (; is_new(side); side = side_before(side)) {
+      seen_[side.triangle] = static_cast<std::uint8_t>(static_cast<unsigned>(seen_[side.triangle]) | 1U << side.across);
+      visit(side);
+    }
+  }
+
+ private:
+  /// The boundary side that ends where this one begins, at the other end of the fan around that point.
+  BoundarySide side_before(const BoundarySide& side) const {
+    const std::uint32_t pivot = of_.triangles[side.triangle][(side.across + 1) % 3];
+    BoundarySide at{side.triangle, (side.across + 2) % 3};
+    for (std::uint32_t next = neighbor(at); next != TriangleArrays::none; next = neighbor(at)) {
+      const auto& corners = of_.triangles[next];
+      const auto corner = std::find(corners.begin(), corners.end(), pivot) - corners.begin();
+      at = {next, (static_cast<std::size_t>(corner) + 1) % 3};
+    }
+    return at;
+  }
+  std::uint32_t neighbor(const BoundarySide& side) const { return of_.neighbors[side.triangle][side.across]; }
+
+  TriangleArrays of_;
+  std::vector<std::uint8_t> seen_;  // of each triangle, a bit for each side
+};
+
+}  // namespace rbpa

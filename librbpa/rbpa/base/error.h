@@ -1,0 +1,22 @@
+// What: the ways in which a computation of librbpa ends without a result.
+#pragma once
+
+#include <stdexcept>
+
+#include "rbpa/base/api.h"
+
+namespace rbpa {
+
+/// The caller's data or parameters are not what the function takes; nothing was computed.
+class RBPA_API InvalidInput : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// The progress callback asked to stop.
+class RBPA_API Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+}  // namespace rbpa

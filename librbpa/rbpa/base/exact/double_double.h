@@ -1,0 +1,35 @@
+// What:   double-double: numbers of twice the precision of double, as an unevaluated sum of two.
+// Law:    let u = 2⁻⁵³. A difference of doubles is exact; a product is off by at most 9u² of it, a sum or difference of
+//         two by at most 4u² of the sum of their sizes: docs/predicates.md. Requires what expansion.h requires.
+// Cost:   about thirty operations a product.
+// Source: Dekker, A floating-point technique for extending the available precision (1971).
+#pragma once
+
+#include "rbpa/base/exact/expansion.h"
+
+namespace rbpa {
+
+/// |low| ≤ u |high|.
+struct DoubleDouble {
+  double high, low;
+
+  static DoubleDouble difference(double a, double b) {
+    const auto sum = detail::two_sum(a, -b);
+    return {sum.high, sum.low};
+  }
+  friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+    const auto sum = detail::two_sum(a.high, b.high);
+    const auto whole = detail::two_sum(sum.high, sum.low + (a.low + b.low));
+    return {whole.high, whole.low};
+  }
+  friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
+    return a + DoubleDouble{-b.high, -b.low};
+  }
+  friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+    const auto product = detail::two_product(a.high, b.high);
+    const double rest = product.low + (a.high * b.low + a.low * b.high), sum = product.high + rest;
+    return {sum, rest - (sum - product.high)};
+  }
+};
+
+}  // namespace rbpa

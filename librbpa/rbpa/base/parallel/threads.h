@@ -1,0 +1,61 @@
+// What: runs work in several threads.
+// Law:  what is computed depends on how work is divided, never on how many threads there are or which of them is first.
+#pragma once
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include "rbpa/base/parallel/plain_threads.h"
+
+namespace rbpa {
+
+/// How many threads may work on something, the calling one included.
+class Threads {
+ public:
+  /// At most as many as there are processors; 0: that many.
+  explicit Threads(unsigned count = 1) {
+    const auto processors = static_cast<unsigned>(tbb::info::default_concurrency());
+    count_ = count == 0 ? processors : std::min(count, processors);
+  }
+
+  std::size_t count() const { return count_; }
+
+  /// Calls run() where the library may use so many threads. Throws what it throws.
+  template <typename Run>
+  void execute(Run run) {
+    if (!arena_) arena_.emplace(static_cast<int>(count_));
+    arena_->execute(run);
+  }
+
+ private:
+  unsigned count_;
+  std::optional<tbb::task_arena> arena_;  // one thread does without
+};
+
+/// Calls visit(i) for each i below `count`, in any order and thread. Throws what one of them throws.
+template <typename Visit>
+void for_each_index(Threads& threads, std::size_t count, Visit visit) {
+  if (threads.count() == 1 || count <= 1) {
+    for (std::size_t i = 0; i < count; ++i) visit(i);
+    return;
+  }
+#ifdef RBPA_PLAIN_THREADS
+  plain_threads::for_each_index(threads.count(), count, visit);
+#else
+  threads.execute([&] { tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { visit(i); }); });
+#endif
+}
+
+/// Calls visit(first, last) for parts of the range from 0 to `size` of at most `part`, in any order and thread.
+template <typename Visit>
+void for_each_part(Threads& threads, std::size_t size, std::size_t part, Visit visit) {
+  for_each_index(threads, (size + part - 1) / part,
+                 [&](std::size_t i) { visit(i * part, std::min(i * part + part, size)); });
+}
+
+}  // namespace rbpa

@@ -1,0 +1,243 @@
+#include "rbpa/base/sort/canonical_order.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <iterator>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+#include "meshops/core/large_pages.h"
+#include "rbpa/base/parallel/in_order.h"
+
+namespace rbpa {
+namespace {
+
+constexpr std::size_t corners_per_bucket = 1u << 11;  // whose triangles, up to six each, fit a cache of half a megabyte
+// Memory is asked for in parts so small that there may be some that was in use before, and need not be cleared again.
+constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers
+constexpr std::size_t max_buckets = 1u << 11;         // whose ends fit the nearest cache
+
+/// Smallest corners are shifted by so much to be numbers of buckets. Blocks that stay nearly empty shall be few.
+int bucket_shift(std::size_t bound, std::size_t most_open_blocks) {
+  int shift = std::countr_zero(corners_per_bucket);
+  while ((bound >> shift) >= std::min(max_buckets, most_open_blocks + 1)) ++shift;
+  return shift;
+}
+
+/// What is left of an item when its smallest corner is known: the second and third one, to be compared at once.
+struct Rest {
+  std::uint64_t key;
+};
+struct NumberedRest {
+  std::uint64_t key;
+  std::uint32_t number;
+};
+std::uint64_t key_of(const Triple& t) { return std::uint64_t{t[1]} << 32 | t[2]; }
+Rest rest_of(const Triple& t) { return {key_of(t)}; }
+NumberedRest rest_of(const NumberedTriple& t) { return {key_of(t.corners), t.number}; }
+Triple corners_of(std::size_t first, std::uint64_t key) {
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
+}
+
+/// All bits if b comes before a, or none: which is a toss of a coin, so that nothing may branch. (Of a choice between two
+/// values the compiler makes a branch where the next one depends on it.)
+template <typename R>
+std::uint64_t all_if_behind(const R& a, const R& b) {
+  return -std::uint64_t{b.key < a.key};
+}
+void put_in_order(Rest& a, Rest& b) {
+  const std::uint64_t change = (a.key ^ b.key) & all_if_behind(a, b);
+  a.key ^= change;
+  b.key ^= change;
+}
+void put_in_order(NumberedRest& a, NumberedRest& b) {
+  const std::uint64_t all = all_if_behind(a, b), change = (a.key ^ b.key) & all;
+  const std::uint32_t change_number = (a.number ^ b.number) & static_cast<std::uint32_t>(all);
+  a = {a.key ^ change, a.number ^ change_number};
+  b = {b.key ^ change, b.number ^ change_number};
+}
+
+/// Sorting networks: pairs of places to be put in order, one after the other.
+template <std::size_t size>
+struct Network;
+template <>
+struct Network<4> {
+  static constexpr unsigned char pairs[][2] = {{0, 1}, {2, 3}, {0, 2}, {1, 3}, {1, 2}};
+};
+template <>
+struct Network<8> {
+  static constexpr unsigned char pairs[][2] = {{0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6},
+                                               {3, 7}, {0, 1}, {2, 3}, {4, 5}, {6, 7}, {2, 4}, {3, 5},
+                                               {1, 4}, {3, 6}, {1, 2}, {3, 4}, {5, 6}};
+};
+constexpr std::size_t max_network = 8;
+
+/// Calls put(place, rest) with a few rests in order. How many there are changes from corner to corner, and a branch for it
+/// would be foretold wrongly: they are sorted as if they were `size`, the others being greater than all, and put as well.
+template <std::size_t size, typename R, typename Put>
+void put_few(const R* few, std::size_t count, Put put) {
+  std::array<R, size> r;
+  for (std::size_t i = 0; i < size; ++i) {
+    r[i] = few[i];
+    r[i].key |= -std::uint64_t{i >= count};
+  }
+  [&]<std::size_t... step>(std::index_sequence<step...>) {
+    constexpr auto& pairs = Network<size>::pairs;
+    (put_in_order(r[pairs[step][0]], r[pairs[step][1]]), ...);
+  }
+  (std::make_index_sequence<std::size(Network<size>::pairs)>());
+  for (std::size_t i = 0; i < size; ++i) put(i, r[i]);
+}
+
+/// Puts the triangles at one smallest corner in order: two on average, and up to a dozen where it is one of the least of
+/// all. Up to max_network are put in any case, those behind the last to no purpose.
+template <typename R, typename Put>
+void put_star(R* star, std::size_t count, Put put) {
+  if (count <= 4) return put_few<4>(star, count, put);
+  if (count <= max_network) return put_few<max_network>(star, count, put);
+  std::sort(star, star + count, [](const R& a, const R& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i < count; ++i) put(i, star[i]);
+}
+
+}  // namespace
+
+/// One bucket while it is sorted.
+template <typename Item>
+struct CanonicalOrder<Item>::Workspace {
+  using Rests = std::vector<decltype(rest_of(Item()))>;
+  Rests rests;                      // by smallest corner, and max_network more; as with all
+  std::vector<std::uint32_t> next;  // of each smallest corner, where its next one goes
+  meshops::FreshVector<Triple> triples;
+  meshops::FreshVector<std::uint32_t> numbers;
+  std::size_t count = 0;
+};
+
+template <typename Item>
+CanonicalOrder<Item>::CanonicalOrder(std::size_t bound, std::size_t most, std::size_t threads)
+    : bound_(bound),
+      shift_(bucket_shift(bound, most / 4 / (threads * items_in_block))),
+      buckets_((bound >> shift_) + 1),
+      // All but the last block of each bucket of each thread are full.
+      blocks_in_slab_(std::min(max_blocks_in_slab, most / items_in_block + threads * buckets_)) {}
+
+template <typename Item>
+CanonicalOrder<Item>::Writer::Writer(CanonicalOrder& order)
+    : order_(&order), shift_(order.shift_), open_(order.buckets_) {
+  for (std::size_t bucket = 0; bucket < order.buckets_; ++bucket) begin_block(bucket);
+}
+
+template <typename Item>
+void CanonicalOrder<Item>::Writer::begin_block(std::size_t bucket) {
+  Item* const first = order_->new_block();
+  blocks_.push_back({bucket, first});
+  open_[bucket] = {first, first + items_in_block};
+}
+
+template <typename Item>
+Item* CanonicalOrder<Item>::new_block() {
+  const std::lock_guard lock(slabs_mutex_);
+  if (blocks_left_ == 0) {
+    slabs_.emplace_back(items_in_block * blocks_in_slab_);
+    blocks_left_ = blocks_in_slab_;
+  }
+  return slabs_.back().data() + items_in_block * (blocks_in_slab_ - blocks_left_--);
+}
+
+template <typename Item>
+typename CanonicalOrder<Item>::Writer* CanonicalOrder<Item>::take() {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return writers_.emplace_back(new Writer(*this)).get();
+  Writer* const writer = idle_.back();
+  idle_.pop_back();
+  return writer;
+}
+
+template <typename Item>
+std::vector<std::vector<typename CanonicalOrder<Item>::Run>> CanonicalOrder<Item>::runs() const {
+  std::vector<std::vector<Run>> of_bucket(buckets_);
+  for (const auto& writer : writers_)
+    for (const auto& [bucket, first] : writer->blocks_) {
+      const auto& open = writer->open_[bucket];
+      const bool is_open = open.end == first + items_in_block;
+      of_bucket[bucket].push_back({first, is_open ? static_cast<std::size_t>(open.next - first) : items_in_block});
+    }
+  return of_bucket;
+}
+
+/// By counting the smallest corners.
+template <typename Item>
+void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners,
+                                Workspace& workspace) const {
+  auto& rests = workspace.rests;
+  auto& next = workspace.next;
+  auto& triples = workspace.triples;
+  auto& numbers = workspace.numbers;
+  std::size_t count = 0;
+  for (const Run& run : bucket) count += run.count;
+  if (triples.size() < count + max_network) {
+    rests.resize(count + max_network);
+    triples.resize(count + max_network);
+    if constexpr (std::is_same_v<Item, NumberedTriple>) numbers.resize(count + max_network);
+  }
+  workspace.count = count;
+  next.assign(corners + 1, 0);
+  for (std::size_t r = 0; r < bucket.size(); ++r) {
+    const auto& [items, size] = bucket[r];
+    const Item* const items_of_next = bucket[std::min(r + 1, bucket.size() - 1)].first;
+    for (std::size_t i = 0; i < size; ++i) {
+      __builtin_prefetch(items_of_next + i);
+      ++next[smallest(items[i]) - first_corner + 1];
+    }
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (const auto& [items, size] : bucket)
+    for (std::size_t i = 0; i < size; ++i) rests[next[smallest(items[i]) - first_corner]++] = rest_of(items[i]);
+
+  std::size_t first = 0;
+  for (std::size_t c = 0; c < corners; ++c) {
+    const std::size_t last = next[c];  // all of c are put, so this is where those of c + 1 begin
+    put_star(rests.data() + first, last - first, [&](std::size_t i, const auto& rest) {
+      triples[first + i] = corners_of(first_corner + c, rest.key);
+      if constexpr (std::is_same_v<Item, NumberedTriple>) numbers[first + i] = rest.number;
+    });
+    first = last;
+  }
+}
+
+template <typename Item>
+std::vector<Triple> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
+                                                 const std::function<void()>& ask) {
+  const std::vector<std::vector<Run>> of_bucket = runs();
+  std::vector<std::size_t> start = {0};
+  for (const auto& bucket : of_bucket) {
+    start.push_back(start.back());
+    for (const Run& run : bucket) start.back() += run.count;
+  }
+  std::vector<Triple> all;
+  all.reserve(start.back());
+  meshops::prefer_large_pages(all.data(), start.back() * sizeof(Triple));
+  const std::size_t width = std::size_t{1} << shift_;
+  in_order<Workspace>(
+      threads, buckets_,
+      [&](std::size_t b, Workspace& workspace) {
+        const std::size_t first_corner = b << shift_;
+        sort(of_bucket[b], first_corner, std::min(width, bound_ - std::min(bound_, first_corner)), workspace);
+        if constexpr (std::is_same_v<Item, NumberedTriple>)
+          for (std::size_t i = 0; i < workspace.count; ++i)
+            rank[workspace.numbers[i]] = static_cast<std::uint32_t>(start[b] + i);
+      },
+      [&](std::size_t, Workspace& workspace) {
+        const auto first = workspace.triples.begin();
+        all.insert(all.end(), first, first + static_cast<std::ptrdiff_t>(workspace.count));
+        if (ask) ask();
+      },
+      [](std::size_t, Workspace&) {});
+  return all;
+}
+
+template class CanonicalOrder<Triple>;
+template class CanonicalOrder<NumberedTriple>;
+
+}  // namespace rbpa

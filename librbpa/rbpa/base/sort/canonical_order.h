@@ -1,0 +1,108 @@
+// What: brings triangles into canonical order: lexicographic, each from its smallest corner on.
+// Law:  the order depends on the triangles, and on nothing else: not on the order in which they come, nor on threads.
+// How:  a triangle is put into a bucket as soon as it comes. A bucket takes a range of smallest corners, and is a list of
+//       blocks of common memory, so that nobody has to know how many triangles it will have, and nothing is moved:
+//
+//           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
+//
+//       In the end each bucket, which fits a cache, is sorted there and put behind the one before.
+// Cost: linear; as much memory as the triangles take, beside the result.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort/triple.h"
+
+namespace rbpa {
+
+/// `Item` is Triple, or NumberedTriple.
+template <typename Item>
+class CanonicalOrder {
+ public:
+  /// For at most `most` triangles, all corners being less than `bound`, which so many threads put in at a time.
+  CanonicalOrder(std::size_t bound, std::size_t most, std::size_t threads);
+
+  /// Puts items in, in one thread at a time.
+  class Writer {
+   public:
+    void add(const Item& item) {
+      const std::size_t bucket = smallest(item) >> shift_;
+      Open& open = open_[bucket];
+      *open.next++ = item;
+      __builtin_prefetch(open.next + items_ahead, 1);
+      if (open.next == open.end) begin_block(bucket);
+    }
+
+   private:
+    friend class CanonicalOrder;
+    explicit Writer(CanonicalOrder& order);
+    void begin_block(std::size_t bucket);
+
+    /// A block that is not full: where the next item goes, and its end.
+    struct Open {
+      Item *next, *end;
+    };
+    struct Block {
+      std::size_t bucket;
+      const Item* first;
+    };
+    CanonicalOrder* order_;
+    int shift_;
+    std::vector<Open> open_;     // of each bucket
+    std::vector<Block> blocks_;  // all that were begun
+  };
+
+  /// Calls write(Writer&) with a writer that nobody else has meanwhile. From as many threads at a time as were announced.
+  template <typename Write>
+  void with_writer(Write write) {
+    Writer* const writer = take();
+    write(*writer);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(writer);
+  }
+
+  /// All triangles in order. With `rank`, tells of each number where it went. Nothing is added afterwards. Calls `ask`, if
+  /// any, after each bucket, one call at a time; it may throw.
+  std::vector<Triple> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
+  /// Frees the memory.
+  void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
+
+ private:
+  static constexpr std::size_t items_in_block = 256;  // 3 kilobytes
+  static constexpr std::size_t items_ahead = 16;      // memory of a bucket is asked for before it is written
+  /// A part of a bucket.
+  struct Run {
+    const Item* first;
+    std::size_t count;
+  };
+  struct Workspace;
+
+  static std::size_t smallest(const Triple& item) { return item[0]; }
+  static std::size_t smallest(const NumberedTriple& item) { return item.corners[0]; }
+  Writer* take();
+  Item* new_block();
+  std::vector<std::vector<Run>> runs() const;
+  void sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners, Workspace& workspace) const;
+
+  std::size_t bound_;
+  int shift_;
+  std::size_t buckets_;
+  std::size_t blocks_in_slab_;
+  std::vector<meshops::FreshVector<Item>> slabs_;
+  std::size_t blocks_left_ = 0;  // of the last slab
+  std::mutex slabs_mutex_, mutex_;
+  std::vector<std::unique_ptr<Writer>> writers_;
+  std::vector<Writer*> idle_;
+};
+
+extern template class CanonicalOrder<Triple>;
+extern template class CanonicalOrder<NumberedTriple>;
+
+}  // namespace rbpa

@@ -1,0 +1,18 @@
+// What: points, and what they are called.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rbpa/base/point.h"
+
+namespace rbpa {
+
+struct NamedPoints {
+  std::span<const Point> points;
+  const std::uint32_t* names = nullptr;  ///< of each point; without, its position
+  std::uint32_t name(std::size_t i) const { return names ? names[i] : static_cast<std::uint32_t>(i); }
+};
+
+}  // namespace rbpa

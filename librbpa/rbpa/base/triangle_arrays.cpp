@@ -1,0 +1,47 @@
+#include "rbpa/base/triangle_arrays.h"
+
+#include <algorithm>
+#include <string>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/error.h"
+
+namespace rbpa {
+namespace {
+
+/// The triangle across from corner k has the same side, and this triangle across of it.
+bool is_linked(const TriangleArrays& arrays, std::size_t t, std::size_t k) {
+  const std::uint32_t other = arrays.neighbors[t][k];
+  if (other == TriangleArrays::none) return true;
+  if (other >= arrays.triangles.size()) return false;
+  const auto& corners = arrays.triangles[t];
+  const auto& beyond = arrays.triangles[other];
+  for (std::size_t j = 0; j < 3; ++j)
+    if (beyond[(j + 1) % 3] == corners[(k + 2) % 3] && beyond[(j + 2) % 3] == corners[(k + 1) % 3])
+      return arrays.neighbors[other][j] == t;
+  return false;
+}
+
+bool is_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t points) {
+  const auto& [a, b, c] = corners;
+  return std::max({a, b, c}) < points && a != b && b != c && c != a;
+}
+
+}  // namespace
+
+void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on) {
+  meshops::require(arrays.triangles.size() == arrays.neighbors.size(),
+                   "triangles and neighbors: expected as many of each");
+  for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
+    if (t % 65536 == 0 && go_on && !go_on()) throw Cancelled();
+    if (!is_triangle(arrays.triangles[t], points))
+      throw meshops::ContractViolation("triangle " + std::to_string(t) + ": expected three different points of the " +
+                                       std::to_string(points) + " there are");
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!is_linked(arrays, t, k))
+        throw meshops::ContractViolation("triangle " + std::to_string(t) + ": neighbor " + std::to_string(k) +
+                                         " is not the triangle across that side");
+  }
+}
+
+}  // namespace rbpa

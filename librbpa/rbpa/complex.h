@@ -1,0 +1,28 @@
+// What: a solid alpha complex as a mesh, and where its vertices stand.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/mesh.h"
+
+namespace rbpa {
+
+/// A solid alpha complex as an oriented 2-manifold with boundary.
+/// Where the complex touches itself in a point (a pinch), each fan has a vertex of its own on the same input point.
+struct SolidAlphaComplex {
+  Mesh mesh;                               ///< faces counter-clockwise; no isolated and no deleted elements; z = 0
+  std::vector<std::uint32_t> input_index;  ///< of each vertex of the mesh, the input point it stands on
+  std::vector<std::uint32_t> isolated;     ///< input indices of distinct points in no triangle, ascending
+  std::vector<Duplicate> duplicates;       ///< ascending by index
+  std::size_t distinct = 0;                ///< number of distinct points
+};
+
+/// The triangles of a complex as input indices in canonical order: counter-clockwise, smallest index first, sorted.
+RBPA_API std::vector<std::array<std::uint32_t, 3>> triangles(const SolidAlphaComplex& complex);
+
+}  // namespace rbpa

@@ -1,0 +1,40 @@
+// What:   the least alpha at which a few pieces hold a share of the points: outliers decide nothing.
+// Law:    with share 1 that of smallest_covering(filtration, max_components); the greater the share, and the fewer the
+//         components, the greater the alpha. Exact; a function of the set of points alone.
+// Cost:   linear in the steps without a bound on components, or without points left over; else it sorts the triangles,
+//         and each then takes the logarithm of their number.
+// Source: docs/which_alpha.md.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "rbpa/base/api.h"
+#include "rbpa/filtration.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa {
+
+struct Covering {
+  double share = 1;                                          ///< of the distinct points: 0 < share ≤ 1
+  std::optional<std::size_t> max_components = std::nullopt;  ///< solid components that hold them; absent: any number
+};
+
+/// `count` of `all` is at least this share: the quotient, rounded to double, is not below it. So a share written in
+/// decimals means what it says: 7 of 100 are the share 0.07.
+constexpr bool is_share(std::size_t count, std::size_t all, double share) {
+  return static_cast<double>(count) / static_cast<double>(all) >= share;
+}
+
+/// The least alpha at which the share of the distinct points is in triangles. With `max_components` K, at which moreover
+/// the share is left when the K largest solid components stay, and the others are taken away with all their points. A
+/// component is as large as it has vertices in rbpa()'s mesh, where a point that several fans meet in counts for each.
+/// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or K is 0.
+/// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).
+/// Throws:   ContractViolation when one is visibly of something else, or the share is out of its bounds; Cancelled when
+///           `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::optional<double> smallest_covering(const SolidAlphaComplex& delaunay, const Filtration& filtration,
+                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

@@ -1,0 +1,94 @@
+// What:   polygons with holes as triangles of a wanted size, by an advancing front.
+// Law:    the triangles cover the polygons, meet in whole edges, and have the polygons' boundary for theirs: all decisions
+//         are exact, so that this holds for any that are a valid multipolygon (validity.h), and for groups of
+//         such. The same triangles come whichever
+//         way round rings go, wherever they begin and in whatever order they are.
+// Cost:   about linear in the triangles, n log n in the boundary.
+// Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
+//         generation method revisited (1994); docs/fill.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/mesh.h"
+#include "rbpa/shape.h"
+
+namespace rbpa {
+
+/// Edges near `at` are to be no longer than about `size`.
+struct SizeAt {
+  Point at;
+  double size;
+};
+
+struct FillOptions {
+  /// The length that edges are to have, in units of the points; the greatest, where the others below ask for less.
+  /// Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of the polygons
+  /// (fill/constrained_delaunay.h), which is unique; grade and sizes are to be absent then.
+  double size = 0;
+  /// Edges of the boundary that are shorter than `size` ask for triangles of their own length, which grow by so much for
+  /// each unit of distance. Absent: they ask for nothing.
+  std::optional<double> grade = std::nullopt;
+  /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is `grade`, or
+  /// default_grade. It is the greatest function of slope g that exceeds no given value.
+  std::span<const SizeAt> sizes = {};
+  /// Leaves the boundary as it is. Otherwise edges that are longer than the target are cut.
+  bool keep_boundary = false;
+  /// Where each group of polygons begins, ascending from 0: features of a map, say. Empty: all are one group. Groups may share
+  /// edges, along which their triangles meet in whole edges, and overlap: then each has triangles of its own.
+  std::span<const std::size_t> groups = {};
+  /// Called every few milliseconds with the triangles so far; returning false cancels the run. Empty: never called.
+  std::function<bool(const Progress&)> progress = {};
+  /// Called once, before the first triangle, with about how many there will be (fill/size_estimate.h says how about): for
+  /// a caller that compares them with the memory there is. What it throws ends the run. Empty: never called.
+  std::function<void(double)> estimated = {};
+
+  static constexpr double default_grade = 0.25;
+};
+
+struct Filling {
+  /// Those of the input, each under its index, whether used or not; then those on edges that were cut; then those inside.
+  std::vector<Point> points;
+  std::size_t boundary_points = 0;  ///< the points before this number are of the input, or on edges that were cut
+  /// Counter-clockwise, the smallest index first, in lexicographic order.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::size_t> groups;  ///< of each triangle, that which it fills
+  /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none. Groups are neighbours along
+  /// the edges that they share; but where two triangles have the same edge on their left, their groups overlap, and have
+  /// no neighbours but in themselves.
+  std::vector<std::array<std::uint32_t, 3>> neighbors;
+  /// The same as a mesh: vertex v stands on point v, face f is triangle f; z = 0. Points that were not used are isolated.
+  /// Where rings touch or groups overlap, several fans stand on a point: those after the first have the vertices behind the
+  /// last point.
+  Mesh mesh;
+  std::vector<std::uint32_t> point_of_vertex;  ///< of the mesh
+  /// The polygons with the points that were put on their edges; areas are exact sums, rounded once.
+  std::vector<Polygon> polygons;
+  /// How often the front had to retreat.
+  std::size_t retreats = 0;
+  /// How many edges of the front were compared with triangles that might have been made.
+  std::size_t compared = 0;
+
+  operator TriangleArrays() const { return {triangles, neighbors}; }
+};
+
+/// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, touch in single points and
+/// repeat a point that follows itself, and polygons may lie in holes of others. Each group is a valid multipolygon. Of equal points the first is used. A point
+/// at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that is cut is the double nearest
+/// to where it should be.
+/// Throws: InvalidInput that names the place: coordinates that are not finite; what why_invalid() says of a group
+///         (validity.h); groups that do not ascend from 0; a size or grade that is no number above 0; sizes at which more than 500 million triangles would be made, by the estimate.
+///         Cancelled.
+RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
+
+}  // namespace rbpa

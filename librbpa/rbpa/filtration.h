@@ -1,0 +1,52 @@
+// What:   the solid alpha complex at every radius, from one Delaunay triangulation.
+// Law:    the last step with step.alpha ≤ alpha counts rbpa(points, alpha), for every double alpha > 0; before the
+//         first step that complex is empty. Exact, whatever the coordinates; a function of the set of points alone.
+// Cost:   sorts the triangles; the rest is near-linear. About twice the time of the triangulation.
+// Source: Edelsbrunner, Mücke, Three-dimensional alpha shapes (1994); docs/filtration.md.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa {
+
+/// The complex from one critical radius to the next, with `alpha` in it and the next step's not.
+struct FiltrationStep {
+  double alpha = 0;           ///< least double radius at which the complex is this; infinity if no finite double is
+  std::size_t triangles = 0;  ///< so far
+  std::size_t solid_components = 0;  ///< pieces connected through edges
+  std::size_t components = 0;        ///< pieces connected through points: pinches join
+  std::size_t holes = 0;             ///< bounded pieces of what is left of the plane
+  std::size_t covered = 0;           ///< distinct points in triangles
+  double area = 0;                   ///< of the triangles so far: the only number here that is rounded
+  friend bool operator==(const FiltrationStep&, const FiltrationStep&) = default;
+};
+
+struct Filtration {
+  std::vector<FiltrationStep> steps;   ///< ascending in alpha and in triangles
+  std::vector<double> triangle_alpha;  ///< of each face of the Delaunay mesh, the least double alpha that admits it
+  std::size_t distinct = 0;            ///< number of distinct points
+};
+
+/// The filtration of `points` by circumradius.
+/// Requires: `delaunay` is rbpa(points, infinity), and `points` are the same.
+/// Throws:   ContractViolation when the complex stands on points that are not those given; Cancelled when `go_on`, which
+///           is called every few milliseconds, returns false. Empty: never called.
+RBPA_API Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                               const std::function<bool()>& go_on = {});
+
+/// The least alpha at which every distinct point is in a triangle; with `max_components`, at which moreover there are
+/// at most that many solid components (their number is not monotone in alpha: it may exceed the bound again above).
+/// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or the bound is 0.
+/// Cost:     linear in the number of steps.
+RBPA_API std::optional<double> smallest_covering(const Filtration& filtration,
+                                                 std::optional<std::size_t> max_components = std::nullopt);
+
+}  // namespace rbpa

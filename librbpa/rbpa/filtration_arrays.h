@@ -1,0 +1,53 @@
+// What: a filtration as plain arrays in the order in which alpha brings things: whatever is there at alpha is a prefix.
+//       For programs that show the complex at one radius after another, and compute nothing themselves.
+// Law:  a function of the set of points alone. The first k triangles, k as a step counts them, are the solid alpha complex
+//       at the step's alpha.
+// Cost: as persistence(), twice.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/filtration.h"
+#include "rbpa/persistence.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa {
+
+/// An edge that is in the full alpha complex before any triangle at it is.
+struct FreeEdge {
+  double alpha = 0;            ///< from here on: half its length, rounded up
+  std::uint32_t triangle = 0;  ///< the first at it, which comes later
+  std::uint32_t side = 0;      ///< of that triangle, from corner `side` to the next
+  friend bool operator==(const FreeEdge&, const FreeEdge&) = default;
+};
+
+/// A pair of the solid complex, and a triangle that is a part of the component from its birth on, or a part of the hole
+/// until its death, which this triangle is.
+struct PlacedPair {
+  PersistencePair pair = {};
+  std::uint32_t triangle = 0;
+  friend bool operator==(const PlacedPair&, const PlacedPair&) = default;
+};
+
+struct FiltrationArrays {
+  std::vector<Point> points;                            ///< the distinct ones, in lexicographic order
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of those, counter-clockwise, the smallest first; by alpha,
+                                                        ///< those of one alpha by corners
+  std::vector<double> alpha;                            ///< of each triangle
+  std::vector<FreeEdge> free_edges;                     ///< by alpha, then by triangle and side
+  std::vector<PlacedPair> pairs;                        ///< as persistence() sorts them, equal ones by triangle
+};
+
+/// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).
+/// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
+///           milliseconds, returns false. Empty: never called.
+RBPA_API FiltrationArrays filtration_arrays(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                                            const Filtration& filtration, const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

@@ -1,0 +1,25 @@
+// What: what lies across of each triangle, where triangles in canonical order are all that is known.
+// Law:  the neighbours that triangulate() finds.
+// Why:  less memory: no more than the result and four bytes a point, after everything of the run is gone.
+// Cost: linear where few triangles are at a point, n log n where many are.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+
+namespace rbpa {
+
+/// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none.
+/// Requires: triangles of a complex in the plane as in a Triangulation; corners are below `points`.
+/// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<std::array<std::uint32_t, 3>> link_triangles(
+    std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points,
+    const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

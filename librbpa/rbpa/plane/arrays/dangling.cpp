@@ -1,0 +1,77 @@
+#include "rbpa/plane/arrays/dangling.h"
+
+#include <algorithm>
+
+#include "rbpa/plane/predicate/radius.h"
+
+namespace rbpa {
+namespace {
+
+using Real = long double;  // whatever the coordinates
+using Edge = std::array<std::uint32_t, 2>;
+
+/// Neighbours on the line, where a ball of radius alpha reaches both.
+std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius, const Triangulation& of) {
+  std::vector<std::uint32_t> order = of.isolated;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });
+  std::vector<Edge> edges;
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (radius.spans<Real>(points[order[i - 1]], points[order[i]]))
+      edges.push_back({std::min(order[i - 1], order[i]), std::max(order[i - 1], order[i])});
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, const Triangulation& delaunay) {
+  const Radius radius = Radius::of(alpha);
+  if (delaunay.triangles.empty()) return along_line(points, radius, delaunay);
+  const auto admits = [&](std::size_t t) {
+    const auto& [a, b, c] = delaunay.triangles[t];
+    return radius.admits<Real>(points[a], points[b], points[c]);
+  };
+  std::vector<Edge> edges;
+  for (std::size_t t = 0; t < delaunay.triangles.size(); ++t) {
+    if (admits(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = delaunay.neighbors[t][k];
+      if (other != Triangulation::none && (other < t || admits(other))) continue;
+      const auto& corner = delaunay.triangles[t];
+      const std::uint32_t a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
+      // Seen from a point in the diametral circle the edge is wider than a right angle; the apexes are the nearest.
+      const auto is_empty = [&](std::uint32_t apex) {
+        return Predicates<Real>::dot_sign(points[apex], points[a], points[b]) >= 0;
+      };
+      if (!radius.spans<Real>(points[a], points[b]) || !is_empty(corner[k])) continue;
+      if (other != Triangulation::none) {
+        const auto& beyond = delaunay.triangles[other];
+        const std::uint32_t apex = beyond[0] ^ beyond[1] ^ beyond[2] ^ a ^ b;
+        if (!is_empty(apex)) continue;
+      }
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay) {
+  const Radius radius = Radius::of(alpha);
+  std::vector<std::uint32_t> number(delaunay.triangles.size(), Triangulation::none);
+  std::uint32_t kept = 0;
+  for (std::size_t t = 0; t < number.size(); ++t) {
+    const auto [a, b, c] = delaunay.triangles[t];
+    if (!radius.admits<Real>(points[a], points[b], points[c])) continue;
+    number[t] = kept;
+    delaunay.triangles[kept] = delaunay.triangles[t];
+    delaunay.neighbors[kept++] = delaunay.neighbors[t];
+  }
+  delaunay.triangles.resize(kept);
+  delaunay.neighbors.resize(kept);
+  for (auto& neighbors : delaunay.neighbors)
+    for (std::uint32_t& n : neighbors)
+      if (n != Triangulation::none) n = number[n];
+}
+
+}  // namespace rbpa

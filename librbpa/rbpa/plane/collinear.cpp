@@ -1,0 +1,15 @@
+#include "rbpa/collinear.h"
+
+#include <algorithm>
+
+#include "rbpa/plane/predicate/predicates.h"
+
+namespace rbpa {
+
+bool are_collinear(std::span<const Point> points) {
+  const auto other = std::find_if(points.begin(), points.end(), [&](const Point& p) { return !(p == points[0]); });
+  return std::all_of(other, points.end(),
+                     [&](const Point& p) { return Predicates<long double>::orientation(points[0], *other, p) == 0; });
+}
+
+}  // namespace rbpa

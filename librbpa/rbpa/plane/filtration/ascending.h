@@ -1,0 +1,26 @@
+// What: faces in the order in which a filtration has them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "rbpa/base/pulse.h"
+#include "rbpa/filtration.h"
+
+namespace rbpa {
+
+/// By alpha; in which order equal alphas come is not said.
+inline std::vector<std::uint32_t> ascending(const Filtration& filtration, Pulse& pulse) {
+  const std::vector<double>& alpha = filtration.triangle_alpha;
+  std::vector<std::uint32_t> faces(alpha.size());
+  std::iota(faces.begin(), faces.end(), 0u);
+  std::sort(faces.begin(), faces.end(), [&](std::uint32_t a, std::uint32_t b) {
+    pulse.beat();
+    return alpha[a] < alpha[b];
+  });
+  return faces;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,70 @@
+// What:   who is born, and who dies, while the cells of a triangulation come in ascending order: births and deaths of
+//         components and holes, each with a cell in which it was from its birth, or will be to its death.
+// Law:    of two that meet the younger dies; of two that came at the same alpha the one of the greater number.
+// Cost:   near-linear.
+// Source: Edelsbrunner, Letscher, Zomorodian (2002); Delfinado, Edelsbrunner (1995); docs/filtration.md.
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "rbpa/base/disjoint_sets.h"
+#include "rbpa/base/pulse.h"
+#include "rbpa/plane/filtration/filtered_cells.h"
+
+namespace rbpa {
+
+/// A cell and when it comes.
+struct Arrival {
+  double alpha;
+  std::uint32_t cell;  ///< a vertex, or a face
+  friend auto operator<=>(const Arrival&, const Arrival&) = default;
+};
+
+/// Edges ascending: an edge between two components ends the younger. `pair(vertex's arrival, death)` is told of each
+/// component that lives for some time, with the vertex that it began with.
+/// Requires: the edges of `cells` are sorted by alpha.
+template <typename Pair>
+void pair_components(const FilteredCells& cells, Pulse& pulse, const Pair& pair) {
+  DisjointSets components(cells.vertices.size());
+  std::vector<Arrival> first;  // of the component, at the vertex that stands for it
+  first.reserve(cells.vertices.size());
+  for (std::uint32_t v = 0; v < cells.vertices.size(); ++v) first.push_back({cells.vertices[v], v});
+  for (const FilteredCells::Edge& edge : cells.edges) {
+    pulse.beat();
+    const std::uint32_t a = components.find(edge.ends[0]), b = components.find(edge.ends[1]);
+    if (a == b) continue;
+    const auto [elder, younger] = std::minmax({first[a], first[b]});
+    if (younger.alpha < edge.alpha) pair(younger, std::optional(edge.alpha));
+    first[components.link(a, b)] = elder;
+  }
+  for (std::uint32_t v = 0; v < first.size(); ++v)
+    if (components.find(v) == v) pair(first[v], std::optional<double>());
+}
+
+/// Edges descending: taking an edge away joins the gaps on its sides. A gap fills up with the last of its triangles; of
+/// two that are separate above this alpha the one that fills up first is a hole from here to there.
+/// `pair(birth, last face's arrival)` is told of each hole, which dies as that face comes.
+/// Requires: the edges of `cells` are sorted by alpha.
+template <typename Pair>
+void pair_holes(const FilteredCells& cells, Pulse& pulse, const Pair& pair) {
+  DisjointSets gaps(cells.faces.size() + 1);
+  std::vector<Arrival> last;
+  last.reserve(cells.faces.size() + 1);
+  for (std::uint32_t f = 0; f < cells.faces.size(); ++f) last.push_back({cells.faces[f], f});
+  last.push_back({std::numeric_limits<double>::infinity(), cells.outside()});
+  for (auto edge = cells.edges.rbegin(); edge != cells.edges.rend(); ++edge) {
+    pulse.beat();
+    const std::uint32_t a = gaps.find(edge->sides[0]), b = gaps.find(edge->sides[1]);
+    if (a == b) continue;
+    const auto [first, survivor] = std::minmax({last[a], last[b]});
+    if (edge->alpha < first.alpha) pair(edge->alpha, first);
+    last[gaps.link(a, b)] = survivor;
+  }
+}
+
+}  // namespace rbpa

@@ -1,0 +1,62 @@
+#include "rbpa/plane/filtration/least_alpha.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "rbpa/plane/predicate/predicates.h"
+
+namespace rbpa {
+namespace {
+
+using Wide = Predicates<long double>;  // more digits than double, and exponents that no degree six in doubles leaves
+
+/// The least double that is ≥ x, for x ≥ 0.
+double rounded_up(long double x) {
+  const double nearest = static_cast<double>(x);
+  if (nearest >= x) return nearest;
+  return std::nextafter(nearest, std::numeric_limits<double>::infinity());
+}
+
+/// The least double above 0 from `low` to `high` that is `enough`. Requires: `high` is, and with a number every larger.
+template <typename Enough>
+double least(double low, double high, const Enough& enough) {
+  // Doubles above 0 are ordered as their bits.
+  auto first = std::bit_cast<std::uint64_t>(std::max(low, std::numeric_limits<double>::denorm_min()));
+  auto last = std::bit_cast<std::uint64_t>(high);
+  while (first < last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    if (enough(std::bit_cast<double>(middle)))
+      last = middle;
+    else
+      first = middle + 1;
+  }
+  return std::bit_cast<double>(last);
+}
+
+}  // namespace
+
+double least_alpha(const Point& a, const Point& b, const Point& c) {
+  const Wide::Vector ab = Wide::from(a, b), bc = Wide::from(b, c), ca = Wide::from(c, a);
+  const long double sides = std::sqrt(Wide::dot(ab, ab) * Wide::dot(bc, bc) * Wide::dot(ca, ca));
+  const long double area = 2 * std::abs(Wide::cross(ab, ca)),
+                    error = 10 * Wide::unit_roundoff * Wide::cross_magnitude(ab, ca);
+  const double low = rounded_up(sides / (area + error) * (1 - 16 * Wide::unit_roundoff));
+  const double high = area > error ? rounded_up(sides / (area - error) * (1 + 16 * Wide::unit_roundoff))
+                                   : std::numeric_limits<double>::infinity();
+  if (low == high) return low;
+  return least(low, high, [&](double alpha) { return Wide::compare_circumradius(a, b, c, alpha) <= 0; });
+}
+
+double least_alpha(const Point& a, const Point& b) {
+  const Wide::Vector ab = Wide::from(a, b);
+  const long double half = std::sqrt(Wide::dot(ab, ab)) / 2;
+  const double low = rounded_up(half * (1 - 8 * Wide::unit_roundoff)),
+               high = rounded_up(half * (1 + 8 * Wide::unit_roundoff));
+  if (low == high) return low;
+  return least(low, high, [&](double alpha) { return Wide::compare_to_diameter(a, b, alpha) <= 0; });
+}
+
+}  // namespace rbpa

@@ -1,0 +1,25 @@
+#include "rbpa/level_topology.h"
+
+#include <cstdint>
+
+#include "meshops/core/contract.h"
+#include "rbpa/plane/filtration/growth.h"
+
+namespace rbpa {
+
+std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy) {
+  const std::size_t triangles = hierarchy.levels.empty() ? 0 : hierarchy.levels.back().triangles;
+  meshops::require(triangles == hierarchy.complex.mesh.n_faces(),
+                   "level_topology: the levels do not end with the triangles of the complex");
+  Growth growth(hierarchy.complex);
+  std::vector<ComplexCounts> counts;
+  counts.reserve(hierarchy.levels.size());
+  std::uint32_t face = 0;
+  for (const Level& level : hierarchy.levels) {
+    while (face < level.triangles) growth.add(face++);
+    counts.push_back(growth.counts());
+  }
+  return counts;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,44 @@
+#include "rbpa/persistence.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "rbpa/base/pulse.h"
+#include "rbpa/plane/filtration/elder_rule.h"
+#include "rbpa/plane/filtration/filtered_cells.h"
+
+namespace rbpa {
+namespace {
+
+bool before(const PersistencePair& a, const PersistencePair& b) {
+  const auto key = [](const PersistencePair& p) {
+    return std::tuple(p.dimension, p.birth, !p.death, p.death.value_or(0.0));
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+
+std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                                         const Filtration& filtration, ComplexKind kind,
+                                         const std::function<bool()>& go_on) {
+  Pulse pulse(go_on);
+  FilteredCells cells = filtered_cells(delaunay, points, filtration, kind, pulse);
+  // In which order equal alphas come changes pairs of no length only.
+  std::sort(cells.edges.begin(), cells.edges.end(), [&](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
+    pulse.beat();
+    return a.alpha < b.alpha;
+  });
+  std::vector<PersistencePair> pairs;
+  pair_components(cells, pulse, [&](const Arrival& birth, const std::optional<double>& death) {
+    pairs.push_back({0, birth.alpha, death});
+  });
+  pair_holes(cells, pulse, [&](double birth, const Arrival& death) { pairs.push_back({1, birth, death.alpha}); });
+  std::sort(pairs.begin(), pairs.end(), [&](const PersistencePair& a, const PersistencePair& b) {
+    pulse.beat();
+    return before(a, b);
+  });
+  return pairs;
+}
+
+}  // namespace rbpa

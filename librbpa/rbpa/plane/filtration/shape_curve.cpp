@@ -1,0 +1,143 @@
+#include "rbpa/plane/filtration/shape_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "rbpa/base/disjoint_sets.h"
+#include "rbpa/plane/filtration/ascending.h"
+#include "rbpa/plane/filtration/corners.h"
+#include "rbpa/plane/filtration/face_cells.h"
+#include "rbpa/plane/filtration/solid_parts.h"
+
+namespace rbpa {
+namespace {
+
+using Wide = long double;  // for its exponents: areas are products of coordinates
+
+/// Faces by alpha; of equal ones by area, so that a sum of areas in this order depends on coordinates only.
+std::vector<std::uint32_t> in_order(const Filtration& filtration, const std::vector<Wide>& areas, Pulse& pulse) {
+  std::vector<std::uint32_t> faces = ascending(filtration, pulse);
+  const std::vector<double>& alpha = filtration.triangle_alpha;
+  for (auto first = faces.begin(); first != faces.end();) {
+    const auto last =
+        std::find_if(first, faces.end(), [&](std::uint32_t face) { return alpha[face] != alpha[*first]; });
+    std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
+      pulse.beat();
+      return areas[a] < areas[b];
+    });
+    first = last;
+  }
+  return faces;
+}
+
+/// Gaps of the complex while alpha falls: faces that are not there, hung together through sides that are not there.
+class Gaps {
+ public:
+  explicit Gaps(std::size_t faces) : sets_(faces + 1), next_(faces + 1) { std::iota(next_.begin(), next_.end(), 0u); }
+  /// Joins those of two faces; `outside_reaches(face)` is called with each face that is now in that of `outside`.
+  template <typename Reaches>
+  void join(std::uint32_t a, std::uint32_t b, std::uint32_t outside, const Reaches& outside_reaches) {
+    const std::uint32_t of_a = sets_.find(a), of_b = sets_.find(b);
+    if (of_a == of_b) return;
+    const std::uint32_t of_outside = sets_.find(outside);
+    if (of_outside == of_a || of_outside == of_b) {
+      const std::uint32_t first = of_outside == of_a ? b : a;
+      std::uint32_t face = first;
+      do outside_reaches(face);
+      while ((face = next_[face]) != first);
+    }
+    std::swap(next_[a], next_[b]);  // two rings become one
+    sets_.link(of_a, of_b);
+  }
+
+ private:
+  DisjointSets sets_;
+  std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
+};
+
+/// Of each face, the first step at which it is in the complex or in a hole of it. Faces are in the order of their steps.
+std::vector<std::uint32_t> enclosed_from(const std::vector<FaceCell>& cells, const std::vector<std::uint32_t>& step_of,
+                                         Pulse& pulse) {
+  const auto outside = static_cast<std::uint32_t>(cells.size());
+  std::vector<std::uint32_t> enclosed(cells.size());
+  Gaps gaps(cells.size());
+  for (std::uint32_t i = outside; i-- > 0;) {
+    pulse.beat();
+    for (const std::uint32_t neighbour : cells[i].neighbours)
+      if (neighbour > i)  // is not there either; beyond the boundary there is no face
+        gaps.join(i, std::min(neighbour, outside), outside, [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
+  }
+  return enclosed;
+}
+
+/// The area of complex and holes at each step.
+std::vector<Wide> enclosed_areas(const std::vector<FaceCell>& cells, const std::vector<std::uint32_t>& step_of,
+                                 const std::vector<Wide>& areas, Pulse& pulse) {
+  const std::vector<std::uint32_t> from = enclosed_from(cells, step_of, pulse);
+  std::vector<Wide> enclosed(step_of.empty() ? 0 : step_of.back() + std::size_t{1});
+  for (std::size_t i = 0; i < areas.size(); ++i) enclosed[from[i]] += areas[i];
+  std::partial_sum(enclosed.begin(), enclosed.end(), enclosed.begin());
+  return enclosed;
+}
+
+Wide eighth_root(Wide x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
+
+}  // namespace
+
+std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                                    const Filtration& filtration, Pulse& pulse) {
+  const Corners corners(delaunay, points);
+  const std::vector<double>& alpha = filtration.triangle_alpha;
+  std::vector<Wide> areas(delaunay.mesh.n_faces());
+  for (std::uint32_t f = 0; f < areas.size(); ++f) {
+    pulse.beat();
+    areas[f] = area(corners.of_face(f));
+  }
+  const std::vector<std::uint32_t> order = in_order(filtration, areas, pulse);
+  const std::vector<FaceCell> cells = face_cells(delaunay.mesh, order);
+  std::vector<std::uint32_t> step_of(order.size());
+  std::vector<Wide> ordered_areas(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    ordered_areas[i] = areas[order[i]];
+    if (i > 0) step_of[i] = step_of[i - 1] + (alpha[order[i]] != alpha[order[i - 1]]);
+  }
+  areas = std::vector<Wide>();
+  const std::vector<Wide> enclosed = enclosed_areas(cells, step_of, ordered_areas, pulse);
+
+  // Flat triangles may have no area that can be told.
+  const auto positive = [](Wide area) { return std::max(area, std::numeric_limits<Wide>::min()); };
+  const Wide whole = enclosed.empty() ? 1 : positive(enclosed.back());
+  SolidParts parts(cells, delaunay.mesh.n_vertices());
+  std::uint64_t vertices = 0, squares = 0, most_squares = 0;
+  Wide solid = 0, turns = 1, filled_before = 1;
+  std::vector<ShapeState> curve;
+  curve.reserve(filtration.steps.size());
+  std::size_t i = 0;
+  for (std::size_t step = 0; step < filtration.steps.size(); ++step) {
+    for (; i < order.size() && step_of[i] == step; ++i) {
+      pulse.beat();
+      solid += ordered_areas[i];
+      parts.add_next(
+          [&](std::uint64_t size) {
+            vertices -= size;
+            squares -= size * size;
+          },
+          [&](std::uint64_t size) {
+            vertices += size;
+            squares += size * size;
+          });
+    }
+    most_squares = std::max(most_squares, squares);
+    const Wide filled = std::min(Wide(1), positive(solid) / positive(enclosed[step]));
+    turns *= std::max(filled / filled_before, filled_before / filled);
+    filled_before = filled;
+    curve.push_back({static_cast<Wide>(most_squares) * turns * eighth_root(positive(enclosed[step]) / whole),
+                     static_cast<double>(vertices) * static_cast<double>(vertices) / static_cast<double>(squares),
+                     static_cast<double>(1 - filled)});
+  }
+  return curve;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,28 @@
+// What: how much the solid alpha complex has changed, at every step of its filtration.
+// Law:  each number is one of the set of points alone, and of no unit: sums are taken in an order that coordinates decide.
+// How:  docs/which_alpha.md.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point.h"
+#include "rbpa/base/pulse.h"
+#include "rbpa/filtration.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa {
+
+/// At one step of the filtration.
+struct ShapeState {
+  long double change;      ///< never less than at the step before
+  double effective_parts;  ///< (Σ nᵢ)² / Σ nᵢ², of the vertices in solid components
+  double hole_share;       ///< area of holes / area of triangles and holes
+};
+
+/// One for every step. Requires and throws: as plateaus().
+std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+                                    const Filtration& filtration, Pulse& pulse);
+
+}  // namespace rbpa

@@ -1,0 +1,52 @@
+// What: points that are not in a grid, and where they lie, for who must not overlook them.
+// Law:  in_box() tells of every hidden point of a box, are_left() and the others of every side on which one lies outside
+//       of the grid.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "rbpa/plane/grid/box.h"
+#include "rbpa/plane/grid/point_grid.h"
+
+namespace rbpa {
+
+class HiddenPoints {
+ public:
+  /// None are hidden.
+  HiddenPoints() = default;
+  /// The places may be rounded by less than what is nothing beside a cell. Some may lie outside of `box`.
+  HiddenPoints(std::span<const Point> places, const Box& box) : places_(places) {
+    for (const Point& p : places) {
+      left_ |= p.x <= box.low.x;
+      right_ |= p.x >= box.high.x;
+      below_ |= p.y <= box.low.y;
+      above_ |= p.y >= box.high.y;
+    }
+  }
+
+  bool none() const { return places_.points().empty(); }
+  bool are_left() const { return left_; }
+  bool are_right() const { return right_; }
+  bool are_below() const { return below_; }
+  bool are_above() const { return above_; }
+
+  /// Calls visit(place) for those in a box, and others near it.
+  template <typename Visit>
+  void in_box(const Box& box, Visit visit) const {
+    places_.scan(box, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t i = first; i < last; ++i) visit(places_.points()[i]);
+    });
+  }
+
+ private:
+  PointGrid places_{std::span<const Point>()};
+  bool left_ = false, right_ = false, below_ = false, above_ = false;
+};
+
+inline const HiddenPoints& none_hidden() {
+  static const HiddenPoints none;
+  return none;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,67 @@
+// What: the distinct points of the input, numbered: sites. Those in the window of doubles come first, in the order of a
+//       grid's cells and scaled to fit; then those beyond it.
+// Law:  at(s) is the input point that input_index()[s] names, the least of its equals.
+// Cost: that of PointGrid; and a sort of the points beyond.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/grid/hidden_points.h"
+#include "rbpa/plane/grid/point_grid.h"
+#include "rbpa/plane/predicate/window.h"
+
+namespace rbpa {
+
+class Sites {
+ public:
+  /// Calls `ask`, if any, now and then while points are sorted; it may throw.
+  Sites(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {});
+
+  std::size_t size() const { return grid_.points().size() + beyond_.size(); }
+  /// The points in the window, times 2^exponent.
+  const PointGrid& grid() const { return grid_; }
+  const Window& window() const { return window_; }
+  /// The points beyond the window, as they are; the first is the site behind those of the grid.
+  std::span<const Point> beyond() const { return beyond_; }
+  /// Where these lie, as the points in the window see it.
+  const HiddenPoints& hidden() const { return hidden_; }
+
+  /// The point as it was given.
+  Point at(std::size_t s) const {
+    if (s >= grid_.points().size()) return beyond_[s - grid_.points().size()];
+    const Point& p = grid_.points()[s];
+    return {p.x * unscale_, p.y * unscale_};
+  }
+  /// All of them, as they were given.
+  std::vector<Point> points() const;
+  std::span<const std::uint32_t> input_index() const { return beyond_.empty() ? grid_.input_index() : index_; }
+  std::vector<Duplicate> duplicates() const;
+  /// No two are farther apart than this.
+  long double diameter_bound() const;
+  /// The radius alpha, or none where it is known to be above every circumradius.
+  Radius reachable(double alpha) const {
+    const Radius radius = Radius::of(alpha);
+    return beyond_.empty() && window_.scaled(radius).is_infinite() ? Radius() : radius;
+  }
+
+ private:
+  void find_beyond(std::span<const Point> input);
+
+  Window window_;
+  double unscale_;
+  PointGrid grid_;
+  std::vector<Point> beyond_;
+  std::vector<Duplicate> repeated_beyond_;
+  std::vector<std::uint32_t> index_;  // of all sites; empty when none is beyond
+  HiddenPoints hidden_;
+};
+
+}  // namespace rbpa

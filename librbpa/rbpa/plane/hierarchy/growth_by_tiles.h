@@ -1,0 +1,58 @@
+// What:   the complex from level to level where tiles tell all triangles at once.
+// Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every boundary
+//         halfedge is frozen.
+// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and
+//         are put beside what is there when their level comes.
+// Cost:   that of rbpa(), and one insertion for each triangle of a later level.
+// Source: docs/hrbpa.md.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/front/front.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/hierarchy/ladder.h"
+#include "rbpa/plane/hierarchy/waiting_triangles.h"
+#include "rbpa/plane/mesh/assembly.h"
+#include "rbpa/plane/mesh/monitor.h"
+
+namespace rbpa {
+
+class GrowthByTiles {
+ public:
+  /// Keeps references.
+  GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
+      : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()), threads_(threads), monitor_(monitor) {}
+
+  /// The front of level 0, with its triangles.
+  meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
+
+  /// Puts the triangles of a level into the mesh, levels being taken in ascending order from 0 on.
+  /// Returns: how many sites have one of them.
+  std::size_t grow(int level, meshops::Front& front);
+
+  /// How many sites are isolated or on the boundary, when a level has ended.
+  std::size_t open_sites() const { return open_sites_; }
+
+  /// The first level after this one on which there is anything to do.
+  int next(int level) const { return waiting_.after(level); }
+
+ private:
+  meshops::AssembledPatches lay(meshops::PatchAssembler assembler);
+  std::size_t look_at(const meshops::Front& front);
+  std::size_t insert(int level, meshops::Front& front);
+
+  const Sites& sites_;
+  const Ladder& ladder_;
+  ScaledLadder scaled_ladder_;
+  Threads& threads_;
+  Monitor& monitor_;
+  WaitingTriangles waiting_;
+  std::size_t open_sites_ = 0;
+  std::vector<std::uint16_t> seen_;  // of each site, the last level but the first that had a triangle there
+};
+
+}  // namespace rbpa

@@ -1,0 +1,82 @@
+// What:   the ladder of radii: 2^i α₀, then the last one; and the same through the window of doubles.
+// Source: Restricted BPA, section 6.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rbpa/plane/predicate/radius.h"
+#include "rbpa/plane/predicate/window.h"
+
+namespace rbpa {
+
+class Ladder {
+ public:
+  using Real = long double;             ///< whose exponents hold the circumradii of all doubles
+  static constexpr int never = 0xffff;  ///< above all levels
+
+  /// Requires: 0 < least < ∞. The ladder ends with the radius `last`. Where that is infinite, no level but the last has
+  /// a radius above `largest`.
+  Ladder(double least, Radius last, Real largest) : least_(least), last_(last) {
+    const Real bound =
+        last.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(last.value());
+    while (std::ldexp(Real(least), end_) < bound) ++end_;
+  }
+
+  double least() const { return least_; }
+  /// The number of the last level, that of the radius `last`.
+  int end() const { return end_; }
+  bool is_last(int level) const { return level >= end_; }
+  Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
+
+  /// A level such that the radii of all before it are less than `radius`, which may be rounded; seldom one too early.
+  /// It may lie behind the last where that has a finite radius; an infinite one reaches all that is finite.
+  int first_reaching(Real radius) const {
+    constexpr Real deflated = 1 - Real(1e-5);
+    const Real ratio = radius / Real(least_) * deflated;
+    if (!(ratio > 1)) return 0;
+    if (!(ratio < std::numeric_limits<Real>::infinity())) return never;
+    const int exponent = exponent_of(ratio);
+    return last_.is_infinite() ? std::min(exponent, end_) : exponent;
+  }
+
+ private:
+  /// As frexp() has it, or one more where rounding to double makes it so; by two instructions where that is a double.
+  static int exponent_of(Real ratio) {
+    int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(static_cast<double>(ratio)) >> 52) - 1022;
+    if (!(ratio < Real(0x1p1000))) std::frexp(ratio, &exponent);
+    return exponent;
+  }
+
+  double least_;
+  Radius last_;
+  int end_ = 0;
+};
+
+/// The ladder as the points in a window see it, scaled as they are.
+class ScaledLadder {
+ public:
+  /// Keeps a reference to the ladder. Cost: linear in the levels.
+  ScaledLadder(const Ladder& ladder, const Window& window)
+      : ladder_(ladder), per_scaled_(std::ldexp(Ladder::Real(1), -window.exponent)) {
+    for (int level = 0; level <= ladder.end(); ++level) radii_.push_back(window.scaled(ladder.radius(level)));
+  }
+
+  int end() const { return ladder_.end(); }
+  bool is_last(int level) const { return ladder_.is_last(level); }
+  const Radius& radius(int level) const { return radii_[static_cast<std::size_t>(level)]; }
+  /// As that of the ladder, of a radius as the points in the window see it.
+  int first_reaching(double radius) const { return ladder_.first_reaching(radius * per_scaled_); }
+
+ private:
+  const Ladder& ladder_;
+  Ladder::Real per_scaled_;
+  std::vector<Radius> radii_;
+};
+
+}  // namespace rbpa

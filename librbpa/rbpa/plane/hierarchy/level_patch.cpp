@@ -1,0 +1,59 @@
+#include "rbpa/plane/hierarchy/level_patch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rbpa/plane/hierarchy/circumradius.h"
+
+namespace rbpa {
+namespace {
+
+/// The first level whose radius admits the triangle.
+template <typename Real, typename SomeLadder>
+int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder& ladder) {
+  if (ladder.radius(0).template admits<Real>(a, b, c)) return 0;
+  int level = std::clamp(ladder.first_reaching(circumradius<Real>(a, b, c)), 1, ladder.end());
+  while (!ladder.is_last(level) && !ladder.radius(level).template admits<Real>(a, b, c)) ++level;
+  return level;
+}
+
+/// What `across` says of a side whose triangle has a new number, three times that, or is gone.
+int renumbered(int beyond, const std::vector<int>& number) {
+  if (beyond < 0) return beyond;
+  const int of_triangle = number[static_cast<std::size_t>(beyond) / 3];
+  return of_triangle < 0 ? meshops::Patch::nothing : of_triangle + beyond % 3;
+}
+
+}  // namespace
+
+template <typename LevelOf>
+void LevelPatch::part(const meshops::Patch& patch, LevelOf level_of) {
+  later.clear();
+  number.resize(patch.triangles.size());
+  int sides = 0;
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    const int level = level_of(patch.triangles[t]);
+    number[t] = level == 0 ? std::exchange(sides, sides + 3) : meshops::Patch::nothing;
+    if (level != 0) later.push_back({patch.triangles[t], level});
+  }
+  if (later.empty()) return;
+  first.triangles.clear();
+  first.across.clear();
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    if (number[t] < 0) continue;
+    const auto [a, b, c] = patch.across[t];
+    first.triangles.push_back(patch.triangles[t]);
+    first.across.push_back({renumbered(a, number), renumbered(b, number), renumbered(c, number)});
+  }
+}
+
+void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points, const ScaledLadder& ladder) {
+  part(patch, [&](const auto& t) { return first_level<double>(points[t[0]], points[t[1]], points[t[2]], ladder); });
+}
+
+void LevelPatch::part(const meshops::Patch& patch, const Sites& sites, const Ladder& ladder) {
+  part(patch,
+       [&](const auto& t) { return first_level<long double>(sites.at(t[0]), sites.at(t[1]), sites.at(t[2]), ladder); });
+}
+
+}  // namespace rbpa

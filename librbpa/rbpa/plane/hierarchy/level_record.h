@@ -1,0 +1,49 @@
+// What: the levels of a hierarchy as a run goes through them: what is kept of each, and who is called when it ends.
+// Law:  a level between the first and the last on which no triangle came is left out.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "rbpa/hrbpa.h"
+#include "rbpa/plane/predicate/radius.h"
+
+namespace rbpa {
+
+class LevelRecord {
+ public:
+  /// Keeps references. The clock of the first level starts now.
+  LevelRecord(double alpha, const std::function<void(const EndedLevel&)>& ended,
+              std::span<const std::uint32_t> input_index, Hierarchy& result)
+      : alpha_(alpha), ended_(ended), input_index_(input_index), result_(result) {}
+
+  /// The mesh of the front is the complex of `radius`. Throws what the function of the caller throws.
+  void end(Level level, const Radius& radius, bool is_last, const meshops::Front& front) {
+    // The last has alpha as it was given: a radius beyond all circumradii is infinite to the run.
+    level.alpha = is_last ? alpha_ : radius.value();
+    level.triangles = front.faces();
+    // Sites may have been looked at in vain: which, depends on the order of the input.
+    if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
+      result_.looked_in_vain += level.taking_part;
+      return;
+    }
+    level.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    result_.levels.push_back(level);
+    if (ended_) ended_({result_.levels.back(), front, input_index_});
+    start_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double alpha_;
+  const std::function<void(const EndedLevel&)>& ended_;
+  std::span<const std::uint32_t> input_index_;
+  Hierarchy& result_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace rbpa

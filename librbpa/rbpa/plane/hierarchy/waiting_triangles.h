@@ -1,0 +1,56 @@
+// What: the triangles that are not of the first level, by level.
+// Cost: linear in the triangles, and in the levels.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/plane/hierarchy/ladder.h"
+#include "rbpa/plane/hierarchy/level_patch.h"
+
+namespace rbpa {
+
+class WaitingTriangles {
+ public:
+  using Corners = std::array<meshops::Site, 3>;
+
+  void add(const std::vector<WaitingTriangle>& triangles) {
+    added_.insert(added_.end(), triangles.begin(), triangles.end());
+  }
+
+  /// Ends the adding: puts them in the order of their levels, those of a level in the order in which they were added.
+  /// No level is above `last`.
+  void sort(int last) {
+    start_.assign(static_cast<std::size_t>(last) + 2, 0);
+    for (const WaitingTriangle& t : added_) ++start_[static_cast<std::size_t>(t.level) + 1];
+    for (std::size_t level = 1; level < start_.size(); ++level) start_[level] += start_[level - 1];
+    std::vector<std::size_t> next(start_);
+    corners_.resize(added_.size());
+    for (const WaitingTriangle& t : added_) corners_[next[static_cast<std::size_t>(t.level)]++] = t.corners;
+    added_ = std::vector<WaitingTriangle>();  // = {} would keep the memory
+  }
+
+  std::span<const Corners> of_level(int level) const {
+    const auto at = static_cast<std::size_t>(level);
+    return std::span(corners_).subspan(start_[at], start_[at + 1] - start_[at]);
+  }
+
+  /// The first level after this one that has a triangle, or Ladder::never.
+  int after(int level) const {
+    const std::size_t before = start_[static_cast<std::size_t>(level) + 1];
+    if (before == corners_.size()) return Ladder::never;
+    const auto next = std::upper_bound(start_.begin(), start_.end(), before);
+    return static_cast<int>(next - start_.begin()) - 1;
+  }
+
+ private:
+  std::vector<WaitingTriangle> added_;
+  std::vector<Corners> corners_;
+  std::vector<std::size_t> start_;  // of each level, and the end
+};
+
+}  // namespace rbpa

@@ -1,0 +1,80 @@
+#include "rbpa/hrbpa.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/plane/hierarchy/growth_by_tiles.h"
+#include "rbpa/plane/hierarchy/level_record.h"
+#include "rbpa/plane/hierarchy/quadtree.h"
+#include "rbpa/plane/mesh/assembly.h"
+
+namespace rbpa {
+namespace {
+
+/// All levels, from the first to the last: `growth` makes the mesh the complex of one after another.
+void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front, LevelRecord& record) {
+  Level level{.transferred = front.sites()};
+  for (;;) {
+    const bool is_last = ladder.is_last(level.number);
+    level.taking_part = growth.grow(level.number, front);
+    record.end(level, ladder.radius(level.number), is_last, front);
+    if (is_last) return;
+
+    // What Front::next_level() counts on a front on which halfedges are attached to: here triangles are put beside frozen
+    // ones, and a level costs no more than its triangles.
+    level = {.number = std::clamp(growth.next(level.number), level.number + 1, ladder.end()),
+             .transferred = growth.open_sites(),
+             .advancing = 2 * front.edges() - 3 * front.faces()};
+  }
+}
+
+/// α₀: half the side of the smallest leaf of a quadtree.
+double least_radius(const Sites& sites, std::size_t leaf_capacity, const std::function<void()>& ask) {
+  long double side = 0;
+  if (sites.beyond().empty()) {
+    const Quadtree<double> tree(sites.grid().points(), leaf_capacity);
+    side = std::ldexp(static_cast<long double>(tree.smallest_side(ask)), -sites.window().exponent);
+  } else {
+    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side(ask);
+  }
+  using Limits = std::numeric_limits<double>;
+  return static_cast<double>(std::clamp<long double>(side / 2, Limits::denorm_min(), Limits::max()));
+}
+
+}  // namespace
+
+Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options) {
+  const std::size_t leaf_capacity = options.leaf_capacity.value_or(usual_leaf_capacity);
+  meshops::require(leaf_capacity > 0, "hrbpa: leaf_capacity is 0, expected at least 1");
+  check(points, alpha);
+  Hierarchy result;
+  Threads threads = threads_for(points.size(), options.threads);
+  Assembly assembly(points, result.complex, threads, options.progress);
+  const Sites& sites = assembly.sites();
+  if (assembly.are_collinear()) {
+    assembly.finish(assembly.front());
+    return result;
+  }
+  Monitor monitor(options.progress, sites.size());
+  LevelRecord record(alpha, options.level_ended, sites.input_index(), result);
+  result.least_radius = least_radius(sites, leaf_capacity, asking(options.progress, sites.size()));
+  const Ladder ladder(result.least_radius, sites.reachable(alpha), sites.diameter_bound());
+  GrowthByTiles growth(sites, ladder, threads, monitor);
+  meshops::Front front = growth.begin(assembly);
+  run_levels(ladder, growth, front, record);
+  assembly.finish(front);
+  return result;
+}
+
+std::size_t level_of(const Hierarchy& hierarchy, std::size_t face) {
+  return static_cast<std::size_t>(std::upper_bound(hierarchy.levels.begin(), hierarchy.levels.end(), face,
+                                                   [](std::size_t f, const Level& l) { return f < l.triangles; }) -
+                                  hierarchy.levels.begin());
+}
+
+}  // namespace rbpa

@@ -1,0 +1,83 @@
+// What: the visitor of every run: asks the caller, now and then, whether to go on. In the debug build, validates the mesh
+//       after every triangle while it is small, and each time it has grown by a sixteenth when it is large.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
+#include "meshops/front/visitor.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/progress.h"
+
+namespace rbpa {
+
+#ifdef NDEBUG
+inline constexpr bool debug = false;
+#else
+inline constexpr bool debug = true;
+#endif
+
+class Monitor : public meshops::FrontVisitor {
+ public:
+  /// Keeps a reference.
+  Monitor(const std::function<bool(const Progress&)>& progress, std::size_t points)
+      : progress_(progress), points_(points) {}
+
+  void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
+  void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
+
+  /// For many triangles at once: so many there are now.
+  void worked(std::size_t triangles) {
+    if (progress_) ask(triangles);
+  }
+
+  /// For a mesh that was made at once.
+  void completed(const meshops::Connectivity& mesh) {
+    if (debug) validate(mesh);
+  }
+
+  /// For the stretches in which no triangle is found.
+  void searched(const meshops::Front& front) { step(front); }
+
+ private:
+  void count(const meshops::Front& front) {
+    if (debug && front.faces() >= next_validation_) {
+      validate(front.mesh());
+      next_validation_ = front.faces() <= 256 ? 0 : front.faces() + front.faces() / 16;
+    }
+    step(front);
+  }
+  /// A triangle takes a microsecond in one run and milliseconds in another: the clock is looked at after as many steps
+  /// as took about a millisecond before.
+  void step(const meshops::Front& front) {
+    if (++steps_ < stride_ || !progress_) return;
+    steps_ = 0;
+    const auto now = std::chrono::steady_clock::now();
+    const auto passed = now - last_;
+    last_ = now;
+    stride_ = passed < std::chrono::milliseconds(1) ? std::min(2 * stride_, longest_stride)
+                                                    : std::max(stride_ / 4, std::size_t{1});
+    ask(front.faces());
+  }
+  static void validate(const meshops::Connectivity& mesh) {
+    const auto defects = meshops::validate(mesh);
+    if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
+  }
+  void ask(std::size_t triangles) {
+    if (!progress_({triangles, points_})) throw Cancelled();
+  }
+
+  static constexpr std::size_t longest_stride = 1024;
+  const std::function<bool(const Progress&)>& progress_;
+  std::size_t points_;
+  std::size_t steps_ = 0;
+  std::size_t stride_ = 1;
+  std::size_t next_validation_ = 0;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace rbpa

@@ -1,0 +1,12 @@
+// What: whether a state that was read is one that could have been written.
+#pragma once
+
+#include "rbpa/plane/partial/state.h"
+
+namespace rbpa {
+
+/// Throws: InvalidInput that says what is not: numbers of what is not there, an order that is another, coordinates that are
+///         not finite. Cost: linear, and n log n in the corners of the cover.
+void check_state(const PartialState& state);
+
+}  // namespace rbpa

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "meshops/topology/disjoint_sets.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/partial.h"
+#include "rbpa/plane/partial/join_chains.h"
+#include "rbpa/plane/partial/rings.h"
+#include "rbpa/plane/partial/settle.h"
+#include "rbpa/plane/partial/state.h"
+
+namespace rbpa {
+namespace {
+
+PartialCounts operator+(PartialCounts a, const PartialCounts& b) {
+  a.points += b.points;
+  a.duplicates += b.duplicates;
+  a.isolated += b.isolated;
+  a.vertices += b.vertices;
+  a.edges += b.edges;
+  a.triangles += b.triangles;
+  a.solid_components += b.solid_components;
+  a.components += b.components;
+  a.boundary_curves += b.boundary_curves;
+  return a;
+}
+
+template <typename Item>
+void append(std::vector<Item>& to, std::vector<Item>&& from) {
+  if (to.empty()) {
+    to = std::move(from);
+    return;
+  }
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// All numbers of `b` behind those of `a`, where open components come first and then held polygons.
+void number_behind(PartialState& a, PartialState& b) {
+  const auto of_a = static_cast<std::uint32_t>(a.open.size()), of_b = static_cast<std::uint32_t>(b.open.size());
+  const auto held_a = static_cast<std::uint32_t>(a.held.size());
+  for (Pinch& pinch : a.pinches)
+    for (std::uint32_t& m : pinch.members)
+      if (m >= of_a) m += of_b;
+  for (Pinch& pinch : b.pinches)
+    for (std::uint32_t& m : pinch.members) m += m < of_b ? of_a : of_a + held_a;
+  for (SharedTriangle& triangle : b.shared) triangle.component += of_a;
+  for (Chain& chain : b.chains) chain.component += of_a;
+  for (OpenComponent& component : b.open) component.group += of_a;  // there are no more groups than components
+}
+
+/// Lists that are not looked at yet, one behind the other.
+void append_all(PartialState& a, PartialState&& b) {
+  a.counts = a.counts + b.counts;
+  append(a.open, std::move(b.open));
+  append(a.chains, std::move(b.chains));
+  append(a.pinches, std::move(b.pinches));
+  append(a.held, std::move(b.held));
+  // The larger list stays where it is.
+  if (a.polygons.size() < b.polygons.size()) std::swap(a.polygons, b.polygons);
+  append(a.polygons, std::move(b.polygons));
+}
+
+/// Merges two sorted lists: says which components are one as they have a triangle in common.
+std::vector<SharedTriangle> merge_shared(const std::vector<SharedTriangle>& a, const std::vector<SharedTriangle>& b,
+                                         meshops::DisjointSets& components) {
+  std::vector<SharedTriangle> merged;
+  merged.reserve(a.size() + b.size());
+  auto i = a.begin();
+  auto j = b.begin();
+  while (i != a.end() && j != b.end()) {
+    if (i->corners != j->corners) {
+      merged.push_back(i->corners < j->corners ? *i++ : *j++);
+      continue;
+    }
+    components.unite(i->component, j->component);
+    SharedTriangle both = *i++;
+    both.owned += (j++)->owned;
+    if (both.owned > 3)
+      throw InvalidInput("triangle " + std::to_string(both.corners[0]) + " " + std::to_string(both.corners[1]) + " " +
+                         std::to_string(both.corners[2]) +
+                         ": two regions have the same corner of it, expected points of the same input");
+    if (both.owned < 3) merged.push_back(both);
+  }
+  merged.insert(merged.end(), i, a.end());
+  merged.insert(merged.end(), j, b.end());
+  return merged;
+}
+
+/// Moves what `from` has to `to`.
+void absorb(OpenComponent& to, OpenComponent&& from) {
+  to.points += from.points;
+  to.least = std::min(to.least, from.least);
+  if (to.rings.size() < from.rings.size()) std::swap(to.rings, from.rings);
+  append(to.rings, std::move(from.rings));
+  add_taken(to, std::move(from));
+}
+
+/// Makes one of components in the same set. Groups follow.
+void unite_components(PartialState& state, meshops::DisjointSets& components) {
+  const auto count = static_cast<std::uint32_t>(state.open.size());
+  meshops::DisjointSets groups(count);
+  for (std::uint32_t c = 0; c < count; ++c) groups.unite(state.open[c].group, state.open[components.find(c)].group);
+  std::vector<std::uint32_t> number(count);
+  std::vector<OpenComponent> united;
+  for (std::uint32_t c = 0; c < count; ++c) {
+    const std::uint32_t least = components.find(c);
+    if (least == c) {
+      number[c] = static_cast<std::uint32_t>(united.size());
+      united.push_back(std::move(state.open[c]));
+      united.back().group = groups.find(united.back().group);
+    } else {
+      number[c] = number[least];
+      absorb(united[number[c]], std::move(state.open[c]));
+    }
+  }
+  const auto gone = count - static_cast<std::uint32_t>(united.size());
+  state.open = std::move(united);
+  for (SharedTriangle& triangle : state.shared) triangle.component = number[triangle.component];
+  for (Chain& chain : state.chains) chain.component = number[chain.component];
+  for (Pinch& pinch : state.pinches)
+    for (std::uint32_t& m : pinch.members) m = m < count ? number[m] : m - gone;
+}
+
+}  // namespace
+
+Partial merge(Partial&& a, Partial&& b) {
+  if (a.alpha() == 0) return std::move(b);
+  if (b.alpha() == 0) return std::move(a);
+  if (a.alpha() != b.alpha())
+    throw InvalidInput("alpha is " + text(a.alpha()) + " and " + text(b.alpha()) + ", expected the same");
+  Cover cover = a.state().cover + b.state().cover;
+  if (const std::optional<Point> twice = cover.wrong())
+    throw InvalidInput("the place from (" + text(twice->x) + ", " + text(twice->y) +
+                       ") on is in both, expected regions that share no place");
+
+  PartialState state = std::move(a.state()), other = std::move(b.state());
+  number_behind(state, other);
+  meshops::DisjointSets components(state.open.size() + other.open.size());
+  state.cover = std::move(cover);
+  state.shared = merge_shared(state.shared, other.shared, components);
+  append_all(state, std::move(other));
+  unite_components(state, components);
+  state.chains = join_chains(std::move(state.chains), [&](Chain&& curve) {
+    add_curve(state.open[curve.component], std::move(curve.path));
+    ++state.counts.boundary_curves;
+  });
+  settle(state);
+  return Partial(std::move(state));
+}
+
+}  // namespace rbpa

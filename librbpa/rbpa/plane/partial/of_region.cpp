@@ -1,0 +1,233 @@
+// partial(): looks at each triangle of a region once, and then at its boundary and rim only.
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "meshops/core/fresh_vector.h"
+#include "meshops/topology/disjoint_sets.h"
+#include "rbpa/partial.h"
+#include "rbpa/plane/partial/region_complex.h"
+#include "rbpa/plane/partial/rim_walk.h"
+#include "rbpa/plane/partial/rings.h"
+#include "rbpa/plane/partial/settle.h"
+#include "rbpa/plane/partial/state.h"
+
+namespace rbpa {
+namespace {
+
+constexpr std::uint32_t none = Triangulation::none;
+constexpr unsigned all = 7;  // corners are owned
+
+using Ask = std::function<void()>;
+
+/// Asks now and then whether to go on.
+void ask_at(std::size_t step, const Ask& ask) {
+  if (ask && step % 65536 == 0) ask();
+}
+
+/// What one pass over the triangles finds.
+struct Pass {
+  explicit Pass(const RegionComplex& of)
+      : components(of.triangulation().triangles.size()), triangle_at(of.points(), none) {}
+
+  std::uint64_t triangles = 0;
+  std::uint64_t twice_edges = 0;
+  meshops::DisjointSets components;        // of triangles, across sides that have an owned end
+  std::vector<std::uint32_t> triangle_at;  // any, of owned points
+  std::vector<std::uint32_t> shared;       // triangles with owned corners and others
+  std::vector<OpenSide> boundary;          // sides that have an owned end
+};
+
+/// A side is of this region to tell of when it has an owned end: then both of its triangles are known here.
+void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pass& pass) {
+  const auto& corners = of.triangulation().triangles[t];
+  const auto& neighbors = of.triangulation().neighbors[t];
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if ((owned & ~(1U << k)) == 0) continue;
+    const std::uint32_t other = neighbors[k];
+    const bool counts = owned == all || of.owns_edge(corners[(k + 1) % 3], corners[(k + 2) % 3]);
+    if (other == none) {
+      pass.boundary.push_back({t, k});
+      pass.twice_edges += counts ? 2 : 0;
+    } else {
+      if (other < t) pass.components.unite(t, other);
+      pass.twice_edges += counts ? 1 : 0;
+    }
+  }
+}
+
+Pass look_at_triangles(const RegionComplex& of, const Ask& ask) {
+  Pass pass(of);
+  const auto& triangles = of.triangulation().triangles;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    ask_at(t, ask);
+    const unsigned owned = of.owned_corners(t);
+    if (owned == 0) continue;
+    pass.triangles += std::uint64_t{of.owns_triangle(t, owned)};
+    for (std::size_t k = 0; k < 3; ++k)
+      if ((owned >> k & 1U) != 0) pass.triangle_at[triangles[t][k]] = t;
+    if (owned != all) pass.shared.push_back(t);
+    look_at_sides(of, t, owned, pass);
+  }
+  return pass;
+}
+
+/// Makes the state of what a pass has found.
+class Builder {
+ public:
+  Builder(const RegionComplex& of, Pass&& pass, const Ask& ask) : of_(of), pass_(std::move(pass)), ask_(ask) {}
+
+  PartialState build() {
+    number_components();
+    add_shared();
+    add_pinches();  // before points
+    add_points();
+    add_boundary();
+    return std::move(state_);
+  }
+
+ private:
+  /// Component of a triangle with an owned corner.
+  std::uint32_t component(std::uint32_t t) const { return number_[t]; }
+
+  void number_components() {
+    const std::size_t triangles = of_.triangulation().triangles.size();
+    number_.resize(triangles);
+    std::uint32_t count = 0;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+      ask_at(t, ask_);
+      if (of_.owned_corners(t) == 0) continue;
+      const std::uint32_t least = pass_.components.find(t);
+      number_[t] = least == t ? count++ : number_[least];
+    }
+    state_.open.resize(count);
+    for (std::uint32_t c = 0; c < count; ++c) state_.open[c].group = c;
+  }
+
+  void add_shared() {
+    for (const std::uint32_t t : pass_.shared) {
+      const auto& [a, b, c] = of_.triangulation().triangles[t];
+      const unsigned owned = of_.owned_corners(t);
+      state_.shared.push_back({.corners = {of_.index(a), of_.index(b), of_.index(c)},
+                               .component = component(t),
+                               .owned = (owned & 1U) + (owned >> 1U & 1U) + (owned >> 2U & 1U)});
+    }
+  }
+
+  /// Owned points at which several fans begin. There components touch, or one touches itself.
+  void add_pinches() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;  // point, component
+    for (const OpenSide& side : pass_.boundary) {
+      const std::uint32_t from = of_.triangulation().triangles[side.triangle][(side.across + 1) % 3];
+      if (of_.owns(from)) fans.emplace_back(from, component(side.triangle));
+    }
+    std::sort(fans.begin(), fans.end());
+    fans.erase(std::unique(fans.begin(), fans.end()), fans.end());
+    meshops::DisjointSets groups(state_.open.size());
+    for (std::size_t i = 0; i + 1 < fans.size();) {
+      const auto [at, first] = fans[i];
+      std::size_t end = i + 1;
+      for (; end < fans.size() && fans[end].first == at; ++end) groups.unite(first, fans[end].second);
+      if (end - i > 1) {
+        Pinch& pinch = state_.pinches.emplace_back();
+        for (; i < end; ++i) pinch.members.push_back(fans[i].second);
+        pinch.points = 1;
+        pinched_.push_back(at);
+        pass_.triangle_at[at] = none;  // it counts there
+      }
+      i = end;
+    }
+    for (OpenComponent& component : state_.open) component.group = groups.find(component.group);
+  }
+
+  void add_points() {
+    const Triangulation& triangulation = of_.triangulation();
+    PartialCounts& counts = state_.counts;
+    for (std::uint32_t i = 0; i < of_.points(); ++i) {
+      counts.points += std::uint64_t{of_.owns(i)};
+      if (const std::uint32_t t = pass_.triangle_at[i]; t != none) ++state_.open[component(t)].points;
+    }
+    for (const std::uint32_t i : triangulation.isolated) counts.isolated += std::uint64_t{of_.owns(i)};
+    for (const Duplicate& duplicate : triangulation.duplicates)
+      if (of_.owns(duplicate.index)) add_duplicate(duplicate.stands_for);
+    counts.vertices = counts.points - counts.duplicates - counts.isolated;
+    counts.triangles = pass_.triangles;
+    counts.edges = pass_.twice_edges / 2;
+  }
+
+  /// It counts where the point that it repeats does, if anywhere.
+  void add_duplicate(std::uint32_t of) {
+    ++state_.counts.duplicates;
+    if (const std::uint32_t t = pass_.triangle_at[of]; t != none) {
+      ++state_.open[component(t)].points;
+      return;
+    }
+    const auto pinch = std::lower_bound(pinched_.begin(), pinched_.end(), of);
+    if (pinch != pinched_.end() && *pinch == of)
+      ++state_.pinches[static_cast<std::size_t>(pinch - pinched_.begin())].points;
+  }
+
+  void add_boundary() {
+    RimWalk walk(of_);
+    std::size_t steps = 0;
+    for (const OpenSide& side : pass_.boundary) {
+      if (of_.owns(walk.from(side)) || !walk.is_new(side)) continue;
+      const std::uint32_t c = component(side.triangle);
+      Chain& chain = state_.chains.emplace_back(Chain{c, walk.path_from(side)});
+      for (const Corner& corner : chain.path) state_.open[c].least = std::min(state_.open[c].least, corner.at);
+    }
+    // What begins in an owned point and is in no chain is on closed curves.
+    for (const OpenSide& side : pass_.boundary) {
+      ask_at(++steps, ask_);
+      if (!walk.is_new(side)) continue;
+      add_curve(state_.open[component(side.triangle)], walk.path_from(side));
+      ++state_.counts.boundary_curves;
+    }
+  }
+
+  const RegionComplex& of_;
+  Pass pass_;
+  const Ask& ask_;
+  meshops::FreshVector<std::uint32_t> number_;  // of each triangle's component
+  std::vector<std::uint32_t> pinched_;          // the points of pinches, ascending
+  PartialState state_;
+};
+
+Partial partial_of(const RegionComplex& complex, const Region& region, double alpha, const PartialOptions& options) {
+  const Triangulation& triangulation = complex.triangulation();
+  const Ask ask = asking(options.progress, triangulation.distinct, triangulation.triangles.size());
+  PartialState state = Builder(complex, look_at_triangles(complex, ask), ask).build();
+  state.alpha = alpha;
+  state.cover = Cover(region);
+  settle(state, ask);
+  return Partial(std::move(state));
+}
+
+OwnedItems items_of(const RegionComplex& complex) {
+  const Triangulation& triangulation = complex.triangulation();
+  OwnedItems items;
+  for (std::uint32_t t = 0; t < triangulation.triangles.size(); ++t) {
+    const unsigned owned = complex.owned_corners(t);
+    if (owned == 0 || !complex.owns_triangle(t, owned)) continue;
+    const auto& [a, b, c] = triangulation.triangles[t];
+    items.triangles.push_back({complex.index(a), complex.index(b), complex.index(c)});
+  }
+  for (const std::uint32_t i : triangulation.isolated)
+    if (complex.owns(i)) items.isolated.push_back(complex.index(i));
+  return items;
+}
+
+}  // namespace
+
+Partial partial(const Region& region, const RegionPoints& points, double alpha, const PartialOptions& options) {
+  return partial_of(RegionComplex(region, points, alpha, options), region, alpha, options);
+}
+
+PartialAndItems partial_and_items(const Region& region, const RegionPoints& points, double alpha,
+                                  const PartialOptions& options) {
+  const RegionComplex complex(region, points, alpha, options);
+  return {.partial = partial_of(complex, region, alpha, options), .owned = items_of(complex)};
+}
+
+}  // namespace rbpa

@@ -1,0 +1,201 @@
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "rbpa/base/error.h"
+#include "rbpa/partial_bytes.h"
+#include "rbpa/plane/partial/check_state.h"
+#include "rbpa/plane/partial/crc64.h"
+#include "rbpa/plane/partial/format.h"
+#include "rbpa/plane/partial/state.h"
+
+namespace rbpa {
+namespace {
+
+constexpr std::size_t word = partial_format::word;
+
+[[noreturn]] void refuse(const std::string& what) { throw InvalidInput("partial result: " + what); }
+
+std::uint64_t word_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < word; ++i) value |= std::uint64_t{bytes[at + i]} << (8 * i);
+  return value;
+}
+
+/// Before anything is believed: the size and the checksum.
+void check_frame(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t header = 3 * word;
+  if (bytes.size() < header || word_at(bytes, 0) != partial_format::magic)
+    refuse("found " + std::to_string(bytes.size()) + " bytes that do not begin with RBPAPART");
+  if (const std::uint64_t version = word_at(bytes, word); version != partial_format::version)
+    refuse("version " + std::to_string(version) + ", expected " + std::to_string(partial_format::version));
+  if (const std::uint64_t size = word_at(bytes, 2 * word); size != bytes.size())
+    refuse(std::to_string(bytes.size()) + " bytes, expected " + std::to_string(size) + ", as its header says");
+  if (bytes.size() % word != 0 || bytes.size() < header + word) refuse("its size is not that of whole words");
+  const std::size_t end = bytes.size() - word;
+  if (crc64(bytes.first(end)) != word_at(bytes, end)) refuse("the checksum is another, the bytes were changed");
+}
+
+/// Takes words one by one, and never more than there are.
+class Reader {
+ public:
+  Reader(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
+
+  std::uint64_t number() {
+    if (left() == 0) refuse("it ends in the middle, at byte " + std::to_string(at_));
+    const std::uint64_t value = word_at(bytes_, at_);
+    at_ += word;
+    return value;
+  }
+  std::uint32_t small(const char* what) {
+    const std::uint64_t value = number();
+    if (value > std::numeric_limits<std::uint32_t>::max()) wrong(what, value);
+    return static_cast<std::uint32_t>(value);
+  }
+  double real() { return std::bit_cast<double>(number()); }
+  /// Of items of so many words at least: more than fit are not believed.
+  std::size_t count(const char* what, std::size_t words) {
+    const std::uint64_t value = number();
+    if (value > left() / words) wrong(what, value);
+    return static_cast<std::size_t>(value);
+  }
+  Point point() {
+    const double x = real();
+    return {x, real()};
+  }
+  std::vector<Corner> corners(const char* what) {
+    std::vector<Corner> corners(count(what, 3));
+    for (Corner& corner : corners) {
+      corner.index = number();
+      corner.at = point();
+    }
+    return corners;
+  }
+  std::vector<ComponentName> names() {
+    std::vector<ComponentName> names(count("names", 3));
+    for (ComponentName& name : names)
+      for (std::uint64_t& corner : name) corner = number();
+    return names;
+  }
+  /// No sum is so large that its last digit has more than the sign.
+  ExactSum sum() {
+    ExactSum::Digits digits;
+    for (std::int64_t& digit : digits) {
+      digit = std::bit_cast<std::int64_t>(number());
+      const bool is_last = &digit == &digits.back();
+      if (is_last ? digit != 0 && digit != -1 : digit < 0 || digit > 0xffffffff)
+        wrong("as a digit", static_cast<std::uint64_t>(digit));
+    }
+    return ExactSum::of(digits);
+  }
+  HoleSums hole_sums() {
+    HoleSums sums;
+    sums.holes = number();
+    sums.names = names();
+    const ExactSum twice_area = sum(), lengths = sum();
+    const std::uint64_t infinite = number();
+    if (infinite > 1) wrong("where 0 or 1 stands", infinite);
+    sums.measure = BoundaryMeasure(twice_area, LengthSum::of(lengths, infinite == 1));
+    return sums;
+  }
+  CornerPolygon polygon() {
+    CornerPolygon polygon;
+    polygon.points = number();
+    polygon.taken_holes = number();
+    polygon.names = names();
+    polygon.area = real();
+    polygon.perimeter = real();
+    polygon.shell = corners("points of a shell");
+    polygon.holes.resize(count("holes", 1));
+    for (CornerRing& hole : polygon.holes) hole = corners("points of a hole");
+    return polygon;
+  }
+  void end() const {
+    if (left() != 0) refuse(std::to_string(left()) + " words behind its end");
+  }
+
+ private:
+  [[noreturn]] void wrong(const char* what, std::uint64_t value) const {
+    refuse(std::to_string(value) + " " + what + " at byte " + std::to_string(at_ - word) +
+           ", expected no more than fit");
+  }
+  std::size_t left() const { return (bytes_.size() - at_) / word; }
+
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_;
+};
+
+PartialCounts read_counts(Reader& reader) {
+  PartialCounts counts;
+  for (std::uint64_t* count :
+       {&counts.points, &counts.duplicates, &counts.isolated, &counts.vertices, &counts.edges, &counts.triangles,
+        &counts.solid_components, &counts.components, &counts.boundary_curves})
+    *count = reader.number();
+  return counts;
+}
+
+std::vector<Quadrant> read_quadrants(Reader& reader) {
+  std::vector<Quadrant> quadrants(reader.count("corners of the cover", 3));
+  for (Quadrant& quadrant : quadrants) {
+    quadrant.at = reader.point();
+    const auto weight = std::bit_cast<std::int64_t>(reader.number());
+    if (std::abs(static_cast<double>(weight)) > 2) refuse("a corner of the cover has weight " + std::to_string(weight));
+    quadrant.weight = static_cast<int>(weight);
+  }
+  return quadrants;
+}
+
+void read_rim(Reader& reader, PartialState& state) {
+  state.shared.resize(reader.count("shared triangles", 4));
+  for (SharedTriangle& triangle : state.shared) {
+    for (std::uint64_t& corner : triangle.corners) corner = reader.number();
+    const std::uint64_t both = reader.number();
+    triangle.owned = static_cast<std::uint32_t>(both & 3U);
+    if (both >> 34U != 0) refuse("a shared triangle of component " + std::to_string(both >> 2U));
+    triangle.component = static_cast<std::uint32_t>(both >> 2U);
+  }
+  state.open.resize(reader.count("open components", 6));
+  for (OpenComponent& component : state.open) {
+    component.group = reader.small("as a group");
+    component.points = reader.number();
+    component.least = reader.point();
+    component.rings.resize(reader.count("rings", 1));
+    for (CornerRing& ring : component.rings) ring = reader.corners("points of a ring");
+    component.taken.resize(reader.count("sums of holes", 2 * std::tuple_size_v<ExactSum::Digits>));
+    for (HoleSums& sums : component.taken) sums = reader.hole_sums();
+  }
+  state.chains.resize(reader.count("chains", 2));
+  for (Chain& chain : state.chains) {
+    chain.component = reader.small("as the component of a chain");
+    chain.path = reader.corners("points of a chain");
+  }
+  state.pinches.resize(reader.count("pinches", 2));
+  for (Pinch& pinch : state.pinches) {
+    pinch.points = reader.number();
+    pinch.members.resize(reader.count("members of a pinch", 1));
+    for (std::uint32_t& member : pinch.members) member = reader.small("as a member of a pinch");
+  }
+}
+
+}  // namespace
+
+Partial partial_from_bytes(std::span<const std::uint8_t> bytes) {
+  check_frame(bytes);
+  Reader reader(bytes.first(bytes.size() - word), 3 * word);
+  PartialState state;
+  state.alpha = reader.real();
+  state.counts = read_counts(reader);
+  state.cover = Cover(read_quadrants(reader));
+  read_rim(reader, state);
+  for (auto* polygons : {&state.held, &state.polygons}) {
+    polygons->resize(reader.count("polygons", 7));
+    for (CornerPolygon& polygon : *polygons) polygon = reader.polygon();
+  }
+  reader.end();
+  check_state(state);
+  return Partial(std::move(state));
+}
+
+}  // namespace rbpa

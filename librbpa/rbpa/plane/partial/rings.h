@@ -1,0 +1,29 @@
+// What: boundary curves of an open component to rings, and the rings of a finished one to its polygon.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rbpa/partial.h"
+#include "rbpa/plane/partial/state.h"
+
+namespace rbpa {
+
+/// Adds the rings of a closed boundary curve, triangles on the left.
+/// Throws: InvalidInput when it is no boundary curve of triangles. Cost: n log n.
+void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
+
+/// The order of rings: by first point, then by second. An edge is on one ring, and no two compare equal.
+bool ring_before(const CornerRing& a, const CornerRing& b);
+
+/// The polygon of a component all of whose curves are closed.
+/// Throws: InvalidInput when the rings are not those of a component.
+CornerPolygon polygon_of(OpenComponent&& component);
+
+/// Takes the holes out, in order, if they have so many corners, and remembers what has to be known of them under that name.
+std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
+
+/// Of holes taken out of two components that are one.
+void add_taken(OpenComponent& to, OpenComponent&& from);
+
+}  // namespace rbpa

@@ -1,0 +1,171 @@
+#include "rbpa/plane/partial/settle.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "rbpa/base/error.h"
+#include "rbpa/plane/partial/rings.h"
+
+namespace rbpa {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+using Numbers = std::vector<std::uint32_t>;  // new ones, by old ones
+
+/// Numbers open components by their first shared triangle, and moves them there. Others have no new number.
+Numbers number_components(PartialState& state, std::vector<OpenComponent>& finished, Numbers& old_of_finished) {
+  Numbers number(state.open.size(), none);
+  std::vector<OpenComponent> open;
+  for (SharedTriangle& triangle : state.shared) {
+    std::uint32_t& n = number[triangle.component];
+    if (n == none) {
+      n = static_cast<std::uint32_t>(open.size());
+      open.push_back(std::move(state.open[triangle.component]));
+    }
+    triangle.component = n;
+  }
+  for (std::uint32_t c = 0; c < number.size(); ++c) {
+    if (number[c] != none) continue;
+    finished.push_back(std::move(state.open[c]));
+    old_of_finished.push_back(c);
+  }
+  state.open = std::move(open);
+  return number;
+}
+
+/// Numbers groups by their first open component, and counts those that have none.
+void number_groups(PartialState& state, const std::vector<OpenComponent>& finished) {
+  std::uint32_t bound = 0;
+  for (const auto* components : {&std::as_const(state.open), &finished})
+    for (const OpenComponent& component : *components) bound = std::max(bound, component.group + 1);
+  Numbers number(bound, none);
+  std::uint32_t groups = 0;
+  for (OpenComponent& component : state.open) {
+    std::uint32_t& n = number[component.group];
+    if (n == none) n = groups++;
+    component.group = n;
+  }
+  for (const OpenComponent& component : finished) {
+    std::uint32_t& n = number[component.group];
+    if (n != none) continue;
+    n = groups;  // counted once; it is no more
+    ++state.counts.components;
+  }
+}
+
+void number_chains(PartialState& state, const Numbers& number) {
+  for (Chain& chain : state.chains) {
+    if (number[chain.component] == none)
+      throw InvalidInput("a boundary chain at point " + std::to_string(chain.path.front().index) +
+                         " is open, expected a triangle at its end that belongs to another region as well");
+    chain.component = number[chain.component];
+  }
+  const auto edge = [](const Chain& chain) { return std::pair(chain.path[0].index, chain.path[1].index); };
+  std::sort(state.chains.begin(), state.chains.end(),
+            [&](const Chain& a, const Chain& b) { return edge(a) < edge(b); });
+}
+
+/// Takes out members that cannot come first: of finished polygons all but the first, and this one as well where the least
+/// point of an open component is known to be less. An open component may yet turn out to begin anywhere.
+void drop_losers(Pinch& pinch, const PartialState& state) {
+  const auto open = static_cast<std::uint32_t>(state.open.size());
+  std::uint32_t first = none;
+  Point least = {std::numeric_limits<double>::infinity(), 0};
+  for (const std::uint32_t m : pinch.members) {
+    if (m < open)
+      least = std::min(least, state.open[m].least);
+    else if (first == none || comes_before(state.held[m - open], state.held[first - open]))
+      first = m;
+  }
+  if (first != none && least < state.held[first - open].shell[0].at) first = none;
+  std::erase_if(pinch.members, [&](std::uint32_t m) { return m >= open && m != first; });
+}
+
+void sort_unique(Numbers& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// Decides pinches that can be decided, and brings those with the same members together.
+void settle_pinches(PartialState& state) {
+  const auto open = static_cast<std::uint32_t>(state.open.size());
+  std::vector<Pinch> undecided;
+  for (Pinch& pinch : state.pinches) {
+    sort_unique(pinch.members);
+    drop_losers(pinch, state);
+    if (pinch.members.size() > 1) {
+      undecided.push_back(std::move(pinch));
+      continue;
+    }
+    const std::uint32_t winner = pinch.members[0];
+    (winner < open ? state.open[winner].points : state.held[winner - open].points) += pinch.points;
+  }
+  std::sort(undecided.begin(), undecided.end(), [](const Pinch& a, const Pinch& b) { return a.members < b.members; });
+  state.pinches.clear();
+  for (Pinch& pinch : undecided) {
+    if (!state.pinches.empty() && state.pinches.back().members == pinch.members)
+      state.pinches.back().points += pinch.points;
+    else
+      state.pinches.push_back(std::move(pinch));
+  }
+}
+
+/// Held polygons that no pinch waits for are finished; the others are sorted.
+void release_held(PartialState& state) {
+  const auto open = static_cast<std::uint32_t>(state.open.size());
+  std::vector<bool> waits(state.held.size(), false);
+  for (const Pinch& pinch : state.pinches)
+    for (const std::uint32_t m : pinch.members)
+      if (m >= open) waits[m - open] = true;
+  Numbers order;
+  for (std::uint32_t h = 0; h < waits.size(); ++h) {
+    if (waits[h])
+      order.push_back(h);
+    else
+      state.polygons.push_back(std::move(state.held[h]));
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return comes_before(state.held[a], state.held[b]); });
+  Numbers number(waits.size(), none);
+  std::vector<CornerPolygon> held;
+  for (const std::uint32_t h : order) {
+    number[h] = static_cast<std::uint32_t>(held.size());
+    held.push_back(std::move(state.held[h]));
+  }
+  state.held = std::move(held);
+  for (Pinch& pinch : state.pinches) {
+    for (std::uint32_t& m : pinch.members)
+      if (m >= open) m = open + number[m - open];
+    std::sort(pinch.members.begin(), pinch.members.end());
+  }
+  std::sort(state.pinches.begin(), state.pinches.end(),
+            [](const Pinch& a, const Pinch& b) { return a.members < b.members; });
+}
+
+}  // namespace
+
+void settle(PartialState& state, const std::function<void()>& ask) {
+  const auto components = static_cast<std::uint32_t>(state.open.size());
+  std::vector<OpenComponent> finished;
+  Numbers old_of_finished;
+  Numbers number = number_components(state, finished, old_of_finished);
+  number_groups(state, finished);
+  number_chains(state, number);
+
+  const auto open = static_cast<std::uint32_t>(state.open.size());
+  state.counts.solid_components += finished.size();
+  for (std::size_t i = 0; i < finished.size(); ++i) {
+    if (ask && i % 1024 == 0) ask();
+    number[old_of_finished[i]] = open + static_cast<std::uint32_t>(state.held.size());
+    state.held.push_back(polygon_of(std::move(finished[i])));
+  }
+  for (Pinch& pinch : state.pinches)
+    for (std::uint32_t& m : pinch.members) m = m < components ? number[m] : open + (m - components);
+  settle_pinches(state);
+  release_held(state);
+}
+
+}  // namespace rbpa

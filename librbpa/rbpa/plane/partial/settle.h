@@ -1,0 +1,17 @@
+// What: brings a state into canonical form: what has no open rim becomes polygons, the rest is numbered.
+// Why:  a region by itself and two that are merged end in the same way, so that the form depends on the regions only.
+#pragma once
+
+#include <functional>
+
+#include "rbpa/plane/partial/state.h"
+
+namespace rbpa {
+
+/// Requires: shared triangles by corners, none twice; chains that do not join; components and groups in any numbering, the
+///           members of pinches beyond them numbers of held polygons.
+/// Throws:   InvalidInput when a component without shared triangles has a chain, or no polygon.
+/// Cost:     n log n in what is open. Calls `ask`, if any, now and then; it may throw.
+void settle(PartialState& state, const std::function<void()>& ask = {});
+
+}  // namespace rbpa

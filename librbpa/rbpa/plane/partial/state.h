@@ -1,0 +1,68 @@
+// What: what a Partial consists of.
+// Law:  in canonical form, but for the order of rings and of polygons, which bytes sort: components are numbered by their
+//       first shared triangle, groups by their first component.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rbpa/partial.h"
+#include "rbpa/plane/partial/cover.h"
+#include "rbpa/plane/shape/measure.h"
+
+namespace rbpa {
+
+/// A triangle with corners in regions that are merged, and with others.
+struct SharedTriangle {
+  std::array<std::uint64_t, 3> corners;  // counter-clockwise, the smallest index first
+  std::uint32_t component;
+  std::uint32_t owned;  // how many of its corners are in regions that are merged
+};
+
+/// A path of boundary edges, triangles on the left. All its points but the first and the last are in regions that are merged,
+/// and these two are not: its first edge is the last of another chain, its last the first of one.
+struct Chain {
+  std::uint32_t component;
+  std::vector<Corner> path;
+};
+
+/// Of holes that were taken out of a component.
+struct HoleSums {
+  std::uint64_t holes = 0;
+  std::vector<ComponentName> names = {};  // ascending, none twice
+  BoundaryMeasure measure = {};
+};
+
+/// A solid component of which regions are missing: it has a shared triangle.
+struct OpenComponent {
+  /// Components that hang together through points have the same.
+  std::uint32_t group = 0;
+  std::uint64_t points = 0;  // that count in it whatever comes
+  /// The least of its chains and rings, at infinity where there are none.
+  Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  std::vector<CornerRing> rings = {};
+  std::vector<HoleSums> taken = {};  // none or one: sums are large
+};
+
+/// Points in which components touch, all the same ones: they count in the one whose polygon comes first.
+struct Pinch {
+  /// Numbers of open components, and beyond these of held polygons: those that may come first, ascending.
+  std::vector<std::uint32_t> members;
+  std::uint64_t points;
+};
+
+struct PartialState {
+  double alpha = 0;  // 0: of no region
+  Cover cover = {};
+  PartialCounts counts = {};
+  std::vector<SharedTriangle> shared = {};  // by corners
+  std::vector<OpenComponent> open = {};
+  std::vector<Chain> chains = {};            // by first edge
+  std::vector<Pinch> pinches = {};           // by members
+  std::vector<CornerPolygon> held = {};      // finished but for pinches that wait for them; in order
+  std::vector<CornerPolygon> polygons = {};  // finished
+};
+
+}  // namespace rbpa

@@ -1,0 +1,25 @@
+// What: the patch of a tile, by the finder that suits it (tile/finder.h).
+#pragma once
+
+#include "rbpa/plane/enumeration/find_by_enumeration.h"
+#include "rbpa/plane/pivots/find_by_pivots.h"
+#include "rbpa/plane/tile/finder.h"
+
+namespace rbpa {
+
+struct FinderWorkspace {
+  TileWorkspace tile;
+  EnumerationWorkspace enumeration;
+  PivotWorkspace pivots;
+};
+
+/// Replaces `found`; it is empty where no finder tells anything.
+inline void find_patch(const Tile& tile, const Radius& alpha, FinderWorkspace& workspace, TilePatch& found) {
+  if (tile.points.empty()) return found.clear();
+  workspace.tile.coordinates.assign(tile);
+  if (!find_by_enumeration(tile, alpha, workspace.tile, workspace.enumeration, found) &&
+      !find_by_pivots(tile, alpha, workspace.tile, workspace.pivots, found))
+    found.clear();
+}
+
+}  // namespace rbpa

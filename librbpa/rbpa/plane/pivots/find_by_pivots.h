@@ -1,0 +1,27 @@
+// What:   the Delaunay triangles of a tile by ball pivoting, as far as its points tell them: a finder (tile/finder.h).
+// Law:    every triangle of the patch is one of the solid alpha complex of all points, and none is left out whose circle
+//         lies where all points are known and to which a front of such triangles leads.
+// Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic where these
+//         leave two points. See docs/tiles.md.
+// Source: Restricted BPA, sections 3.1 and 3.2.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/plane/predicate/radius.h"
+#include "rbpa/plane/tile/finder.h"
+
+namespace rbpa {
+
+struct PivotWorkspace {
+  std::vector<std::uint16_t> queue, wave;  // sides of the front: those to come, and those under way
+  std::vector<float> circumradius;         // of each triangle
+};
+
+/// False where points lie along curves: their triangles reach across the void, where a search from near to far sees nothing
+/// for long.
+bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
+                    TilePatch& found);
+
+}  // namespace rbpa

@@ -1,0 +1,27 @@
+// What: the signs behind every decision, in integers of any length: the last stage of each predicate.
+// Cost: microseconds, growing with the span of the exponents.
+#pragma once
+
+#include "rbpa/base/point.h"
+
+namespace rbpa::exact_integer {
+
+/// Sign of the area of (a, b, c): 1 when they turn left.
+int orientation(const Point& a, const Point& b, const Point& c);
+
+/// 1 when q is inside the circle through a, b, p, for (a, b, p) turning left.
+int in_circle(const Point& a, const Point& b, const Point& p, const Point& q);
+
+/// Sign of (circumradius of (a, b, c)) − alpha, for corners not on a line and finite alpha > 0.
+int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha);
+
+/// Sign of |ab| − 2 alpha.
+int compare_to_diameter(const Point& a, const Point& b, double alpha);
+
+/// Sign of |vp| − |vq|.
+int compare_distances(const Point& v, const Point& p, const Point& q);
+
+/// Sign of (p − v) · (q − v).
+int dot(const Point& v, const Point& p, const Point& q);
+
+}  // namespace rbpa::exact_integer

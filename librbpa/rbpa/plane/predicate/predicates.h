@@ -1,0 +1,174 @@
+// What:   the exact decisions: side of a line, in-circle, circumradius against alpha, distances.
+// Law:    each returns the sign of a real number that its comment names, for every finite input. Exchange of arguments
+//         changes the sign as it does for the real number.
+// How:    a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); what it
+//         leaves goes to double-double, to expansions, or to integers of any length where exponents are extreme.
+// Cost:   a few nanoseconds; 0.1–1 µs when the filter fails.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "rbpa/base/exact/double_double.h"
+#include "rbpa/base/exact/expansion.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/predicate/exact_integer.h"
+
+namespace rbpa {
+
+/// The predicates on coordinates whose products stay within the exponents of `Real`:
+///   double       coordinates for which fits_double() holds;
+///   long double  every coordinate (its exponent has 15 bits or more, which degree six in doubles does not leave).
+template <typename Real>
+class Predicates {
+  static_assert(std::numeric_limits<Real>::is_iec559);
+  static_assert(std::is_same_v<Real, double> || std::numeric_limits<Real>::max_exponent >= 16384,
+                "long double has the exponents of double here: extreme coordinates could not be filtered");
+
+ public:
+  static constexpr Real unit_roundoff =
+      std::numeric_limits<Real>::epsilon() / 2;  ///< the relative error of one rounding
+
+  struct Vector {
+    Real x, y;
+  };
+  static Vector from(const Point& a, const Point& b) { return {Real(b.x) - Real(a.x), Real(b.y) - Real(a.y)}; }
+  static Real dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
+  static Real cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
+  static Real dot_magnitude(const Vector& u, const Vector& v) { return std::abs(u.x * v.x) + std::abs(u.y * v.y); }
+  static Real cross_magnitude(const Vector& u, const Vector& v) { return std::abs(u.x * v.y) + std::abs(u.y * v.x); }
+
+  /// 1 when a, b, c turn left, −1 when right, 0 when they are on a line.
+  static int orientation(const Point& a, const Point& b, const Point& c) {
+    const Vector ab = from(a, b), ac = from(a, c);
+    const Real area = cross(ab, ac), bound = 5 * unit_roundoff * cross_magnitude(ab, ac);
+    if (area > bound) return 1;
+    if (area < -bound) return -1;
+    if (bound == 0) return 0;  // both products are, and not by underflow: on a line parallel to an axis
+    if constexpr (std::is_same_v<Real, double>) return exact(a, b).cross(exact(a, c)).sign();
+    return exact_integer::orientation(a, b, c);
+  }
+
+  /// Requires (a, b, p) to turn left. 1 when q is inside their circle, −1 when outside, 0 when on it.
+  static int in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
+    const CircleTest<Real> test(a, b, p, q);
+    if (test.is_sure()) return test.sign();
+    if constexpr (std::is_same_v<Real, double>) {
+      // Cocircular but for rounding. What has a few bits more tells nearly always.
+      if constexpr (has_extended) {
+        const CircleTest<long double> finer(a, b, p, q);
+        if (finer.is_sure()) return finer.sign();
+      }
+      const auto wide_ab = widened(a, b), wide_ap = widened(a, p), wide_aq = widened(a, q);
+      const DoubleDouble finer =
+          wide_ap.dot(widened(b, p)) * wide_ab.cross(wide_aq) - wide_aq.dot(widened(b, q)) * wide_ab.cross(wide_ap);
+      const double bound = 64 * unit_roundoff * unit_roundoff * test.magnitude;
+      if (finer.high > bound) return 1;
+      if (finer.high < -bound) return -1;
+      const auto exact_ab = exact(a, b), exact_ap = exact(a, p), exact_aq = exact(a, q);
+      return (exact_ap.dot(exact(b, p)) * exact_ab.cross(exact_aq) -
+              exact_aq.dot(exact(b, q)) * exact_ab.cross(exact_ap))
+          .sign();
+    }
+    return exact_integer::in_circle(a, b, p, q);
+  }
+
+  /// in_circle() where no four points are on a circle: q cocircular with (a, b, p) is moved off it by the symbolic
+  /// perturbation (docs/predicates.md). Requires (a, b, p) to turn left and q to be none of them.
+  static int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
+    const int side = in_circle(a, b, p, q);
+    return side != 0 ? side : perturbed_side(a, b, p, q);
+  }
+
+  /// The side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically largest of
+  /// the four is lifted most: if that is q, it leaves the circle; if it is a corner, the side depends on where the lift
+  /// of that corner tilts the circle. Three points of a circle are not on a line, so that there is no next to ask.
+  static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
+    if (a < q && b < q && p < q) return -1;
+    if (b < a && p < a) return orientation(q, b, p);
+    return p < b ? orientation(a, q, p) : orientation(a, b, q);
+  }
+
+  /// Sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for double no
+  /// less than the least radius of radius_bounds().
+  static int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha) {
+    const Vector ab = from(a, b), bc = from(b, c), ca = from(c, a);
+    const Real sides = dot(ab, ab) * dot(bc, bc) * dot(ca, ca);
+    const Real area = std::abs(cross(ab, ca)), area_magnitude = cross_magnitude(ab, ca);
+    const Real factor = 4 * Real(alpha) * Real(alpha);
+    const Real difference = sides - factor * area * area;
+    const Real bound =
+        unit_roundoff * (32 * sides + factor * area_magnitude * (24 * area + 64 * unit_roundoff * area_magnitude));
+    // Which of the two is a toss of a coin at a radius like that of many triangles: no branch but for what is undecided.
+    if (std::abs(difference) > bound) [[likely]]
+      return difference > 0 ? 1 : -1;
+    return exact_integer::compare_circumradius(a, b, c, alpha);
+  }
+
+  /// Sign of |ab| − 2 alpha. Requires alpha as compare_circumradius() does.
+  static int compare_to_diameter(const Point& a, const Point& b, double alpha) {
+    const Vector ab = from(a, b);
+    const Real length = dot(ab, ab), diameter = 4 * Real(alpha) * Real(alpha);
+    const Real bound = 8 * unit_roundoff * (length + diameter);
+    if (length - diameter > bound) return 1;
+    if (length - diameter < -bound) return -1;
+    return exact_integer::compare_to_diameter(a, b, alpha);
+  }
+
+  /// Sign of |vp| − |vq|.
+  static int compare_distances(const Point& v, const Point& p, const Point& q) {
+    const Vector vp = from(v, p), vq = from(v, q);
+    const Real first = dot(vp, vp), second = dot(vq, vq);
+    const Real bound = 8 * unit_roundoff * (first + second);
+    if (first - second > bound) return 1;
+    if (first - second < -bound) return -1;
+    return exact_integer::compare_distances(v, p, q);
+  }
+
+  /// Sign of (p − v) · (q − v): of the cosine of the angle at v.
+  static int dot_sign(const Point& v, const Point& p, const Point& q) {
+    const Vector vp = from(v, p), vq = from(v, q);
+    const Real product = dot(vp, vq), bound = 5 * unit_roundoff * dot_magnitude(vp, vq);
+    if (product > bound) return 1;
+    if (product < -bound) return -1;
+    return exact_integer::dot(v, p, q);
+  }
+
+ private:
+  /// long double has 64 bits, in the processor: on x86. Where it has 113, these are computed in software, and slowly.
+  static constexpr bool has_extended = std::numeric_limits<long double>::digits == 64;
+
+  /// in_circle() as far as numbers of one kind can tell.
+  template <typename Number>
+  struct CircleTest {
+    CircleTest(const Point& a, const Point& b, const Point& p, const Point& q) {
+      using N = Predicates<Number>;
+      const auto ab = N::from(a, b), ap = N::from(a, p), bp = N::from(b, p), aq = N::from(a, q), bq = N::from(b, q);
+      difference = N::dot(ap, bp) * N::cross(ab, aq) - N::dot(aq, bq) * N::cross(ab, ap);
+      magnitude =
+          N::dot_magnitude(ap, bp) * N::cross_magnitude(ab, aq) + N::dot_magnitude(aq, bq) * N::cross_magnitude(ab, ap);
+    }
+    bool is_sure() const { return std::abs(difference) > 11 * Predicates<Number>::unit_roundoff * magnitude; }
+    int sign() const { return difference > 0 ? 1 : -1; }
+
+    Number difference, magnitude;
+  };
+
+  struct DoubleDoubleVector {
+    DoubleDouble x, y;
+    DoubleDouble dot(const DoubleDoubleVector& v) const { return x * v.x + y * v.y; }
+    DoubleDouble cross(const DoubleDoubleVector& v) const { return x * v.y - y * v.x; }
+  };
+  static DoubleDoubleVector widened(const Point& a, const Point& b) {
+    return {DoubleDouble::difference(b.x, a.x), DoubleDouble::difference(b.y, a.y)};
+  }
+  struct ExactVector {
+    Expansion<2> x, y;
+    Expansion<16> dot(const ExactVector& v) const { return x * v.x + y * v.y; }
+    Expansion<16> cross(const ExactVector& v) const { return x * v.y - y * v.x; }
+  };
+  static ExactVector exact(const Point& a, const Point& b) { return {difference(b.x, a.x), difference(b.y, a.y)}; }
+};
+
+}  // namespace rbpa

@@ -1,0 +1,39 @@
+// What: the ball's radius, with infinity said in words.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "rbpa/plane/predicate/predicates.h"
+
+namespace rbpa {
+
+/// Alpha as the computation uses it: absent when no ball is too small to pass (α = ∞, or above every circumradius).
+class Radius {
+ public:
+  Radius() = default;
+  explicit Radius(double alpha) : alpha_(alpha) {}
+  /// Of a number that may be infinite.
+  static Radius of(double alpha) { return std::isinf(alpha) ? Radius() : Radius(alpha); }
+
+  bool is_infinite() const { return !alpha_; }
+  /// Requires a finite radius.
+  double value() const { return *alpha_; }
+
+  /// The circumradius of (a, b, c), corners not on a line, is ≤ alpha.
+  template <typename Real>
+  bool admits(const Point& a, const Point& b, const Point& c) const {
+    return !alpha_ || Predicates<Real>::compare_circumradius(a, b, c, *alpha_) <= 0;
+  }
+  /// A ball can touch both points: |ab| ≤ 2 alpha.
+  template <typename Real>
+  bool spans(const Point& a, const Point& b) const {
+    return !alpha_ || Predicates<Real>::compare_to_diameter(a, b, *alpha_) <= 0;
+  }
+
+ private:
+  std::optional<double> alpha_;
+};
+
+}  // namespace rbpa

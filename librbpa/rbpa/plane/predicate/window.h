@@ -1,0 +1,31 @@
+// What: the window through which doubles see a set of points: scaled by a power of two, most of them fit double. The few
+//       that are far larger or far finer than the others lie beyond it.
+// Why:  what fits double is decided by filters that need not think of underflow and overflow (magnitude.h), and nearly all
+//       input does, if not at its own scale.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/exact/magnitude.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/predicate/radius.h"
+
+namespace rbpa {
+
+struct Window {
+  int exponent = 0;                   ///< the points in the window fit double when they are multiplied by 2^exponent
+  std::vector<std::uint32_t> beyond;  ///< the positions of the others, ascending
+  RadiusBounds bounds{};              ///< of the circumradii of those in the window, scaled
+
+  /// Alpha as the points in the window see it: 2^exponent alpha, or as good, where all circles are larger or smaller.
+  Radius scaled(const Radius& alpha) const;
+};
+
+/// The window that has the most points. Where it has less than half of them, all are beyond. Its exponent is 0 if all
+/// points fit as they are. A function of the set of points.
+/// Requires: finite points. Cost: linear.
+Window window_of(std::span<const Point> points);
+
+}  // namespace rbpa

@@ -1,0 +1,75 @@
+#include "rbpa/rbpa.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort/canonical_order.h"
+#include "rbpa/plane/mesh/assembly.h"
+#include "rbpa/plane/patches/for_each_patch.h"
+
+namespace rbpa {
+namespace {
+
+/// Tiles tell what they can, and the remainder what is missing.
+meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
+                                   Threads& threads, Monitor& monitor) {
+  assembler.reserve(3 * sites.size(), 2 * sites.size());
+  using meshops::Placement;
+  const meshops::Patch rest = for_each_patch<Placement>(
+      sites, radius, threads, [](const TilePatch&, Placement&) {},
+      [&](const TilePatch& tile, Placement& placement) { assembler.place(tile.patch, tile.outline, placement); },
+      [&](const TilePatch& tile, Placement& placement) { assembler.fill(tile.patch, tile.outline, placement); },
+      [&] { monitor.worked(assembler.faces()); });
+  assembler.lay(rest);
+  monitor.worked(assembler.faces());
+  auto assembled = std::move(assembler).join();
+  monitor.completed(assembled.mesh());
+  return assembled;
+}
+
+/// The corners of a face as input indices, the smallest first.
+Triple corners_of(const SolidAlphaComplex& complex, Mesh::FaceHandle face) {
+  Triple corners;
+  auto h = complex.mesh.halfedge_handle(face);
+  for (std::uint32_t& corner : corners) {
+    corner = complex.input_index[static_cast<std::size_t>(complex.mesh.to_vertex_handle(h).idx())];
+    h = complex.mesh.next_halfedge_handle(h);
+  }
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+}  // namespace
+
+SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options) {
+  check(points, alpha);
+  SolidAlphaComplex complex;
+  Threads threads = threads_for(points.size(), options.threads);
+  Assembly assembly(points, complex, threads, options.progress);
+  const Sites& sites = assembly.sites();
+  Monitor monitor(options.progress, sites.size());
+  if (assembly.are_collinear())
+    assembly.finish(assembly.front());
+  else
+    assembly.finish(by_tiles(sites, Radius::of(alpha), assembly.assembler(), threads, monitor));
+  return complex;
+}
+
+std::vector<Triple> triangles(const SolidAlphaComplex& complex) {
+  std::size_t bound = 0;
+  for (const std::uint32_t i : complex.input_index) bound = std::max(bound, i + std::size_t{1});
+  Threads one;
+  CanonicalOrder<Triple> order(bound, complex.mesh.n_faces(), 1);
+  order.with_writer([&](CanonicalOrder<Triple>::Writer& writer) {
+    for (const Mesh::FaceHandle face : complex.mesh.faces()) writer.add(corners_of(complex, face));
+  });
+  return order.sorted(one);
+}
+
+unsigned threads_used(std::size_t points, unsigned wanted) {
+  return static_cast<unsigned>(threads_for(points, wanted).count());
+}
+
+}  // namespace rbpa

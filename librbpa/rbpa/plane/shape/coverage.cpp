@@ -1,0 +1,133 @@
+#include "rbpa/coverage.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "rbpa/plane/shape/components.h"
+#include "rbpa/plane/shape/nesting.h"
+#include "rbpa/plane/shape/steps.h"
+
+namespace rbpa {
+namespace {
+
+using Number = std::optional<std::uint32_t>;
+constexpr std::uint32_t none = TriangleArrays::none;
+
+/// The first edge of a shell, by input indices. It is on no other ring.
+struct FirstEdge {
+  std::uint32_t from, to, polygon;
+};
+
+/// Looks up the polygon whose shell begins with an edge.
+class PolygonsByEdge {
+ public:
+  PolygonsByEdge(std::span<const Polygon> polygons, Steps& step) {
+    for (std::uint32_t p = 0; p < polygons.size(); ++p)
+      firsts_.push_back({polygons[p].shell.points[0], polygons[p].shell.points[1], p});
+    sort(firsts_, step, less);
+  }
+
+  /// none: there is no such polygon.
+  std::uint32_t of(std::uint32_t from, std::uint32_t to) const {
+    const FirstEdge wanted{from, to, 0};
+    const auto found = std::lower_bound(firsts_.begin(), firsts_.end(), wanted, less);
+    return found != firsts_.end() && key(*found) == key(wanted) ? found->polygon : none;
+  }
+
+ private:
+  static std::pair<std::uint32_t, std::uint32_t> key(const FirstEdge& edge) { return {edge.from, edge.to}; }
+  static bool less(const FirstEdge& a, const FirstEdge& b) { return key(a) < key(b); }
+
+  std::vector<FirstEdge> firsts_ = {};
+};
+
+/// For each component of the mesh, by its least vertex, the polygon that it is, or none.
+std::vector<std::uint32_t> polygon_of_components(const SolidAlphaComplex& complex, const PolygonsByEdge& polygons,
+                                                 meshops::DisjointSets& components, Steps& step) {
+  const Mesh& mesh = complex.mesh;
+  std::vector<std::uint32_t> polygon(mesh.n_vertices(), none);
+  for (const auto h : mesh.halfedges()) {
+    step();
+    if (mesh.is_boundary(h) || !mesh.is_boundary(mesh.opposite_halfedge_handle(h))) continue;
+    const auto from = static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx());
+    const auto to = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
+    const std::uint32_t found = polygons.of(complex.input_index[from], complex.input_index[to]);
+    if (found != none) polygon[components.find(from)] = found;
+  }
+  return polygon;
+}
+
+/// The same of arrays, by the least triangle.
+std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, const PolygonsByEdge& polygons,
+                                                 meshops::DisjointSets& components, Steps& step) {
+  std::vector<std::uint32_t> polygon(complex.triangles.size(), none);
+  for (std::uint32_t t = 0; t < complex.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      step();
+      if (complex.neighbors[t][k] != none) continue;
+      const auto& corners = complex.triangles[t];
+      const std::uint32_t found = polygons.of(corners[(k + 1) % 3], corners[(k + 2) % 3]);
+      if (found != none) polygon[components.find(t)] = found;
+    }
+  return polygon;
+}
+
+/// A corner is in this polygon; of several in the first.
+void put(Number& of_point, std::uint32_t polygon) {
+  if (polygon != none && (!of_point || polygon < *of_point)) of_point = polygon;
+}
+
+/// What is in no polygon so far may be in a hole that was filled, or repeat another.
+void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
+              const PolygonFilter& filter, std::span<const Point> points, Steps& step) {
+  if (filter.min_hole_area > 0) {
+    std::vector<bool> repeats(points.size(), false);
+    for (const Duplicate& duplicate : duplicates) repeats[duplicate.index] = true;
+    std::vector<std::uint32_t> queries;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      if (!result[i] && !repeats[i]) queries.push_back(i);
+    const std::vector<Number> around = polygons_around(polygons, points, queries, step);
+    for (std::size_t q = 0; q < queries.size(); ++q) result[queries[q]] = around[q];
+  }
+  for (const Duplicate& duplicate : duplicates) result[duplicate.index] = result[duplicate.stands_for];
+}
+
+}  // namespace
+
+std::vector<Number> polygon_of_points(const SolidAlphaComplex& complex, std::span<const Polygon> polygons,
+                                      const PolygonFilter& filter, std::span<const Point> points,
+                                      const std::function<bool()>& go_on) {
+  Steps step(go_on);
+  meshops::DisjointSets components = components_of(complex.mesh, step);
+  const std::vector<std::uint32_t> polygon =
+      polygon_of_components(complex, PolygonsByEdge(polygons, step), components, step);
+  std::vector<Number> result(points.size());
+  for (std::uint32_t v = 0; v < complex.input_index.size(); ++v) {
+    step();
+    put(result[complex.input_index[v]], polygon[components.find(v)]);
+  }
+  complete(result, complex.duplicates, polygons, filter, points, step);
+  return result;
+}
+
+std::vector<Number> polygon_of_points(std::span<const Point> points, const TriangleArrays& complex,
+                                      std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
+                                      const PolygonFilter& filter, const std::function<bool()>& go_on) {
+  Steps step(go_on);
+  std::vector<Number> result(points.size());
+  {
+    meshops::DisjointSets components = components_of(complex, step);
+    const std::vector<std::uint32_t> polygon =
+        polygon_of_components(complex, PolygonsByEdge(polygons, step), components, step);
+    for (std::uint32_t t = 0; t < complex.triangles.size(); ++t) {
+      step();
+      const std::uint32_t here = polygon[components.find(t)];
+      for (const std::uint32_t corner : complex.triangles[t]) put(result[corner], here);
+    }
+  }
+  complete(result, duplicates, polygons, filter, points, step);
+  return result;
+}
+
+}  // namespace rbpa

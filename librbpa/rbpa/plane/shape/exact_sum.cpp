@@ -1,0 +1,109 @@
+#include "rbpa/plane/shape/exact_sum.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace rbpa {
+namespace {
+
+// The last bit of a product is 2^−2252 at least, as frexp() gives significands of 53 bits even to the least double,
+// 2^−1074. Two digits more, so that rounding finds three digits wherever the first is.
+constexpr int offset = 2336;
+constexpr std::int64_t digit_mask = 0xFFFFFFFF;
+
+struct Scaled {
+  std::uint64_t significand;  // below 2^53
+  int exponent;
+  bool negative;
+};
+
+Scaled scaled(double value) {
+  int exponent = 0;
+  const double fraction = std::frexp(std::abs(value), &exponent);
+  return {static_cast<std::uint64_t>(std::ldexp(fraction, 53)), exponent - 53, std::signbit(value)};
+}
+
+}  // namespace
+
+void ExactSum::add_bits(std::uint64_t bits, unsigned position, bool negative) {
+  const std::size_t digit = position / 32;
+  const unsigned shift = position % 32;
+  const std::uint64_t low = bits << shift, high = shift == 0 ? 0 : bits >> (64 - shift);
+  const std::int64_t parts[] = {static_cast<std::int64_t>(low) & digit_mask, static_cast<std::int64_t>(low >> 32U),
+                                static_cast<std::int64_t>(high)};
+  for (std::size_t i = 0; i < 3; ++i) digits_[digit + i] += negative ? -parts[i] : parts[i];
+}
+
+void ExactSum::add_product(double a, double b) {
+  if (a == 0 || b == 0) return;
+  const Scaled x = scaled(a), y = scaled(b);
+  const bool negative = x.negative != y.negative;
+  const auto position = static_cast<unsigned>(x.exponent + y.exponent + offset);
+  constexpr std::uint64_t low_mask = (1U << 27U) - 1;
+  const std::uint64_t x1 = x.significand >> 27U, x0 = x.significand & low_mask;
+  const std::uint64_t y1 = y.significand >> 27U, y0 = y.significand & low_mask;
+  add_bits(x0 * y0, position, negative);
+  add_bits(x0 * y1 + x1 * y0, position + 27, negative);
+  add_bits(x1 * y1, position + 54, negative);
+  // A product adds less than 2^34 to a digit, and a digit holds 2^63.
+  if (++additions_ < (1U << 28U)) return;
+  carry(digits_);
+  additions_ = 0;
+}
+
+void ExactSum::carry(Digits& digits) {
+  std::int64_t carried = 0;
+  for (std::size_t i = 0; i + 1 < digits.size(); ++i) {
+    const std::int64_t digit = digits[i] + carried;
+    digits[i] = digit & digit_mask;
+    carried = digit >> 32;  // rounds down
+  }
+  digits.back() += carried;  // keeps the sign
+}
+
+ExactSum& ExactSum::operator+=(const ExactSum& other) {
+  const Digits added = other.digits();
+  carry(digits_);
+  for (std::size_t i = 0; i < added.size(); ++i) digits_[i] += added[i];
+  additions_ = 1;  // two digits that are carried are less than a product adds
+  return *this;
+}
+
+ExactSum::Digits ExactSum::digits() const {
+  Digits digits = digits_;
+  carry(digits);
+  return digits;
+}
+
+ExactSum ExactSum::of(const Digits& digits) {
+  ExactSum sum;
+  sum.digits_ = digits;
+  sum.additions_ = 1;
+  return sum;
+}
+
+double ExactSum::rounded(int exponent) const {
+  Digits digits = this->digits();
+  const bool negative = digits.back() < 0;
+  if (negative) {
+    for (std::int64_t& digit : digits) digit = -digit;
+    carry(digits);
+  }
+  const auto first = std::find_if(digits.rbegin(), digits.rend(), [](std::int64_t digit) { return digit != 0; });
+  if (first == digits.rend()) return 0;
+  const auto top = static_cast<std::size_t>(digits.rend() - first) - 1;
+  const auto at = [&](std::size_t below) { return static_cast<std::uint64_t>(digits[top - below]); };
+
+  // The first 64 bits, the last of which also stands for everything behind: then the conversion rounds as it must.
+  const auto width = static_cast<unsigned>(std::bit_width(at(0)));
+  std::uint64_t bits = (((at(0) << 32U) | at(1)) << (32 - width)) | (at(2) >> width);
+  const bool more = (at(2) & ((std::uint64_t{1} << width) - 1)) != 0 ||
+                    std::any_of(first + 3, digits.rend(), [](std::int64_t digit) { return digit != 0; });
+  bits |= more ? 1U : 0U;
+  const int position = 32 * (static_cast<int>(top) - 1) - (32 - static_cast<int>(width)) - offset;
+  const double size = std::ldexp(static_cast<double>(bits), position + exponent);
+  return negative ? -size : size;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,77 @@
+// What: areas and lengths of rings.
+// Law:  a function of the ring's edges: of no order.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "rbpa/base/point.h"
+#include "rbpa/plane/shape/exact_sum.h"
+#include "rbpa/shape.h"
+
+namespace rbpa {
+
+/// Sums of numbers that are not negative, some of them perhaps infinite.
+class LengthSum {
+ public:
+  void add(double value) {
+    if (std::isinf(value))
+      infinite_ = true;
+    else
+      sum_.add(value);
+  }
+  double rounded() const { return infinite_ ? std::numeric_limits<double>::infinity() : sum_.rounded(); }
+  LengthSum& operator+=(const LengthSum& other) {
+    sum_ += other.sum_;
+    infinite_ = infinite_ || other.infinite_;
+    return *this;
+  }
+
+  bool is_infinite() const { return infinite_; }
+  const ExactSum& finite() const { return sum_; }  ///< of those that are
+  static LengthSum of(const ExactSum& finite, bool infinite) {
+    LengthSum sum;
+    sum.sum_ = finite;
+    sum.infinite_ = infinite;
+    return sum;
+  }
+
+ private:
+  ExactSum sum_;
+  bool infinite_ = false;
+};
+
+/// What the edges of a polygon's rings, each with the polygon on its left, enclose, and how long they are.
+class BoundaryMeasure {
+ public:
+  BoundaryMeasure() = default;
+  BoundaryMeasure(const ExactSum& twice_area, const LengthSum& lengths) : twice_(twice_area), lengths_(lengths) {}
+
+  void add_edge(const Point& from, const Point& to);
+  BoundaryMeasure& operator+=(const BoundaryMeasure& other) {
+    twice_ += other.twice_;
+    lengths_ += other.lengths_;
+    return *this;
+  }
+
+  const ExactSum& twice_area() const { return twice_; }
+  const LengthSum& lengths() const { return lengths_; }
+  double area() const { return twice_.rounded(-1); }  ///< rounded once
+  double perimeter() const { return lengths_.rounded(); }
+
+ private:
+  ExactSum twice_;
+  LengthSum lengths_;
+};
+
+/// Adds twice the area that the ring encloses, exactly: positive when it is counter-clockwise.
+void add_twice_area(ExactSum& sum, const Ring& ring, std::span<const Point> points);
+
+/// The area that the ring encloses, whichever way round, rounded once.
+double enclosed_area(const Ring& ring, std::span<const Point> points);
+
+/// Fills in area and perimeter. `points` are those of the input, by index.
+void measure(Polygon& polygon, std::span<const Point> points);
+
+}  // namespace rbpa

@@ -1,0 +1,34 @@
+// What: a boundary curve that passes points several times, as rings that pass each point once.
+// Law:  every edge of the curve is on exactly one ring, in its direction. For curves of solid complexes the rings are
+//       the boundaries of the connected pieces of the outside, whichever point the curve begins with (docs/shape.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "rbpa/shape.h"
+
+namespace rbpa {
+
+class CurveSplitter {
+ public:
+  /// For curves whose points are below `points`.
+  explicit CurveSplitter(std::size_t points) : place_(points, nowhere) {}
+
+  /// Appends the rings of a closed curve to `rings`. Cost: linear in the curve.
+  void split(std::span<const std::uint32_t> curve, std::vector<Ring>& rings);
+
+ private:
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  /// What was walked from `first` on is a ring.
+  Ring take(std::size_t first);
+
+  std::vector<std::uint32_t> walked_;  // no point twice
+  std::vector<std::uint32_t> place_;   // of each point in walked_
+};
+
+}  // namespace rbpa

@@ -1,0 +1,45 @@
+// What: a tile's points in single precision, relative to one of them, scaled so that the tile is within −1 … 1.
+// Law:  every coordinate is within `rounding` of the true one; on a lattice it is exact.
+// Why:  sixteen fit a vector register, and nothing can overflow. What is decided with them is decided with bounds that
+//       count the rounding; docs/tiles.md derives them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/plane/tile/tile.h"
+
+namespace rbpa {
+
+struct TileCoordinates {
+  static constexpr float unit_roundoff = 0x1p-24f;
+  static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and what is lost before
+  static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
+
+  double scale = 1;  ///< a power of two
+  std::vector<float> x, y;
+  std::vector<std::int32_t> start, unknown;  ///< as the tile's; behind the last, three rows that are empty
+  int columns = 0, rows = 0;
+  float x0 = 0, y0 = 0, cell = 0, per_cell = 0;
+  /// Where all points are known, but for those of unknown cells; infinite where there is nothing beyond.
+  float x_low = 0, x_high = 0, y_low = 0, y_high = 0;
+  /// Points in a box of at most this extent have differences whose products, and sums of two, are exact in single
+  /// precision. 0 where the points are not on a lattice.
+  float lattice_extent = 0;
+
+  /// Requires a tile with points.
+  void assign(const Tile& tile);
+
+  int column(float at) const { return clamp((at - x0) * per_cell, columns); }
+  int row(float at) const { return clamp((at - y0) * per_cell, rows); }
+  bool is_known(int c0, int c1, int r0, int r1) const;
+
+ private:
+  static int clamp(float cells, int count) {
+    return static_cast<int>(std::max(0.0f, std::min(cells, static_cast<float>(count - 1))));
+  }
+};
+
+}  // namespace rbpa

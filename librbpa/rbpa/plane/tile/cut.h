@@ -1,0 +1,61 @@
+// What: cuts the plane into tiles along the cells of the point grid.
+// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells it says it does not
+//       know.
+// Cost: linear in the points of the tile and the cells of its block.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/plane/grid/hidden_points.h"
+#include "rbpa/plane/grid/point_grid.h"
+#include "rbpa/plane/tile/tile.h"
+
+namespace rbpa {
+
+/// Cells of a level of the point grid whose points, but for those of cells that are grids of more than `merged` points,
+/// one tile owns.
+struct Block {
+  std::uint32_t level;
+  int column, row, columns, rows;
+  std::uint32_t points, merged;
+};
+
+/// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
+/// `max_points`.
+std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
+
+/// Cuts tiles out of a grid, one after another with the same memory.
+class Cutter {
+ public:
+  /// Keeps references. Where a hidden point lies, and beyond it, a tile does not know what there is.
+  explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
+
+  /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
+  /// points than a tile can have gives an empty tile.
+  void cut(const Block& block, Tile& tile);
+
+ private:
+  using Level = PointGrid::Level;
+
+  void lay_cells(const Level& level, const Block& block, Tile& tile);
+  void gather(const Level& level, const Block& block, Tile& tile);
+  void gather_beyond(const Level& level, const Tile& tile);
+  void forget_hidden(const Level& level, const Tile& tile);
+  void add(std::uint32_t first, std::uint32_t last);
+  void forget(const Tile& tile, double x_low, double x_high, double y_low, double y_high);
+  void sort_into_cells(Tile& tile);
+
+  const PointGrid& grid_;
+  const HiddenPoints& hidden_;
+  struct Range {
+    std::uint32_t first, last;
+  };
+  std::vector<Range> sites_;
+  std::size_t owned_ = 0, all_ = 0;  // how many they are; those the tile owns come first
+  std::vector<std::uint32_t> cell_of_, count_;
+  std::vector<std::uint8_t> unknown_;
+  bool any_unknown_ = false;
+};
+
+}  // namespace rbpa

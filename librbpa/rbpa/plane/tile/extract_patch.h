@@ -1,0 +1,40 @@
+// What: the patch of a tile out of the triangles found on it, and the status of the stars around its points.
+// Cost: linear in the points and triangles of the tile. As a tile's points come in no order that could be foreseen, lists
+//       are written without branches: the next entry always, and counted if it is one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/plane/predicate/radius.h"
+#include "rbpa/plane/tile/circumradius_filter.h"
+#include "rbpa/plane/tile/coordinates.h"
+#include "rbpa/plane/tile/local_front.h"
+#include "rbpa/plane/tile/tile.h"
+#include "rbpa/plane/tile/tile_patch.h"
+
+namespace rbpa {
+
+/// Memory, from tile to tile; extract_patch.cpp says what for.
+struct ExtractionWorkspace {
+  std::vector<std::uint16_t> kept, others, marginal;  // numbers of triangles
+  std::vector<std::uint16_t> owned;                   // of each triangle: the tile owns its least corner
+  std::vector<std::uint16_t> number;                  // of each side: what the one across is told of it
+  std::vector<std::uint16_t> elsewhere;               // of each point: triangles around it that other tiles own
+  std::vector<int> last,
+      ending;  // of each point: the side that leaves it in an outline; one of the rim that ends there
+  std::vector<CircumradiusFilter> within;  // of each triangle, alpha
+  std::vector<std::uint8_t> star;          // of each point, its status
+  // Lists of the result, before their length is known.
+  std::vector<std::uint32_t> settled, ghost_corners;
+  std::vector<TilePatch::SharedStar> shared;
+  std::vector<TilePatch::Neighbors> unsettled_neighbors;
+  std::vector<int> outer;
+};
+
+/// Replaces `result` by what the triangles on the front tell: those within alpha that the tile owns, and what is settled.
+/// Requires the tile's coordinates.
+void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
+                   ExtractionWorkspace& workspace, TilePatch& result);
+
+}  // namespace rbpa

@@ -1,0 +1,19 @@
+// What: what is common to those who find the triangles of a tile, by pivots (pivots/) or by enumeration (enumeration/).
+// Law:  a finder replaces `found` by a patch of the complex and what is settled by it, a function of the tile and alpha
+//       alone. It returns false where it cannot tell anything or would be too slow; what is in `found` is of no use then.
+#pragma once
+
+#include "rbpa/plane/tile/coordinates.h"
+#include "rbpa/plane/tile/extract_patch.h"
+#include "rbpa/plane/tile/local_front.h"
+
+namespace rbpa {
+
+/// What one thread finds patches with, from tile to tile; a finder has memory of its own besides.
+struct TileWorkspace {
+  TileCoordinates coordinates;  ///< of the tile; all else is for the finder to replace
+  LocalFront front;             ///< the triangles found
+  ExtractionWorkspace extraction;
+};
+
+}  // namespace rbpa

@@ -1,0 +1,49 @@
+// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and where nothing is
+//       known.
+// Law:  plain data. What is computed from a tile depends on nothing else, so tiles can be run in any order, by any
+//       thread, or be sent elsewhere.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/base/point.h"
+
+namespace rbpa {
+
+/// Points are numbered cell by cell, row by row. The cells' box is x0 … x0 + columns · cell by y0 … y0 + rows · cell.
+struct Tile {
+  double x0 = 0, y0 = 0, cell = 0;
+  int columns = 0, rows = 0;
+  /// Beyond the cells on this side there are no points at all.
+  bool nothing_left = false, nothing_right = false, nothing_below = false, nothing_above = false;
+  std::vector<Point> points;
+  std::vector<std::uint32_t> site;  ///< of each point, what it is called outside
+  std::vector<std::uint8_t>
+      owned;  ///< of each point: 1 when the tile owns it, 0 when it is a ghost, of the halo around
+  std::vector<std::uint16_t> start;  ///< of each cell its first point; and the end
+  /// Of each cell, how many before it have points that are not here; and of all. Empty when every point is here.
+  std::vector<std::uint16_t> unknown;
+
+  double x1() const { return x0 + columns * cell; }
+  double y1() const { return y0 + rows * cell; }
+  std::size_t cells() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  int column(double x) const { return std::clamp(static_cast<int>((x - x0) / cell), 0, columns - 1); }
+  int row(double y) const { return std::clamp(static_cast<int>((y - y0) / cell), 0, rows - 1); }
+
+  void clear() {
+    nothing_left = nothing_right = nothing_below = nothing_above = false;
+    points.clear();
+    site.clear();
+    owned.clear();
+    start.clear();
+    unknown.clear();
+  }
+
+  static constexpr std::size_t max_points = 8000;
+  static_assert(4 * (2 * max_points + 2) <= 0xffff, "two triangles a point, four numbers a triangle, in 16 bits");
+};
+
+}  // namespace rbpa

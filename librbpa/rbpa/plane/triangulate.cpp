@@ -1,0 +1,126 @@
+#include "rbpa/triangulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/collinear.h"
+#include "rbpa/plane/arrays/dangling.h"
+#include "rbpa/plane/arrays/linked_triangles.h"
+#include "rbpa/plane/arrays/triangle_list.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/patches/for_each_patch.h"
+
+namespace rbpa {
+namespace {
+
+/// All patches into a list, which is TriangleList or LinkedTriangles.
+template <typename List>
+void find_triangles(const Sites& sites, double alpha, const std::function<bool(const Progress&)>& progress,
+                    Threads& threads, List& list) {
+  const auto worked = [&] {
+    if (progress && !progress({list.size(), sites.size()})) throw Cancelled();
+  };
+  using Place = typename List::Place;
+  const meshops::Patch rest = for_each_patch<Place>(
+      sites, Radius::of(alpha), threads, [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
+      [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
+      [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false);
+  Place place;
+  list.prepare(rest, place);
+  list.place(rest, place);
+  list.fill(rest, place);
+  worked();
+}
+
+/// The sides at which nothing lies, by the triangles and their neighbours.
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, const std::function<void()>& ask) {
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  for (std::size_t t = 0; t < of.triangles.size(); ++t) {
+    if (t % (1u << 18) == 0 && ask) ask();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (of.neighbors[t][k] == Triangulation::none)
+        boundary.push_back({of.triangles[t][(k + 1) % 3], of.triangles[t][(k + 2) % 3]});
+  }
+  std::sort(boundary.begin(), boundary.end());
+  return boundary;
+}
+
+/// The indices that are not marked and not those of duplicates, ascending.
+std::vector<std::uint32_t> others(const std::vector<std::uint8_t>& marked, const std::vector<Duplicate>& duplicates) {
+  std::vector<std::uint32_t> found;
+  auto duplicate = duplicates.begin();
+  for (std::uint32_t i = 0; i < marked.size(); ++i) {
+    if (duplicate != duplicates.end() && duplicate->index == i)
+      ++duplicate;
+    else if (marked[i] == 0)
+      found.push_back(i);
+  }
+  return found;
+}
+
+std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t points) {
+  std::vector<std::uint8_t> covered(points, 0);
+  for (const auto& t : of.triangles)
+    for (const std::uint32_t i : t) covered[i] = 1;
+  return others(covered, of.duplicates);
+}
+
+/// The triangles of a radius, and what is told of points.
+Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
+  Triangulation result;
+  Threads threads = threads_for(points.size(), options.threads);
+  std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
+  result.distinct = sites->size();
+  result.duplicates = sites->duplicates();
+  const bool are_on_a_line = are_collinear(points);
+  const auto find = [&](auto& list) {
+    if (!are_on_a_line) find_triangles(*sites, alpha, options.progress, threads, list);
+    const std::function<void()> ask = asking(options.progress, result.distinct, list.size());
+    sites.reset();  // its memory is not needed where the list becomes the result
+    return list.sorted(threads, ask);
+  };
+  if (options.neighbors || options.boundary) {
+    LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
+    LinkedTriangles::Sorted sorted = find(list);
+    result.triangles = std::move(sorted.triangles);
+    result.neighbors = std::move(sorted.neighbors);
+  } else {
+    TriangleList list(sites->size(), sites->input_index(), points.size(), threads);
+    result.triangles = find(list);
+  }
+  // Without a radius all points are in triangles, if there are any.
+  if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
+  const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
+  if (options.boundary) result.boundary = boundary_of(result, ask);
+  if (!options.neighbors) result.neighbors = std::vector<Triple>();
+  return result;
+}
+
+}  // namespace
+
+Triangulation triangulate(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
+  check(points, alpha);
+  if (options.complex == Complex::solid) return solid(points, alpha, options);
+  TriangulationOptions of_delaunay = options;
+  of_delaunay.neighbors = true;
+  of_delaunay.boundary = false;
+  Triangulation result = solid(points, std::numeric_limits<double>::infinity(), of_delaunay);
+  result.edges = dangling_edges(points, alpha, result);
+  keep_within(points, alpha, result);
+  result.isolated = isolated_in(result, points.size());
+  std::vector<std::uint8_t> covered(points.size(), 1);
+  for (const std::uint32_t i : result.isolated) covered[i] = 0;
+  for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
+  result.points = others(covered, result.duplicates);
+  if (options.boundary)
+    result.boundary = boundary_of(result, asking(options.progress, result.distinct, result.triangles.size()));
+  if (!options.neighbors) result.neighbors = std::vector<Triple>();
+  return result;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,95 @@
+// What: points of space in cells of about the ball's radius, those that have points only: on a surface most have none.
+// Law:  every point within two radii of a point is in the 125 cells around its cell. For any exponents:
+//       docs/surface.md, section 8. Equal points are one site. The order of the cells is a function of the set of points.
+// Cost: a sort; as much memory as the points.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+using Site = std::uint32_t;  ///< a position among distinct points, in the order of their cells
+
+class Cells {
+ public:
+  struct Equal {
+    Site site;
+    std::uint32_t index;  // of another input point there
+  };
+
+  /// Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
+  Cells(std::span<const Point3> points, double radius, Threads& threads);
+
+  double radius() const { return radius_; }
+  std::size_t size() const { return cells_.size() - 1; }
+  /// The distinct points.
+  std::span<const Point3> sites() const { return sites_; }
+  /// The lowest input index at each site.
+  std::span<const std::uint32_t> input_index() const { return input_index_; }
+  /// The other input points, by site and index.
+  std::span<const Equal> equals() const { return equals_; }
+
+  /// The first site in cell i; of size() the number of sites.
+  Site first_in(std::size_t i) const { return cells_[i].first; }
+
+  /// The cell in which a site is.
+  std::size_t cell_of(Site site) const;
+
+  /// Where the cells around a cell are; cheap for cells that are asked about in ascending order.
+  class Around {
+   public:
+    explicit Around(const Cells& cells) : cells_(cells) {}
+
+    /// Calls visit(first, last) for runs of sites that make up all cells around cell i, itself included.
+    template <typename Visit>
+    void for_each_run(std::size_t i, Visit visit) {
+      const Key& key = cells_.cells_[i].key;
+      const bool is_next = i >= asked_;
+      asked_ = i;
+      std::size_t row = 0;
+      for (std::int64_t x = key[0] - reach; x <= key[0] + reach; ++x)
+        for (std::int64_t y = key[1] - reach; y <= key[1] + reach; ++y, ++row) {
+          std::size_t& first = first_[row];
+          first = cells_.first_not_before({x, y, key[2] - reach}, is_next ? first : 0);
+          std::size_t last = first;
+          while (cells_.is_in_row(last, x, y, key[2] + reach)) ++last;
+          if (first != last) visit(cells_.first_in(first), cells_.first_in(last));
+        }
+    }
+
+   private:
+    const Cells& cells_;
+    std::size_t asked_ = static_cast<std::size_t>(-1);
+    std::array<std::size_t, 25> first_{};
+  };
+
+ private:
+  using Key = std::array<std::int64_t, 3>;
+  struct Cell {
+    Key key;
+    Site first;
+  };
+  static constexpr std::int64_t reach = 2;
+
+  /// The first cell from `from` on whose key is not before. Requires that none before `from` is.
+  std::size_t first_not_before(const Key& key, std::size_t from) const;
+  bool is_in_row(std::size_t cell, std::int64_t x, std::int64_t y, std::int64_t last) const {
+    const Key& key = cells_[cell].key;  // the one for the end is there too
+    return cell < size() && key[0] == x && key[1] == y && key[2] <= last;
+  }
+
+  double radius_;
+  std::vector<Point3> sites_;
+  std::vector<std::uint32_t> input_index_;
+  std::vector<Equal> equals_;
+  std::vector<Cell> cells_;  // by key; and one for the end
+};
+
+}  // namespace rbpa::space

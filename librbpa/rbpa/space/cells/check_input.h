@@ -1,0 +1,20 @@
+// What: what the functions on points of space require of their input.
+// Cost: linear.
+#pragma once
+
+#include <span>
+
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+/// Requires: finite points, fewer than 2^32 − 1. Throws InvalidInput naming what is not.
+void check_points(std::span<const Point3> points);
+/// Requires: 0 < radius < infinity.
+void check_radius(double radius);
+/// Requires: at least one radius, 0 < radius < infinity, each above the one before.
+void check_radii(std::span<const double> radii);
+/// Requires: a normal of each point, finite, of any length but 0.
+void check_normals(std::span<const Point3> points, std::span<const Point3> normals);
+
+}  // namespace rbpa::space

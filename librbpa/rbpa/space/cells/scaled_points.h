@@ -1,0 +1,44 @@
+// What: points of space and a radius as numbers that the filters like, where there are such.
+// Law:  multiplied by one power of two, exactly (search/scale.h).
+// Cost: linear; a copy of the points where the power is not 1.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/cells/scale.h"
+
+namespace rbpa::space {
+
+/// Keeps the span where it needs no copy.
+class ScaledPoints {
+ public:
+  ScaledPoints(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {
+    const std::optional<int> exponent = scale_to_double(points, radius);
+    fits_double_ = exponent.has_value();
+    if (!exponent || *exponent == 0) return;
+    const auto scale = [&](double value) { return std::ldexp(value, *exponent); };
+    own_.reserve(points.size());
+    for (const Point3& p : points) own_.push_back({scale(p.x), scale(p.y), scale(p.z)});
+    points_ = own_;
+    radius_ = scale(radius);
+  }
+
+  ScaledPoints(const ScaledPoints&) = delete;
+  ScaledPoints& operator=(const ScaledPoints&) = delete;
+
+  std::span<const Point3> points() const { return points_; }
+  double radius() const { return radius_; }
+  bool fits_double() const { return fits_double_; }
+
+ private:
+  std::vector<Point3> own_;
+  std::span<const Point3> points_;
+  double radius_;
+  bool fits_double_;
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,62 @@
+// What:   ball pivoting of points in space, as arrays of indices in canonical order.
+// Law:    a function of the set of points, their normals and the radius: of no order, no seed, no thread. Every decision is
+//         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface.md.
+// Cost:   linear for a number of points within two radii of a point, and grows slowly with it: docs/surface.md, section 10.
+// Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha shapes
+//         (Edelsbrunner and Mücke, 1994).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
+
+namespace rbpa {
+
+struct SurfaceOptions {
+  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
+  unsigned threads = 0;
+  /// Called now and then, one call at a time but from any thread of the run, with the number of exposed triangles; returning
+  /// false cancels it. Empty: never called.
+  std::function<bool(const Progress&)> progress = {};
+};
+
+/// Oriented triangles, and on which of them the ball comes to rest when it rolls over their sides. Indices are those of the
+/// input points, of equal points the lowest.
+struct Surface {
+  /// What stands for a neighbour where there is none.
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// Counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three points can be here
+  /// twice, once for each side.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Of each triangle, neighbour k is the one to which the ball rolls over the side across from corner k, or none. Rolling
+  /// back returns.
+  std::vector<std::array<std::uint32_t, 3>> neighbors;
+  /// Of each triangle, which of several radii made it (surface_levels.h). Empty where there was one radius.
+  std::vector<std::uint32_t> levels;
+  std::vector<Duplicate> duplicates;  ///< ascending by index
+  std::size_t distinct = 0;           ///< number of distinct points
+};
+
+/// The exposed triangles E_r: those on which an open ball of the radius rests, on their positive side, that holds no point.
+/// A closed surface: no neighbour is none.
+/// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
+/// Throws:   InvalidInput naming what is not; Cancelled.
+RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
+
+/// The surface A_r: the exposed triangles whose normal has a positive product with the normals at all three corners, those of
+/// all points that are there. Two sides are glued where each pivots to the other.
+/// Requires: as exposed_triangles(); a normal of each point, finite, of any length but 0.
+/// Throws:   as exposed_triangles().
+RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
+                         const SurfaceOptions& options = {});
+
+}  // namespace rbpa

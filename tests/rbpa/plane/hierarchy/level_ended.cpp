@@ -1,0 +1,174 @@
+// What a visitor of levels sees while hrbpa() runs.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "meshops/core/validate.h"
+#include "rbpa/hrbpa.h"
+#include "rbpa/level_topology.h"
+#include "rbpa/rbpa.h"
+#include "support/generate.h"
+#include "support/levels.h"
+#include "support/sets.h"
+#include "support/triangle.h"
+
+using namespace rbpa_test;
+using rbpa::EndedLevel;
+using rbpa::Hierarchy;
+using rbpa::Level;
+
+TEST_SUITE_BEGIN("hierarchy");
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+/// What there was to see when a level ended.
+struct Seen {
+  Level level;
+  std::vector<Triangle> triangles;  ///< in the order of their faces, smallest index first
+  std::vector<std::uint32_t> isolated;
+  std::size_t curves;
+  bool all_frozen;
+};
+
+Seen look(const EndedLevel& ended) {
+  const meshops::Front& front = ended.front;
+  const auto point = [&](meshops::Site s) { return ended.input_index[static_cast<std::size_t>(s)]; };
+  Seen seen{.level = ended.level, .triangles = {}, .isolated = {}, .curves = front.curves().size(), .all_frozen = true};
+  for (std::size_t f = 0; f < front.faces(); ++f) {
+    meshops::Halfedge h = front.mesh().halfedge_handle(meshops::Face(static_cast<int>(f)));
+    Triangle& corners = seen.triangles.emplace_back();
+    for (std::uint32_t& corner : corners) {
+      corner = point(front.from_site(h));
+      h = front.mesh().next_halfedge_handle(h);
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  for (std::size_t s = 0; s < front.sites(); ++s)
+    if (front.is_free(static_cast<meshops::Site>(s))) seen.isolated.push_back(point(static_cast<meshops::Site>(s)));
+  std::sort(seen.isolated.begin(), seen.isolated.end());
+  for (const meshops::BoundaryCurve& curve : front.curves())
+    for (const meshops::Halfedge h : curve)
+      seen.all_frozen &= std::find(front.frozen().begin(), front.frozen().end(), h) != front.frozen().end();
+  return seen;
+}
+
+struct Watched {
+  Hierarchy hierarchy;
+  std::vector<Seen> seen;
+};
+
+Watched watch(const Points& points, double alpha, std::size_t leaf_capacity) {
+  Watched watched;
+  watched.hierarchy = rbpa::hrbpa(
+      points, alpha,
+      {.leaf_capacity = leaf_capacity, .level_ended = [&](const auto& ended) { watched.seen.push_back(look(ended)); }});
+  return watched;
+}
+
+bool same(const Level& a, const Level& b) {
+  return a.alpha == b.alpha && a.number == b.number && a.transferred == b.transferred &&
+         a.taking_part == b.taking_part && a.advancing == b.advancing && a.triangles == b.triangles &&
+         a.seconds == b.seconds;
+}
+
+std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+/// Of every generated set at most a hundred points.
+template <typename Check>
+void for_small_sets(const Check& check) {
+  for (const NamedSet& set : generated_sets()) {
+    Points points = set.make();
+    if (points.size() > 100) points.resize(100);
+    CAPTURE(set.name);
+    for (const std::size_t k : {1u, 8u}) check(points, k);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the levels that are told are those of the result, each with as many faces as it has triangles") {
+  std::size_t levels = 0, in_vain = 0;
+  for_small_sets([&](const Points& points, std::size_t k) {
+    const auto& [hierarchy, seen] = watch(points, infinity, k);
+    REQUIRE(seen.size() == hierarchy.levels.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      CHECK(same(seen[i].level, hierarchy.levels[i]));
+      CHECK(seen[i].triangles.size() == hierarchy.levels[i].triangles);
+    }
+    levels += seen.size();
+    in_vain += hierarchy.looked_in_vain;
+  });
+  CHECK(levels > 100);
+  CHECK(in_vain == 0);  // else no level was left out
+}
+
+TEST_CASE("what is seen at the end of a level is the complex of its radius") {
+  for_small_sets([](const Points& points, std::size_t k) {
+    const auto& [hierarchy, seen] = watch(points, infinity, k);
+    const auto topology = rbpa::level_topology(hierarchy);
+    const std::size_t step = seen.size() / 10 + 1;  // of sets with very many levels some
+    for (std::size_t i = 0; i < seen.size(); i += step) {
+      const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, seen[i].level.alpha);
+      CHECK(sorted(seen[i].triangles) == rbpa::triangles(direct));
+      CHECK(seen[i].isolated == direct.isolated);
+      CHECK(seen[i].curves == topology[i].boundary_curves);
+      CHECK(seen[i].all_frozen);
+    }
+  });
+}
+
+TEST_CASE("faces keep their numbers to the end") {
+  const auto& [hierarchy, seen] = watch(clusters(20, 3), infinity, 2);
+  REQUIRE(seen.size() > 3);
+  const std::vector<Triangle>& last = seen.back().triangles;
+  for (const Seen& earlier : seen) CHECK(std::equal(earlier.triangles.begin(), earlier.triangles.end(), last.begin()));
+  const auto& [mesh, input_index, isolated, duplicates, distinct] = hierarchy.complex;
+  for (const auto face : mesh.faces()) {
+    Triangle corners{};
+    std::size_t i = 0;
+    for (const auto v : face.vertices()) corners[i++] = input_index[static_cast<std::size_t>(v.idx())];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    REQUIRE(corners == last[static_cast<std::size_t>(face.idx())]);
+  }
+}
+
+TEST_CASE("a run that is watched has the result of one that is not") {
+  for_small_sets([](const Points& points, std::size_t k) {
+    const Hierarchy watched = watch(points, infinity, k).hierarchy, alone = hierarchy(points, infinity, k);
+    CHECK(rbpa::triangles(watched.complex) == rbpa::triangles(alone.complex));
+    CHECK(watched.levels.size() == alone.levels.size());
+    CHECK(meshops::validate(watched.complex.mesh).empty());
+  });
+}
+
+TEST_CASE("what the visitor throws ends the run at that level") {
+  const Points points = uniform(500, 4);
+  const std::size_t all = hierarchy(points, infinity, 1).levels.size();
+  REQUIRE(all > 3);
+  for (std::size_t last = 1; last <= all; ++last) {
+    std::size_t calls = 0;
+    CHECK_THROWS_AS(rbpa::hrbpa(points, infinity,
+                                {.leaf_capacity = 1,
+                                 .level_ended =
+                                     [&](const EndedLevel&) {
+                                       if (++calls == last) throw std::string("seen enough");
+                                     }}),
+                    std::string);
+    CHECK(calls == last);
+  }
+}
+
+TEST_CASE("where there are no levels nothing is told") {
+  for (const Points& points : {Points{}, Points{{1, 2}, {3, 4}}, Points{{0, 0}, {1, 1}, {3, 3}}})
+    CHECK(watch(points, infinity, 1).seen.empty());
+}
+
+TEST_SUITE_END();
