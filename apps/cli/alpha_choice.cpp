@@ -113,7 +113,7 @@ std::string name_of(const AlphaChoice& choice) {
 
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
-  const SolidAlphaComplex delaunay = build(points, infinity, run);
+  const Triangulation delaunay = build_delaunay(points, run);
   std::optional<ProgressLine> line(std::in_place, "rbpa", !run.quiet, "choosing alpha");
   const Filtration all = filtration(delaunay, points, until_interrupted());
   if (choice.rule != AlphaRule::plateau) {

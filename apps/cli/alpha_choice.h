@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/run_options.h"
+#include "rbpa/base/point.h"
 #include "rbpa/covering.h"
-#include "rbpa/rbpa.h"
 
 namespace rbpa::app {
 

@@ -40,7 +40,7 @@ struct AlphaRequest {
 };
 
 AlphaReport examine(const std::vector<Point>& points, const AlphaRequest& request, const RunOptions& run) {
-  const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
+  const Triangulation delaunay = build_delaunay(points, run);
   AlphaReport report{.radii = {.max_components = request.max_components, .cover = request.cover}};
   find_radii(report.radii, delaunay, points, request.with_plateaus, run.quiet);
   if (request.with_pairs) {

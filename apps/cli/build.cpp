@@ -1,5 +1,6 @@
 #include "cli/build.h"
 
+#include <limits>
 #include <optional>
 
 #include "cli/progress.h"
@@ -19,6 +20,10 @@ PointFile read(const PointSource& source, bool quiet) {
     say("rbpa",
         name + ": z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
   return file;
+}
+
+Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run) {
+  return build_arrays(points, std::numeric_limits<double>::infinity(), Complex::solid, true, run);
 }
 
 Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,

@@ -9,11 +9,11 @@
 
 namespace rbpa::app {
 
-void find_radii(Radii& radii, const SolidAlphaComplex& delaunay, const std::vector<Point>& points, bool with_plateaus,
+void find_radii(Radii& radii, const Triangulation& delaunay, const std::vector<Point>& points, bool with_plateaus,
                 bool quiet) {
   radii.points = points.size();
   {
-    const ProgressLine line("rbpa", !quiet, "radii of " + counted(delaunay.mesh.n_faces(), "triangle"));
+    const ProgressLine line("rbpa", !quiet, "radii of " + counted(delaunay.triangles.size(), "triangle"));
     radii.filtration = filtration(delaunay, points, until_interrupted());
   }
   stop_if_interrupted();

@@ -1,16 +1,16 @@
-// What: the radii that the verbs alpha and report tell of: critical ones, those that cover, plateaus.
+// What: the radii that the verbs alpha and report print: critical ones, those that cover, plateaus.
 #pragma once
 
 #include <vector>
 
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 #include "report/radii.h"
 
 namespace rbpa::app {
 
 /// Fills in what follows from the points, for its share and number of components, with progress lines unless
 /// quiet. Throws Cancelled after a signal.
-void find_radii(Radii& radii, const SolidAlphaComplex& delaunay, const std::vector<Point>& points, bool with_plateaus,
+void find_radii(Radii& radii, const Triangulation& delaunay, const std::vector<Point>& points, bool with_plateaus,
                 bool quiet);
 
 }  // namespace rbpa::app

@@ -12,6 +12,8 @@
 #include "io/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
+#include "rbpa/hrbpa.h"
+#include "rbpa/rbpa.h"
 #include "triangulation/counts.h"
 
 namespace rbpa::app {

@@ -35,7 +35,7 @@ void check_output(const std::string& output) {
 /// What is to be said of the points, and what is to be drawn.
 Report examine(const std::string& source, const PointFile& file, const Radii& asked, const RunOptions& run) {
   const std::vector<Point>& points = file.points;
-  const SolidAlphaComplex delaunay = build(points, std::numeric_limits<double>::infinity(), run);
+  const Triangulation delaunay = build_delaunay(points, run);
   Report report{.source = source, .unit = unit_of(file), .radii = asked};
   find_radii(report.radii, delaunay, points, true, run.quiet);
   report.recommended = recommended(report.radii);

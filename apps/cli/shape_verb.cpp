@@ -21,6 +21,7 @@
 #include "picture/svg.h"
 #include "rbpa/coverage.h"
 #include "rbpa/link_triangles.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "triangulation/counts.h"
 

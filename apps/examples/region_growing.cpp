@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/live_range.h"
 #include "meshops/front/engine.h"
 #include "meshops/topology/build_mesh.h"
-#include "meshops/topology/disjoint_sets.h"
 #include "meshops/topology/report.h"
 
 using meshops::Edge;

@@ -5,7 +5,6 @@
 #include "io/failure.h"
 #include "io/message.h"
 #include "io/output_file.h"
-#include "meshops/topology/progress.h"
 #include "rbpa/base/error.h"
 
 namespace rbpa::app {
@@ -32,8 +31,6 @@ int run(const std::string& program, const std::function<void()>& work) {
   } catch (const InvalidInput& e) {
     return report(program, e.what(), bad_input_given);
   } catch (const Cancelled&) {
-    return report(program, "cancelled", cancelled);
-  } catch (const meshops::Cancelled&) {
     return report(program, "cancelled", cancelled);
   } catch (const ClosedPipe&) {
     return closed_pipe;

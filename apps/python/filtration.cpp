@@ -12,15 +12,15 @@
 #include "rbpa/covering.h"
 #include "rbpa/persistence.h"
 #include "rbpa/plateaus.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa::python {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-SolidAlphaComplex delaunay_of(std::span<const Point> points, unsigned threads, Watch& watch) {
-  return rbpa::rbpa(points, infinity, {.threads = threads, .progress = watch.progress()});
+Triangulation delaunay_of(std::span<const Point> points, unsigned threads, Watch& watch) {
+  return triangulate(points, infinity, {.neighbors = true, .threads = threads, .progress = watch.progress()});
 }
 
 /// The least alpha that covers a share of the points, in at most so many solid components if that is asked for.
@@ -28,7 +28,7 @@ std::optional<double> least_alpha(const Doubles& points, double share, std::opti
                                   unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   return watched(input.size(), progress, [&](Watch& watch) {
-    const SolidAlphaComplex delaunay = delaunay_of(input, threads, watch);
+    const Triangulation delaunay = delaunay_of(input, threads, watch);
     return smallest_covering(delaunay, filtration(delaunay, input, watch.until_stopped()),
                              {.share = share, .max_components = components}, watch.until_stopped());
   });
@@ -38,7 +38,7 @@ std::optional<double> least_alpha(const Doubles& points, double share, std::opti
 py::list plateaus_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   const std::vector<Plateau> found = watched(input.size(), progress, [&](Watch& watch) {
-    const SolidAlphaComplex delaunay = delaunay_of(input, threads, watch);
+    const Triangulation delaunay = delaunay_of(input, threads, watch);
     return plateaus(delaunay, input, filtration(delaunay, input, watch.until_stopped()), watch.until_stopped());
   });
   py::list list;
@@ -82,7 +82,7 @@ using Interval = std::array<double, 2>;
 py::tuple persistence_intervals(const Doubles& points, bool full, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   auto intervals = watched(input.size(), progress, [&](Watch& watch) {
-    const SolidAlphaComplex delaunay = delaunay_of(input, threads, watch);
+    const Triangulation delaunay = delaunay_of(input, threads, watch);
     const Filtration made = filtration(delaunay, input, watch.until_stopped());
     std::array<std::vector<Interval>, 2> of_dimension;
     for (const PersistencePair& pair :

@@ -4,7 +4,6 @@
 #include <pybind11/pybind11.h>
 
 #include "meshops/core/contract.h"
-#include "meshops/topology/progress.h"
 #include "rbpa/base/error.h"
 
 namespace {
@@ -19,14 +18,7 @@ void bind_errors(py::module_& module) {
   };
   py::register_exception<rbpa::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
   py::register_exception<meshops::ContractViolation>(module, "ContractViolation", PyExc_ValueError);
-  static auto& cancelled = py::register_exception<rbpa::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
-  py::register_exception_translator([](std::exception_ptr error) {
-    try {
-      if (error) std::rethrow_exception(error);
-    } catch (const meshops::Cancelled& of_mesh) {
-      cancelled(of_mesh.what());
-    }
-  });
+  py::register_exception<rbpa::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
   describe("InvalidInput", "The data or parameters given are not what the function takes; nothing was computed.");
   describe("ContractViolation", "A requirement of the function was not met; nothing was changed.");
   describe("Cancelled", "The progress callback asked to stop.");

@@ -1,36 +1,16 @@
 #include "triangulation/counts.h"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "io/interrupt.h"
+#include "meshops/core/disjoint_sets.h"
 #include "rbpa/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {
-
-/// Sets of numbers below a bound, joined two by two.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size), rank_(size, 0), sets_(rank_.data(), parent_.data()) {
-    for (std::size_t i = 0; i < size; ++i) sets_.make_set(i);
-  }
-  /// Returns: whether they were in two sets.
-  bool join(std::size_t a, std::size_t b) {
-    const std::size_t set_of_a = sets_.find_set(a), set_of_b = sets_.find_set(b);
-    if (set_of_a == set_of_b) return false;
-    sets_.link(set_of_a, set_of_b);
-    return true;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-  std::vector<std::uint8_t> rank_;
-  boost::disjoint_sets<std::uint8_t*, std::size_t*> sets_;
-};
 
 /// One more than the largest index in a triangle or an edge.
 std::size_t index_bound(const Triangulation& complex) {
@@ -43,9 +23,9 @@ std::size_t index_bound(const Triangulation& complex) {
 
 /// Triangles that hang together through edges.
 std::size_t count_solid_components(const Triangulation& complex) {
-  Sets sets(complex.triangles.size());
+  meshops::DisjointSets sets(complex.triangles.size());
   std::size_t components = complex.triangles.size();
-  for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
+  for (std::uint32_t t = 0; t < complex.triangles.size(); ++t) {
     if (t % 16384 == 0) stop_if_interrupted();
     for (const std::uint32_t other : complex.neighbors[t])
       if (other != Triangulation::none && other < t && sets.join(t, other)) --components;
@@ -55,7 +35,7 @@ std::size_t count_solid_components(const Triangulation& complex) {
 
 /// How often two points that did not hang together are joined by an edge.
 std::size_t count_joins(const Triangulation& complex) {
-  Sets sets(index_bound(complex));
+  meshops::DisjointSets sets(index_bound(complex));
   std::size_t joins = 0;
   for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
     if (t % 16384 == 0) stop_if_interrupted();

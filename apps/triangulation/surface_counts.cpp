@@ -1,35 +1,23 @@
 #include "triangulation/surface_counts.h"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
 #include <tuple>
+
+#include "meshops/core/disjoint_sets.h"
 
 namespace rbpa::app {
 namespace {
 
 using Index = std::uint32_t;
 
-/// Sets of things with numbers, united in pairs.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count), rank_(count), sets_(rank_.data(), parent_.data()), count_(count) {
-    for (std::size_t i = 0; i < count; ++i) sets_.make_set(i);
-  }
-  void unite(std::size_t a, std::size_t b) {
-    if (of(a) == of(b)) return;
-    sets_.union_set(a, b);
-    --count_;
-  }
-  std::size_t of(std::size_t i) { return sets_.find_set(i); }
-  std::size_t count() const { return count_; }
-
- private:
-  std::vector<std::size_t> parent_;
-  std::vector<std::uint8_t> rank_;
-  boost::disjoint_sets<std::uint8_t*, std::size_t*> sets_;
-  std::size_t count_;
+/// Sets of corners or sides: number 3 t + k is that of triangle t at k.
+struct Sets : meshops::DisjointSets {
+  explicit Sets(std::size_t size) : DisjointSets(size), count(size) {}
+  void unite(std::size_t a, std::size_t b) { count -= join(static_cast<Index>(a), static_cast<Index>(b)); }
+  Index of(std::size_t i) { return find(static_cast<Index>(i)); }
+  std::size_t count;
 };
 
 /// Which side of the neighbour over side k of t is glued to that one: it has its ends the other way around.
@@ -102,10 +90,10 @@ SurfaceCounts count(const Surface& surface) {
 
   SurfaceCounts counts{.triangles = triangles,
                        .points = static_cast<std::size_t>(std::count(used.begin(), used.end(), true)),
-                       .vertices = corners.count(),
+                       .vertices = corners.count,
                        .edges = glued / 2 + boundary,
                        .boundary_curves = curves,
-                       .components = components_of(surface).count()};
+                       .components = components_of(surface).count};
   // Euler: vertices - edges + triangles = 2 components - 2 genus - boundary curves.
   counts.genus = (2 * counts.components + counts.edges - counts.boundary_curves - counts.vertices - triangles) / 2;
   return counts;

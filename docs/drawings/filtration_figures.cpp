@@ -41,7 +41,8 @@ std::string filtration_plot() {
     const Points some = sampled(ring, random);
     points.insert(points.end(), some.begin(), some.end());
   }
-  const rbpa::SolidAlphaComplex delaunay = rbpa::rbpa(points, std::numeric_limits<double>::infinity());
+  const rbpa::Triangulation delaunay =
+      rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
   const auto pairs = rbpa::persistence(delaunay, points, filtration);
   return rbpa::app::svg_of({filtration.steps, pairs, rbpa::smallest_covering(filtration),

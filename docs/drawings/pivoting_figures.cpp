@@ -12,6 +12,7 @@
 #include "meshops/core/live.h"
 #include "meshops/front/engine.h"
 #include "rbpa/paper/rbpa.h"
+#include "rbpa/rbpa.h"
 
 namespace figures {
 namespace {

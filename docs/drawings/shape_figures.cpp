@@ -14,6 +14,7 @@
 #include "io/points/foreground.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
 
 namespace figures {
@@ -93,7 +94,7 @@ std::string paper_1_complexes() {
   const auto counts = rbpa::count(complex);
   const auto solid = rbpa::polygons(complex);
   const std::vector<Segment> dangling = dangling_edges(points, complex, alpha);
-  const auto delaunay = rbpa::rbpa(points, std::numeric_limits<double>::infinity());
+  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const Pieces full =
       alive_at(alpha, rbpa::persistence(delaunay, points, rbpa::filtration(delaunay, points), rbpa::ComplexKind::full));
   const std::size_t edges = counts.edges + dangling.size();
@@ -166,7 +167,7 @@ Points sampled_alpha() {
 
 std::string paper_7_alpha_symbol() {
   const Points points = sampled_alpha();
-  const auto delaunay = rbpa::rbpa(points, std::numeric_limits<double>::infinity());
+  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const auto filtration = rbpa::filtration(delaunay, points);
   const auto step = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const rbpa::FiltrationStep& s) {
     return s.covered == points.size() && s.solid_components == 1 && s.holes == 1;
@@ -220,7 +221,7 @@ Shades molecule_image() {
 std::string paper_8_molecule() {
   const Shades image = molecule_image();
   const Points points = rbpa::app::foreground_points(image, std::nullopt);
-  const auto delaunay = rbpa::rbpa(points, std::numeric_limits<double>::infinity());
+  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
 
   Panel pixels = panel_over(points, "(a) image",

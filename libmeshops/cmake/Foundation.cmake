@@ -7,6 +7,7 @@ if(NOT RBPA_ARRAYS_ONLY)
 endif()
 find_package(Boost ${RBPA_LEAST_BOOST} REQUIRED)
 include(InstallLibrary)
+include(ForwardHeaders)
 
 # What every target of the project is compiled with, and no consumer of it.
 add_library(rbpa_development INTERFACE)

@@ -8,6 +8,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/duplicate.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/mesh.h"
 
 namespace rbpa {
@@ -23,6 +24,6 @@ struct SolidAlphaComplex {
 };
 
 /// The triangles of a complex as input indices in canonical order: counter-clockwise, smallest index first, sorted.
-RBPA_API std::vector<std::array<std::uint32_t, 3>> triangles(const SolidAlphaComplex& complex);
+RBPA_API std::vector<Triangle> triangles(const SolidAlphaComplex& complex);
 
 }  // namespace rbpa

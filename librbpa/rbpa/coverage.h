@@ -14,7 +14,6 @@
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 
 namespace rbpa {

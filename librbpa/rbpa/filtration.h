@@ -13,7 +13,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -31,15 +31,15 @@ struct FiltrationStep {
 
 struct Filtration {
   std::vector<FiltrationStep> steps;   ///< ascending in alpha and in triangles
-  std::vector<double> triangle_alpha;  ///< of each face of the Delaunay mesh, the least double alpha that admits it
+  std::vector<double> triangle_alpha;  ///< of each triangle of `delaunay`, the least double alpha that admits it
   std::size_t distinct = 0;            ///< number of distinct points
 };
 
 /// The filtration of `points` by circumradius.
-/// Requires: `delaunay` is rbpa(points, infinity), and `points` are the same.
-/// Throws:   ContractViolation when the complex stands on points that are not those given; Cancelled when `go_on`, which
+/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `points` are the same.
+/// Throws:   ContractViolation when it is visibly of other points, or without neighbours; Cancelled when `go_on`, which
 ///           is called every few milliseconds, returns false. Empty: never called.
-RBPA_API Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+RBPA_API Filtration filtration(const Triangulation& delaunay, std::span<const Point> points,
                                const std::function<bool()>& go_on = {});
 
 /// The least alpha at which every distinct point is in a triangle; with `max_components`, at which moreover there are

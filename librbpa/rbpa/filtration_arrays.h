@@ -15,7 +15,7 @@
 #include "rbpa/base/point.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -36,18 +36,18 @@ struct PlacedPair {
 };
 
 struct FiltrationArrays {
-  std::vector<Point> points;                            ///< the distinct ones, in lexicographic order
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of those, counter-clockwise, the smallest first; by alpha,
-                                                        ///< those of one alpha by corners
-  std::vector<double> alpha;                            ///< of each triangle
-  std::vector<FreeEdge> free_edges;                     ///< by alpha, then by triangle and side
-  std::vector<PlacedPair> pairs;                        ///< as persistence() sorts them, equal ones by triangle
+  std::vector<Point> points;         ///< the distinct ones, in lexicographic order
+  std::vector<Triangle> triangles;   ///< of those, counter-clockwise, the smallest first; by alpha,
+                                     ///< those of one alpha by corners
+  std::vector<double> alpha;         ///< of each triangle
+  std::vector<FreeEdge> free_edges;  ///< by alpha, then by triangle and side
+  std::vector<PlacedPair> pairs;     ///< as persistence() sorts them, equal ones by triangle
 };
 
-/// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).
+/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
 /// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
-RBPA_API FiltrationArrays filtration_arrays(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+RBPA_API FiltrationArrays filtration_arrays(const Triangulation& delaunay, std::span<const Point> points,
                                             const Filtration& filtration, const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
-#include "rbpa/hrbpa.h"
 #include "rbpa/topology.h"
 
 namespace rbpa {
+
+struct Hierarchy;  // rbpa/hrbpa.h
 
 /// Requires: `hierarchy` is what hrbpa() returned. Throws ContractViolation when it visibly is not.
 RBPA_API std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy);

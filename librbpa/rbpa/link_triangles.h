@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/triangle.h"
 
 namespace rbpa {
 
 /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none.
 /// Requires: triangles of a complex in the plane as in a Triangulation; corners are below `points`.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<std::array<std::uint32_t, 3>> link_triangles(
-    std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points,
-    const std::function<bool()>& go_on = {});
+RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
+                                              const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

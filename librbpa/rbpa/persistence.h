@@ -14,7 +14,7 @@
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
 #include "rbpa/filtration.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -34,10 +34,10 @@ struct PersistencePair {
 };
 
 /// Sorted by dimension, birth, death, those without a death last. A function of the set of points alone.
-/// Requires: `delaunay` is rbpa(points, infinity), and `filtration` is filtration(delaunay, points).
+/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
 /// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+RBPA_API std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
                                                   const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
                                                   const std::function<bool()>& go_on = {});
 

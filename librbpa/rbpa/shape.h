@@ -14,10 +14,12 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/rbpa.h"
 
 namespace rbpa {
+
+struct SolidAlphaComplex;  // rbpa/complex.h
 
 /// A closed polyline that passes no point twice.
 struct Ring {

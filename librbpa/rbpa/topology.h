@@ -5,9 +5,10 @@
 #include <cstddef>
 
 #include "rbpa/base/api.h"
-#include "rbpa/rbpa.h"
 
 namespace rbpa {
+
+struct SolidAlphaComplex;  // rbpa/complex.h
 
 /// Two ways to count components: solid ones hang together through edges, and are the components of the mesh; pinches
 /// join those of the space.

@@ -43,9 +43,9 @@ struct Triangulation {
   static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// Counter-clockwise, the smallest index first, in lexicographic order.
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Triangle> triangles;
   /// Of each triangle, neighbour k is the triangle across from corner k, or none.
-  std::vector<std::array<std::uint32_t, 3>> neighbors;
+  std::vector<Triangle> neighbors;
   /// The sides at which no other triangle lies, each as it runs around its triangle, in lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending

@@ -9,6 +9,7 @@
 #include "oracle/arguments.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
+#include "rbpa/rbpa.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 #include "support/read_points.h"

@@ -15,6 +15,7 @@
 #include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "rbpa/fill.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "rbpa/validity.h"
 #include "support/data_folder.h"

@@ -15,8 +15,10 @@
 #include "oracle/gudhi_persistence.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
 #include "support/data_folder.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/read_points.h"
 #include "support/sets.h"
@@ -95,7 +97,7 @@ TEST_CASE("the persistence of the full alpha complex is GUDHI's") {
     const Points& points = set.points;
     if (points.empty()) continue;  // GUDHI refuses
     INFO(set.name, ", ", points.size(), " points");
-    const auto delaunay = rbpa::rbpa(points, infinity);
+    const auto delaunay = delaunay_arrays(points);
     const auto ours =
         squared(rbpa::persistence(delaunay, points, rbpa::filtration(delaunay, points), rbpa::ComplexKind::full));
     const auto theirs = gudhi_persistence(points);
@@ -121,8 +123,8 @@ TEST_CASE("smallest_covering is CGAL's optimal alpha, or a smaller one that its 
   for (const Set& set : sets()) {
     const Points& points = set.points;
     INFO(set.name, ", ", points.size(), " points");
-    const auto delaunay = rbpa::rbpa(points, infinity);
-    if (delaunay.mesh.n_faces() == 0) continue;
+    const auto delaunay = delaunay_arrays(points);
+    if (delaunay.triangles.empty()) continue;
     const rbpa::Filtration all = rbpa::filtration(delaunay, points);
     const ProposedAlphas cgal = cgal_alphas(points, bounds);
     REQUIRE(rbpa::smallest_covering(all));

@@ -10,6 +10,7 @@
 
 #include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "support/data_folder.h"
 #include "support/generate.h"

@@ -8,6 +8,7 @@
 
 #include "apps/support/program.h"
 #include "oracle/geos_geometry.h"
+#include "rbpa/rbpa.h"
 #include "support/data_folder.h"
 #include "support/pictures.h"
 #include "support/random.h"

@@ -23,29 +23,30 @@ set(allowed
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/predicate"
   "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
-  "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/grid
-    rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
+  "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/filtration
+    rbpa/plane/grid rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
   "rbpa/plane/mesh: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/grid"
-  "rbpa/plane/partial: meshops/core meshops/topology rbpa rbpa/base rbpa/plane/predicate rbpa/plane/shape"
+  "rbpa/plane/partial: meshops/core rbpa rbpa/base rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/plane/patches: meshops/patch rbpa/plane/enumeration rbpa/plane/pivots rbpa/plane/remainder rbpa/plane/tile"
   "rbpa/plane/pivots: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/predicate: rbpa/base rbpa/base/exact"
   "rbpa/plane/remainder: meshops/patch rbpa/base/parallel rbpa/plane/divide rbpa/plane/grid rbpa/plane/predicate
     rbpa/plane/tile"
-  "rbpa/plane/shape: meshops/core meshops/front meshops/topology rbpa rbpa/base rbpa/plane/predicate"
+  "rbpa/plane/shape: meshops/core rbpa rbpa/base rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/levels
     rbpa/space/normals rbpa/space/pivot rbpa/space/predicate rbpa/space/spacing rbpa/space/star"
   "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel"
   "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
-  "rbpa/space/normals: rbpa rbpa/base rbpa/base/parallel rbpa/space rbpa/space/cells"
+  "rbpa/space/normals: rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"
   "rbpa/space/pivot: rbpa/space/predicate"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact"
   "rbpa/space/spacing: rbpa/base"
   "rbpa/space/star: rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/pivot rbpa/space/predicate"
   "rbpa/fill: meshops/core meshops/front meshops/patch meshops/stellar meshops/topology rbpa rbpa/base rbpa/base/exact
     rbpa/plane/grid rbpa/plane/mesh rbpa/plane/predicate rbpa/plane/shape"
-  "rbpa/paper: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/predicate"
+  "rbpa/paper: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/hierarchy rbpa/plane/mesh
+    rbpa/plane/predicate"
 
   # Programs: folders of ours first, then what each uses of the libraries.
   "cli: rbpa rbpa/base io io/gis io/ogr io/points io/space picture program report stream tasks triangulation"
@@ -60,12 +61,12 @@ set(allowed
   "io/table: io io/gis"
   "meshtopo: meshops/core meshops/topology rbpa io program"
   "picture: meshops/front rbpa rbpa/base io"
-  "program: meshops/topology rbpa/base io"
+  "program: rbpa/base io"
   "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base"
   "report: rbpa io"
   "stream: rbpa rbpa/base io io/blocks io/gis io/points"
   "tasks: rbpa rbpa/base io stream"
-  "triangulation: rbpa rbpa/base io")
+  "triangulation: meshops/core rbpa rbpa/base io")
 set(arrows "")
 foreach(line ${allowed})
   string(REGEX MATCHALL "[^: \n]+" folders "${line}")

@@ -14,7 +14,7 @@ namespace {
 
 /// Edges with their faces. Returns the halfedge of each corner, by which its face leaves it.
 std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
-                                 detail::Steps& step) {
+                                 Steps& step) {
   std::vector<Halfedge> side_of_corner(soup.corners.size());
   for (std::size_t e = 0; e < sides.edges(); ++e) {
     step();
@@ -57,7 +57,7 @@ void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
 
 /// Fills `mesh`. Returns the point of each vertex.
 std::vector<std::uint32_t> fill(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
-                                detail::Steps& step) {
+                                Steps& step) {
   reserve(mesh, soup.points, sides.edges(), soup.faces());
   mesh.resize(soup.points, sides.edges(), soup.faces());
   const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides, step);
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& sou
   const detail::SoupSides sides(soup, go_on);
   if (!detail::is_manifold(soup, sides, go_on)) refuse();
   try {
-    detail::Steps step(go_on);
+    Steps step(go_on);
     return fill(mesh, soup, sides, step);
   } catch (...) {  // cancelled, or out of memory
     mesh.resize(0, 0, 0);

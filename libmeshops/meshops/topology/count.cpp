@@ -1,19 +1,17 @@
 #include "meshops/topology/count.h"
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <cstdint>
 #include <vector>
 
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/live.h"
 
 namespace meshops {
 
 TopologyCounts count_topology(const Connectivity& mesh) {
   TopologyCounts counts;
-  std::vector<std::size_t> parent(mesh.n_vertices());
-  std::vector<unsigned char> rank(mesh.n_vertices(), 0);
-  boost::disjoint_sets<unsigned char*, std::size_t*> sets(rank.data(), parent.data());
+  DisjointSets components(mesh.n_vertices());
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
-    sets.make_set(i);
     const Vertex v(static_cast<int>(i));
     if (!is_live(mesh, v)) continue;
     ++counts.vertices;
@@ -23,12 +21,8 @@ TopologyCounts count_topology(const Connectivity& mesh) {
   for_each_edge(mesh, [&](Edge e) {
     ++counts.edges;
     const Halfedge h = mesh.halfedge_handle(e, 0);
-    const std::size_t a = sets.find_set(static_cast<std::size_t>(mesh.from_vertex_handle(h).idx()));
-    const std::size_t b = sets.find_set(static_cast<std::size_t>(mesh.to_vertex_handle(h).idx()));
-    if (a != b) {
-      sets.link(a, b);
-      --counts.components;
-    }
+    counts.components -= components.join(static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx()),
+                                         static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx()));
   });
   for_each_face(mesh, [&](Face) { ++counts.faces; });
   std::vector<bool> on_known_curve(mesh.n_halfedges(), false);

@@ -4,8 +4,8 @@
 #include <ranges>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/live_range.h"
-#include "meshops/topology/disjoint_sets.h"
 
 namespace meshops {
 namespace {

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/live.h"
 #include "meshops/graph/edge_map.h"
 #include "meshops/graph/primal_graph.h"
-#include "meshops/topology/disjoint_sets.h"
 
 namespace meshops {
 namespace {
@@ -38,12 +37,12 @@ struct Tree {
 /// A visitor of Boost that counts the edges looked at.
 struct Counting : boost::base_visitor<Counting> {
   using event_filter = boost::on_examine_edge;
-  explicit Counting(detail::Steps& steps) : step(&steps) {}
+  explicit Counting(Steps& steps) : step(&steps) {}
   template <typename E, typename Graph>
   void operator()(E, const Graph&) const {
     (*step)();
   }
-  detail::Steps* step;
+  Steps* step;
 };
 
 /// Homology, or homology modulo the boundary: there all points of the boundary are as one, and a way between two of
@@ -52,7 +51,7 @@ enum class Modulo { nothing, boundary };
 
 class TreeCotree {
  public:
-  TreeCotree(const Connectivity& mesh, std::span<const double> lengths, detail::Steps& step)
+  TreeCotree(const Connectivity& mesh, std::span<const double> lengths, Steps& step)
       : mesh_(mesh), lengths_(lengths), step_(step), component_(mesh.n_vertices()) {
     DisjointSets connected(mesh.n_vertices());
     const auto number = [](Vertex v) { return static_cast<std::uint32_t>(v.idx()); };
@@ -155,22 +154,15 @@ class TreeCotree {
 
     // One place more, for what lies outside. All components may share it: no cycle runs from one to another through it.
     const std::size_t outside = mesh_.n_faces();
-    std::vector<std::size_t> parent(outside + 1);
-    std::vector<unsigned char> rank(outside + 1, 0);
-    boost::disjoint_sets<unsigned char*, std::size_t*> sets(rank.data(), parent.data());
-    for (std::size_t i = 0; i <= outside; ++i) sets.make_set(i);
+    DisjointSets joined(outside + 1);
     const auto side = [&](Edge e, unsigned which) {
       const Face f = mesh_.face_handle(mesh_.halfedge_handle(e, which));
-      return sets.find_set(f.is_valid() ? at(f) : outside);
+      return static_cast<std::uint32_t>(f.is_valid() ? at(f) : outside);
     };
     std::vector<Edge> left;
     for (const Candidate& candidate : candidates) {
       step_();
-      const std::size_t a = side(candidate.edge, 0), b = side(candidate.edge, 1);
-      if (a == b)
-        left.push_back(candidate.edge);
-      else
-        sets.link(a, b);
+      if (!joined.join(side(candidate.edge, 0), side(candidate.edge, 1))) left.push_back(candidate.edge);
     }
     std::sort(left.begin(), left.end());
     return left;
@@ -226,12 +218,12 @@ class TreeCotree {
 
   const Connectivity& mesh_;
   std::span<const double> lengths_;
-  detail::Steps& step_;
+  Steps& step_;
   std::vector<std::uint32_t> component_;  // of each vertex: the least one
 };
 
 Homology compute(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
-  detail::Steps step(go_on);
+  Steps step(go_on);
   const TreeCotree trees(mesh, lengths, step);
   return {trees.generators(), trees.cut_graph()};
 }
@@ -257,7 +249,7 @@ Homology homology(const Connectivity& mesh, std::span<const double> lengths, con
 
 std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {
   check(mesh, lengths);
-  detail::Steps step(go_on);
+  Steps step(go_on);
   return TreeCotree(mesh, lengths, step).generators();
 }
 

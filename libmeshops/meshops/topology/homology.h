@@ -11,7 +11,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/topology/progress.h"
+#include "meshops/core/progress.h"
 
 namespace meshops {
 

@@ -13,7 +13,7 @@ using detail::FaceFault;
 using detail::fits;
 using detail::SoupSide;
 using detail::SoupSides;
-using Edge = std::span<const SoupSide>;
+using SoupEdge = std::span<const SoupSide>;
 
 class Repairer {
  public:
@@ -82,7 +82,7 @@ class Repairer {
   bool orient(const SoupSides& sides) {
     PolygonSoup& soup = result_.soup;
     auto pieces = detail::pieces_of(
-        soup, sides, [](Edge) {}, go_on_);
+        soup, sides, [](SoupEdge) {}, go_on_);
     std::vector<std::array<std::size_t, 2>> count(soup.faces(), {0, 0});
     for (std::uint32_t f = 0; f < soup.faces(); ++f) {
       step_();
@@ -136,7 +136,7 @@ class Repairer {
       return std::pair(result_.soup.corners[side.corner_at_low()], result_.soup.corners[side.corner_at_high()]);
     };
     for (std::size_t e = 0; e < oriented.edges(); ++e) {
-      const Edge edge = oriented.edge(e);
+      const SoupEdge edge = oriented.edge(e);
       step_(edge.size());
       if (std::all_of(edge.begin(), edge.end(), [&](const SoupSide& s) { return ends(s) == ends(edge[0]); })) continue;
       std::vector<std::size_t> faces;
@@ -154,7 +154,7 @@ class Repairer {
 
   const PolygonSoup& given_;
   const GoOn& go_on_;
-  detail::Steps step_;
+  Steps step_;
   Repair result_;
 };
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "meshops/core/api.h"
+#include "meshops/core/progress.h"
 #include "meshops/topology/polygon_soup.h"
-#include "meshops/topology/progress.h"
 
 namespace meshops {
 

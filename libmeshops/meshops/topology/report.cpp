@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/live.h"
 #include "meshops/handle/separate_fans.h"
-#include "meshops/topology/disjoint_sets.h"
 
 namespace meshops {
 namespace {
 
 /// A boundary passes a vertex more than once, or a halfedge is not in the ring of its vertex.
-bool has_several_fans_anywhere(const Connectivity& mesh, detail::Steps& step) {
+bool has_several_fans_anywhere(const Connectivity& mesh, Steps& step) {
   std::size_t in_rings = 0, halfedges = 0;
   bool found = false;
   for_each_vertex(mesh, [&](Vertex v) {
@@ -36,7 +36,7 @@ bool has_several_fans_anywhere(const Connectivity& mesh, detail::Steps& step) {
 /// The steps of SoupReporter, on a mesh whose vertices have one fan each.
 class MeshReporter {
  public:
-  MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, detail::Steps& step)
+  MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, Steps& step)
       : mesh_(mesh), point_of_vertex_(point_of_vertex), step_(step), vertices_(mesh.n_vertices()) {}
 
   TopologyReport operator()() {
@@ -139,7 +139,7 @@ class MeshReporter {
 
   const Connectivity& mesh_;
   std::span<const std::uint32_t> point_of_vertex_;
-  detail::Steps& step_;
+  Steps& step_;
   DisjointSets vertices_;              // joined along edges: a set has the vertices of a piece
   std::vector<std::size_t> piece_of_;  // of the least vertex of each set
   TopologyReport total_;
@@ -160,7 +160,7 @@ TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uin
 TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, const GoOn& go_on) {
   require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
           "report: not one point for each vertex");
-  detail::Steps step(go_on);
+  Steps step(go_on);
   if (has_several_fans_anywhere(mesh, step)) return report_of_fans(mesh, point_of_vertex, go_on);
   return MeshReporter(mesh, point_of_vertex, step)();
 }

@@ -12,8 +12,8 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/core/progress.h"
 #include "meshops/topology/polygon_soup.h"
-#include "meshops/topology/progress.h"
 
 namespace meshops {
 

@@ -13,10 +13,9 @@ using detail::FaceFault;
 using detail::SoupAnatomy;
 using detail::SoupSide;
 using detail::SoupSides;
-using detail::Steps;
-using Edge = std::span<const SoupSide>;
+using SoupEdge = std::span<const SoupSide>;
 
-std::vector<std::size_t> faces_at(Edge edge) {
+std::vector<std::size_t> faces_at(SoupEdge edge) {
   std::vector<std::size_t> faces;
   for (const SoupSide& side : edge) faces.push_back(side.face());
   return faces;
@@ -45,16 +44,16 @@ void find_bad_edges(SoupAnatomy& anatomy, Steps& step, std::vector<SoupDefect>& 
   const auto find = [&](SoupDefectKind kind, auto is_bad) {
     for (std::size_t e = 0; e < sides.edges(); ++e) {
       step();
-      if (const Edge edge = sides.edge(e); is_bad(edge))
+      if (const SoupEdge edge = sides.edge(e); is_bad(edge))
         defects.push_back({kind, {edge[0].low, edge[0].high}, faces_at(edge)});
     }
   };
-  if (anatomy.has_crowded_edge) find(SoupDefectKind::non_manifold_edge, [](Edge edge) { return edge.size() > 2; });
+  if (anatomy.has_crowded_edge) find(SoupDefectKind::non_manifold_edge, [](SoupEdge edge) { return edge.size() > 2; });
   find(SoupDefectKind::inconsistent_orientation,
-       [](Edge edge) { return edge.size() == 2 && edge[0].ascending() == edge[1].ascending(); });
+       [](SoupEdge edge) { return edge.size() == 2 && edge[0].ascending() == edge[1].ascending(); });
   // The first edge of each piece at which no choice of directions agrees.
-  std::map<std::size_t, Edge> of_piece;
-  for (const Edge edge : anatomy.disagreeing) of_piece.try_emplace(anatomy.pieces.find(edge[0].face()), edge);
+  std::map<std::size_t, SoupEdge> of_piece;
+  for (const SoupEdge edge : anatomy.disagreeing) of_piece.try_emplace(anatomy.pieces.find(edge[0].face()), edge);
   for (const auto& [first_face, edge] : of_piece)
     defects.push_back({SoupDefectKind::not_orientable, {edge[0].low, edge[0].high}, {first_face}});
 }

@@ -10,8 +10,7 @@ namespace {
 
 using detail::SoupAnatomy;
 using detail::SoupSide;
-using detail::Steps;
-using Edge = std::span<const SoupSide>;
+using SoupEdge = std::span<const SoupSide>;
 
 class SoupReporter {
  public:
@@ -23,7 +22,7 @@ class SoupReporter {
     if (anatomy_.has_crowded_edge) {
       // There the pieces end.
       DisjointSets fans = detail::fans_of(
-          soup_, sides_, [](Edge edge) { return edge.size() == 2; }, go_on_);
+          soup_, sides_, [](SoupEdge edge) { return edge.size() == 2; }, go_on_);
       count_fans(fans);
     } else {
       count_fans(anatomy_.fans);
@@ -64,7 +63,7 @@ class SoupReporter {
       ++total_.per_component[piece_of_[f]].faces;
       ++total_.faces;
     }
-    for (const Edge edge : anatomy_.disagreeing) piece_at(edge[0]).orientable = false;
+    for (const SoupEdge edge : anatomy_.disagreeing) piece_at(edge[0]).orientable = false;
   }
 
   ComponentReport& piece_at(const SoupSide& side) { return total_.per_component[piece_of_[side.face()]]; }
@@ -74,7 +73,7 @@ class SoupReporter {
     // Every open side joins the fans at its ends: two open sides meet in a fan, so that the sets are the curves.
     DisjointSets curves(soup_.corners.size());
     std::vector<bool> is_open(soup_.corners.size(), false);
-    for_each_edge([&](Edge edge) {
+    for_each_edge([&](SoupEdge edge) {
       if (edge.size() == 2) return;
       for (const SoupSide& side : edge) {
         step_();
@@ -97,7 +96,7 @@ class SoupReporter {
     for (std::size_t f = 0; f < soup_.faces(); ++f)
       if (anatomy_.is_sound(f)) sides[piece_of_[f]] += soup_.face(f).size();
     total_.edges = sides_.edges();
-    for_each_edge([&](Edge edge) {
+    for_each_edge([&](SoupEdge edge) {
       if (edge.size() == 2) return;
       for (const SoupSide& side : edge) ++sides[piece_of_[side.face()]];
     });
@@ -137,13 +136,13 @@ class SoupReporter {
   /// alone is in none; every other edge is an equation about the rest.
   long cycles_of_faces() {
     std::vector<bool> is_in_none(total_.per_component.size(), false);
-    for_each_edge([&](Edge edge) {
+    for_each_edge([&](SoupEdge edge) {
       if (edge.size() == 1) is_in_none[piece_of_[edge[0].face()]] = true;
     });
     detail::Z2Rank equations;
     std::vector<std::size_t> unknowns;
     if (anatomy_.has_crowded_edge)
-      for_each_edge([&](Edge edge) {
+      for_each_edge([&](SoupEdge edge) {
         if (edge.size() <= 2) return;
         unknowns.clear();
         for (const SoupSide& side : edge)

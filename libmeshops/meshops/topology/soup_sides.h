@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/fresh_vector.h"
-#include "meshops/topology/disjoint_sets.h"
+#include "meshops/core/progress.h"
 #include "meshops/topology/polygon_soup.h"
-#include "meshops/topology/progress.h"
 
 namespace meshops::detail {
 

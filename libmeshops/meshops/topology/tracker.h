@@ -8,13 +8,13 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/handle/close_curve.h"
 #include "meshops/handle/glue.h"
 #include "meshops/handle/unglue.h"
 #include "meshops/handle/zip_curves.h"
 #include "meshops/stellar/effect.h"
 #include "meshops/topology/count.h"
-#include "meshops/topology/disjoint_sets.h"
 
 namespace meshops {
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "meshops/topology/progress.h"
+#include "meshops/core/progress.h"
 
 namespace meshops::detail {
 

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "meshops/core/progress.h"
 #include "rbpa/base/api.h"
 
 namespace rbpa {
@@ -14,9 +15,6 @@ class RBPA_API InvalidInput : public std::invalid_argument {
 };
 
 /// The progress callback asked to stop.
-class RBPA_API Cancelled : public std::runtime_error {
- public:
-  Cancelled() : std::runtime_error("cancelled") {}
-};
+using meshops::Cancelled;
 
 }  // namespace rbpa

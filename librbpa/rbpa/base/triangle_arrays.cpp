@@ -22,7 +22,7 @@ bool is_linked(const TriangleArrays& arrays, std::size_t t, std::size_t k) {
   return false;
 }
 
-bool is_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t points) {
+bool is_triangle(const Triangle& corners, std::size_t points) {
   const auto& [a, b, c] = corners;
   return std::max({a, b, c}) < points && a != b && b != c && c != a;
 }

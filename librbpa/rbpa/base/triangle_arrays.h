@@ -8,16 +8,17 @@
 #include <span>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/triangle.h"
 
 namespace rbpa {
 
 /// As a Triangulation with neighbours has them, and converts to. Nothing is owned.
 struct TriangleArrays {
   /// What stands for a neighbour where there is none.
-  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t none = rbpa::none;
 
-  std::span<const std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise
-  std::span<const std::array<std::uint32_t, 3>> neighbors;  ///< number k is the triangle across from corner k, or none
+  std::span<const Triangle> triangles;  ///< counter-clockwise
+  std::span<const Triangle> neighbors;  ///< number k is the triangle across from corner k, or none
 };
 
 /// Requires: corners are three different numbers below `points`; neighbours are triangles and know each other by the side

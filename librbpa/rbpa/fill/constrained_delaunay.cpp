@@ -10,8 +10,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/exact/magnitude.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
-#include "rbpa/plane/shape/steps.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa {
@@ -19,8 +19,6 @@ namespace {
 
 using Site = std::uint32_t;
 using Triangle = std::array<Site, 3>;
-
-constexpr std::uint32_t none = TriangleArrays::none;
 
 /// A directed edge.
 struct Directed {

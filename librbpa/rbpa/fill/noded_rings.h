@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
-#include "rbpa/plane/shape/steps.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/shape.h"
 
 namespace rbpa {

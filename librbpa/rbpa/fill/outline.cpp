@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "rbpa/plane/shape/steps.h"
+#include "rbpa/base/steps.h"
 
 namespace rbpa {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "meshops/topology/disjoint_sets.h"
+#include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/fill/placed_rings.h"
-#include "rbpa/plane/shape/steps.h"
 #include "rbpa/validity.h"
 
 namespace rbpa {

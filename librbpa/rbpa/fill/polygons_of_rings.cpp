@@ -5,12 +5,12 @@
 #include <string>
 
 #include "rbpa/base/error.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/fill/noded_rings.h"
 #include "rbpa/fill/placed_rings.h"
 #include "rbpa/fill/simple_rings.h"
 #include "rbpa/plane/shape/measure.h"
 #include "rbpa/plane/shape/nesting.h"
-#include "rbpa/plane/shape/steps.h"
 #include "rbpa/validity.h"
 
 namespace rbpa {

@@ -8,9 +8,9 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/shape/below.h"
-#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {

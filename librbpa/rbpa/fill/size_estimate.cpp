@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/base/steps.h"
 #include "rbpa/fill/constrained_delaunay.h"
-#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {

@@ -14,8 +14,6 @@
 namespace rbpa {
 namespace {
 
-constexpr std::uint32_t none = TriangleArrays::none;
-
 /// As many triangles as a triangulation of all these points up to their convex hull has, by Euler's formula.
 bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   std::size_t sides = 0;

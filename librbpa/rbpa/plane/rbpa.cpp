@@ -30,8 +30,8 @@ meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, mes
 }
 
 /// The corners of a face as input indices, the smallest first.
-Triple corners_of(const SolidAlphaComplex& complex, Mesh::FaceHandle face) {
-  Triple corners;
+Triangle corners_of(const SolidAlphaComplex& complex, Mesh::FaceHandle face) {
+  Triangle corners;
   auto h = complex.mesh.halfedge_handle(face);
   for (std::uint32_t& corner : corners) {
     corner = complex.input_index[static_cast<std::size_t>(complex.mesh.to_vertex_handle(h).idx())];
@@ -57,12 +57,12 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   return complex;
 }
 
-std::vector<Triple> triangles(const SolidAlphaComplex& complex) {
+std::vector<Triangle> triangles(const SolidAlphaComplex& complex) {
   std::size_t bound = 0;
   for (const std::uint32_t i : complex.input_index) bound = std::max(bound, i + std::size_t{1});
   Threads one;
-  CanonicalOrder<Triple> order(bound, complex.mesh.n_faces(), 1);
-  order.with_writer([&](CanonicalOrder<Triple>::Writer& writer) {
+  CanonicalOrder<Triangle> order(bound, complex.mesh.n_faces(), 1);
+  order.with_writer([&](CanonicalOrder<Triangle>::Writer& writer) {
     for (const Mesh::FaceHandle face : complex.mesh.faces()) writer.add(corners_of(complex, face));
   });
   return order.sorted(one);

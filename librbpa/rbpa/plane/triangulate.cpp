@@ -97,7 +97,7 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
   const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
   if (options.boundary) result.boundary = boundary_of(result, ask);
-  if (!options.neighbors) result.neighbors = std::vector<Triple>();
+  if (!options.neighbors) result.neighbors = std::vector<Triangle>();
   return result;
 }
 
@@ -119,7 +119,7 @@ Triangulation triangulate(std::span<const Point> points, double alpha, const Tri
   result.points = others(covered, result.duplicates);
   if (options.boundary)
     result.boundary = boundary_of(result, asking(options.progress, result.distinct, result.triangles.size()));
-  if (!options.neighbors) result.neighbors = std::vector<Triple>();
+  if (!options.neighbors) result.neighbors = std::vector<Triangle>();
   return result;
 }
 

@@ -1,7 +1,16 @@
-// What a user writes who wants triangles and no mesh.
+// What a user writes who wants arrays, in the plane and in space, and no mesh.
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
+#include "rbpa/auto_radii.h"
+#include "rbpa/estimate_normals.h"
+#include "rbpa/partial.h"
+#include "rbpa/persistence.h"
+#include "rbpa/plateaus.h"
+#include "rbpa/shape.h"
+#include "rbpa/surface.h"
 #include "rbpa/triangulate.h"
 
 int main() {
@@ -9,9 +18,27 @@ int main() {
   rbpa::TriangulationOptions options;
   options.neighbors = true;
   const rbpa::Triangulation found = rbpa::triangulate(points, 1, options);
-  const bool is_right = found.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 3}, {1, 2, 3}} &&
-                        found.neighbors[0][0] == 1 && found.neighbors[1][1] == 0 &&
-                        found.isolated == std::vector<std::uint32_t>{4};
-  std::puts(is_right ? "two triangles" : "not what is expected");
-  return is_right ? 0 : 1;
+  const bool has_triangles = found.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 3}, {1, 2, 3}} &&
+                             found.neighbors[0][0] == 1 && found.neighbors[1][1] == 0 &&
+                             found.isolated == std::vector<std::uint32_t>{4};
+  std::puts(has_triangles ? "two triangles" : "not the triangles that are expected");
+
+  const std::vector<rbpa::Polygon> polygons = rbpa::polygons(points, found);
+  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), options);
+  const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
+  const bool has_shape = polygons.size() == 1 && polygons[0].area == 1 && filtration.steps.front().triangles == 2 &&
+                         !rbpa::plateaus(delaunay, points, filtration).empty() &&
+                         rbpa::persistence(delaunay, points, filtration).front().dimension == 0;
+  std::puts(has_shape ? "a square" : "not the shape that is expected");
+
+  std::vector<rbpa::Point3> sphere;
+  for (int i = 0; i < 200; ++i) {
+    const double z = (2 * i + 1) / 200.0 - 1, r = std::sqrt(1 - z * z);
+    sphere.push_back({r * std::cos(2.4 * i), r * std::sin(2.4 * i), z});
+  }
+  const std::vector<rbpa::Point3> normals = rbpa::estimate_normals(sphere);
+  const rbpa::Surface surface = rbpa::surface(sphere, normals, 0.5);
+  const bool is_closed = surface.triangles.size() == 396;  // 2 n - 4
+  std::puts(is_closed ? "a sphere" : "not the surface that is expected");
+  return has_triangles && has_shape && is_closed ? 0 : 1;
 }

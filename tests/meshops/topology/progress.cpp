@@ -1,5 +1,5 @@
 // Long computations on soups ask whether to go on, and end when told to; report() and find_defects() at once.
-#include "meshops/topology/progress.h"
+#include "meshops/core/progress.h"
 
 #include <doctest/doctest.h>
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>

@@ -34,10 +34,10 @@ struct NumberedRest {
   std::uint64_t key;
   std::uint32_t number;
 };
-std::uint64_t key_of(const Triple& t) { return std::uint64_t{t[1]} << 32 | t[2]; }
-Rest rest_of(const Triple& t) { return {key_of(t)}; }
-NumberedRest rest_of(const NumberedTriple& t) { return {key_of(t.corners), t.number}; }
-Triple corners_of(std::size_t first, std::uint64_t key) {
+std::uint64_t key_of(const Triangle& t) { return std::uint64_t{t[1]} << 32 | t[2]; }
+Rest rest_of(const Triangle& t) { return {key_of(t)}; }
+NumberedRest rest_of(const NumberedTriangle& t) { return {key_of(t.corners), t.number}; }
+Triangle corners_of(std::size_t first, std::uint64_t key) {
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
 }
 
@@ -109,7 +109,7 @@ struct CanonicalOrder<Item>::Workspace {
   using Rests = std::vector<decltype(rest_of(Item()))>;
   Rests rests;                      // by smallest corner, and max_network more; as with all
   std::vector<std::uint32_t> next;  // of each smallest corner, where its next one goes
-  meshops::FreshVector<Triple> triples;
+  meshops::FreshVector<Triangle> triples;
   meshops::FreshVector<std::uint32_t> numbers;
   std::size_t count = 0;
 };
@@ -179,7 +179,7 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
   if (triples.size() < count + max_network) {
     rests.resize(count + max_network);
     triples.resize(count + max_network);
-    if constexpr (std::is_same_v<Item, NumberedTriple>) numbers.resize(count + max_network);
+    if constexpr (std::is_same_v<Item, NumberedTriangle>) numbers.resize(count + max_network);
   }
   workspace.count = count;
   next.assign(corners + 1, 0);
@@ -200,31 +200,31 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
     const std::size_t last = next[c];  // all of c are put, so this is where those of c + 1 begin
     put_star(rests.data() + first, last - first, [&](std::size_t i, const auto& rest) {
       triples[first + i] = corners_of(first_corner + c, rest.key);
-      if constexpr (std::is_same_v<Item, NumberedTriple>) numbers[first + i] = rest.number;
+      if constexpr (std::is_same_v<Item, NumberedTriangle>) numbers[first + i] = rest.number;
     });
     first = last;
   }
 }
 
 template <typename Item>
-std::vector<Triple> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
-                                                 const std::function<void()>& ask) {
+std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
+                                                   const std::function<void()>& ask) {
   const std::vector<std::vector<Run>> of_bucket = runs();
   std::vector<std::size_t> start = {0};
   for (const auto& bucket : of_bucket) {
     start.push_back(start.back());
     for (const Run& run : bucket) start.back() += run.count;
   }
-  std::vector<Triple> all;
+  std::vector<Triangle> all;
   all.reserve(start.back());
-  meshops::prefer_large_pages(all.data(), start.back() * sizeof(Triple));
+  meshops::prefer_large_pages(all.data(), start.back() * sizeof(Triangle));
   const std::size_t width = std::size_t{1} << shift_;
   in_order<Workspace>(
       threads, buckets_,
       [&](std::size_t b, Workspace& workspace) {
         const std::size_t first_corner = b << shift_;
         sort(of_bucket[b], first_corner, std::min(width, bound_ - std::min(bound_, first_corner)), workspace);
-        if constexpr (std::is_same_v<Item, NumberedTriple>)
+        if constexpr (std::is_same_v<Item, NumberedTriangle>)
           for (std::size_t i = 0; i < workspace.count; ++i)
             rank[workspace.numbers[i]] = static_cast<std::uint32_t>(start[b] + i);
       },
@@ -237,7 +237,7 @@ std::vector<Triple> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t
   return all;
 }
 
-template class CanonicalOrder<Triple>;
-template class CanonicalOrder<NumberedTriple>;
+template class CanonicalOrder<Triangle>;
+template class CanonicalOrder<NumberedTriangle>;
 
 }  // namespace rbpa

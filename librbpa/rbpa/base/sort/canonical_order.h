@@ -18,11 +18,11 @@
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
-#include "rbpa/base/sort/triple.h"
+#include "rbpa/base/sort/numbered_triangle.h"
 
 namespace rbpa {
 
-/// `Item` is Triple, or NumberedTriple.
+/// `Item` is Triangle, or NumberedTriangle.
 template <typename Item>
 class CanonicalOrder {
  public:
@@ -70,7 +70,7 @@ class CanonicalOrder {
 
   /// All triangles in order. With `rank`, tells of each number where it went. Nothing is added afterwards. Calls `ask`, if
   /// any, after each bucket, one call at a time; it may throw.
-  std::vector<Triple> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
+  std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
   /// Frees the memory.
   void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 
@@ -84,8 +84,8 @@ class CanonicalOrder {
   };
   struct Workspace;
 
-  static std::size_t smallest(const Triple& item) { return item[0]; }
-  static std::size_t smallest(const NumberedTriple& item) { return item.corners[0]; }
+  static std::size_t smallest(const Triangle& item) { return item[0]; }
+  static std::size_t smallest(const NumberedTriangle& item) { return item.corners[0]; }
   Writer* take();
   Item* new_block();
   std::vector<std::vector<Run>> runs() const;
@@ -102,7 +102,7 @@ class CanonicalOrder {
   std::vector<Writer*> idle_;
 };
 
-extern template class CanonicalOrder<Triple>;
-extern template class CanonicalOrder<NumberedTriple>;
+extern template class CanonicalOrder<Triangle>;
+extern template class CanonicalOrder<NumberedTriangle>;
 
 }  // namespace rbpa

@@ -22,7 +22,7 @@ void LinkedTriangles::prepare(const Patch& patch, Place& place) const {
   place.turns.resize(patch.triangles.size());
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     const auto& corner = patch.triangles[t];
-    const Triple named = {names_[corner[0]], names_[corner[1]], names_[corner[2]]};
+    const Triangle named = {names_[corner[0]], names_[corner[1]], names_[corner[2]]};
     place.turns[t] = static_cast<std::uint8_t>(std::min_element(named.begin(), named.end()) - named.begin());
     for (int i = 0; i < 3; ++i)
       if (patch.across[t][static_cast<std::size_t>(i)] == Patch::open)
@@ -49,9 +49,9 @@ void LinkedTriangles::place(const Patch& patch, Place& place) {
 }
 
 void LinkedTriangles::fill(const Patch& patch, const Place& place) {
-  order_.with_writer([&](CanonicalOrder<NumberedTriple>::Writer& writer) {
+  order_.with_writer([&](CanonicalOrder<NumberedTriangle>::Writer& writer) {
     auto number = static_cast<std::uint32_t>(place.first);
-    for_each_triple(patch, names_, [&](const Triple& triple) { writer.add({triple, number++}); });
+    for_each_triangle(patch, names_, [&](const Triangle& triple) { writer.add({triple, number++}); });
   });
   for (std::size_t t = 0; t < patch.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -71,7 +71,7 @@ LinkedTriangles::Sorted LinkedTriangles::sorted(Threads& threads, const std::fun
   result.triangles = order_.sorted(threads, rank.data(), ask);
   order_.end();
   result.neighbors.reserve(size_);
-  meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triple));
+  meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triangle));
   result.neighbors.resize(size_);
   std::mutex asked;
   for_each_part(threads, size_, triangles_at_a_time, [&](std::size_t first, std::size_t last) {
@@ -84,7 +84,7 @@ LinkedTriangles::Sorted LinkedTriangles::sorted(Threads& threads, const std::fun
     const std::lock_guard lock(asked);
     ask();
   });
-  neighbors_ = meshops::FreshVector<Triple>();
+  neighbors_ = meshops::FreshVector<Triangle>();
   return result;
 }
 

@@ -43,7 +43,7 @@ class LinkedTriangles {
   std::size_t size() const { return size_; }
   /// Triangles, and of each those across from its corners.
   struct Sorted {
-    std::vector<Triple> triangles, neighbors;
+    std::vector<Triangle> triangles, neighbors;
   };
   /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
   Sorted sorted(Threads& threads, const std::function<void()>& ask = {});
@@ -58,8 +58,8 @@ class LinkedTriangles {
   static std::size_t across_from(std::size_t side, std::size_t turn) { return (side + 5 - turn) % 3; }
 
   std::span<const std::uint32_t> names_;
-  CanonicalOrder<NumberedTriple> order_;
-  meshops::FreshVector<Triple> neighbors_;  // by number; longer than what is in use, and not touched there
+  CanonicalOrder<NumberedTriangle> order_;
+  meshops::FreshVector<Triangle> neighbors_;  // by number; longer than what is in use, and not touched there
   meshops::Seams<Open> seams_;
   std::size_t size_ = 0;
 };

@@ -29,21 +29,21 @@ class TriangleList {
   void place(const meshops::Patch& patch, Place&) { size_ += patch.triangles.size(); }
   /// In any thread, after place().
   void fill(const meshops::Patch& patch, const Place&) {
-    order_.with_writer([&](CanonicalOrder<Triple>::Writer& writer) {
-      for_each_triple(patch, names_, [&](const Triple& triple) { writer.add(triple); });
+    order_.with_writer([&](CanonicalOrder<Triangle>::Writer& writer) {
+      for_each_triangle(patch, names_, [&](const Triangle& triple) { writer.add(triple); });
     });
   }
 
   /// How many were placed.
   std::size_t size() const { return size_; }
   /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
-  std::vector<Triple> sorted(Threads& threads, const std::function<void()>& ask = {}) {
+  std::vector<Triangle> sorted(Threads& threads, const std::function<void()>& ask = {}) {
     return order_.sorted(threads, nullptr, ask);
   }
 
  private:
   std::span<const std::uint32_t> names_;
-  CanonicalOrder<Triple> order_;
+  CanonicalOrder<Triangle> order_;
   std::size_t size_ = 0;
 };
 

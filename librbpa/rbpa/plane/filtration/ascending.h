@@ -6,18 +6,18 @@
 #include <numeric>
 #include <vector>
 
-#include "rbpa/base/pulse.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/filtration.h"
 
 namespace rbpa {
 
 /// By alpha; in which order equal alphas come is not said.
-inline std::vector<std::uint32_t> ascending(const Filtration& filtration, Pulse& pulse) {
+inline std::vector<std::uint32_t> ascending(const Filtration& filtration, Steps& pulse) {
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<std::uint32_t> faces(alpha.size());
   std::iota(faces.begin(), faces.end(), 0u);
   std::sort(faces.begin(), faces.end(), [&](std::uint32_t a, std::uint32_t b) {
-    pulse.beat();
+    pulse();
     return alpha[a] < alpha[b];
   });
   return faces;

@@ -5,18 +5,17 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/pulse.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/plane/filtration/ascending.h"
+#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/part_sizes.h"
 #include "rbpa/plane/filtration/solid_parts.h"
 
 namespace rbpa {
 
-std::optional<double> smallest_covering(const SolidAlphaComplex& delaunay, const Filtration& filtration,
+std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                         const Covering& covering, const std::function<bool()>& go_on) {
-  meshops::require(
-      filtration.triangle_alpha.size() == delaunay.mesh.n_faces() && filtration.distinct == delaunay.distinct,
-      "smallest_covering: the filtration is of another complex");
+  require_same(filtration, delaunay, "smallest_covering");
   meshops::require(covering.share > 0 && covering.share <= 1, "smallest_covering: a share is above 0 and at most 1");
   if (covering.share == 1) return smallest_covering(filtration, covering.max_components);
   const std::size_t distinct = filtration.distinct;
@@ -28,15 +27,17 @@ std::optional<double> smallest_covering(const SolidAlphaComplex& delaunay, const
     return step->alpha;
   }
 
-  Pulse pulse(go_on);
+  Steps pulse(go_on);
   const std::vector<double>& alpha = filtration.triangle_alpha;
   const std::vector<std::uint32_t> faces = ascending(filtration, pulse);
-  const std::vector<FaceCell> cells = face_cells(delaunay.mesh, faces);
-  SolidParts parts(cells, delaunay.mesh.n_vertices());
+  const std::size_t points = delaunay.distinct + delaunay.duplicates.size();
+  require_linked(delaunay, points, go_on);
+  const OrderedTriangles triangles = in_order(delaunay, faces);
+  SolidParts parts(triangles, points);
   // So many triangles, joined by edges, have at most two vertices more.
   PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    pulse.beat();
+    pulse();
     parts.add_next([&](std::uint32_t size) { sizes.remove(size); }, [&](std::uint32_t size) { sizes.add(size); });
     if (i + 1 < faces.size() && alpha[faces[i + 1]] == alpha[faces[i]]) continue;
     const std::size_t taken_away = sizes.sum() - sizes.largest(*covering.max_components);

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "rbpa/base/disjoint_sets.h"
-#include "rbpa/base/pulse.h"
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
 
 namespace rbpa {
@@ -29,13 +29,13 @@ struct Arrival {
 /// component that lives for some time, with the vertex that it began with.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
-void pair_components(const FilteredCells& cells, Pulse& pulse, const Pair& pair) {
-  DisjointSets components(cells.vertices.size());
+void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
+  meshops::DisjointSets components(cells.vertices.size());
   std::vector<Arrival> first;  // of the component, at the vertex that stands for it
   first.reserve(cells.vertices.size());
   for (std::uint32_t v = 0; v < cells.vertices.size(); ++v) first.push_back({cells.vertices[v], v});
   for (const FilteredCells::Edge& edge : cells.edges) {
-    pulse.beat();
+    pulse();
     const std::uint32_t a = components.find(edge.ends[0]), b = components.find(edge.ends[1]);
     if (a == b) continue;
     const auto [elder, younger] = std::minmax({first[a], first[b]});
@@ -51,14 +51,14 @@ void pair_components(const FilteredCells& cells, Pulse& pulse, const Pair& pair)
 /// `pair(birth, last face's arrival)` is told of each hole, which dies as that face comes.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
-void pair_holes(const FilteredCells& cells, Pulse& pulse, const Pair& pair) {
-  DisjointSets gaps(cells.faces.size() + 1);
+void pair_holes(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
+  meshops::DisjointSets gaps(cells.faces.size() + 1);
   std::vector<Arrival> last;
   last.reserve(cells.faces.size() + 1);
   for (std::uint32_t f = 0; f < cells.faces.size(); ++f) last.push_back({cells.faces[f], f});
   last.push_back({std::numeric_limits<double>::infinity(), cells.outside()});
   for (auto edge = cells.edges.rbegin(); edge != cells.edges.rend(); ++edge) {
-    pulse.beat();
+    pulse();
     const std::uint32_t a = gaps.find(edge->sides[0]), b = gaps.find(edge->sides[1]);
     if (a == b) continue;
     const auto [first, survivor] = std::minmax({last[a], last[b]});

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
-#include "rbpa/plane/filtration/corners.h"
+#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 #include "rbpa/plane/predicate/predicates.h"
 
@@ -12,92 +13,106 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The edges of the triangulation, each at the alpha of the first of its triangles.
-FilteredCells cells_of(const Mesh& mesh, const std::vector<double>& triangle_alpha, Pulse& pulse) {
-  FilteredCells cells;
-  cells.faces = triangle_alpha;
-  cells.edges.resize(mesh.n_edges());
-  for (std::size_t e = 0; e < cells.edges.size(); ++e) {
-    pulse.beat();
-    FilteredCells::Edge& edge = cells.edges[e];
-    edge.alpha = infinity;
-    for (const unsigned side : {0u, 1u}) {
-      const auto h = mesh.halfedge_handle(meshops::Edge(static_cast<int>(e)), side);
-      const auto face = mesh.face_handle(h);
-      edge.ends[side] = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
-      edge.sides[side] = face.is_valid() ? static_cast<std::uint32_t>(face.idx()) : cells.outside();
-      if (face.is_valid()) edge.alpha = std::min(edge.alpha, triangle_alpha[edge.sides[side]]);
-    }
-  }
-  return cells;
+/// An edge of the triangulation: the side of a triangle across from a corner, and the triangle beyond, or none.
+struct Side {
+  std::uint32_t triangle, corner, beyond;
+};
+
+/// Calls visit(Side) for each edge once, from the triangle with the smaller number.
+template <typename Visit>
+void for_each_edge(const Triangulation& delaunay, Visit visit) {
+  for (std::uint32_t t = 0; t < delaunay.triangles.size(); ++t)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (const std::uint32_t beyond = delaunay.neighbors[t][k]; beyond > t)
+        visit(Side{t, k, beyond});  // none is the greatest
+}
+
+/// The corner of the triangle beyond that is not an end of the side.
+std::uint32_t opposite(const Triangulation& delaunay, const Side& side) {
+  const auto& across = delaunay.neighbors[side.beyond];
+  const auto k = static_cast<std::size_t>(std::find(across.begin(), across.end(), side.triangle) - across.begin());
+  return delaunay.triangles[side.beyond][k];
 }
 
 /// Some point is inside the circle whose diameter the edge is; then one of the two apexes is.
-bool is_crowded(const Corners& corners, const Mesh& mesh, meshops::Edge edge) {
-  for (const unsigned side : {0u, 1u}) {
-    const auto h = mesh.halfedge_handle(edge, side);
-    if (mesh.is_boundary(h)) continue;
-    const Point& apex = corners.of_vertex(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
-    const Point& a = corners.of_vertex(mesh.from_vertex_handle(h));
-    const Point& b = corners.of_vertex(mesh.to_vertex_handle(h));
-    if (Predicates<long double>::dot_sign(apex, a, b) < 0) return true;
-  }
-  return false;
-}
-
-/// An edge with no point inside its diametral circle comes at half its length, any other with its first triangle.
-void bring_free_edges_forward(FilteredCells& cells, const Corners& corners, const Mesh& mesh, Pulse& pulse) {
-  for (std::size_t e = 0; e < cells.edges.size(); ++e) {
-    pulse.beat();
-    const meshops::Edge edge(static_cast<int>(e));
-    const auto h = mesh.halfedge_handle(edge, 0);
-    const double half =
-        least_alpha(corners.of_vertex(mesh.from_vertex_handle(h)), corners.of_vertex(mesh.to_vertex_handle(h)));
-    // Asked last, because on grids, where right angles are the rule, both are the same.
-    if (half != cells.edges[e].alpha && !is_crowded(corners, mesh, edge)) cells.edges[e].alpha = half;
-  }
+bool is_crowded(const Triangulation& delaunay, std::span<const Point> points, const Side& side, const Point& a,
+                const Point& b) {
+  using Wide = Predicates<long double>;
+  if (Wide::dot_sign(points[delaunay.triangles[side.triangle][side.corner]], a, b) < 0) return true;
+  return side.beyond != Triangulation::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
 }
 
 /// Points on a line: neighbours on it are joined at half their distance.
-FilteredCells cells_on_line(const std::vector<std::uint32_t>& distinct, std::span<const Point> points, Pulse& pulse) {
-  std::vector<Point> line;
-  for (const std::uint32_t i : distinct) {
-    meshops::require(i < points.size(), "persistence: the complex is of other points than those given");
-    line.push_back(points[i]);
-  }
-  std::sort(line.begin(), line.end(), [&](const Point& a, const Point& b) {
-    pulse.beat();
-    return a < b;
+FilteredCells cells_on_line(const Triangulation& delaunay, std::span<const Point> points,
+                            const std::vector<std::uint32_t>& number, Steps& pulse) {
+  std::vector<std::uint32_t> line = delaunay.isolated;
+  std::sort(line.begin(), line.end(), [&](std::uint32_t a, std::uint32_t b) {
+    pulse();
+    return points[a] < points[b];
   });
   FilteredCells cells;
   cells.vertices.assign(line.size(), 0.0);
-  for (std::uint32_t i = 1; i < line.size(); ++i) {
-    pulse.beat();
-    cells.edges.push_back({least_alpha(line[i - 1], line[i]), {i - 1, i}, {cells.outside(), cells.outside()}});
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    pulse();
+    cells.edges.push_back({least_alpha(points[line[i - 1]], points[line[i]]),
+                           {number[line[i - 1]], number[line[i]]},
+                           {cells.outside(), cells.outside()}});
   }
   return cells;
+}
+
+/// Of each point its number among the distinct ones. That of a duplicate has no meaning.
+std::vector<std::uint32_t> numbers_of(const Triangulation& delaunay, std::size_t points) {
+  std::vector<std::uint32_t> number(points, 1);
+  for (const Duplicate& duplicate : delaunay.duplicates) number[duplicate.index] = 0;
+  std::exclusive_scan(number.begin(), number.end(), number.begin(), 0u);
+  return number;
 }
 
 }  // namespace
 
-FilteredCells filtered_cells(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                             const Filtration& filtration, ComplexKind kind, Pulse& pulse) {
-  const Mesh& mesh = delaunay.mesh;
-  meshops::require(filtration.triangle_alpha.size() == mesh.n_faces() && filtration.distinct == delaunay.distinct,
-                   "persistence: the filtration is of another complex");
-  const Corners corners(delaunay, points);
-  if (mesh.n_faces() == 0)
-    return kind == ComplexKind::full ? cells_on_line(delaunay.isolated, points, pulse) : FilteredCells();
+std::vector<std::uint32_t> distinct_points(const Triangulation& delaunay) {
+  std::vector<std::uint32_t> distinct;
+  distinct.reserve(delaunay.distinct);
+  auto duplicate = delaunay.duplicates.begin();
+  for (std::uint32_t i = 0; distinct.size() < delaunay.distinct; ++i)
+    if (duplicate != delaunay.duplicates.end() && duplicate->index == i)
+      ++duplicate;
+    else
+      distinct.push_back(i);
+  return distinct;
+}
 
-  FilteredCells cells = cells_of(mesh, filtration.triangle_alpha, pulse);
-  if (kind == ComplexKind::full) {
-    cells.vertices.assign(mesh.n_vertices(), 0.0);
-    bring_free_edges_forward(cells, corners, mesh, pulse);
-  } else {
-    cells.vertices.assign(mesh.n_vertices(), infinity);
-    for (const FilteredCells::Edge& edge : cells.edges)
+FilteredCells filtered_cells(const Triangulation& delaunay, std::span<const Point> points, const Filtration& filtration,
+                             ComplexKind kind, Steps& pulse) {
+  const std::vector<std::uint32_t> number = numbers_of(delaunay, points.size());
+  if (delaunay.triangles.empty())
+    return kind == ComplexKind::full ? cells_on_line(delaunay, points, number, pulse) : FilteredCells();
+
+  const std::vector<double>& alpha = filtration.triangle_alpha;
+  FilteredCells cells;
+  cells.faces = alpha;
+  cells.vertices.assign(delaunay.distinct, kind == ComplexKind::full ? 0.0 : infinity);
+  cells.edges.reserve(delaunay.distinct + delaunay.triangles.size());
+  for_each_edge(delaunay, [&](const Side& side) {
+    pulse();
+    const auto& corners = delaunay.triangles[side.triangle];
+    const std::uint32_t from = corners[(side.corner + 1) % 3], to = corners[(side.corner + 2) % 3];
+    const bool is_inner = side.beyond != Triangulation::none;
+    FilteredCells::Edge edge{
+        .alpha = is_inner ? std::min(alpha[side.triangle], alpha[side.beyond]) : alpha[side.triangle],
+        .ends = {number[from], number[to]},
+        .sides = {side.triangle, is_inner ? side.beyond : cells.outside()}};
+    if (kind == ComplexKind::full) {
+      // An edge with no point inside its diametral circle comes at half its length, any other with its first triangle.
+      // Whether it is crowded is asked last: on grids, where right angles are the rule, both radii are the same.
+      const double half = least_alpha(points[from], points[to]);
+      if (half != edge.alpha && !is_crowded(delaunay, points, side, points[from], points[to])) edge.alpha = half;
+    } else {
       for (const std::uint32_t v : edge.ends) cells.vertices[v] = std::min(cells.vertices[v], edge.alpha);
-  }
+    }
+    cells.edges.push_back(edge);
+  });
   return cells;
 }
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
-#include "rbpa/base/pulse.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -21,14 +21,17 @@ struct FilteredCells {
     std::array<std::uint32_t, 2> ends;   ///< vertices
     std::array<std::uint32_t, 2> sides;  ///< faces; outside() beyond the hull
   };
-  std::vector<double> vertices;
+  std::vector<double> vertices;  ///< of each distinct point, by input index
   std::vector<Edge> edges;
-  std::vector<double> faces;
+  std::vector<double> faces;  ///< of each triangle
   std::uint32_t outside() const { return static_cast<std::uint32_t>(faces.size()); }
 };
 
-/// Requires and throws: as persistence(). The pulse beats with every edge.
-FilteredCells filtered_cells(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                             const Filtration& filtration, ComplexKind kind, Pulse& pulse);
+/// The input indices of the distinct points, ascending.
+std::vector<std::uint32_t> distinct_points(const Triangulation& delaunay);
+
+/// Requires and throws: as persistence(), but that the triangulation is of the points. The step beats with every edge.
+FilteredCells filtered_cells(const Triangulation& delaunay, std::span<const Point> points, const Filtration& filtration,
+                             ComplexKind kind, Steps& pulse);
 
 }  // namespace rbpa

@@ -1,11 +1,10 @@
 #include "rbpa/filtration.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
-#include "rbpa/base/pulse.h"
-#include "rbpa/plane/filtration/corners.h"
+#include "rbpa/base/steps.h"
+#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/growth.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 
@@ -16,11 +15,11 @@ namespace {
 struct Entry {
   double alpha;
   double area;
-  std::uint32_t face;
+  std::uint32_t triangle;
   friend bool operator<(const Entry& a, const Entry& b) {
     if (a.alpha != b.alpha) return a.alpha < b.alpha;
     if (a.area != b.area) return a.area < b.area;
-    return a.face < b.face;
+    return a.triangle < b.triangle;
   }
 };
 
@@ -36,23 +35,21 @@ FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double ar
 
 }  // namespace
 
-Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+Filtration filtration(const Triangulation& delaunay, std::span<const Point> points,
                       const std::function<bool()>& go_on) {
-  Pulse pulse(go_on);
-  const Corners corners(delaunay, points);
-  meshops::require(delaunay.mesh.n_faces() == 0 || delaunay.isolated.empty(),
-                   "filtration: the complex leaves points out, so it is not the Delaunay triangulation");
+  Steps pulse(go_on);
+  require_delaunay(delaunay, points, "filtration", go_on);
   Filtration result{.steps = {}, .triangle_alpha = {}, .distinct = delaunay.distinct};
-  result.triangle_alpha.resize(delaunay.mesh.n_faces());
-  std::vector<Entry> entries(delaunay.mesh.n_faces());
-  for (std::uint32_t f = 0; f < entries.size(); ++f) {
-    pulse.beat();
-    const std::array<Point, 3> triangle = corners.of_face(f);
-    result.triangle_alpha[f] = least_alpha(triangle[0], triangle[1], triangle[2]);
-    entries[f] = {result.triangle_alpha[f], static_cast<double>(area(triangle)), f};
+  result.triangle_alpha.resize(delaunay.triangles.size());
+  std::vector<Entry> entries(delaunay.triangles.size());
+  for (std::uint32_t t = 0; t < entries.size(); ++t) {
+    pulse();
+    const Corners corners = corners_of(points, delaunay.triangles[t]);
+    result.triangle_alpha[t] = least_alpha(corners[0], corners[1], corners[2]);
+    entries[t] = {result.triangle_alpha[t], static_cast<double>(area(corners)), t};
   }
   std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    pulse.beat();
+    pulse();
     return a < b;
   });
 
@@ -62,11 +59,11 @@ Filtration filtration(const SolidAlphaComplex& delaunay, std::span<const Point> 
   std::size_t steps = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) steps += ends_step(i);
   result.steps.reserve(steps);
-  Growth growth(delaunay);
+  Growth growth(delaunay, points.size());
   long double area = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    pulse.beat();
-    growth.add(entries[i].face);
+    pulse();
+    growth.add(entries[i].triangle);
     area += entries[i].area;
     if (ends_step(i)) result.steps.push_back(step_of(growth.counts(), entries[i].alpha, area));
   }

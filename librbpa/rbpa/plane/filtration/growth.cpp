@@ -1,12 +1,15 @@
 #include "rbpa/plane/filtration/growth.h"
+#include "rbpa/base/triangle.h"
 
 #include <algorithm>
+#include <array>
+
+#include "rbpa/plane/filtration/ordered_triangles.h"
 
 namespace rbpa {
 namespace {
 
 std::vector<std::uint32_t> first_vertices(const std::vector<std::uint32_t>& input_index) {
-  constexpr std::uint32_t none = ~std::uint32_t{0};
   const auto last = std::max_element(input_index.begin(), input_index.end());
   std::vector<std::uint32_t> on_point(last == input_index.end() ? 0 : *last + 1u, none);
   std::vector<std::uint32_t> first(input_index.size());
@@ -20,45 +23,45 @@ std::vector<std::uint32_t> first_vertices(const std::vector<std::uint32_t>& inpu
 
 }  // namespace
 
-Growth::Growth(const SolidAlphaComplex& complex)
-    : cells_(face_cells(complex.mesh)),
-      first_on_point_(first_vertices(complex.input_index)),
-      gaps_(gaps_of(cells_, complex.mesh.n_vertices())),
-      solids_(complex.mesh.n_faces()),
-      pieces_(complex.mesh.n_vertices()),
-      in_(complex.mesh.n_faces()),
-      on_(complex.mesh.n_vertices()),
-      point_on_(complex.mesh.n_vertices()) {}
+Growth::Growth(const TriangleArrays& arrays, std::size_t vertices, const std::vector<std::uint32_t>& point_of_vertex)
+    : arrays_(arrays),
+      first_on_point_(first_vertices(point_of_vertex)),
+      gaps_(gaps_of(arrays, vertices)),
+      solids_(arrays.triangles.size()),
+      pieces_(vertices),
+      in_(arrays.triangles.size()),
+      on_(vertices),
+      point_on_(vertices) {}
 
-void Growth::add(std::uint32_t face) {
-  const FaceCell& cell = cells_[face];
-  in_[face] = true;
+void Growth::add(std::uint32_t triangle) {
+  const Triangle& corners = arrays_.triangles[triangle];
+  in_[triangle] = true;
   ++now_.triangles;
   ++now_.solid_components;
-  std::array<bool, 3> glued;
-  for (unsigned side = 0; side < 3; ++side) {
-    const std::uint32_t neighbour = cell.neighbours[side];
-    glued[side] = neighbour != FaceCell::none && in_[neighbour];
-    if (glued[side])
-      now_.solid_components -= solids_.join(face, neighbour);
+  std::array<bool, 3> glued;  // along the side across from the corner
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::uint32_t neighbor = arrays_.neighbors[triangle][k];
+    glued[k] = neighbor != TriangleArrays::none && in_[neighbor];
+    if (glued[k])
+      now_.solid_components -= solids_.join(triangle, neighbor);
     else
       ++now_.edges;
   }
-  for (unsigned i = 0; i < 3; ++i) {
-    const std::uint32_t corner = cell.corners[i];
-    const bool before = glued[i], behind = glued[(i + 1) % 3];
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::uint32_t corner = corners[k];
+    const bool before = glued[(k + 1) % 3], behind = glued[(k + 2) % 3];
     --gaps_[corner];
     if (!before && !behind) ++fans_;
-    // Between two faces the triangle joins their fans; unless it was the last gap, and they were one that has closed.
+    // Between two triangles this one joins their fans; unless it was the last gap, and they were one that has closed.
     if (before && behind && gaps_[corner] > 0) --fans_;
     if (!on_[corner]) cover(corner);
-    now_.components -= pieces_.join(cell.corners[0], corner);
+    now_.components -= pieces_.join(corners[0], corner);
   }
 }
 
 void Growth::cover(std::uint32_t vertex) {
   on_[vertex] = true;
-  const std::uint32_t first = first_on_point_[vertex];
+  const std::uint32_t first = first_on_point_.empty() ? vertex : first_on_point_[vertex];
   pieces_.join(first, vertex);
   if (point_on_[first]) return;
   point_on_[first] = true;

@@ -11,7 +11,7 @@
 namespace rbpa {
 namespace {
 
-using Wide = Predicates<long double>;  // more digits than double, and exponents that no degree six in doubles leaves
+using Exact = Predicates<long double>;  // more digits than double, and exponents that no degree six in doubles leaves
 
 /// The least double that is ≥ x, for x ≥ 0.
 double rounded_up(long double x) {
@@ -39,24 +39,24 @@ double least(double low, double high, const Enough& enough) {
 }  // namespace
 
 double least_alpha(const Point& a, const Point& b, const Point& c) {
-  const Wide::Vector ab = Wide::from(a, b), bc = Wide::from(b, c), ca = Wide::from(c, a);
-  const long double sides = std::sqrt(Wide::dot(ab, ab) * Wide::dot(bc, bc) * Wide::dot(ca, ca));
-  const long double area = 2 * std::abs(Wide::cross(ab, ca)),
-                    error = 10 * Wide::unit_roundoff * Wide::cross_magnitude(ab, ca);
-  const double low = rounded_up(sides / (area + error) * (1 - 16 * Wide::unit_roundoff));
-  const double high = area > error ? rounded_up(sides / (area - error) * (1 + 16 * Wide::unit_roundoff))
+  const Exact::Vector ab = Exact::from(a, b), bc = Exact::from(b, c), ca = Exact::from(c, a);
+  const long double sides = std::sqrt(Exact::dot(ab, ab) * Exact::dot(bc, bc) * Exact::dot(ca, ca));
+  const long double area = 2 * std::abs(Exact::cross(ab, ca)),
+                    error = 10 * Exact::unit_roundoff * Exact::cross_magnitude(ab, ca);
+  const double low = rounded_up(sides / (area + error) * (1 - 16 * Exact::unit_roundoff));
+  const double high = area > error ? rounded_up(sides / (area - error) * (1 + 16 * Exact::unit_roundoff))
                                    : std::numeric_limits<double>::infinity();
   if (low == high) return low;
-  return least(low, high, [&](double alpha) { return Wide::compare_circumradius(a, b, c, alpha) <= 0; });
+  return least(low, high, [&](double alpha) { return Exact::compare_circumradius(a, b, c, alpha) <= 0; });
 }
 
 double least_alpha(const Point& a, const Point& b) {
-  const Wide::Vector ab = Wide::from(a, b);
-  const long double half = std::sqrt(Wide::dot(ab, ab)) / 2;
-  const double low = rounded_up(half * (1 - 8 * Wide::unit_roundoff)),
-               high = rounded_up(half * (1 + 8 * Wide::unit_roundoff));
+  const Exact::Vector ab = Exact::from(a, b);
+  const long double half = std::sqrt(Exact::dot(ab, ab)) / 2;
+  const double low = rounded_up(half * (1 - 8 * Exact::unit_roundoff)),
+               high = rounded_up(half * (1 + 8 * Exact::unit_roundoff));
   if (low == high) return low;
-  return least(low, high, [&](double alpha) { return Wide::compare_to_diameter(a, b, alpha) <= 0; });
+  return least(low, high, [&](double alpha) { return Exact::compare_to_diameter(a, b, alpha) <= 0; });
 }
 
 }  // namespace rbpa

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "rbpa/base/pulse.h"
+#include "rbpa/base/steps.h"
+#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/elder_rule.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
 
@@ -19,14 +20,16 @@ bool before(const PersistencePair& a, const PersistencePair& b) {
 
 }  // namespace
 
-std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
                                          const Filtration& filtration, ComplexKind kind,
                                          const std::function<bool()>& go_on) {
-  Pulse pulse(go_on);
+  require_same(filtration, delaunay, "persistence");
+  require_delaunay(delaunay, points, "persistence", go_on);
+  Steps pulse(go_on);
   FilteredCells cells = filtered_cells(delaunay, points, filtration, kind, pulse);
   // In which order equal alphas come changes pairs of no length only.
   std::sort(cells.edges.begin(), cells.edges.end(), [&](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
-    pulse.beat();
+    pulse();
     return a.alpha < b.alpha;
   });
   std::vector<PersistencePair> pairs;
@@ -35,7 +38,7 @@ std::vector<PersistencePair> persistence(const SolidAlphaComplex& delaunay, std:
   });
   pair_holes(cells, pulse, [&](double birth, const Arrival& death) { pairs.push_back({1, birth, death.alpha}); });
   std::sort(pairs.begin(), pairs.end(), [&](const PersistencePair& a, const PersistencePair& b) {
-    pulse.beat();
+    pulse();
     return before(a, b);
   });
   return pairs;

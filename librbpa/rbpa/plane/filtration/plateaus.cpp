@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "meshops/core/contract.h"
-#include "rbpa/base/pulse.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/covering.h"
+#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/shape_curve.h"
 
 namespace rbpa {
@@ -140,12 +140,11 @@ void rank(std::vector<Plateau>& plateaus, std::size_t distinct) {
 
 }  // namespace
 
-std::vector<Plateau> plateaus(const SolidAlphaComplex& delaunay, std::span<const Point> points,
+std::vector<Plateau> plateaus(const Triangulation& delaunay, std::span<const Point> points,
                               const Filtration& filtration, const std::function<bool()>& go_on) {
-  meshops::require(
-      filtration.triangle_alpha.size() == delaunay.mesh.n_faces() && filtration.distinct == delaunay.distinct,
-      "plateaus: the filtration is of another complex");
-  Pulse pulse(go_on);
+  require_same(filtration, delaunay, "plateaus");
+  require_delaunay(delaunay, points, "plateaus", go_on);
+  Steps pulse(go_on);
   std::vector<ShapeState> curve = shape_curve(delaunay, points, filtration, pulse);
   if (curve.empty()) return {};
   const auto begin = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const FiltrationStep& step) {

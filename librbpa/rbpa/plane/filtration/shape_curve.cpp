@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "rbpa/base/disjoint_sets.h"
+#include "meshops/core/disjoint_sets.h"
 #include "rbpa/plane/filtration/ascending.h"
-#include "rbpa/plane/filtration/corners.h"
-#include "rbpa/plane/filtration/face_cells.h"
+#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/plane/filtration/ordered_triangles.h"
 #include "rbpa/plane/filtration/solid_parts.h"
 
 namespace rbpa {
@@ -17,14 +17,15 @@ namespace {
 using Wide = long double;  // for its exponents: areas are products of coordinates
 
 /// Faces by alpha; of equal ones by area, so that a sum of areas in this order depends on coordinates only.
-std::vector<std::uint32_t> in_order(const Filtration& filtration, const std::vector<Wide>& areas, Pulse& pulse) {
+std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const std::vector<Wide>& areas,
+                                             Steps& pulse) {
   std::vector<std::uint32_t> faces = ascending(filtration, pulse);
   const std::vector<double>& alpha = filtration.triangle_alpha;
   for (auto first = faces.begin(); first != faces.end();) {
     const auto last =
         std::find_if(first, faces.end(), [&](std::uint32_t face) { return alpha[face] != alpha[*first]; });
     std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
-      pulse.beat();
+      pulse();
       return areas[a] < areas[b];
     });
     first = last;
@@ -53,29 +54,29 @@ class Gaps {
   }
 
  private:
-  DisjointSets sets_;
+  meshops::DisjointSets sets_;
   std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
 };
 
 /// Of each face, the first step at which it is in the complex or in a hole of it. Faces are in the order of their steps.
-std::vector<std::uint32_t> enclosed_from(const std::vector<FaceCell>& cells, const std::vector<std::uint32_t>& step_of,
-                                         Pulse& pulse) {
-  const auto outside = static_cast<std::uint32_t>(cells.size());
-  std::vector<std::uint32_t> enclosed(cells.size());
-  Gaps gaps(cells.size());
+std::vector<std::uint32_t> enclosed_from(const OrderedTriangles& of, const std::vector<std::uint32_t>& step_of,
+                                         Steps& pulse) {
+  const auto outside = static_cast<std::uint32_t>(of.triangles.size());
+  std::vector<std::uint32_t> enclosed(of.triangles.size());
+  Gaps gaps(of.triangles.size());
   for (std::uint32_t i = outside; i-- > 0;) {
-    pulse.beat();
-    for (const std::uint32_t neighbour : cells[i].neighbours)
-      if (neighbour > i)  // is not there either; beyond the boundary there is no face
-        gaps.join(i, std::min(neighbour, outside), outside, [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
+    pulse();
+    for (const std::uint32_t neighbor : of.neighbors[i])
+      if (neighbor > i)  // is not there either; beyond the boundary there is no triangle
+        gaps.join(i, std::min(neighbor, outside), outside, [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
   }
   return enclosed;
 }
 
 /// The area of complex and holes at each step.
-std::vector<Wide> enclosed_areas(const std::vector<FaceCell>& cells, const std::vector<std::uint32_t>& step_of,
-                                 const std::vector<Wide>& areas, Pulse& pulse) {
-  const std::vector<std::uint32_t> from = enclosed_from(cells, step_of, pulse);
+std::vector<Wide> enclosed_areas(const OrderedTriangles& of, const std::vector<std::uint32_t>& step_of,
+                                 const std::vector<Wide>& areas, Steps& pulse) {
+  const std::vector<std::uint32_t> from = enclosed_from(of, step_of, pulse);
   std::vector<Wide> enclosed(step_of.empty() ? 0 : step_of.back() + std::size_t{1});
   for (std::size_t i = 0; i < areas.size(); ++i) enclosed[from[i]] += areas[i];
   std::partial_sum(enclosed.begin(), enclosed.end(), enclosed.begin());
@@ -86,17 +87,16 @@ Wide eighth_root(Wide x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 
 }  // namespace
 
-std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                                    const Filtration& filtration, Pulse& pulse) {
-  const Corners corners(delaunay, points);
+std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<const Point> points,
+                                    const Filtration& filtration, Steps& pulse) {
   const std::vector<double>& alpha = filtration.triangle_alpha;
-  std::vector<Wide> areas(delaunay.mesh.n_faces());
-  for (std::uint32_t f = 0; f < areas.size(); ++f) {
-    pulse.beat();
-    areas[f] = area(corners.of_face(f));
+  std::vector<Wide> areas(delaunay.triangles.size());
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    pulse();
+    areas[t] = area(corners_of(points, delaunay.triangles[t]));
   }
-  const std::vector<std::uint32_t> order = in_order(filtration, areas, pulse);
-  const std::vector<FaceCell> cells = face_cells(delaunay.mesh, order);
+  const std::vector<std::uint32_t> order = by_alpha_and_area(filtration, areas, pulse);
+  const OrderedTriangles ordered = in_order(delaunay, order);
   std::vector<std::uint32_t> step_of(order.size());
   std::vector<Wide> ordered_areas(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -104,12 +104,12 @@ std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span
     if (i > 0) step_of[i] = step_of[i - 1] + (alpha[order[i]] != alpha[order[i - 1]]);
   }
   areas = std::vector<Wide>();
-  const std::vector<Wide> enclosed = enclosed_areas(cells, step_of, ordered_areas, pulse);
+  const std::vector<Wide> enclosed = enclosed_areas(ordered, step_of, ordered_areas, pulse);
 
   // Flat triangles may have no area that can be told.
   const auto positive = [](Wide area) { return std::max(area, std::numeric_limits<Wide>::min()); };
   const Wide whole = enclosed.empty() ? 1 : positive(enclosed.back());
-  SolidParts parts(cells, delaunay.mesh.n_vertices());
+  SolidParts parts(ordered, points.size());
   std::uint64_t vertices = 0, squares = 0, most_squares = 0;
   Wide solid = 0, turns = 1, filled_before = 1;
   std::vector<ShapeState> curve;
@@ -117,7 +117,7 @@ std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span
   std::size_t i = 0;
   for (std::size_t step = 0; step < filtration.steps.size(); ++step) {
     for (; i < order.size() && step_of[i] == step; ++i) {
-      pulse.beat();
+      pulse();
       solid += ordered_areas[i];
       parts.add_next(
           [&](std::uint64_t size) {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
-#include "rbpa/base/pulse.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/filtration.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -22,7 +22,7 @@ struct ShapeState {
 };
 
 /// One for every step. Requires and throws: as plateaus().
-std::vector<ShapeState> shape_curve(const SolidAlphaComplex& delaunay, std::span<const Point> points,
-                                    const Filtration& filtration, Pulse& pulse);
+std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<const Point> points,
+                                    const Filtration& filtration, Steps& pulse);
 
 }  // namespace rbpa

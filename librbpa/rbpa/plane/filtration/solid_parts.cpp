@@ -2,7 +2,11 @@
 
 namespace rbpa {
 
-SolidParts::SolidParts(const std::vector<FaceCell>& cells, std::size_t vertices)
-    : cells_(cells), gaps_(gaps_of(cells, vertices)), parts_(cells.size()), vertices_(cells.size()), on_(vertices) {}
+SolidParts::SolidParts(const TriangleArrays& arrays, std::size_t points)
+    : arrays_(arrays),
+      gaps_(gaps_of(arrays, points)),
+      parts_(arrays.triangles.size()),
+      vertices_(arrays.triangles.size()),
+      on_(points) {}
 
 }  // namespace rbpa

@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
+#include "rbpa/base/triangle.h"
 
 namespace rbpa {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffff;
 
 using Edge = std::pair<std::uint64_t, std::uint64_t>;
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "meshops/topology/disjoint_sets.h"
+#include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/partial.h"

@@ -4,8 +4,9 @@
 #include <functional>
 #include <utility>
 
+#include "meshops/core/disjoint_sets.h"
 #include "meshops/core/fresh_vector.h"
-#include "meshops/topology/disjoint_sets.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/partial.h"
 #include "rbpa/plane/partial/region_complex.h"
 #include "rbpa/plane/partial/rim_walk.h"
@@ -16,7 +17,6 @@
 namespace rbpa {
 namespace {
 
-constexpr std::uint32_t none = Triangulation::none;
 constexpr unsigned all = 7;  // corners are owned
 
 using Ask = std::function<void()>;

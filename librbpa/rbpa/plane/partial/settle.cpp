@@ -6,12 +6,11 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/plane/partial/rings.h"
 
 namespace rbpa {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffff;
 
 using Numbers = std::vector<std::uint32_t>;  // new ones, by old ones
 

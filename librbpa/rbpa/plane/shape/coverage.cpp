@@ -4,16 +4,15 @@
 #include <cstddef>
 #include <utility>
 
+#include "rbpa/base/steps.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/plane/shape/components.h"
 #include "rbpa/plane/shape/nesting.h"
-#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {
 
 using Number = std::optional<std::uint32_t>;
-constexpr std::uint32_t none = TriangleArrays::none;
-
 /// The first edge of a shell, by input indices. It is on no other ring.
 struct FirstEdge {
   std::uint32_t from, to, polygon;
@@ -42,23 +41,7 @@ class PolygonsByEdge {
   std::vector<FirstEdge> firsts_ = {};
 };
 
-/// For each component of the mesh, by its least vertex, the polygon that it is, or none.
-std::vector<std::uint32_t> polygon_of_components(const SolidAlphaComplex& complex, const PolygonsByEdge& polygons,
-                                                 meshops::DisjointSets& components, Steps& step) {
-  const Mesh& mesh = complex.mesh;
-  std::vector<std::uint32_t> polygon(mesh.n_vertices(), none);
-  for (const auto h : mesh.halfedges()) {
-    step();
-    if (mesh.is_boundary(h) || !mesh.is_boundary(mesh.opposite_halfedge_handle(h))) continue;
-    const auto from = static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx());
-    const auto to = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
-    const std::uint32_t found = polygons.of(complex.input_index[from], complex.input_index[to]);
-    if (found != none) polygon[components.find(from)] = found;
-  }
-  return polygon;
-}
-
-/// The same of arrays, by the least triangle.
+/// Of each component, at its least triangle, the polygon that it is, or none.
 std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, const PolygonsByEdge& polygons,
                                                  meshops::DisjointSets& components, Steps& step) {
   std::vector<std::uint32_t> polygon(complex.triangles.size(), none);
@@ -94,22 +77,6 @@ void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates
 }
 
 }  // namespace
-
-std::vector<Number> polygon_of_points(const SolidAlphaComplex& complex, std::span<const Polygon> polygons,
-                                      const PolygonFilter& filter, std::span<const Point> points,
-                                      const std::function<bool()>& go_on) {
-  Steps step(go_on);
-  meshops::DisjointSets components = components_of(complex.mesh, step);
-  const std::vector<std::uint32_t> polygon =
-      polygon_of_components(complex, PolygonsByEdge(polygons, step), components, step);
-  std::vector<Number> result(points.size());
-  for (std::uint32_t v = 0; v < complex.input_index.size(); ++v) {
-    step();
-    put(result[complex.input_index[v]], polygon[components.find(v)]);
-  }
-  complete(result, complex.duplicates, polygons, filter, points, step);
-  return result;
-}
 
 std::vector<Number> polygon_of_points(std::span<const Point> points, const TriangleArrays& complex,
                                       std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,

@@ -4,14 +4,11 @@
 #include <cstdint>
 #include <tuple>
 
+#include "rbpa/base/steps.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {
-
-using Triple = std::array<std::uint32_t, 3>;
-constexpr std::uint32_t none = TriangleArrays::none;
 
 /// A side at a point, which is the lower of its ends.
 struct SideAt {
@@ -23,13 +20,13 @@ struct SideAt {
 
 }  // namespace
 
-std::vector<Triple> link_triangles(std::span<const Triple> triangles, std::size_t points,
-                                   const std::function<bool()>& go_on) {
+std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
+                                     const std::function<bool()>& go_on) {
   Steps step(go_on);
   // A side is found at its lower end. Two sides of a triangle have the lowest corner for that, and the triangles of a lowest
   // corner are together. The third side is across from that corner: a list of triangles for its lower end is linked where
   // its neighbour will be.
-  std::vector<Triple> neighbors(triangles.size());
+  std::vector<Triangle> neighbors(triangles.size());
   std::vector<std::uint32_t> first(points, none);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     step();

@@ -5,31 +5,17 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "meshops/front/boundary_curve.h"
 #include "rbpa/base/boundary_walk.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/shape/components.h"
 #include "rbpa/plane/shape/measure.h"
 #include "rbpa/plane/shape/nesting.h"
 #include "rbpa/plane/shape/split_curve.h"
-#include "rbpa/plane/shape/steps.h"
 
 namespace rbpa {
 namespace {
-
-std::size_t index(OpenMesh::VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
-
-/// The input points by index, as far as the mesh stands on them.
-std::vector<Point> points_under(const SolidAlphaComplex& complex) {
-  std::vector<Point> points;
-  for (const std::uint32_t p : complex.input_index) points.resize(std::max(points.size(), std::size_t{p} + 1));
-  for (std::size_t v = 0; v < complex.input_index.size(); ++v) {
-    const auto at = complex.mesh.point(meshops::Vertex(static_cast<int>(v)));
-    points[complex.input_index[v]] = {at[0], at[1]};
-  }
-  return points;
-}
 
 /// Rings and polygons in lexicographic order of their first two points: an edge is on one ring, and so no two compare
 /// equal.
@@ -78,21 +64,6 @@ class RingsByComponent {
   std::vector<std::uint32_t> number_;  // of each name, from 1
   std::vector<std::vector<Ring>> rings_;
 };
-
-std::vector<std::vector<Ring>> rings_by_component(const SolidAlphaComplex& complex, std::size_t points, Steps& step) {
-  const Mesh& mesh = complex.mesh;
-  meshops::DisjointSets components = components_of(mesh, step);
-  RingsByComponent rings(points, mesh.n_vertices());
-  std::vector<std::uint32_t> curve;
-  for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {
-    curve.clear();
-    for (const meshops::Halfedge h : boundary) curve.push_back(complex.input_index[index(mesh.to_vertex_handle(h))]);
-    std::reverse(curve.begin(), curve.end());  // the mesh is on the left now
-    step(curve.size());
-    rings.add(curve, components.find(static_cast<std::uint32_t>(index(mesh.to_vertex_handle(boundary.front())))));
-  }
-  return rings.take();
-}
 
 std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex, std::size_t points, Steps& step) {
   const auto triangles = static_cast<std::uint32_t>(complex.triangles.size());
@@ -179,14 +150,6 @@ std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std:
 }
 
 }  // namespace
-
-std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter,
-                              const std::function<bool()>& go_on) {
-  check(filter);
-  Steps step(go_on);
-  const std::vector<Point> points = points_under(complex);
-  return polygons_of(rings_by_component(complex, points.size(), step), points, filter, step);
-}
 
 std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex, const PolygonFilter& filter,
                               const std::function<bool()>& go_on) {

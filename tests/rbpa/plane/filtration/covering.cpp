@@ -13,6 +13,8 @@
 #include "plane/filtration/solid_sizes.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/filtration/part_sizes.h"
+#include "rbpa/rbpa.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -27,7 +29,7 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 
 std::optional<double> covering_of(const Points& points, const Covering& covering) {
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   return rbpa::smallest_covering(delaunay, rbpa::filtration(delaunay, points), covering);
 }
 
@@ -51,7 +53,7 @@ TEST_CASE("smallest_covering of a share is the least alpha at which the complex 
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
     CAPTURE(set.name);
-    const auto delaunay = rbpa::rbpa(points, infinity);
+    const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     for (const std::optional<std::size_t> most : std::initializer_list<std::optional<std::size_t>>{{}, 0, 1, 2, 5}) {
       CAPTURE(most.value_or(99));
@@ -105,7 +107,7 @@ TEST_CASE("outliers and dust less than the share change nothing of what the poin
 TEST_CASE("a greater share and fewer components ask for a greater alpha") {
   for (const Points& points :
        {uniform(300, 32), clusters(20, 33), tiny_components(40, 34), random_grid(20, 150, true, 35)}) {
-    const auto delaunay = rbpa::rbpa(points, infinity);
+    const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     double before = 0;
     for (const double share : shares) {
@@ -142,17 +144,17 @@ TEST_CASE("the order of the points, repetitions and a power of two change nothin
 
 TEST_CASE("a share that is none, and a filtration of other points, are refused") {
   const Points points = uniform(30, 38);
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   const Filtration all = rbpa::filtration(delaunay, points);
   for (const double share : {0.0, -1.0, 1.5, std::nan("")})
     CHECK_THROWS_AS(rbpa::smallest_covering(delaunay, all, {share, 1}), meshops::ContractViolation);
   const Points others = uniform(31, 38);
-  CHECK_THROWS_AS(rbpa::smallest_covering(rbpa::rbpa(others, infinity), all, Covering{}), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::smallest_covering(delaunay_arrays(others), all, Covering{}), meshops::ContractViolation);
 }
 
 TEST_CASE("false from go_on cancels a search for a share, in every phase") {
   const Points points = random_grid(200, 20000, false, 39);
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   const Filtration all = rbpa::filtration(delaunay, points);
   std::size_t calls = 0;
   const auto whole = rbpa::smallest_covering(delaunay, all, {0.99, 1}, [&] { return ++calls > 0; });

@@ -9,7 +9,9 @@
 #include "meshops/core/contract.h"
 #include "plane/filtration/small_sets.h"
 #include "rbpa/base/error.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/shrink.h"
@@ -25,7 +27,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-Filtration filtration_of(const Points& points) { return rbpa::filtration(rbpa::rbpa(points, infinity), points); }
+Filtration filtration_of(const Points& points) { return rbpa::filtration(delaunay_arrays(points), points); }
 
 /// What a step must say of this alpha, from the complex built anew.
 FiltrationStep recounted(const Points& points, double alpha, double area) {
@@ -81,13 +83,13 @@ TEST_CASE("steps ascend, and end with the Delaunay triangulation: one disc over 
   }
 }
 
-TEST_CASE("a face of the mesh is in the complex from its triangle_alpha on") {
+TEST_CASE("a triangle is in the complex from its triangle_alpha on") {
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
     CAPTURE(set.name);
-    const auto delaunay = rbpa::rbpa(points, infinity);
+    const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
-    REQUIRE(all.triangle_alpha.size() == delaunay.mesh.n_faces());
+    REQUIRE(all.triangle_alpha.size() == delaunay.triangles.size());
     for (const FiltrationStep& step : all.steps) {
       const auto in = std::count_if(all.triangle_alpha.begin(), all.triangle_alpha.end(),
                                     [&](double alpha) { return alpha <= step.alpha; });
@@ -188,7 +190,7 @@ TEST_CASE("smallest_covering is the least alpha at which all points are covered,
 
 TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
   const Points points = random_grid(300, 40000, false, 3);
-  const rbpa::SolidAlphaComplex delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   std::size_t calls = 0;
   const Filtration whole = rbpa::filtration(delaunay, points, [&] { return ++calls > 0; });
   CHECK(whole.steps == rbpa::filtration(delaunay, points).steps);
@@ -200,14 +202,19 @@ TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
   }
 }
 
-TEST_CASE("a complex of other points, or not of all triangles, is refused") {
+TEST_CASE("a triangulation of other points, or not of all triangles, is refused") {
   const Points points = uniform(30, 9);
   Points moved_points = points;
   moved_points[17].x += 1;
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   CHECK_THROWS_AS(rbpa::filtration(delaunay, moved_points), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::filtration(delaunay, std::span(points).first(10)), meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::filtration(rbpa::rbpa(points, 0.5), points), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::filtration(rbpa::triangulate(points, 0.5, {.neighbors = true}), points),
+                  meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::filtration(rbpa::triangulate(points, infinity), points), meshops::ContractViolation);
+  auto unlinked = delaunay;
+  std::swap(unlinked.neighbors[3][0], unlinked.neighbors[3][1]);
+  CHECK_THROWS_AS(rbpa::filtration(unlinked, points), meshops::ContractViolation);
 }
 
 TEST_SUITE_END();

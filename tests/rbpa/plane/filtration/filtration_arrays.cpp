@@ -8,11 +8,13 @@
 #include <set>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
 #include "plane/filtration/small_sets.h"
-#include "rbpa/base/disjoint_sets.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 #include "rbpa/plane/predicate/predicates.h"
+#include "rbpa/rbpa.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -32,10 +34,10 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 struct Made {
   explicit Made(const Points& points)
-      : delaunay(rbpa::rbpa(points, infinity)),
+      : delaunay(delaunay_arrays(points)),
         filtration(rbpa::filtration(delaunay, points)),
         arrays(rbpa::filtration_arrays(delaunay, points, filtration)) {}
-  rbpa::SolidAlphaComplex delaunay;
+  rbpa::Triangulation delaunay;
   rbpa::Filtration filtration;
   FiltrationArrays arrays;
 };
@@ -64,7 +66,7 @@ bool is_alive(const PersistencePair& pair, double alpha) {
 }
 
 /// How often the triangle of a living pair is in each of the sets.
-std::vector<int> pairs_in(const FiltrationArrays& arrays, int dimension, double alpha, rbpa::DisjointSets& sets,
+std::vector<int> pairs_in(const FiltrationArrays& arrays, int dimension, double alpha, meshops::DisjointSets& sets,
                           std::size_t count) {
   std::vector<int> found(count, 0);
   for (const PlacedPair& p : arrays.pairs)
@@ -117,7 +119,7 @@ TEST_CASE("each component has the triangle of one living pair, and so has each h
     std::size_t i = 0;
     for (const FiltrationStep& step : made.filtration.steps) {
       if (i++ % 5 != 0) continue;
-      rbpa::DisjointSets pieces(count), gaps(count + 1);
+      meshops::DisjointSets pieces(count), gaps(count + 1);
       std::map<std::uint32_t, std::uint32_t> at;
       for (std::uint32_t t = 0; t < step.triangles; ++t)
         for (const std::uint32_t corner : made.arrays.triangles[t])

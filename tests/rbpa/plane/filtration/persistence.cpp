@@ -12,6 +12,8 @@
 #include "rbpa/base/error.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 #include "rbpa/plane/predicate/exact_integer.h"
+#include "rbpa/rbpa.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/shrink.h"
@@ -31,7 +33,7 @@ using Pairs = std::vector<PersistencePair>;
 const double infinity = std::numeric_limits<double>::infinity();
 
 Pairs persistence_of(const Points& points, ComplexKind kind) {
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   return rbpa::persistence(delaunay, points, rbpa::filtration(delaunay, points), kind);
 }
 
@@ -126,7 +128,7 @@ TEST_CASE("the pairs alive at a step are its components and its holes") {
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
     CAPTURE(set.name);
-    const auto delaunay = rbpa::rbpa(points, infinity);
+    const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     const Pairs pairs = rbpa::persistence(delaunay, points, all);
     for (const rbpa::FiltrationStep& step : all.steps) {
@@ -226,7 +228,7 @@ TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
   for (const auto& [points, kind] :
        {std::pair(random_grid(300, 40000, false, 3), ComplexKind::solid),
         std::pair(random_grid(300, 40000, false, 3), ComplexKind::full), std::pair(line, ComplexKind::full)}) {
-    const auto delaunay = rbpa::rbpa(points, infinity);
+    const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     std::size_t calls = 0;
     const Pairs whole = rbpa::persistence(delaunay, points, all, kind, [&] { return ++calls > 0; });
@@ -242,7 +244,7 @@ TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {
 
 TEST_CASE("a filtration of other points is refused") {
   const Points points = uniform(30, 9), others = uniform(31, 9);
-  const auto delaunay = rbpa::rbpa(points, infinity), other = rbpa::rbpa(others, infinity);
+  const auto delaunay = delaunay_arrays(points), other = delaunay_arrays(others);
   const Filtration mine = rbpa::filtration(delaunay, points), theirs = rbpa::filtration(other, others);
   CHECK_THROWS_AS(rbpa::persistence(delaunay, points, theirs), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::persistence(delaunay, others, mine), meshops::ContractViolation);

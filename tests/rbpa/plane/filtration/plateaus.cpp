@@ -10,7 +10,9 @@
 #include "plane/filtration/small_sets.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/filtration/shape_curve.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -32,10 +34,10 @@ struct Found {
 };
 
 Found find(const Points& points) {
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   Found found{.filtration = rbpa::filtration(delaunay, points), .curve = {}, .plateaus = {}};
   const std::function<bool()> on;
-  rbpa::Pulse pulse(on);
+  rbpa::Steps pulse(on);
   found.curve = rbpa::shape_curve(delaunay, points, found.filtration, pulse);
   found.plateaus = rbpa::plateaus(delaunay, points, found.filtration);
   return found;
@@ -377,7 +379,7 @@ TEST_CASE("parts that become one piece come first, then that piece and what clos
 
 TEST_CASE("false from go_on cancels the search for plateaus in every phase") {
   const Points points = random_grid(200, 20000, false, 69);
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   const Filtration all = rbpa::filtration(delaunay, points);
   std::size_t calls = 0;
   const auto whole = rbpa::plateaus(delaunay, points, all, [&] { return ++calls > 0; });
@@ -391,9 +393,9 @@ TEST_CASE("false from go_on cancels the search for plateaus in every phase") {
 
 TEST_CASE("plateaus of a filtration of other points are refused") {
   const Points points = uniform(30, 70), others = uniform(31, 70);
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   const Filtration all = rbpa::filtration(delaunay, points);
-  CHECK_THROWS_AS(rbpa::plateaus(rbpa::rbpa(others, infinity), others, all), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::plateaus(delaunay_arrays(others), others, all), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::plateaus(delaunay, others, all), meshops::ContractViolation);
 }
 

@@ -1,4 +1,5 @@
 #include "rbpa/plane/filtration/shape_curve.h"
+#include "rbpa/rbpa.h"
 
 #include <doctest/doctest.h>
 
@@ -11,6 +12,7 @@
 
 #include "plane/filtration/small_sets.h"
 #include "plane/filtration/solid_sizes.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -26,9 +28,9 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<ShapeState> curve_of(const Points& points) {
-  const auto delaunay = rbpa::rbpa(points, infinity);
+  const auto delaunay = delaunay_arrays(points);
   const std::function<bool()> on;
-  rbpa::Pulse pulse(on);
+  rbpa::Steps pulse(on);
   return rbpa::shape_curve(delaunay, points, rbpa::filtration(delaunay, points), pulse);
 }
 
@@ -84,8 +86,8 @@ TEST_CASE("parts, holes and change at every step are those of the complex built 
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
     CAPTURE(set.name);
-    const auto delaunay = rbpa::rbpa(points, infinity);
-    const std::vector<Triangle> all = rbpa::triangles(delaunay);
+    const auto delaunay = delaunay_arrays(points);
+    const std::vector<Triangle> all = delaunay.triangles;
     const Filtration filtration = rbpa::filtration(delaunay, points);
     const std::vector<ShapeState> curve = curve_of(points);
     REQUIRE(curve.size() == filtration.steps.size());

@@ -7,6 +7,7 @@
 
 #include "rbpa/coverage.h"
 #include "rbpa/partial_bytes.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "rbpa/topology.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/triangulate.h"
 #include "support/generate.h"
 #include "support/pictures.h"

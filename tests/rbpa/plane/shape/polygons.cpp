@@ -10,6 +10,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
+#include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
 #include "rbpa/triangulate.h"
 #include "support/data_folder.h"

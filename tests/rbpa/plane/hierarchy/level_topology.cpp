@@ -11,7 +11,9 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/topology/build_mesh.h"
+#include "rbpa/hrbpa.h"
 #include "rbpa/plane/filtration/growth.h"
+#include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/pictures.h"
 #include "support/random.h"

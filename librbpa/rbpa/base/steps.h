@@ -1,14 +1,13 @@
-// What: how loops and sorts over a boundary let their caller end them.
+// What: how loops and sorts let their caller end them.
 #pragma once
 
 #include <algorithm>
 
-#include "meshops/topology/progress.h"
-#include "rbpa/base/error.h"
+#include "meshops/core/progress.h"
 
 namespace rbpa {
 
-using Steps = meshops::detail::StepsUntil<Cancelled>;
+using meshops::Steps;
 
 /// std::sort(), each comparison a step. Throws Cancelled, with the values in any order.
 template <typename Values, typename Less>

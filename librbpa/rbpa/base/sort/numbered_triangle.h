@@ -8,20 +8,19 @@
 #include <span>
 
 #include "meshops/patch/patch.h"
+#include "rbpa/base/triangle.h"
 
 namespace rbpa {
 
-using Triple = std::array<std::uint32_t, 3>;
-
 /// A triangle, and its place in a list.
-struct NumberedTriple {
-  Triple corners;
+struct NumberedTriangle {
+  Triangle corners;
   std::uint32_t number;
 };
 
 /// The names of a triangle's corners, turned so that the least comes first. Which is the least is a toss of a coin, so
 /// that nothing branches.
-inline Triple from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
+inline Triangle from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
   const std::uint32_t a = names[corner[0]], b = names[corner[1]], c = names[corner[2]];
   const std::uint32_t b_first = (b < a) & (b < c), c_first = (c < a) & (c < b);
   const std::uint32_t turn_by_1 = -b_first, turn_by_2 = -c_first;  // all bits, or none
@@ -30,9 +29,9 @@ inline Triple from_least(std::span<const std::uint32_t> names, const std::array<
   return {first, second, a ^ b ^ c ^ first ^ second};
 }
 
-/// Calls visit(Triple) for each triangle of a patch, in order.
+/// Calls visit(Triangle) for each triangle of a patch, in order.
 template <typename Visit>
-void for_each_triple(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
+void for_each_triangle(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
   constexpr std::size_t ahead = 32;  // names are asked for that long before
   const std::size_t count = patch.triangles.size();
   for (std::size_t t = 0; t < count; ++t) {

@@ -19,16 +19,13 @@ class MESHOPS_API Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-namespace detail {
-
 /// Counts the steps of loops, of tens to hundreds of nanoseconds each, and asks now and then whether to go on.
-template <typename Ended>
-class StepsUntil {
+class Steps {
  public:
   /// Keeps a reference. Empty: nothing is asked.
-  explicit StepsUntil(const GoOn& go_on) : go_on_(go_on) {}
+  explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
 
-  /// So many more steps. Throws Ended.
+  /// So many more steps. Throws Cancelled.
   void operator()(std::size_t steps = 1) {
     if (left_ <= steps) return ask();
     left_ -= steps;
@@ -37,7 +34,7 @@ class StepsUntil {
  private:
   void ask() {
     left_ = interval;
-    if (go_on_ && !go_on_()) throw Ended();
+    if (go_on_ && !go_on_()) throw Cancelled();
   }
 
   static constexpr std::size_t interval = 16384;
@@ -45,7 +42,4 @@ class StepsUntil {
   std::size_t left_ = interval;
 };
 
-using Steps = StepsUntil<Cancelled>;
-
-}  // namespace detail
 }  // namespace meshops

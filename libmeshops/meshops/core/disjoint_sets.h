@@ -1,0 +1,78 @@
+// What: union–find over numbers from 0, with the parity of each number to the least of its set.
+// Cost: amortised logarithmic, in practice constant; four bytes a number.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "meshops/core/fresh_vector.h"
+
+namespace meshops {
+
+/// Of at most 2³¹ numbers.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size = 0) : link_(size) {
+    for (std::size_t i = 0; i < size; ++i) link_[i] = static_cast<std::uint32_t>(2 * i);
+  }
+
+  std::size_t size() const { return link_.size(); }
+  /// One more number, in a set of its own. Returns: it.
+  std::uint32_t add() {
+    const auto i = static_cast<std::uint32_t>(link_.size());
+    link_.push_back(2 * i);
+    return i;
+  }
+  /// The least number of the set.
+  std::uint32_t find(std::uint32_t i) {
+    // To the root, with the parity of the whole way; then every element on it becomes a child of the root.
+    std::uint32_t root = i, parity = 0;
+    for (std::uint32_t link = link_[root]; link >> 1U != root; link = link_[root]) {
+      parity ^= link & 1U;
+      root = link >> 1U;
+    }
+    for (std::uint32_t link = link_[i]; link >> 1U != root; link = link_[i]) {
+      link_[i] = 2 * root + parity;
+      parity ^= link & 1U;
+      i = link >> 1U;
+    }
+    return root;
+  }
+  /// Whether `i` is that itself. Cost: a look.
+  bool is_least(std::uint32_t i) const { return link_[i] >> 1U == i; }
+  /// Whether `i` is on the other side than the least number of its set.
+  /// Requires: find(i) was called after the last change.
+  bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
+
+  /// Makes one set of two, given by their least numbers. Returns: the least of both.
+  std::uint32_t link(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    link_[high] = 2 * low;
+    return low;
+  }
+  /// Makes one set of two. Returns: false when they were one already.
+  bool join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return false;
+    link(a, b);
+    return true;
+  }
+  /// Makes one set of two, in which `a` and `b` are on different sides when `differ`.
+  /// Returns: false when they were in one set already and that has them otherwise.
+  bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
+    const std::uint32_t root_a = find(a), root_b = find(b);
+    const bool differ_now = is_odd(a) != is_odd(b);
+    if (root_a == root_b) return differ_now == differ;
+    const auto [low, high] = std::minmax(root_a, root_b);
+    link_[high] = 2 * low + (differ_now != differ ? 1U : 0U);
+    return true;
+  }
+
+ private:
+  // Twice the parent, and 1 more when on the other side than that: a step to the parent is one look into memory.
+  FreshVector<std::uint32_t> link_;
+};
+
+}  // namespace meshops

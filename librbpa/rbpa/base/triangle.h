@@ -1,0 +1,14 @@
+// What: a triangle as three numbers: indices of its corners, in a list of points of the plane or of space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace rbpa {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// What stands for the index of a triangle, or of anything in a list, where there is none.
+inline constexpr std::uint32_t none = 0xffffffff;
+
+}  // namespace rbpa

@@ -1,0 +1,45 @@
+// The shape of a complex that is a mesh: its faces as triangles in arrays, on the input points.
+#include <algorithm>
+
+#include "rbpa/coverage.h"
+#include "rbpa/plane/mesh/linked_faces.h"
+#include "rbpa/rbpa.h"
+#include "rbpa/shape.h"
+
+namespace rbpa {
+namespace {
+
+LinkedFaces faces_on_points(const SolidAlphaComplex& complex) {
+  LinkedFaces faces = linked_faces(complex.mesh);
+  for (auto& corners : faces.triangles)
+    for (std::uint32_t& corner : corners) corner = complex.input_index[corner];
+  return faces;
+}
+
+/// The input points by index, as far as the mesh stands on them.
+std::vector<Point> points_under(const SolidAlphaComplex& complex) {
+  std::size_t size = 0;
+  for (const std::uint32_t p : complex.input_index) size = std::max(size, std::size_t{p} + 1);
+  std::vector<Point> points(size);
+  for (std::size_t v = 0; v < complex.input_index.size(); ++v) {
+    const auto at = complex.mesh.point(Mesh::VertexHandle(static_cast<int>(v)));
+    points[complex.input_index[v]] = {at[0], at[1]};
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter,
+                              const std::function<bool()>& go_on) {
+  return polygons(points_under(complex), faces_on_points(complex), filter, go_on);
+}
+
+std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
+                                                            std::span<const Polygon> polygons,
+                                                            const PolygonFilter& filter, std::span<const Point> points,
+                                                            const std::function<bool()>& go_on) {
+  return polygon_of_points(points, faces_on_points(complex), complex.duplicates, polygons, filter, go_on);
+}
+
+}  // namespace rbpa

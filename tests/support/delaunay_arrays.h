@@ -1,0 +1,15 @@
+// What: the Delaunay triangulation from which filtrations are made.
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "rbpa/triangulate.h"
+
+namespace rbpa_test {
+
+inline rbpa::Triangulation delaunay_arrays(std::span<const rbpa::Point> points) {
+  return rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+}
+
+}  // namespace rbpa_test
