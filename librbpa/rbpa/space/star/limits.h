@@ -28,8 +28,11 @@ static_assert(slack >= 10 * error);
 inline constexpr double placed = 1e-10;
 static_assert(placed > 1000 * unit_roundoff && placed < error);
 
-/// Error of the greatest and the least c · p − p²/2 for centres c on a circle, as a share of the radius and Σ|pᵢ|.
-inline constexpr double extreme = 1e-8;
+/// Error of the greatest and the least c · p − p²/2 for centres c on the circle of q, as a share of the radius and Σ|pᵢ|. Half
+/// of their difference is √(p² − (p · q)²/q²) √(r² − q²/4), whose differences are off by at most 15ε p² and 5ε r²; where they
+/// are near 0 the roots are off by the roots of these.
+inline constexpr double extreme = 1e-7;
+static_assert(extreme * extreme > 2 * (15 + 5) * unit_roundoff);  // (√15 + √5)² < 2 (15 + 5)
 
 /// In radii, what is allowed for offsets and sums in single precision, for each radius of length. An offset from another site is
 /// below 3.1 in each coordinate, and differences of two such are off by less than 10⁻⁶ altogether; so are sums of products.
