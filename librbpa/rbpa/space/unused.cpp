@@ -44,7 +44,7 @@ void ask_exposed(const space::NeighborhoodSubset& near, const Surface& exposed, 
 }
 
 /// Whether every ball that touches points[v] holds one of the others, where no ball rests on it that is empty: the balls that
-/// touch it and its nearest as well are all held then, or all free (docs/surface_holes.md, section 3).
+/// touch it and its nearest as well are all held then, or all free (docs/surface_derivation.md, section 10).
 /// Requires: distinct points; those of some cells are all that such balls can touch.
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;

@@ -1,5 +1,5 @@
 // What: cones from v that bound the parts of a free region: a point whose cap misses all of them changes nothing.
-// Law:  conservative: a point that is rejected cannot change the region now or later. docs/surface.md, section 5.
+// Law:  conservative: a point that is rejected cannot change the region now or later. docs/surface_derivation.md, section 5.
 // How:  a part on one side of a plane through v is in the cone of its corners; lengthened to C until their hull is outside the
 //       sphere, the corners decide: p's cap meets the part only if C · p > p²/2 for one of them.
 //

@@ -1,7 +1,7 @@
 // What: where the centre of a ball may be that touches a point v and holds no other: the sphere of centres around v without one
 //       cap for each other point. Its corners are the exposed triangles at v.
 // Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is enough the region is lost, and false is
-//       returned. docs/surface.md, section 5.
+//       returned. docs/surface_derivation.md, section 5.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound what is left. An arc is part of the
 //       circle of a point: where the ball touches v and that point. Compiled once for each kind of vector unit; no include guard
 //       but the compiler's own per kind.

@@ -1,5 +1,5 @@
 // What: the corners and arcs of the free region when the caps of a few points have been subtracted, all at once.
-// Law:  every sign is certain; where one is not, nothing is returned. docs/surface.md, section 5.
+// Law:  every sign is certain; where one is not, nothing is returned. docs/surface_derivation.md, section 5.
 // How:  1. cross the circles of each two points (ball_pair-inl.h), in vector lanes;
 //       2. drop the crossings that some other cap covers: what is left are the corners;
 //       3. from each corner follow its circle to the next corner on it: these are the arcs.

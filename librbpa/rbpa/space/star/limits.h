@@ -1,4 +1,4 @@
-// What: how far a rounded number must be from a tie for its sign to be certain, and why. docs/surface.md, section 7.
+// What: how far a rounded number must be from a tie for its sign to be certain, and why. docs/surface_derivation.md, section 7.
 //       What is nearer goes to exact arithmetic, or the free region is lost and every edge is rolled about.
 #pragma once
 
