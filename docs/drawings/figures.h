@@ -22,6 +22,7 @@ std::span<const Figure> shape_figures();
 std::span<const Figure> hierarchy_figures();
 std::span<const Figure> filtration_figures();
 std::span<const Figure> tile_figures();
+std::span<const Figure> free_region_figures();
 std::span<const Figure> timing_figures();
 std::span<const Figure> cookbook_figures();
 

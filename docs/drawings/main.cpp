@@ -30,7 +30,7 @@ int main(int count, char** arguments) {
          {figures::handle_figures, figures::stellar_figures, figures::front_figures, figures::topology_figures,
           figures::defect_figures, figures::pivoting_figures, figures::candidate_figures, figures::shape_figures,
           figures::hierarchy_figures, figures::filtration_figures, figures::tile_figures, figures::timing_figures,
-          figures::cookbook_figures})
+          figures::cookbook_figures, figures::free_region_figures})
       for (const figures::Figure& figure : group()) write(folder / (std::string(figure.name) + ".svg"), figure.svg());
   } catch (const std::exception& error) {
     std::cerr << "draw_figures: " << error.what() << '\n';

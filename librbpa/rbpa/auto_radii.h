@@ -1,6 +1,6 @@
 // What:   radii for points of space for which the user has none, from the gaps between neighbours along the surface.
 // Law:    a function of the set of points: of no order, no thread; points scaled by a power of two have scaled radii. What a
-//         radius is good for is experience, not proof. docs/surface_radii.md.
+//         radius is good for is experience, not proof. docs/surface_derivation.md, section 12.
 // Cost:   the nearest points of each point, some microseconds a point.
 #pragma once
 

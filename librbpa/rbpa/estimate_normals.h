@@ -1,6 +1,6 @@
 // What:   normals of points in space that have none: of the plane that fits the nearest points, all turned to one side.
 // Law:    a function of the set of points: of no order, no thread, and of no power of two by which all are multiplied.
-//         Equal points have equal normals. An estimate, in rounded numbers; docs/normals.md says when it is wrong.
+//         Equal points have equal normals. An estimate, in rounded numbers; docs/surface.md, section 3, says when it is wrong.
 // Cost:   O(n log n); about 25 neighbors + 100 bytes a point at most.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
@@ -34,7 +34,7 @@ struct NormalOptions {
 /// Points that are connected, from one to one of its nearest others and so on, have normals on one side: turned along a
 /// spanning tree, from edge to edge with the least doubt. One of them is turned outward: the extreme point in the first of
 /// the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So where no step errs
-/// (docs/normals.md, section 3) a closed surface has normals that point outward, each component of it, also one inside
+/// (docs/surface.md, section 3) a closed surface has normals that point outward, each component of it, also one inside
 /// another; and a plane that is not too steep, upward.
 ///
 /// Where the nearest points are on a line as far as double can tell, the normal is, of the directions across that line, the

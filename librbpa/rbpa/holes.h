@@ -1,6 +1,6 @@
 // What: the boundary curves of a surface of points in space, and why it ends there, side by side.
 // Law:  a function of the points, their normals and the radii. The exposed triangles are a closed surface: so the ball always
-//       comes to some triangle, and a side is boundary because that one is not in the surface. docs/surface_holes.md.
+//       comes to some triangle, and a side is boundary because that one is not in the surface. docs/surface_derivation.md, section 10.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // What:   a ball that rests on three points and rolls from there, one step at a time: ball pivoting for who goes his own way
 //         over the exposed triangles, as an advancing front does.
 // Law:    exact, on any finite input. What it says is a function of the set of points and the radius: where it came from, and
-//         what was asked before, does not matter. Rolling back returns. docs/surface.md.
+//         what was asked before, does not matter. Rolling back returns. docs/surface_derivation.md.
 // Cost:   each question looks at the points within two radii; surface() asks all of them together, which is faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once

@@ -1,7 +1,7 @@
 // What:   ball pivoting of points in space, as arrays of indices in canonical order.
 // Law:    a function of the set of points, their normals and the radius: of no order, no seed, no thread. Every decision is
-//         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface.md.
-// Cost:   linear for a number of points within two radii of a point, and grows slowly with it: docs/surface.md, section 10.
+//         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface_derivation.md.
+// Cost:   linear for a number of points within two radii of a point, and grows slowly with it: docs/surface_derivation.md, section 14.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha shapes
 //         (Edelsbrunner and Mücke, 1994).
 #pragma once

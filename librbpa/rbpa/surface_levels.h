@@ -1,7 +1,7 @@
 // What:   the surface of points in space by several radii: a greater one closes what the smaller ones left open.
 // Law:    a function of the set of points, their normals and the radii: of no order, no thread. An oriented 2-manifold with
 //         boundary, each fan a vertex of its own; its triangles never cross. What a radius has made is the surface of it and those
-//         before it: nothing is taken away, and nothing glued otherwise. docs/surface_levels.md.
+//         before it: nothing is taken away, and nothing glued otherwise. docs/surface_derivation.md, section 9.
 // Source: Bernardini et al., section 4.4, has radii in ascending order; the rule here is another one.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What: the points that are in no triangle of a surface, and why.
-// Law:  a function of the set of points, their normals and the radii; exact. docs/surface_holes.md.
+// Law:  a function of the set of points, their normals and the radii; exact. docs/surface_derivation.md, section 10.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What README.md and docs/which_alpha.md, tasks.md, fill.md and surface_points.md show under a command is what the command prints.
+// What README.md and docs/which_alpha.md, tasks.md, fill.md and surface.md show under a command is what the command prints.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ TEST_SUITE("readme") {
     const std::vector<Shown> of_fill = commands_in(read_file((root / "docs/fill.md").string()));
     CHECK(of_fill.size() == 5);
     commands.insert(commands.end(), of_fill.begin(), of_fill.end());
-    const std::vector<Shown> of_surface = commands_in(read_file((root / "docs/surface_points.md").string()));
+    const std::vector<Shown> of_surface = commands_in(read_file((root / "docs/surface.md").string()));
     CHECK(of_surface.size() == 4);
     commands.insert(commands.end(), of_surface.begin(), of_surface.end());
     commands.insert(commands.end(), of_readme.begin(), of_readme.end());

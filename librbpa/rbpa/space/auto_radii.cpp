@@ -17,7 +17,7 @@
 namespace rbpa {
 namespace {
 
-// What follows was chosen by trying: docs/surface_radii.md.
+// What follows was chosen by trying: docs/surface_derivation.md, section 12.
 constexpr std::size_t neighbors = 32;
 constexpr double most_of_all = 0.99, beyond_most = 2;  // of all gaps; a larger one is an exception
 constexpr double margin = 1.25;                        // surfaces are not flat, and not all gaps are seen

@@ -11,9 +11,9 @@
 #include "rbpa/base/boundary_walk.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/levels/excerpt.h"
 #include "rbpa/space/levels/interior.h"
-#include "rbpa/space/levels/part_below.h"
+#include "rbpa/space/levels/neighborhood_subset.h"
+#include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/agreement.h"
 
 namespace rbpa {
@@ -63,7 +63,7 @@ class Exposed {
  public:
   Exposed(std::span<const Point3> points, std::span<const Duplicate> duplicates,
           const std::vector<std::uint8_t>& at_rim, double radius, const SurfaceOptions& options) {
-    space::Excerpt near = space::excerpt(points, {}, duplicates, at_rim, radius);
+    space::NeighborhoodSubset near = space::neighborhood_subset(points, {}, duplicates, at_rim, radius);
     exposed_ = exposed_triangles(near.points, radius, options);
     for (Triangle& triangle : exposed_.triangles)
       for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still
@@ -134,7 +134,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
     const Exposed exposed(points, surface.duplicates, at_rim, radii[level], options);
     std::optional<space::Interior> smaller;
     if (level > 0) {
-      const Surface part = space::part_below(level, surface);
+      const Surface part = space::sub_surface(level, surface);
       smaller.emplace(space::arrays_of(part), points.size());
     }
     std::erase_if(open, [&](RimEdge* edge) {

@@ -10,9 +10,9 @@
 
 #include "rbpa/facing_sides.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/levels/excerpt.h"
 #include "rbpa/space/levels/interior.h"
-#include "rbpa/space/levels/part_below.h"
+#include "rbpa/space/levels/neighborhood_subset.h"
+#include "rbpa/space/levels/sub_surface.h"
 
 namespace rbpa {
 namespace {
@@ -33,7 +33,8 @@ class Level {
   void add(std::span<const Point3> normals, double radius, const SurfaceOptions& options) {
     std::vector<std::uint8_t> is_open(points_.size(), 0);
     for (std::size_t i = 0; i < is_open.size(); ++i) is_open[i] = interior_.points()[i] == 0;
-    const space::Excerpt near = space::excerpt(points_, normals, surface_.duplicates, is_open, radius);
+    const space::NeighborhoodSubset near =
+        space::neighborhood_subset(points_, normals, surface_.duplicates, is_open, radius);
     present_ = rbpa::surface(near.points, near.normals, radius, options);
     for (Triangle& triangle : present_.triangles)
       for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still

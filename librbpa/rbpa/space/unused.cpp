@@ -8,7 +8,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/levels/excerpt.h"
+#include "rbpa/space/levels/neighborhood_subset.h"
 #include "rbpa/space/predicate/agreement.h"
 #include "rbpa/space/predicate/ball.h"
 
@@ -32,7 +32,7 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
 
 /// Raises the causes to what the exposed triangles of one radius say. Points that are `wanted` are unused, and their causes
 /// are not the last yet.
-void ask_exposed(const space::Excerpt& near, const Surface& exposed, const space::Agreement& agreement,
+void ask_exposed(const space::NeighborhoodSubset& near, const Surface& exposed, const space::Agreement& agreement,
                  const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes) {
   for (const auto& local : exposed.triangles) {
     const std::array triangle = {near.input[local[0]], near.input[local[1]], near.input[local[2]]};
@@ -44,7 +44,7 @@ void ask_exposed(const space::Excerpt& near, const Surface& exposed, const space
 }
 
 /// Whether every ball that touches points[v] holds one of the others, where no ball rests on it that is empty: the balls that
-/// touch it and its nearest as well are all held then, or all free (docs/surface_holes.md, section 3).
+/// touch it and its nearest as well are all held then, or all free (docs/surface_derivation.md, section 10).
 /// Requires: distinct points; those of some cells are all that such balls can touch.
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;
@@ -63,9 +63,9 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
   });
 }
 
-/// Tells hidden points from those that no ball rests on, of what is in the excerpt.
-void ask_nearest(const space::Excerpt& near, const Surface& exposed, double radius, std::vector<UnusedCause>& causes,
-                 const std::vector<std::uint8_t>& wanted) {
+/// Tells hidden points from those that no ball rests on, within the subset.
+void ask_nearest(const space::NeighborhoodSubset& near, const Surface& exposed, double radius,
+                 std::vector<UnusedCause>& causes, const std::vector<std::uint8_t>& wanted) {
   std::vector<std::uint8_t> is_distinct(near.points.size(), 1);
   for (const Duplicate& d : exposed.duplicates) is_distinct[d.index] = 0;
   std::vector<Point3> places;
@@ -112,7 +112,8 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
     for (const UnusedPoint& point : unused)
       if (causes[point.index] != UnusedCause::blocked) wanted[point.index] = is_any = true;
     if (!is_any) break;
-    const space::Excerpt near = space::excerpt(points, {}, surface.duplicates, wanted, radii[level]);
+    const space::NeighborhoodSubset near =
+        space::neighborhood_subset(points, {}, surface.duplicates, wanted, radii[level]);
     const Surface exposed = exposed_triangles(near.points, radii[level], options);
     ask_exposed(near, exposed, agreement, wanted, causes);
     if (level + 1 == radii.size()) ask_nearest(near, exposed, radii[level], causes, wanted);

@@ -151,7 +151,7 @@ Uneven uneven_set(std::size_t kind, Random& random) {
   return set;
 }
 
-/// What the rule of docs/surface_levels.md did.
+/// What the rule of docs/surface_derivation.md, section 9 did.
 struct Told {
   std::size_t triangles = 0;      ///< of levels beyond the first
   std::size_t apart = 0;          ///< of those, beside no triangle that was there before: seeds

@@ -14,7 +14,7 @@
 #include "meshops/core/validate.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/space/levels/part_below.h"
+#include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/surface_mesh.h"
 #include "space/model.h"
 
@@ -94,7 +94,7 @@ TEST_CASE("a radius takes nothing away, and glues nothing otherwise; the mesh is
       rbpa::require_linked(rbpa::space::arrays_of(all), points.size());
       for (std::uint32_t i = 1; i <= radii.size(); ++i) {
         const Surface fewer = rbpa::surface(points, normals, std::span(radii).first(i));
-        CHECK(is_same(rbpa::space::part_below(i, all), fewer));
+        CHECK(is_same(rbpa::space::sub_surface(i, all), fewer));
         more += all.triangles.size() > fewer.triangles.size();
         if (i > 1) continue;
         const Surface one = rbpa::surface(points, normals, radii[0]);

@@ -1,6 +1,6 @@
 // What: points of space in cells of about the ball's radius, those that have points only: on a surface most have none.
 // Law:  every point within two radii of a point is in the 125 cells around its cell. For any exponents:
-//       docs/surface.md, section 8. Equal points are one site. The order of the cells is a function of the set of points.
+//       docs/surface_derivation.md, section 8. Equal points are one site. The order of the cells is a function of the set of points.
 // Cost: a sort; as much memory as the points.
 #pragma once
 

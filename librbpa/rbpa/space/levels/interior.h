@@ -1,6 +1,6 @@
-// What: where glued triangles leave no room for more: their interior points and edges.
+// What: the interior points and edges of a surface, at which no further triangle can be glued.
 // Law:  a point is interior when one of the fans of triangles around it is closed, an edge when two sides are glued there.
-// Cost: linear, and a sort of the edges that are near to a boundary.
+// Cost: linear, and a sort of the edges near the boundary.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@ namespace rbpa::space {
 
 class Interior {
  public:
-  /// Requires: linked triangles of so many points.
+  /// Requires: linked triangles whose corners are below `points`.
   Interior(const TriangleArrays& of, std::size_t points);
 
   bool has_point(std::uint32_t point) const { return points_[point] != 0; }
   /// Requires: neither end is an interior point.
   bool has_edge(std::uint32_t from, std::uint32_t to) const;
-  const std::vector<std::uint8_t>& points() const { return points_; }  ///< not 0 for interior ones
+  const std::vector<std::uint8_t>& points() const { return points_; }  ///< by index; not 0 for interior points
 
  private:
   std::vector<std::uint8_t> points_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;  // between points that are not; sorted
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;  // interior edges between other points; sorted
 };
 
 }  // namespace rbpa::space

@@ -1,6 +1,6 @@
 // What:   the ball rolls all the way around an edge: where it is free to be, and on which triangles it comes to rest.
 // Law:    exact. Each free arc of the circle of its centres is reported once: the exposed triangle that it leaves and the one
-//         that it comes to. The answer is a function of the edge and the set of points. docs/surface.md, section 4.
+//         that it comes to. The answer is a function of the edge and the set of points. docs/surface_derivation.md, section 4.
 // How:    where the ball leaves a point, whatever holds it there carries it on; where nothing does, it is free until it
 //         touches the first point.
 // Cost:   a few balls where no arc is free, which is where most edges end, each asked about points until one is in it; for

@@ -1,7 +1,7 @@
 // What:   the ball that rests on three points: whether there is one of the radius, and which points it holds.
 // Law:    exact for every finite input. The answers are those of a ball larger by an infinitesimal, among points that the
-//         symbolic perturbation has moved by even less: no fourth point touches it. docs/surface.md, sections 2 and 6.
-// How:    a floating filter whose bounds are computed with the ball (docs/surface.md, section 7); then long double, then
+//         symbolic perturbation has moved by even less: no fourth point touches it. docs/surface_derivation.md, sections 2 and 6.
+// How:    a floating filter whose bounds are computed with the ball (docs/surface_derivation.md, section 7); then long double, then
 //         integers of any length.
 // Cost:   about sixty operations a ball, and fifteen a point; microseconds where a filter fails.
 #pragma once

@@ -13,12 +13,13 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/space/star/find_rings.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// What follows is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
+#include "rbpa/space/star/bounding_cones-inl.h"
 #include "rbpa/space/star/free_region-inl.h"
+#include "rbpa/space/star/initial_region-inl.h"
 #include "rbpa/space/star/neighbor.h"
-#include "rbpa/space/star/reach-inl.h"
 #include "rbpa/space/star/surroundings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,51 +32,31 @@ class RegionSearch {
  public:
   explicit RegionSearch(const Cells& cells) : cells_(cells) {}
 
-  /// Returns: false where the region is lost. Requires: what is around v has been gathered.
+  /// Appends the rings of v:
+  ///   1. gather the nearest points, about as many as bound a region;
+  ///   2. subtract the caps of up to eight of them at once, and of the others one by one, nearest first;
+  ///   3. bound what is left by cones, and subtract the caps of farther points that meet a cone, with new cones as it shrinks;
+  ///   4. retry the caps whose circles were free as a whole;
+  ///   5. read the rings off the corners.
+  /// Returns: false where the region is lost. Requires: the surroundings of v's cell.
   bool find(Surroundings& around, Site v, Rings& found) {
     const std::span<const Point3> sites = cells_.sites();
     const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {
       return Ball<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p]);
     };
-    region_.begin(cells_.radius());
-    float from = look_near(around, v);
+    region_.reset(cells_.radius());
+    const float from = find_near(around, v);
     if (near_.empty()) return true;
-    const std::size_t few = std::min<std::size_t>(near_.size(), FewCaps::most);
-    if (near_.size() > few) sort_near();
-    std::size_t taken = 0;
-    if (region_.start({near_.data(), few}))
-      taken = few;
-    else if (near_.size() == few)
-      sort_near();
-    for (; taken < near_.size() && !region_.is_empty(); ++taken)
-      if (!region_.take(near_[taken], is_in_ball)) return false;
-    // Where a few corners tell how far anything reaches, all others at once; else those come first that are nearer.
-    for (float to = from; from < Surroundings::whole && !region_.is_empty(); from = to) {
-      region_.tell_reach(reach_);
-      std::size_t told = region_.caps();
-      to = reach_.is_told() ? Surroundings::whole : std::min(2 * to, Surroundings::whole);
-      const bool is_certain = around.for_each_reaching(reach_, from, to, [&](Site p) {
-        const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
-        if (region_.is_empty() || !reach_.is_within(neighbor)) return true;
-        if (!region_.take(neighbor, is_in_ball)) return false;
-        // It is not worth while each time where it may not be told again.
-        if (region_.caps() - told >= (reach_.is_told() ? 1 : 4)) {
-          region_.tell_reach(reach_);
-          told = region_.caps();
-        }
-        return true;
-      });
-      if (!is_certain) return false;
-    }
-    if (!region_.finish(is_in_ball)) return false;
+    if (!subtract_near(is_in_ball) || !subtract_far(around, v, from, is_in_ball) || !region_.finish(is_in_ball))
+      return false;
     region_.for_each_cycle([&](std::uint32_t site) { found.points.push_back(site); },
                            [&] { found.points.push_back(Rings::end_of_cycle); });
     return true;
   }
 
  private:
-  /// Fills near_ with about as many as bound a region. Returns: the square of the distance, in radii, up to which.
-  float look_near(Surroundings& around, Site v) {
+  /// Step 1: fills near_. Returns: the square of the distance, in radii, up to which all points are in it.
+  float find_near(Surroundings& around, Site v) {
     constexpr double wanted = 8;  // of which about six bound a region
     constexpr std::size_t least = 4;
     const std::span<const Point3> sites = cells_.sites();
@@ -94,24 +75,64 @@ class RegionSearch {
     }
   }
 
+  /// Step 2. Returns: false where the region is lost.
+  template <typename IsInBall>
+  bool subtract_near(IsInBall is_in_ball) {
+    const std::size_t few = std::min<std::size_t>(near_.size(), InitialRegion::most);
+    if (near_.size() > few) sort_near();
+    std::size_t done = 0;
+    if (region_.start({near_.data(), few}))
+      done = few;
+    else if (near_.size() == few)
+      sort_near();
+    for (; done < near_.size() && !region_.is_empty(); ++done)
+      if (!region_.subtract(near_[done], is_in_ball)) return false;
+    return true;
+  }
+
+  /// Step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise shell by
+  /// shell, each of twice the squared distance. Returns: false where the region is lost.
+  template <typename IsInBall>
+  bool subtract_far(Surroundings& around, Site v, float from, IsInBall is_in_ball) {
+    const std::span<const Point3> sites = cells_.sites();
+    for (float to = from; from < Surroundings::whole && !region_.is_empty(); from = to) {
+      region_.update_bound(bound_);
+      std::size_t caps_in_bound = region_.caps();
+      to = bound_.is_bounded() ? Surroundings::whole : std::min(2 * to, Surroundings::whole);
+      const bool is_certain = around.for_each_candidate(bound_, from, to, [&](Site p) {
+        const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
+        if (region_.is_empty() || !bound_.may_meet_cap_of(neighbor)) return true;
+        if (!region_.subtract(neighbor, is_in_ball)) return false;
+        // Where there was no bound there may be none again: then not after each cap, to save time.
+        if (region_.caps() - caps_in_bound >= (bound_.is_bounded() ? 1 : 4)) {
+          region_.update_bound(bound_);
+          caps_in_bound = region_.caps();
+        }
+        return true;
+      });
+      if (!is_certain) return false;
+    }
+    return true;
+  }
+
   void sort_near() {
     std::sort(near_.begin(), near_.end(), [](const Neighbor& p, const Neighbor& q) { return p.power < q.power; });
   }
 
   const Cells& cells_;
-  double share_ = 0.25;  // of the square of two radii, within which to look first
+  double share_ = 0.25;  // of the square of two radii: where to look for near points first
   std::vector<Neighbor> near_;
   FreeRegion region_;
-  Reach reach_;
+  BoundingCones bound_;
 };
 
-/// The rings of one site by rolling about each edge. Requires: all sites within two radii, by distance.
+/// Appends the rings of one site by rolling about each edge. Requires: all sites within two radii, by distance.
 template <typename Real>
 void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Rings& found) {
   const std::span<const Point3> sites = cells.sites();
   std::vector<Point3> places;
   for (const Site p : others) places.push_back(sites[p]);
-  // The ball leaves (v, about, left) and comes to (v, touched, about).
+  // The ball rolls from (v, about, left) to (v, touched, about).
   struct Arc {
     std::size_t about, left, touched;
   };
@@ -120,7 +141,7 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
     EdgeRoll<Real>(sites[v], b, cells.radius(), places).for_each_free_arc([&](std::size_t left, std::size_t touched) {
       arcs.push_back({b, left, touched});
     });
-  // They come by (about, left): each is followed by the one about what is touched that leaves what this was about.
+  // Sorted by (about, left), so that the next arc can be searched for: about what is touched, leaving what this one is about.
   std::sort(arcs.begin(), arcs.end(),
             [](const Arc& p, const Arc& q) { return p.about != q.about ? p.about < q.about : p.left < q.left; });
   std::vector<std::uint8_t> is_done(arcs.size(), 0);
@@ -141,6 +162,7 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
   }
 }
 
+/// Appends the rings of v by rolling about each edge. Requires: the sites around v's cell.
 template <typename Real>
 void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& found) {
   const std::span<const Point3> sites = cells.sites();

@@ -1,11 +1,42 @@
-// What: how near to a tie a sign may be and still be told without exact arithmetic. docs/surface.md, section 5.
+// What: how far a rounded number must be from a tie for its sign to be certain, and why. docs/surface_derivation.md, section 7.
+//       What is nearer goes to exact arithmetic, or the free region is lost and every edge is rolled about.
 #pragma once
 
 namespace rbpa::space::limits {
 
-inline constexpr double flatness = 1e-10;  // of a triangle and its ball: their squares, below which it is not certain
-inline constexpr double error = 1e-7;      // of centres, as a share of the radius
-inline constexpr double slack = 1e-6;      // of directions, as a share of lengths
-inline constexpr double rounding = 1e-5;   // of what is in single precision, in radii
+inline constexpr double unit_roundoff = 0x1p-53, float_roundoff = 0x1p-24;
+
+/// Greatest error of a corner's centre, in radii. The bound is (192κ² + 32/η² + 32)ε for a triangle with sides |u|, |v| and
+/// normal n, where κ = |u||v|/|n| and η is the height of the centre above the triangle, in radii. A smaller limit would lose
+/// regions at triangles that are merely thin; a greater one would leave too little between itself and `slack`.
+inline constexpr double error = 1e-7;
+
+/// Least η² of a triangle whose ball is used, and the least share by which a triangle without a ball must be too large. It must
+/// exceed the relative error of D = 4r²n² − u²v²w² at triangles as thin as `error` allows, which is 16κε + 32ε with
+/// 192κ²ε < error, hence κ < 2200; and, for triangles of any shape, the error of D relative to r²u²v², which is below 480ε.
+inline constexpr double flatness = 1e-10;
+static_assert(192 * 2200.0 * 2200.0 * unit_roundoff > error);
+static_assert(flatness > 4 * (16 * 2200 + 32) * unit_roundoff && flatness > 4 * 480 * unit_roundoff);
+
+/// Least sine of an angle between directions to two corners that is taken for above 0. A corner that is off by `error` radii
+/// turns such a direction by about as much, and thrice that when two corners and a middle are compared.
+inline constexpr double slack = 1e-6;
+static_assert(slack >= 10 * error);
+
+/// Error of a corner that is no triangle, in radii: it is put there, and only rounded. Nothing is decided by it but whether a cap
+/// covers it, and a larger value makes that uncertain more often.
+inline constexpr double placed = 1e-10;
+static_assert(placed > 1000 * unit_roundoff && placed < error);
+
+/// Error of the greatest and the least c · p − p²/2 for centres c on the circle of q, as a share of the radius and Σ|pᵢ|. Half
+/// of their difference is √(p² − (p · q)²/q²) √(r² − q²/4), whose differences are off by at most 15ε p² and 5ε r²; where they
+/// are near 0 the roots are off by the roots of these.
+inline constexpr double extreme = 1e-7;
+static_assert(extreme * extreme > 2 * (15 + 5) * unit_roundoff);  // (√15 + √5)² < 2 (15 + 5)
+
+/// In radii, what is allowed for offsets and sums in single precision, for each radius of length. An offset from another site is
+/// below 3.1 in each coordinate, and differences of two such are off by less than 10⁻⁶ altogether; so are sums of products.
+inline constexpr double rounding = 1e-5;
+static_assert(rounding > 4 * 1e-6 && 1e-6 > 4 * 4 * float_roundoff);
 
 }  // namespace rbpa::space::limits

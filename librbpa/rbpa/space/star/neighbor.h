@@ -17,18 +17,19 @@ inline Vector3<double> minus(const Vector3<double>& u, const Vector3<double>& v)
   return {u.x - v.x, u.y - v.y, u.z - v.z};
 }
 
-/// A point other than v: where it is from v, half the square of its distance, and that; and a number, by which it is asked for.
+/// A point other than v. A ball around c, seen from v, that touches v holds the point exactly if c · at > power.
 struct Neighbor {
-  Vector3<double> at;
-  double power, length;
-  std::size_t number;
+  Vector3<double> at;  // from v
+  double power;        // half the square of its distance
+  double length;       // its distance
+  std::size_t site;
 
-  static Neighbor seen_from(const Point3& v, const Point3& p, std::size_t number) {
+  static Neighbor seen_from(const Point3& v, const Point3& p, std::size_t site) {
     const Vector3<double> at = from<double>(v, p);
     const double square = dot(at, at);
-    return {at, square / 2, std::sqrt(square), number};
+    return {at, square / 2, std::sqrt(square), site};
   }
-  /// The sum of the sizes of its coordinates.
+  /// Σ|atᵢ|, by which errors of centres are multiplied.
   double size() const { return std::abs(at.x) + std::abs(at.y) + std::abs(at.z); }
 };
 

@@ -1,6 +1,7 @@
-// What: the sites in the cells around one, and which of them a site need look at.
-// Law:  in single precision, rounded to the safe side: what is left out takes nothing away. docs/surface.md, section 5.
-// How:  offsets in radii from one of the sites, coordinate by coordinate. Compiled once for each kind of vector unit; no include
+// What: the sites in the cells around one, and which of them can change the free region of a site.
+// Law:  in single precision, rounded to the safe side: a site that is left out changes nothing. docs/surface_derivation.md,
+//       section 5.
+// How:  offsets from one of the sites, in radii, coordinate by coordinate. Compiled once for each kind of vector unit; no include
 //       guard but the compiler's own per kind.
 #if defined(RBPA_SPACE_STAR_SURROUNDINGS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_SURROUNDINGS_INL_H_
@@ -21,7 +22,7 @@
 
 #include "rbpa/base/lanes/mask_bits-inl.h"
 #include "rbpa/space/cells/cells.h"
-#include "rbpa/space/star/reach-inl.h"
+#include "rbpa/space/star/bounding_cones-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {
@@ -32,32 +33,32 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class Surroundings {
  public:
-  /// At least the square of two radii, in radii, whatever is rounded.
+  /// The square of two radii, in radii, rounded up by more than any error of seen().
   static constexpr float whole = 4.0001F;
 
-  /// Replaces what is there by the sites in the cells around one.
+  /// Replaces the sites by those in the cells around a cell.
   void gather(const Cells& cells, Cells::Around& around, std::size_t cell) {
     const std::span<const Point3> sites = cells.sites();
     origin_ = sites[cells.first_in(cell)];
     inverse_ = 1 / cells.radius();
     count_ = 0;
     around.for_each_run(cell, [&](Site begin, Site end) { append(sites, begin, end); });
-    // What is read beyond the end is as far as can be.
+    // Whole vectors are read: lanes beyond the end are infinitely far.
     reserve(count_ + lanes);
     std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), lanes, std::numeric_limits<float>::infinity());
   }
 
-  /// All sites that were gathered.
+  /// All sites around the cell.
   std::span<const Site> sites() const { return {site_.data(), count_}; }
 
-  /// The sites at distances whose squares are at most `square`, in radii; v may be among them. The span lasts until the next
-  /// call. Returns also how many there are within two radii, about.
+  /// The sites whose squared distance from v is at most `square`, in radii, v among them; and how many are within about two
+  /// radii. The span is valid until the next call.
   struct Near {
     std::span<const Site> sites;
     std::size_t all;
   };
   Near within(const Point3& v, float square) {
-    look_from(v);
+    set_viewpoint(v);
     near_.resize(count_ + lanes);
     std::size_t near = 0, all = 0;
     for (std::size_t i = 0; i < count_; i += hn::Lanes(f)) {
@@ -69,26 +70,30 @@ class Surroundings {
     return {{near_.data(), near}, all};
   }
 
-  /// Calls take(site) for the sites at distances whose squares are above `from` and at most `to`, in radii, of the site that was
-  /// looked from last, that may take something away from a region of that reach; it may change meanwhile for a smaller region.
-  /// Stops when take() returns false, which is returned.
-  template <typename Take>
-  bool for_each_reaching(const Reach& reach, float from, float to, Take take) {
+  /// Calls visit(site) for the sites whose squared distance from the v of the last within() is above `from` and at most `to`,
+  /// in radii, and whose cap may meet a cone of the bound. visit() may shrink the bound meanwhile.
+  /// Returns: false, and stops, as soon as visit() does.
+  template <typename Visit>
+  bool for_each_candidate(const BoundingCones& bound, float from, float to, Visit visit) {
+    // One vector of sites against each cone: lane k is the site i + k, as seen from v.
+    //
+    //   x y z          │ p        │ p'       │ …  16 sites
+    //   cone: middle   │ M        │ M        │ …  M · p + margin > p²/4 where p's cap may meet it
     for (std::size_t i = 0; i < count_; i += hn::Lanes(f)) {
       const Seen p = seen(i);
       auto wanted = hn::And(p.square > hn::Set(f, from), p.square <= hn::Set(f, to));
-      if (reach.is_told()) {
-        auto reached = p.square < hn::Zero(f);
+      if (bound.is_bounded()) {
+        auto meets = p.square < hn::Zero(f);  // none yet
         const auto quarter = hn::Mul(p.square, hn::Set(f, 0.25F));
-        for (const Reach::Part& part : reach.parts()) {
-          const auto along = hn::MulAdd(p.x, hn::Set(f, part.x),
-                                        hn::MulAdd(p.y, hn::Set(f, part.y), hn::Mul(p.z, hn::Set(f, part.z))));
-          reached = hn::Or(reached, hn::Add(along, hn::Set(f, part.margin)) > quarter);
+        for (const BoundingCones::Cone& cone : bound.cones()) {
+          const auto along = hn::MulAdd(p.x, hn::Set(f, cone.x),
+                                        hn::MulAdd(p.y, hn::Set(f, cone.y), hn::Mul(p.z, hn::Set(f, cone.z))));
+          meets = hn::Or(meets, hn::Add(along, hn::Set(f, cone.margin)) > quarter);
         }
-        wanted = hn::And(wanted, reached);
+        wanted = hn::And(wanted, meets);
       }
       for (std::uint64_t left = bits(wanted); left != 0; left &= left - 1)
-        if (!take(site_[i + static_cast<std::size_t>(std::countr_zero(left))])) return false;
+        if (!visit(site_[i + static_cast<std::size_t>(std::countr_zero(left))])) return false;
     }
     return true;
   }
@@ -104,13 +109,13 @@ class Surroundings {
     return rbpa::HWY_NAMESPACE::bits_of(hn::CappedTag<float, 16>(), mask);
   }
 
-  void look_from(const Point3& v) {
+  void set_viewpoint(const Point3& v) {
     from_x_ = static_cast<float>((v.x - origin_.x) * inverse_);
     from_y_ = static_cast<float>((v.y - origin_.y) * inverse_);
     from_z_ = static_cast<float>((v.z - origin_.z) * inverse_);
   }
 
-  /// The same bits whenever it is asked.
+  /// Sites i, i + 1, … as seen from v: the same bits in each call, so that shells of squares have no gap between them.
   HWY_INLINE Seen seen(std::size_t i) const {
     const auto x = hn::Sub(hn::LoadU(f, &x_[i]), hn::Set(f, from_x_)),
                y = hn::Sub(hn::LoadU(f, &y_[i]), hn::Set(f, from_y_)),
@@ -132,7 +137,7 @@ class Surroundings {
     const auto inverse = hn::Set(d, inverse_);
     while (begin < end) {
       const std::size_t at_once = std::min<std::size_t>(hn::Lanes(d), end - begin);
-      // Whole vectors are read and stored: there is room, but for the last sites of all.
+      // Whole vectors are read and stored: reserve() left room, but the last sites of all have nothing after them.
       if (begin + hn::Lanes(d) <= sites.size()) {
         hn::Vec<decltype(d)> x, y, z;
         hn::LoadInterleaved3(d, &sites[begin].x, x, y, z);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -71,6 +72,39 @@ TEST_CASE("around a point, the free region tells what rolling about every edge t
   }
   CHECK(turns > 10'000);
   CHECK(rolled < sites / 4);  // otherwise nothing has been compared
+}
+
+TEST_CASE("points that another one sees in one direction, at almost one distance, are told apart") {
+  // The least and the greatest depth of one's cap on the other's circle differ by the root of what is rounded.
+  const Points3 points = {{0x1.8bdd177148d58p-4, 0x1.23717c3b551a6p-2, 0x1.774e661651e3ap-1},
+                          {0x1.7e8a57ef5b78bp-1, 0x1.f3c6ffc0772f7p-1, 0x1.cdc9a87ca6b8p-6},
+                          {0x1.8013cb1d75a54p-2, 0x1.38c0a288475fp-1, 0x1.cf98d3a1adf27p-1},
+                          {0x1.95492e1b237e7p-1, 0x1.aa9682b87af08p-3, 0x1.897afc9282521p-1},
+                          {0x1.0fcdf3d41cbccp-1, 0x1.52e01162de8a4p-2, 0x1.b1d2fa929a1bcp-2},
+                          {0x1.928350ee0915p-5, 0x1.28b8b3aeae769p-1, 0x1.3f3857a253ep-9},
+                          {0x1.90a291f888268p-2, 0x1.18c5e8edf22f8p-2, 0x1.a2132821a2067p-1},
+                          {0x1.a286ca1f6b4cfp-1, 0x1.fa0b20e5ed5bp-1, 0x1.5437d0403a4ap-5},
+                          {0x1.92834ffabb326p-5, 0x1.28b8b43a990c1p-1, 0x1.3f36f97075162p-9},
+                          {0x1.a286cb017ff8dp-1, 0x1.fa0b21ba3f85p-1, 0x1.5437c2ec397f7p-5}};
+  Threads threads;
+  const Cells cells(points, 0x1.15367330c7df8p+0, threads);
+  CHECK(turns_of(cells, true).turns == turns_of(cells, false).turns);
+}
+
+TEST_CASE("a near copy of a point, farther away by less than what is rounded, hides nothing") {
+  Random random(93);
+  Threads threads;
+  for (int trial = 0; trial < 300; ++trial) {
+    Points3 points = space_set(SpaceKind::cube, 4 + random.below(8), random);
+    const double size = std::pow(10, -6.5 - 3 * random.unit());
+    const auto nearly = [&](double a, double b) { return a + (1 + size * (2 * random.unit() - 1)) * (b - a); };
+    for (std::size_t k = 1 + random.below(4); k > 0; --k) {
+      const rbpa::Point3 v = points[0], p = points[1 + random.below(3)];
+      points.push_back({nearly(v.x, p.x), nearly(v.y, p.y), nearly(v.z, p.z)});
+    }
+    const Cells cells(points, 0.4 + 0.8 * random.unit(), threads);
+    CHECK(turns_of(cells, true).turns == turns_of(cells, false).turns);
+  }
 }
 
 TEST_CASE("where points are not many at one place, one region of a hundred is lost at most") {

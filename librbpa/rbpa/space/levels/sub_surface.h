@@ -1,5 +1,5 @@
-// What: what the smaller of several radii have made of a surface.
-// Law:  it is the surface that they alone have: what a radius made is glued as it was then.
+// What: the part of a surface that the smaller of its radii made.
+// Law:  it is the surface by those radii alone, as a later radius changes no gluing between earlier triangles.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace rbpa::space {
 
 inline TriangleArrays arrays_of(const Surface& surface) { return {surface.triangles, surface.neighbors}; }
 
-/// The triangles of levels below one, glued among each other. Requires: a level of each.
-inline Surface part_below(std::uint32_t level, const Surface& surface) {
+/// The triangles of levels below `level`, glued among each other. Requires: the surface has levels.
+inline Surface sub_surface(std::uint32_t level, const Surface& surface) {
   Surface part;
-  std::vector<std::uint32_t> number(surface.triangles.size(), Surface::none);
+  std::vector<std::uint32_t> number(surface.triangles.size(), Surface::none);  // in the part
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (surface.levels[t] < level) {
       number[t] = static_cast<std::uint32_t>(part.triangles.size());

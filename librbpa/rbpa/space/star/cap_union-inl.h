@@ -1,10 +1,12 @@
-// What: the caps that are away from the sphere of a ball's centres: whether they cover a place, a circle, a great circle.
-// Law:  what is said is certain. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-#if defined(RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_
-#undef RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_
+// What: the union of the caps that have been subtracted from the sphere of a ball's centres: whether it covers a point, a circle,
+//       a great circle.
+// Law:  "yes" is certain, "no" means that it could not be shown. Compiled once for each kind of vector unit; no include guard
+//       but the compiler's own per kind.
+#if defined(RBPA_SPACE_STAR_CAP_UNION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_SPACE_STAR_CAP_UNION_INL_H_
+#undef RBPA_SPACE_STAR_CAP_UNION_INL_H_
 #else
-#define RBPA_SPACE_STAR_TAKEN_CAPS_INL_H_
+#define RBPA_SPACE_STAR_CAP_UNION_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -25,16 +27,17 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-class TakenCaps {
+class CapUnion {
  public:
   using Vector = Vector3<double>;
-  static constexpr std::size_t most = 256;
+  /// A region that more caps have bounded is lost; on a smooth surface ten do.
+  static constexpr std::size_t capacity = 256;
 
-  void begin(double radius) {
+  void reset(double radius) {
     radius_ = radius;
     count_ = 0;
   }
-  /// Requires: fewer than `most` are there.
+  /// Requires: fewer than `capacity` are there.
   void push(const Neighbor& p) {
     points_[count_] = p;
     x_[count_] = p.at.x;
@@ -46,8 +49,8 @@ class TakenCaps {
   std::size_t count() const { return count_; }
   const Neighbor& operator[](std::size_t i) const { return points_[i]; }
 
-  /// A centre that is known up to `error` is in none of them.
-  bool leave_free(const Vector& center, double error) const {
+  /// No cap covers a centre that is known up to `error`.
+  bool misses(const Vector& center, double error) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = points_[i];
       if (dot(center, q.at) - q.power > -error * 2 * q.length) return false;  // Σ|qᵢ| is at most √3 |q|
@@ -55,9 +58,9 @@ class TakenCaps {
     return true;
   }
 
-  /// Some cap holds a place of p's circle.
-  bool hold_some_of_circle(const Neighbor& p) const {
-    // Away from the axis that it is most along.
+  /// Some cap covers a point of the circle of p.
+  bool meets_circle_of(const Neighbor& p) const {
+    // One point of it, in the direction p × axis: p is least along that axis, so that the product is far from 0.
     const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
     const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
                         : size.y <= size.z                   ? Vector{0, 1, 0}
@@ -75,10 +78,11 @@ class TakenCaps {
     return false;
   }
 
-  /// They cover the circle of centres square to an axis.
-  bool cover_equator(const Vector& axis) const {
+  /// The caps cover the great circle perpendicular to an axis: each of its sixteen samples is so deep in some cap that the cap
+  /// covers all that is nearer to it than to the next sample.
+  bool covers_great_circle(const Vector& axis) const {
     constexpr std::size_t samples = 16;
-    constexpr double gap = 0.1964;  // from any place to a sample, as a share of the radius: more than 2 sin(pi / 32)
+    constexpr double gap = 0.1964;  // radii from any point of the circle to a sample: more than 2 sin(π / 32)
     constexpr double c1 = 0.92387953251128674, s1 = 0.38268343236508977, c2 = 0.70710678118654752;
     static constexpr double cosine[samples] = {1, c1, c2, s1, 0, -s1, -c2, -c1, -1, -c1, -c2, -s1, 0, s1, c2, c1};
     static constexpr double sine[samples] = {0, s1, c2, c1, 1, c1, c2, s1, 0, -s1, -c2, -c1, -1, -c1, -c2, -s1};
@@ -104,6 +108,7 @@ class TakenCaps {
   }
 
  private:
+  /// The products of w with as many points as there are lanes, from the i-th on.
   HWY_INLINE hn::Vec<hn::CappedTag<double, 8> > along(std::size_t i, const Vector& w) const {
     const hn::CappedTag<double, 8> d;
     return hn::MulAdd(hn::Load(d, &x_[i]), hn::Set(d, w.x),
@@ -112,8 +117,8 @@ class TakenCaps {
 
   double radius_ = 0;
   std::size_t count_ = 0;
-  std::array<Neighbor, most> points_;
-  alignas(64) std::array<double, most> x_{}, y_{}, z_{}, power_{}, length_{};  // theirs
+  std::array<Neighbor, capacity> points_;
+  alignas(64) std::array<double, capacity> x_{}, y_{}, z_{}, power_{}, length_{};  // of the points, for vectors
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "rbpa/space/levels/excerpt.h"
+#include "rbpa/space/levels/neighborhood_subset.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,8 +7,9 @@
 
 namespace rbpa::space {
 
-Excerpt excerpt(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates,
-                const std::vector<std::uint8_t>& wanted, double radius) {
+NeighborhoodSubset neighborhood_subset(std::span<const Point3> points, std::span<const Point3> normals,
+                                       std::span<const Duplicate> duplicates, const std::vector<std::uint8_t>& wanted,
+                                       double radius) {
   std::vector<std::uint8_t> is_near(points.size(), 0), is_distinct(points.size(), 1);
   for (const Duplicate& d : duplicates) is_distinct[d.index] = 0;
   std::vector<std::uint32_t> distinct;
@@ -33,7 +34,7 @@ Excerpt excerpt(std::span<const Point3> points, std::span<const Point3> normals,
   }
   for (const Duplicate& d : duplicates) is_near[d.index] = is_near[d.stands_for];
 
-  Excerpt result;
+  NeighborhoodSubset result;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (is_near[i] == 0) continue;
     result.input.push_back(i);

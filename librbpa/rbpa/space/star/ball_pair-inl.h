@@ -1,0 +1,105 @@
+// What: the two balls of the radius that touch v, p and q: where the circles of p and q cross on the sphere of centres around v.
+//       For one pair of points or for as many as a vector has lanes.
+// Law:  centres come with a bound of their error. docs/surface_derivation.md, sections 6 and 7.
+// How:  seen from v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centres are (p² (q × n) + q² (n × p) ± √D n) / 2n²:
+//
+//               n
+//               ↑     · left: on (v, p, q)
+//               │     │ √D / 2|n|
+//           v ──┼─────m─────  plane of v, p and q; m is the circumcentre of the triangle
+//                     │
+//                     · right: on (v, q, p)
+//
+//       Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
+#if defined(RBPA_SPACE_STAR_BALL_PAIR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_SPACE_STAR_BALL_PAIR_INL_H_
+#undef RBPA_SPACE_STAR_BALL_PAIR_INL_H_
+#else
+#define RBPA_SPACE_STAR_BALL_PAIR_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "rbpa/space/star/limits.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rbpa::space {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <typename D>
+class BallPair {
+ public:
+  using V = hn::Vec<D>;
+  struct Vector {
+    V x, y, z;
+  };
+  /// Seen from v; the power is half the square of the distance.
+  struct Point {
+    Vector at;
+    V power;
+  };
+  struct Centers {
+    Vector left, right;
+  };
+
+  HWY_INLINE BallPair(D d, const Point& p, const Point& q, double radius)
+      : d_(d), radius_(radius), p_(p), q_(q), n_(cross(p.at, q.at)), nn_(dot(n_, n_)) {
+    const Vector w = {hn::Sub(p.at.x, q.at.x), hn::Sub(p.at.y, q.at.y), hn::Sub(p.at.z, q.at.z)};
+    product_ = hn::Mul(hn::Set(d, 4), hn::Mul(p.power, q.power));
+    whole_ = hn::Mul(hn::Set(d, 4 * radius * radius), nn_);
+    clearance_ = hn::NegMulAdd(product_, dot(w, w), whole_);
+  }
+
+  /// No ball touches all three, for certain.
+  HWY_INLINE hn::Mask<D> are_apart() const {
+    return clearance_ < hn::Mul(hn::Set(d_, -limits::flatness * radius_ * radius_), product_);
+  }
+  /// Both balls exist, for certain; but the error of their centres may be too large.
+  HWY_INLINE hn::Mask<D> exist() const { return clearance_ > hn::Mul(hn::Set(d_, limits::flatness), whole_); }
+
+  /// A bound for the error of c · x − x²/2, for either centre c, as a share of Σ|xᵢ|. Requires: exist().
+  HWY_INLINE V error() const {
+    const V terms = hn::MulAdd(hn::Mul(hn::Set(d_, 384), product_), inverse(),
+                               hn::MulAdd(hn::Set(d_, 32), hn::Div(whole_, clearance_), hn::Set(d_, 32)));
+    return hn::Mul(hn::Set(d_, limits::unit_roundoff * radius_), terms);
+  }
+  HWY_INLINE hn::Mask<D> is_accurate(V error) const { return error < hn::Set(d_, limits::error * radius_); }
+
+  /// Of the balls on (v, p, q) and on (v, q, p). Requires: exist().
+  HWY_INLINE Centers centers() const {
+    const V rise = hn::Mul(hn::Sqrt(clearance_), inverse());
+    const Vector to_p = cross(q_.at, n_), to_q = cross(n_, p_.at);
+    const V p_share = hn::Mul(hn::Add(p_.power, p_.power), inverse()),
+            q_share = hn::Mul(hn::Add(q_.power, q_.power), inverse());
+    const auto middle = [&](V p, V q) { return hn::MulAdd(p_share, p, hn::Mul(q_share, q)); };
+    const Vector m = {middle(to_p.x, to_q.x), middle(to_p.y, to_q.y), middle(to_p.z, to_q.z)};
+    return {{hn::MulAdd(n_.x, rise, m.x), hn::MulAdd(n_.y, rise, m.y), hn::MulAdd(n_.z, rise, m.z)},
+            {hn::NegMulAdd(n_.x, rise, m.x), hn::NegMulAdd(n_.y, rise, m.y), hn::NegMulAdd(n_.z, rise, m.z)}};
+  }
+
+ private:
+  static HWY_INLINE V minor(V a, V b, V c, V e) { return hn::NegMulAdd(c, e, hn::Mul(a, b)); }
+  static HWY_INLINE Vector cross(const Vector& u, const Vector& v) {
+    return {minor(u.y, v.z, u.z, v.y), minor(u.z, v.x, u.x, v.z), minor(u.x, v.y, u.y, v.x)};
+  }
+  static HWY_INLINE V dot(const Vector& u, const Vector& v) {
+    return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
+  }
+  HWY_INLINE V inverse() const { return hn::Div(hn::Set(d_, 0.5), nn_); }
+
+  D d_;
+  double radius_;
+  Point p_, q_;
+  Vector n_;
+  V nn_, product_, whole_, clearance_;  // n², p²q², 4r²n² and D
+};
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace rbpa::space
+HWY_AFTER_NAMESPACE();
+
+#endif
