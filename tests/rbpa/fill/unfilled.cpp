@@ -11,7 +11,6 @@
 
 #include "fill/laws.h"
 #include "rbpa/fill/fill.h"
-#include "support/exact.h"
 #include "support/random.h"
 
 TEST_SUITE_BEGIN("fill");
@@ -20,10 +19,15 @@ using rbpa::FrontEdge;
 using rbpa::Point;
 using rbpa::Unfilled;
 using rbpa_test::Points;
-using rbpa_test::exact::orientation;
 using Site = Unfilled::Site;
 
 namespace {
+
+/// Exact, as coordinates are small integers.
+int orientation(const Point& a, const Point& b, const Point& c) {
+  const double turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return (turn > 0) - (turn < 0);
+}
 
 /// A front as a list, by which all is decided by trying.
 struct Listed {
