@@ -127,7 +127,7 @@ meshops::PolygonSoup cones_over(const Outline& outline) {
 struct Pieces {
   std::vector<Point> places = {};
   std::vector<Triangle> triangles = {};
-  std::size_t retreats = 0, compared = 0;
+  std::size_t retreats = 0, passed = 0;
 };
 
 class Told : public Monitor {
@@ -144,7 +144,8 @@ class Told : public Monitor {
   LoFront& policy_;
 };
 
-Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options) {
+Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options,
+                    const std::function<bool()>& go_on) {
   Mesh mesh;
   mesh.request_vertex_status();
   mesh.request_halfedge_status();
@@ -152,18 +153,15 @@ Pieces advance_from(const Outline& outline, const SizeField& field, const FillOp
   mesh.request_face_status();
   const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline));
   const std::size_t outside = mesh.n_faces();
-  std::vector<FrontEdge> edges;
-  for (const OutlineRing& ring : outline.rings)
-    for (std::size_t i = 0; i < ring.sites.size(); ++i)
-      edges.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
+  std::vector<std::vector<Site>> rings;
+  for (const OutlineRing& ring : outline.rings) rings.push_back(ring.sites);
   std::vector<Point> places = outline.places;
   places.resize(places.size() + outline.rings.size());
 
   Front front(mesh, site_of_vertex);
-  LoFront policy(std::move(places), edges, field);
+  LoFront policy(std::move(places), rings, field, go_on);
   meshops::advance(front, policy, Told(policy, options.progress, outline.places.size()));
-  Pieces pieces{
-      .places = policy.places(), .triangles = {}, .retreats = policy.retreats(), .compared = policy.compared()};
+  Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats(), .passed = policy.passed()};
   for (std::size_t i = 0; i < mesh.n_halfedges(); ++i)
     meshops::require(!front.is_boundary(Halfedge(static_cast<int>(i))), "fill: the front has not closed");
   meshops::for_each_face(mesh, [&](meshops::Face f) {
@@ -235,7 +233,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
 Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options,
                  const std::function<bool()>& go_on) {
   if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
-  Pieces pieces = advance_from(outline, *field, options);
+  Pieces pieces = advance_from(outline, *field, options, go_on);
   drop_unused(pieces, outline.places.size());
   make_better(pieces, outline.places.size(), *field, options);
   return pieces;
@@ -256,7 +254,7 @@ void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uin
     triangles.emplace_back(named, part.group);
   }
   filling.retreats += pieces.retreats;
-  filling.compared += pieces.compared;
+  filling.passed += pieces.passed;
 }
 
 std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rings,

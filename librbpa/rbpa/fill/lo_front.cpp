@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "rbpa/fill/plane_predicates.h"
-#include "rbpa/fill/shadow.h"
+#include "rbpa/fill/plane_distance.h"
 #include "rbpa/fill/shape_quality.h"
 
 namespace rbpa {
@@ -24,73 +22,30 @@ constexpr double bad = 0.25;
 /// its own corners: these are tried first, and from then on each look is so many times as wide as the last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
-/// Where more edges than this are near, and all of them have been looked at so often for nothing, those that others hide are
-/// left out, as long as these hide many: so many others at a time.
-constexpr std::size_t few_edges = 32, most_looks = 2, most_casters = 8;
-/// Edges that are asked first whether they reach into a triangle: those that did last.
-constexpr std::size_t most_blockers = 4;
+/// A triangle stays if one of its edges has lost so many: else one after the other could be put there and taken away.
+constexpr int most_uncovered = 1000;
 
-int orientation(const Point& a, const Point& b, const Point& c) { return plane_orientation(a, b, c); }
-
-double distance(const Point& a, const Point& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
-double distance(const Point& p, const Point& a, const Point& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-  const double along = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
-  const double share = std::clamp(along, 0.0, 1.0);
-  return distance(p, {a.x + share * dx, a.y + share * dy});
-}
-
-/// The inner parts of both segments have one point in common.
-bool cross(const Point& p, const Point& q, const Point& r, const Point& s) {
-  return orientation(p, q, r) * orientation(p, q, s) < 0 && orientation(r, s, p) * orientation(r, s, q) < 0;
-}
-
-/// The point is farther than that from the box of the segment.
-bool is_surely_clear(const Point& p, const Point& a, const Point& b, double reach) {
-  return p.x - std::max(a.x, b.x) > reach || std::min(a.x, b.x) - p.x > reach || p.y - std::max(a.y, b.y) > reach ||
-         std::min(a.y, b.y) - p.y > reach;
-}
-
-/// How wide the segment is, seen from the point: 0 to 2, one minus the cosine of the angle.
-double apparent_width(const Point& eye, const Point& p, const Point& q) {
-  const double ux = p.x - eye.x, uy = p.y - eye.y, vx = q.x - eye.x, vy = q.y - eye.y;
-  const double lengths = std::sqrt((ux * ux + uy * uy) * (vx * vx + vy * vy));
-  return lengths > 0 ? 1 - (ux * vx + uy * vy) / lengths : 0;
-}
-
-bool is_within(const Box& box, const Point& p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
-}
-
+/// Of a pair of sites.
 std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
-
-double shortest(std::span<const FrontEdge> edges, const std::vector<Point>& places) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [from, to] : edges) least = std::min(least, distance(places[from], places[to]));
-  return least;
-}
-
-Box box_of(std::span<const FrontEdge> edges, const std::vector<Point>& places) {
-  Box box{places[edges[0].from], places[edges[0].from]};
-  for (const auto& [from, to] : edges) box = common_box(box, {places[from], places[from]});
-  return box;
-}
 
 }  // namespace
 
-LoFront::LoFront(std::vector<Point> places, std::span<const FrontEdge> edges, const SizeField& field)
-    : places_(std::move(places)),
-      given_faces_(edges.size()),
-      field_(field),
-      tree_(box_of(edges, places_)),
-      least_clearance_(
-          std::max(0.1 * std::min(shortest(edges, places_), field.least()), std::ldexp(tree_.least_side(), -20))),
-      retreats_left_(edges.size()) {
-  for (const FrontEdge& edge : edges) tree_.insert(edge, places_[edge.from], places_[edge.to]);
+LoFront::LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
+                 const std::function<bool()>& go_on)
+    : places_(std::move(places)), field_(field), unfilled_(places_, rings, go_on) {
+  double least = field.least();
+  bounds_ = {places_[rings[0][0]], places_[rings[0][0]]};
+  for (const std::vector<Site>& ring : rings) {
+    given_faces_ += ring.size();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point& p = places_[ring[i]];
+      least = std::min(least, distance(p, places_[ring[(i + 1) % ring.size()]]));
+      bounds_ = common_box(bounds_, {p, p});
+    }
+  }
+  retreats_left_ = given_faces_;
+  least_reach_ = std::ldexp(std::max(bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y), -40);
+  least_clearance_ = std::max(0.1 * least, std::ldexp(least_reach_, -20));
 }
 
 double LoFront::key(const Front& front, Halfedge h) const {
@@ -117,189 +72,57 @@ Point LoFront::apex_at(const Task& task, double share) const {
   return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
 }
 
-/// Gathers what is within `reach` of edge and ideal apex: of the candidates those that have not been gathered before.
+/// The points of the front within `reach` of edge and ideal apex that make empty triangles, but those that were found before.
 void LoFront::look_around(Task& task, double reach) const {
-  const Box before = task.box;
-  const bool again = std::exchange(task.looked, true);
-  task.box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
-  task.box = {{task.box.low.x - reach, task.box.low.y - reach}, {task.box.high.x + reach, task.box.high.y + reach}};
-  task.near.clear();
-  task.hidden.clear();
-  task.candidates.clear();
-  tree_.for_each_near(task.box, [&](const FrontEdge& edge) { task.near.push_back(edge); });
-  task.looked_at = 0;
-  if (!task.shadows.empty()) hide(task);
-  for (const auto& [from, to] : task.near) {
-    const Point& p = places_[from];
-    // Each end of an edge begins another.
-    if (is_within(task.box, p) && !(again && is_within(before, p)) && orientation(task.a, task.b, p) > 0)
-      task.candidates.push_back(from);
-  }
-}
-
-/// Whether it lies in one of the shadows: that which hid the last is asked first.
-bool LoFront::is_hidden(Task& task, const FrontEdge& edge) const {
-  const auto shadow = std::find_if(task.shadows.begin(), task.shadows.end(),
-                                   [&](const Shadow& one) { return one.hides(places_[edge.from], places_[edge.to]); });
-  if (shadow == task.shadows.end()) return false;
-  std::swap(*shadow, task.shadows.front());
-  return true;
-}
-
-/// Leaves out what lies in shadows.
-void LoFront::hide(Task& task) const {
-  const auto hidden =
-      std::partition(task.near.begin(), task.near.end(), [&](const FrontEdge& edge) { return !is_hidden(task, edge); });
-  task.hidden.insert(task.hidden.end(), hidden, task.near.end());
-  task.near.erase(hidden, task.near.end());
-}
-
-/// Leaves out as much as is worth while.
-void LoFront::hide_all(Task& task) const {
-  task.looked_at = 0;
-  if (task.shadows.empty()) {
-    task.shadows.push_back(Shadow::behind(task.a, task.b));
-    hide(task);
-  }
-  while (task.near.size() > few_edges && hide_behind_widest(task)) continue;
-}
-
-/// Leaves out what the edges that look widest hide from an end of the task's edge; false where that is less than a quarter, by
-/// a sample.
-bool LoFront::hide_behind_widest(Task& task) const {
-  const Point middle{task.a.x + (task.b.x - task.a.x) / 2, task.a.y + (task.b.y - task.a.y) / 2};
-  std::vector<std::pair<double, FrontEdge>> widest;
-  for (const FrontEdge& edge : task.near)
-    widest.emplace_back(apparent_width(middle, places_[edge.from], places_[edge.to]), edge);
-  const auto last = widest.begin() + most_casters;
-  std::partial_sort(widest.begin(), last, widest.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  task.shadows.clear();
-  for (auto at = widest.begin(); at != last; ++at) {
-    const Point &p = places_[at->second.from], &q = places_[at->second.to];
-    for (const Point& eye : {task.a, task.b})
-      if (orientation(p, q, eye) > 0) task.shadows.push_back(Shadow::cast(eye, p, q));
-  }
-  const std::size_t step = task.near.size() / few_edges;
-  std::size_t of_sample = 0;
-  for (std::size_t i = 0; i < few_edges; ++i) of_sample += is_hidden(task, task.near[i * step]);
-  if (4 * of_sample < few_edges) return false;
-  hide(task);
-  return true;
-}
-
-/// Whether an edge of the front reaches into the triangle of the task's edge and an apex, a site or a new point.
-bool LoFront::reaches_into(const FrontEdge& edge, const Task& task, const Point& apex, std::optional<Site> site) const {
-  const Point &p = places_[edge.from], &q = places_[edge.to];
-  if (std::max(p.x, q.x) < std::min({task.a.x, task.b.x, apex.x}) ||
-      std::min(p.x, q.x) > std::max({task.a.x, task.b.x, apex.x}) ||
-      std::max(p.y, q.y) < std::min({task.a.y, task.b.y, apex.y}) ||
-      std::min(p.y, q.y) > std::max({task.a.y, task.b.y, apex.y}))
-    return false;
-  const auto holds = [&](Site end, const Point& at) {
-    return end != task.from && end != task.to && end != site && orientation(task.a, task.b, at) >= 0 &&
-           orientation(task.b, apex, at) >= 0 && orientation(apex, task.a, at) >= 0;
-  };
-  // Each end of an edge begins another, so that one of them is enough; but that one may have been left out.
-  if (holds(edge.from, p) || (!task.hidden.empty() && holds(edge.to, q))) return true;
-  if (cross(p, q, task.b, apex) || cross(p, q, task.a, apex)) return true;
-  // A new point might lie on an edge. A site does not: fronts do not touch themselves.
-  return !site && orientation(p, q, apex) == 0 && std::min(p, q) <= apex && apex <= std::max(p, q);
-}
-
-/// Whether one of the edges does that reached into the last triangles.
-bool LoFront::is_known_blocked(Task& task, Site site) const {
-  const auto blocker = std::find_if(task.blockers.begin(), task.blockers.end(), [&](const FrontEdge& edge) {
-    return reaches_into(edge, task, places_[site], site);
-  });
-  if (blocker == task.blockers.end()) return false;
-  std::rotate(task.blockers.begin(), blocker, blocker + 1);
-  return true;
-}
-
-/// Whether the triangle of the edge and an apex within the box, a site or a new point, is empty.
-bool LoFront::is_free(Task& task, const Point& apex, std::optional<Site> site) const {
-  const auto blocker = std::find_if(task.near.begin(), task.near.end(),
-                                    [&](const FrontEdge& edge) { return reaches_into(edge, task, apex, site); });
-  compared_ += static_cast<std::size_t>(blocker - task.near.begin());
-  if (blocker == task.near.end()) return true;
-  if (task.blockers.size() == most_blockers) task.blockers.pop_back();
-  task.blockers.insert(task.blockers.begin(), *blocker);
-  task.looked_at += static_cast<std::size_t>(blocker - task.near.begin());
-  if (task.near.size() > few_edges && task.looked_at > most_looks * task.near.size()) hide_all(task);
-  return false;
-}
-
-/// The first of the candidates, least number first, that makes an empty triangle. Only as much is sorted as is looked at, and
-/// what the known blockers hide goes in one sweep now and then: of many candidates most are hidden by few edges.
-std::optional<LoFront::Ranked> LoFront::first_free(Task& task, std::vector<Ranked>& order) const {
-  const auto later = [](const Ranked& a, const Ranked& b) { return b < a; };
-  std::make_heap(order.begin(), order.end(), later);
-  for (std::size_t tried = 1, sweep = 8; !order.empty(); ++tried) {
-    std::pop_heap(order.begin(), order.end(), later);
-    const Ranked first = order.back();
-    order.pop_back();
-    if (!is_known_blocked(task, first.second) && is_free(task, places_[first.second], first.second)) return first;
-    if (tried < sweep) continue;
-    sweep *= 2;
-    std::erase_if(order, [&](const Ranked& other) { return is_known_blocked(task, other.second); });
-    std::make_heap(order.begin(), order.end(), later);
-  }
-  return std::nullopt;
+  Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
+  box = {{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}};
+  const std::span<const Site> found = unfilled_.free_sites(box);
+  task.candidates.assign(found.begin(), found.end());
+  task.is_all = box.low.x <= bounds_.low.x && box.high.x >= bounds_.high.x && box.low.y <= bounds_.low.y &&
+                box.high.y >= bounds_.high.y;
 }
 
 /// The nearest point of the front that can take the place of the ideal apex.
-std::optional<Site> LoFront::near_ideal(Task& task, double reach) const {
-  std::vector<Ranked> order;
+std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
+  std::optional<std::pair<double, Site>> nearest;
   for (const Site s : task.candidates)
-    if (const double far = distance(places_[s], task.ideal); far <= reach) order.emplace_back(far, s);
-  const auto nearest = first_free(task, order);
+    if (const double far = distance(places_[s], task.ideal); far <= reach)
+      nearest = nearest ? std::min(*nearest, {far, s}) : std::pair(far, s);
   return nearest ? std::optional(nearest->second) : std::nullopt;
 }
 
-/// Of the points of the front in the box that which makes the best triangle.
-std::optional<LoFront::Choice> LoFront::best_of(Task& task) const {
-  std::vector<Ranked> order;
-  for (const Site s : task.candidates)
-    if (!is_known_blocked(task, s)) order.emplace_back(-shape_quality(task.a, task.b, places_[s]), s);
-  const auto best = first_free(task, order);
-  return best ? std::optional(Choice{best->second, -best->first}) : std::nullopt;
+/// Of the candidates that which makes the best triangle; of equal ones that of the least number.
+std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
+  std::optional<Choice> best;
+  for (const Site s : task.candidates) {
+    const double quality = shape_quality(task.a, task.b, places_[s]);
+    if (!best || quality > best->quality || (quality == best->quality && s < best->apex)) best = Choice{s, quality};
+  }
+  return best;
 }
 
 /// Of the ends of the edges beside it on the front that which makes the better triangle.
 std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h, Task& task) const {
   task.candidates.clear();
-  Box box = common_box({task.a, task.a}, {task.b, task.b});
   const meshops::Connectivity& mesh = front.mesh();
-  for (const Site s : {front.from_site(mesh.prev_halfedge_handle(h)), front.to_site(mesh.next_halfedge_handle(h))}) {
-    if (orientation(task.a, task.b, places_[s]) <= 0) continue;
-    task.candidates.push_back(s);
-    box = common_box(box, {places_[s], places_[s]});
-  }
-  if (task.candidates.empty()) return std::nullopt;
-  task.near.clear();
-  task.hidden.clear();
-  tree_.for_each_near(box, [&](const FrontEdge& edge) { task.near.push_back(edge); });
+  for (const Site s : {front.from_site(mesh.prev_halfedge_handle(h)), front.to_site(mesh.next_halfedge_handle(h))})
+    if (unfilled_.is_free({task.from, task.to}, s)) task.candidates.push_back(s);
   return best_of(task);
 }
 
 /// A new apex, if it is as clear of the front as that.
-std::optional<Point> LoFront::placed(Task& task, double share, double wanted) const {
+std::optional<Point> LoFront::placed(const Task& task, double share, double wanted) const {
   const Point apex = apex_at(task, share);
+  if (!is_finite(apex)) return std::nullopt;
   const double least = std::max(wanted * task.side, least_clearance_);
-  if (!is_finite(apex) || orientation(task.a, task.b, apex) <= 0) return std::nullopt;
-  for (const std::vector<FrontEdge>* edges : {&task.near, &task.hidden})
-    for (const auto& [from, to] : *edges)
-      if (!is_surely_clear(apex, places_[from], places_[to], 2 * least) &&
-          !(distance(apex, places_[from], places_[to]) >= least))
-        return std::nullopt;
-  if (!is_free(task, apex, std::nullopt)) return std::nullopt;
-  return apex;
+  return unfilled_.is_free({task.from, task.to}, apex, least) ? std::optional(apex) : std::nullopt;
 }
 
 meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   places_.resize(front.sites());
   Task task = task_of(front.from_site(h), front.to_site(h));
   const bool again = retreated_from_.contains(key_of(task.from, task.to));
+  unfilled_.look_from({task.from, task.to});
   look_around(task, task.side);
   // Where the front has been before, it rather closes than that it does the same again.
   if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
@@ -315,12 +138,12 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
     return static_cast<Site>(front.sites());
   }
   int looks = 0;
-  for (double reach = std::max(2 * task.side, tree_.least_side()); !best; reach *= looks < near_looks ? 2 : far_step) {
+  for (double reach = std::max(2 * task.side, least_reach_); !best; reach *= looks < near_looks ? 2 : far_step) {
     if (looks == near_looks) best = corner_of(front, h, task);
     if (best) break;
     look_around(task, reach);
     best = best_of(task);
-    if (!best && tree_.is_within(task.box)) return std::nullopt;  // which cannot be
+    if (!best && task.is_all) return std::nullopt;  // which cannot be
     ++looks;
   }
   // What is as far as that is no nearer from behind.
@@ -341,30 +164,33 @@ std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) con
   const meshops::Connectivity& mesh = front.mesh();
   for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {
     const meshops::Face face = mesh.face_handle(mesh.opposite_halfedge_handle(at));
-    if (static_cast<std::size_t>(face.idx()) >= given_faces_) return face;
+    if (static_cast<std::size_t>(face.idx()) < given_faces_) continue;
+    const auto is_settled = [&](Halfedge side) {
+      const auto times = uncovered_.find(key_of(front.from_site(side), front.to_site(side)));
+      return times != uncovered_.end() && times->second >= most_uncovered;
+    };
+    const Halfedge side = mesh.halfedge_handle(face), next = mesh.next_halfedge_handle(side);
+    if (!is_settled(side) && !is_settled(next) && !is_settled(mesh.next_halfedge_handle(next))) return face;
   }
   return std::nullopt;
 }
 
 void LoFront::attached(const Front& front, const meshops::InsertedTriangle& triangle) {
   places_.resize(front.sites());
-  for (const Halfedge side : triangle.side) {
-    const Site from = front.from_site(side), to = front.to_site(side);
-    if (front.mesh().is_boundary(front.mesh().opposite_halfedge_handle(side)))
-      tree_.insert({to, from}, places_[to], places_[from]);
-    else
-      tree_.erase({from, to}, places_[from], places_[to]);
-  }
+  const meshops::Connectivity& mesh = front.mesh();
+  // Beyond one side at least, which was of the front, there is a triangle.
+  const auto base = std::find_if(triangle.side.begin(), triangle.side.end(),
+                                 [&](Halfedge side) { return !mesh.is_boundary(mesh.opposite_halfedge_handle(side)); });
+  unfilled_.fill({front.from_site(*base), front.to_site(*base)}, front.to_site(mesh.next_halfedge_handle(*base)));
 }
 
 void LoFront::detached(const meshops::DetachedTriangle& triangle) {
+  std::array<bool, 3> is_front;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Site from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
-    if (triangle.side[i].is_valid())
-      tree_.insert({from, to}, places_[from], places_[to]);
-    else
-      tree_.erase({to, from}, places_[to], places_[from]);
+    is_front[i] = triangle.side[i].is_valid();
+    if (is_front[i]) ++uncovered_[key_of(triangle.corners[i], triangle.corners[(i + 1) % 3])];
   }
+  unfilled_.empty(triangle.corners, is_front);
 }
 
 }  // namespace rbpa

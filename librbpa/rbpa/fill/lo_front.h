@@ -3,7 +3,7 @@
 // Law:    every triangle is empty: nothing of the front reaches into it or lies on it but its corners, which is decided
 //         exactly. For every edge of the front there is such a triangle (docs/fill.md, section 3), so that none is ever
 //         frozen, and the run ends.
-// Cost:   a look at the edges around for each triangle.
+// Cost:   a look at what is seen from an edge for each triangle: unfilled.h says how much that is at most.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
 //         generation method revisited (1994).
 #pragma once
@@ -11,17 +11,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "meshops/front/policy.h"
 #include "rbpa/base/point.h"
-#include "rbpa/fill/edge_tree.h"
-#include "rbpa/fill/shadow.h"
 #include "rbpa/fill/size_field.h"
+#include "rbpa/fill/unfilled.h"
+#include "rbpa/plane/grid/box.h"
 
 namespace rbpa {
 
@@ -31,15 +33,19 @@ using meshops::Site;
 
 class LoFront {
  public:
-  /// `edges` are those of the front, behind each of which the mesh has one face, and `places` of its sites; of sites that
-  /// are on no edge any. Keeps a reference to the field.
-  LoFront(std::vector<Point> places, std::span<const FrontEdge> edges, const SizeField& field);
+  /// `rings` are the front, behind each edge of which the mesh has one face, and `places` of its sites; of sites that are on no
+  /// ring any. Keeps a reference to the field.
+  /// Throws: Cancelled, where go_on returns false.
+  LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
+          const std::function<bool()>& go_on);
+  LoFront(const LoFront&) = delete;
+  LoFront& operator=(const LoFront&) = delete;
 
   /// Where the sites are, those that were placed as well.
   const std::vector<Point>& places() const { return places_; }
   std::size_t retreats() const { return retreated_; }
-  /// How many edges of the front were compared with triangles: the work of finding empty ones.
-  std::size_t compared() const { return compared_; }
+  /// How many triangles of what is not filled were passed: the work of finding empty ones.
+  std::size_t passed() const { return unfilled_.passed(); }
 
   /// Shortest first.
   double key(const Front& front, Halfedge h) const;
@@ -57,52 +63,37 @@ class LoFront {
   struct Task {
     Point a, b;
     Site from, to;
-    double length;                       ///< of the edge
-    double side;                         ///< that the others should have
-    Point ideal;                         ///< where the apex would be best
-    std::vector<FrontEdge> near = {};    ///< every edge of the front that meets `box`,
-    std::vector<FrontEdge> hidden = {};  ///< but for these: any triangle into which one reaches is not empty without it
-    std::vector<Shadow> shadows = {};    ///< by which they were left out
-    std::vector<Site> candidates = {};   ///< ends of those, on the left of the edge
-    std::vector<FrontEdge> blockers = {};  ///< the last that reached into a triangle
-    Box box = {};
-    std::size_t looked_at = 0;  ///< of `near`, for triangles that were not empty
-    bool looked = false;
+    double length;                      ///< of the edge
+    double side;                        ///< that the others should have
+    Point ideal;                        ///< where the apex would be best
+    std::vector<Site> candidates = {};  ///< that make empty triangles
+    bool is_all = false;                ///< nothing lies outside of the last look
   };
   struct Choice {
     Site apex;
     double quality;
   };
 
-  /// A candidate, by how good it is: the least is the best.
-  using Ranked = std::pair<double, Site>;
-
   Task task_of(Site from, Site to) const;
   Point apex_at(const Task& task, double share) const;
   void look_around(Task& task, double reach) const;
-  bool is_hidden(Task& task, const FrontEdge& edge) const;
-  void hide(Task& task) const;
-  void hide_all(Task& task) const;
-  bool hide_behind_widest(Task& task) const;
-  std::optional<Site> near_ideal(Task& task, double reach) const;
-  std::optional<Choice> best_of(Task& task) const;
+  std::optional<Site> near_ideal(const Task& task, double reach) const;
+  std::optional<Choice> best_of(const Task& task) const;
   std::optional<Choice> corner_of(const Front& front, Halfedge h, Task& task) const;
-  std::optional<Ranked> first_free(Task& task, std::vector<Ranked>& order) const;
-  std::optional<Point> placed(Task& task, double share, double clearance) const;
-  bool reaches_into(const FrontEdge& edge, const Task& task, const Point& apex, std::optional<Site> site) const;
-  bool is_known_blocked(Task& task, Site site) const;
-  bool is_free(Task& task, const Point& apex, std::optional<Site> site) const;
+  std::optional<Point> placed(const Task& task, double share, double clearance) const;
   std::optional<meshops::Face> behind(const Front& front, Halfedge h) const;
 
   std::vector<Point> places_;
-  std::size_t given_faces_;  // of the mesh, outside of the polygons: they stay
+  std::size_t given_faces_ = 0;  // of the mesh, outside of the polygons: they stay
   const SizeField& field_;
-  EdgeTree tree_;
-  double least_clearance_;  // so far from the front is every new point
-  std::size_t retreats_left_;
+  Unfilled unfilled_;
+  Box bounds_;                  // of the front
+  double least_reach_ = 0;      // the least second look
+  double least_clearance_ = 0;  // so far from the front is every new point
+  std::size_t retreats_left_ = 0;
   std::size_t retreated_ = 0;
-  mutable std::size_t compared_ = 0;
   std::unordered_set<std::uint64_t> retreated_from_;  // pairs of sites
+  std::unordered_map<std::uint64_t, int> uncovered_;  // how often a triangle on such a pair has gone
 };
 
 }  // namespace rbpa

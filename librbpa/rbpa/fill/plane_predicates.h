@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rbpa/base/exact/magnitude.h"
 #include "rbpa/base/point.h"
@@ -23,6 +24,21 @@ inline bool fits_double(const Point& p) { return fits_double(p.x) && fits_double
 inline int plane_orientation(const Point& a, const Point& b, const Point& c) {
   return fits_double(a) && fits_double(b) && fits_double(c) ? Predicates<double>::orientation(a, b, c)
                                                             : Predicates<long double>::orientation(a, b, c);
+}
+
+/// The same, sooner where it is plain, as it is in nearly all cases.
+inline int quick_orientation(const Point& a, const Point& b, const Point& c) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  // More than differences, products and their difference can be off; the last for what underflows.
+  constexpr double epsilon = std::numeric_limits<double>::epsilon(), least = std::numeric_limits<double>::min();
+  const double doubt = 8 * epsilon * (std::abs(left) + std::abs(right)) + least;
+  if (left - right > doubt) return 1;
+  return right - left > doubt ? -1 : plane_orientation(a, b, c);
+}
+
+/// Whether the closed triangle, which turns left, holds the point.
+inline bool holds(const Point& a, const Point& b, const Point& c, const Point& p) {
+  return quick_orientation(a, b, p) >= 0 && quick_orientation(b, c, p) >= 0 && quick_orientation(c, a, p) >= 0;
 }
 
 /// Requires (a, b, p) to turn left.

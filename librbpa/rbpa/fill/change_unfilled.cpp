@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <utility>
+
+#include "meshops/core/contract.h"
+#include "rbpa/fill/plane_predicates.h"
+#include "rbpa/fill/unfilled.h"
+
+// How triangles come and go.
+namespace rbpa {
+
+void Unfilled::link(Side side, Side beyond) {
+  across_[side] = beyond;
+  if (beyond == none)
+    border_[key_of(from(side), to(side))] = side;
+  else
+    across_[beyond] = side;
+}
+
+std::uint32_t Unfilled::add(Site a, Site b, Site c) {
+  auto t = static_cast<std::uint32_t>(stamp_.size());
+  if (unused_.empty()) {
+    stamp_.push_back(0);
+    corner_.resize(corner_.size() + 3);
+    across_.resize(across_.size() + 3);
+  } else {
+    t = unused_.back();
+    unused_.pop_back();
+  }
+  std::size_t k = 3 * std::size_t{t};
+  for (const Site s : {a, b, c}) {
+    corner_[k] = s;
+    across_[k++] = none;
+  }
+  return t;
+}
+
+void Unfilled::remove(std::uint32_t triangle) {
+  corner_[3 * triangle] = none;
+  unused_.push_back(triangle);
+}
+
+void Unfilled::fill(const FrontEdge& edge, Site apex) {
+  if (apex >= next_) {
+    split(edge, apex);
+    next_ = apex + 1;
+  }
+  const auto [a, b] = edge;
+  cross(at(edge), apex);
+  for (const std::uint32_t t : crossed_) remove(t);
+  waiting_.clear();
+  border_.erase(key_of(a, b));
+  const Side left = cut_ears(left_, false), right = cut_ears(right_, true);
+  meshops::require(left_.size() == 2 && right_.size() == 2 && waiting_.empty(), "fill: a triangle was not empty");
+  bound(left, apex, a);
+  bound(right, b, apex);
+  flip_all();
+}
+
+/// The edge of a triangle that is filled, which ran so on its side: now it is of the front on the other side, or no more.
+void Unfilled::bound(Side beyond, Site from, Site to) {
+  if (beyond == none)
+    border_.erase(key_of(from, to));
+  else
+    link(beyond, none);
+}
+
+/// A new site in the triangle around it; or, on a side, in both.
+void Unfilled::split(const FrontEdge& edge, Site site) {
+  const std::optional<Side> around = this->around(edge, places_[site]);
+  meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
+  const Side first = *around - *around % 3;
+  std::vector<std::array<std::uint32_t, 3>> rim;  // from, to, beyond
+  std::array<std::uint32_t, 2> taken = {first / 3, none};
+  for (Side side = first; side < first + 3; ++side) {
+    const Side beyond = across_[side];
+    if (turn(from(side), to(side), site) != 0) {
+      rim.push_back({from(side), to(side), beyond});
+      continue;
+    }
+    meshops::require(beyond != none, "fill: a new point lies on the front");
+    taken[1] = beyond / 3;
+    for (const Side other : {after(beyond), before(beyond)}) rim.push_back({from(other), to(other), across_[other]});
+  }
+  for (const std::uint32_t t : taken)
+    if (t != none) remove(t);
+  std::vector<Side> bases;
+  for (const auto& [from, to, beyond] : rim) bases.push_back(3 * add(site, from, to));
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    link(bases[i], rim[i][2]);
+    for (std::size_t j = 0; j < rim.size(); ++j)
+      if (rim[j][0] == rim[i][1]) link(after(bases[i]), before(bases[j]));
+  }
+}
+
+/// Gathers what the triangle of a side and an apex crosses, and its rims on the left and on the right.
+void Unfilled::cross(Side side, Site apex) {
+  const Site a = from(side), b = to(side);
+  crossed_.clear();
+  ++looks_;
+  left_ = {{a, none}};
+  right_ = {{b, none}};
+  for (;;) {
+    meshops::require(side != none, "fill: a triangle was not empty");
+    crossed_.push_back(side / 3);
+    stamp_[side / 3] = looks_;
+    const Site d = corner_[side];
+    const bool is_left = d != apex && turn(a, apex, d) > 0;
+    if (d == apex || is_left) left_.push_back({d, across_[before(side)]});
+    if (d == apex || !is_left) right_.push_back({d, across_[after(side)]});
+    if (d == apex) return;
+    side = across_[is_left ? after(side) : before(side)];
+  }
+}
+
+/// Cuts a triangle off wherever a rim turns towards its base, from one end to the other as in a scan for the convex hull. Every
+/// corner of the rim sees the base, so that nothing else is left. Returns: what lies beyond the base.
+Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    Rim next = rim[i];
+    for (; kept >= 2; --kept) {
+      const Rim &last = rim[kept - 1], &first = rim[kept - 2];
+      const Site p = is_right ? next.site : first.site, q = is_right ? first.site : next.site;
+      if (p == q || turn(p, q, last.site) <= 0) break;
+      const Side ear = 3 * add(p, q, last.site);
+      close(first.site, last, is_right ? ear : ear + 1, is_right);
+      close(last.site, next, is_right ? ear + 1 : ear, is_right);
+      next.beyond = ear + 2;
+      next.is_new = true;
+      for (Side k = ear; k < ear + 3; ++k) queue_.push_back(k);
+    }
+    rim[kept++] = next;
+  }
+  rim.resize(kept);
+  return rim.back().beyond;
+}
+
+/// Joins a new triangle to what lies beyond an edge of the rim; if that was crossed as well, the rim passes the edge twice,
+/// there and back, and both sides of it are new.
+void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
+  if (to.is_new || to.beyond == none || stamp_[to.beyond / 3] != looks_) return link(inner, to.beyond);
+  const Site begin = is_right ? from : to.site, end = is_right ? to.site : from;
+  const auto other =
+      std::find_if(waiting_.begin(), waiting_.end(), [&](const auto& w) { return w[0] == end && w[1] == begin; });
+  if (other == waiting_.end()) return waiting_.push_back({begin, end, inner});
+  link(inner, (*other)[2]);
+  waiting_.erase(other);
+}
+
+/// Flips until no apex lies in the circle beyond: each flip lowers the surface over the points lifted to the paraboloid.
+void Unfilled::flip_all() {
+  while (!queue_.empty()) {
+    const Side side = queue_.back();
+    queue_.pop_back();
+    const Side other = across_[side];
+    if (other == none) continue;
+    if (plane_in_circle(places_[from(side)], places_[to(side)], places_[corner_[side]], places_[corner_[other]]) > 0)
+      flip(side);
+  }
+}
+
+void Unfilled::flip(Side side) {
+  const Side other = across_[side], t = side - side % 3, o = other - other % 3;
+  const Site a = from(side), b = to(side), p = corner_[side], q = corner_[other];
+  const Side beyond_pa = across_[before(side)], beyond_bp = across_[after(side)];
+  const Side beyond_aq = across_[after(other)], beyond_qb = across_[before(other)];
+  std::size_t k = 0;
+  for (const Site s : {p, a, q}) corner_[t + k++] = s;
+  k = 0;
+  for (const Site s : {q, b, p}) corner_[o + k++] = s;
+  link(t, beyond_aq);
+  link(t + 1, o + 1);
+  link(t + 2, beyond_pa);
+  link(o, beyond_bp);
+  link(o + 2, beyond_qb);
+  for (const Side outer : {t, t + 2, o, o + 2}) queue_.push_back(outer);
+}
+
+void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front) {
+  const Side t = 3 * add(corners[0], corners[1], corners[2]);
+  for (Side i = 0; i < 3; ++i) {
+    const Side side = t + (i + 2) % 3;
+    if (is_front[i]) {
+      link(side, none);
+      continue;
+    }
+    const auto partner = border_.find(key_of(to(side), from(side)));
+    meshops::require(partner != border_.end(), "fill: beyond a triangle that goes there is no front");
+    link(side, partner->second);
+    border_.erase(partner);
+  }
+  for (Side i = 0; i < 3; ++i) queue_.push_back(t + i);
+  for (Side i = 0; i < 3; ++i)
+    if (!is_front[i] && !is_front[(i + 2) % 3]) {
+      // Around the corner: if nothing of the front is met, no edge of it ends there any more.
+      Side side = t + (i + 1) % 3;
+      do side = across_[side] == none ? none : before(across_[side]);
+      while (side != none && side != t + (i + 1) % 3);
+      if (side != none) {
+        take_out(t + i);
+        break;
+      }
+    }
+  flip_all();
+}
+
+/// Takes out an inner corner, that across from a side: what was around it is cut into triangles by ears.
+void Unfilled::take_out(Side at) {
+  std::vector<Rim> rim;  // counter-clockwise; what is beyond the edge that leads to each
+  queue_.clear();
+  Side side = at;
+  do {
+    rim.push_back({to(side), across_[side]});
+    remove(side / 3);
+    side = across_[after(side)];  // the edge from the corner to the end of this one, seen from the next triangle
+    side = after(side);
+  } while (side != at);
+  const auto is_ear = [&](std::size_t i) {
+    const std::size_t n = rim.size();
+    const Site a = rim[(i + n - 1) % n].site, b = rim[i].site, c = rim[(i + 1) % n].site;
+    return turn(a, b, c) > 0 && std::none_of(rim.begin(), rim.end(), [&](const Rim& other) {
+             return other.site != a && other.site != b && other.site != c &&
+                    holds(places_[a], places_[b], places_[c], places_[other.site]);
+           });
+  };
+  while (rim.size() >= 3) {
+    const std::size_t n = rim.size();
+    std::size_t i = 0;
+    while (i < n && !is_ear(i)) ++i;
+    meshops::require(i < n, "fill: a star has no ear");
+    const std::size_t last = (i + n - 1) % n, next = (i + 1) % n;
+    const Side ear = 3 * add(rim[last].site, rim[i].site, rim[next].site);
+    link(ear + 2, rim[i].beyond);
+    link(ear, rim[next].beyond);
+    if (n == 3) link(ear + 1, rim[last].beyond);
+    for (Side k = ear; k < ear + 3; ++k) queue_.push_back(k);
+    rim[next].beyond = ear + 1;
+    rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(i));
+    if (n == 3) break;
+  }
+}
+
+}  // namespace rbpa

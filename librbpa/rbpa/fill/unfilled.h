@@ -1,0 +1,121 @@
+// What:   a triangulation of what a front has not filled yet: its corners are the points of the front, and its border the
+//         edges of the front.
+// Law:    after every change it is the constrained Delaunay triangulation of what is not filled, up to points on one circle. All
+//         decisions are exact.
+// Why:    whoever walks through it from an edge sees what that edge sees, and nothing else. Long edges that lie close hide
+//         nearly everything that is near from each other, and a search by boxes meets all of that (docs/fill.md, section 2).
+// Cost:   n log n to build, for a front of n edges; a triangle more or less costs the triangles that it crosses, and their flips.
+//         A look costs the triangles that are seen.
+// Source: Chew, Constrained Delaunay triangulations (1989); Lee, Preparata, Euclidean shortest paths in the presence of
+//         rectilinear barriers (1984), for the funnel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "meshops/patch/site.h"
+#include "rbpa/base/point.h"
+#include "rbpa/fill/front_edge.h"
+#include "rbpa/plane/grid/box.h"
+
+namespace rbpa {
+
+class Unfilled {
+ public:
+  using Site = meshops::Site;
+
+  /// Of a front of rings, each as its sites: what is not filled lies on the left. Keeps a reference to the places, which may
+  /// become more.
+  /// Throws: Cancelled, where go_on returns false.
+  Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
+           const std::function<bool()>& go_on);
+
+  /// Looks from an edge of the front, for what follows.
+  void look_from(const FrontEdge& edge) const;
+  /// The sites in a box that make an empty triangle with that edge, but those that were found before; in any order.
+  /// Requires: the box holds the edge and the boxes before; nothing was filled or emptied since look_from().
+  std::span<const Site> free_sites(const Box& box) const;
+  /// Whether the triangle of an edge of the front and a site is empty.
+  bool is_free(const FrontEdge& edge, Site site) const;
+  /// Whether that of an edge and a new point is empty, and every edge of the front is as far from the point as that.
+  bool is_free(const FrontEdge& edge, const Point& apex, double clearance) const;
+
+  /// An empty triangle on an edge of the front is filled. An apex that is no site of the front yet becomes one.
+  void fill(const FrontEdge& edge, Site apex);
+  /// A triangle is filled no more: side i, from corner i to corner i + 1, is of the front now, or what lies beyond is not
+  /// filled either.
+  void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
+
+  /// How many triangles were passed so far by looks and on the way to points.
+  std::size_t passed() const { return passed_; }
+  /// The triangles, counter-clockwise, in any order.
+  std::vector<std::array<Site, 3>> triangles() const;
+
+ private:
+  /// Side k of triangle t is number 3 t + k, and runs from corner k + 1 to corner k + 2: across from corner k.
+  using Side = std::uint32_t;
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static Side after(Side side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Side before(Side side) { return side % 3 == 0 ? side + 2 : side - 1; }
+  static std::uint64_t key_of(Site from, Site to) { return std::uint64_t{from} << 32U | to; }
+  Site from(Side side) const { return corner_[after(side)]; }
+  Site to(Side side) const { return corner_[before(side)]; }
+
+  /// A corner of what a triangle crosses, and what lies beyond the edge that leads to it.
+  struct Rim {
+    Site site;
+    Side beyond;
+    bool is_new = false;  // what is beyond was made for this rim
+  };
+  /// A side that is looked through, from the triangle before it: what is seen is right of the way from the edge's beginning to
+  /// one site, and left of that from its end to another.
+  struct Gate {
+    Side side;
+    Site left, right;
+  };
+
+  int turn(Site a, Site b, Site c) const;
+  int turn(Site a, Site b, const Point& p) const;
+  Side at(const FrontEdge& edge) const;
+  std::optional<Side> around(const FrontEdge& edge, const Point& apex) const;
+  bool is_clear(Side around, const Point& p, double clearance) const;
+
+  void link(Side side, Side beyond);
+  std::uint32_t add(Site a, Site b, Site c);
+  void remove(std::uint32_t triangle);
+  void split(const FrontEdge& edge, Site site);
+  void cross(Side side, Site apex);
+  Side cut_ears(std::vector<Rim>& rim, bool is_right);
+  void close(Site from, const Rim& to, Side inner, bool is_right);
+  void bound(Side beyond, Site from, Site to);
+  void flip_all();
+  void flip(Side side);
+  void take_out(Side at);
+
+  const std::vector<Point>& places_;
+  std::vector<Site> corner_;           // of side 3 t + k the corner across
+  std::vector<Side> across_;           // the same edge as a side of the triangle beyond, or none: it is of the front
+  std::vector<std::uint32_t> unused_;  // triangles
+  std::unordered_map<std::uint64_t, Side> border_;  // edges of the front as sides
+  Site next_ = 0;                                   // sites from here on are new
+  // While a triangle is filled:
+  std::vector<Rim> left_, right_;
+  std::vector<std::uint32_t> crossed_;
+  std::vector<std::array<std::uint32_t, 3>> waiting_;
+  std::vector<Side> queue_;
+  // While one looks:
+  mutable FrontEdge eye_ = {};
+  mutable std::vector<Site> found_, seen_;    // in the last box; and free ones outside of it
+  mutable std::vector<Gate> gates_, closed_;  // to be looked through; and those outside of the box
+  mutable std::vector<Side> stack_;
+  mutable std::vector<std::size_t> stamp_;  // of each triangle the look that came by last
+  mutable std::size_t of_look_ = 0, looks_ = 0, passed_ = 0;
+};
+
+}  // namespace rbpa

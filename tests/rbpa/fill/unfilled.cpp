@@ -1,0 +1,178 @@
+// What is seen from the edges of a front, and what looks cost.
+#include "rbpa/fill/unfilled.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "fill/laws.h"
+#include "rbpa/fill.h"
+#include "support/random.h"
+
+TEST_SUITE_BEGIN("fill");
+
+using rbpa::FrontEdge;
+using rbpa::Point;
+using rbpa::Unfilled;
+using rbpa_test::Points;
+using Site = Unfilled::Site;
+
+namespace {
+
+/// Exact, as coordinates are small integers.
+int orientation(const Point& a, const Point& b, const Point& c) {
+  const double turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return (turn > 0) - (turn < 0);
+}
+
+/// A front as a list, by which all is decided by trying.
+struct Listed {
+  Points places = {};
+  std::vector<FrontEdge> edges = {};
+
+  bool is_listed(const FrontEdge& edge) const { return std::find(edges.begin(), edges.end(), edge) != edges.end(); }
+  void toggle(Site from, Site to) {
+    if (is_listed({to, from}))
+      std::erase(edges, FrontEdge{to, from});
+    else
+      edges.push_back({from, to});
+  }
+  bool is_empty(const FrontEdge& edge, const Point& apex) const {
+    const Point &a = places[edge.from], &b = places[edge.to];
+    if (orientation(a, b, apex) <= 0) return false;
+    const auto crosses = [&](const Point& p, const Point& q, const Point& r, const Point& s) {
+      return orientation(p, q, r) * orientation(p, q, s) < 0 && orientation(r, s, p) * orientation(r, s, q) < 0;
+    };
+    return std::none_of(edges.begin(), edges.end(), [&](const FrontEdge& other) {
+      const Point &p = places[other.from], &q = places[other.to];
+      const bool is_inside = p != a && p != b && p != apex && orientation(a, b, p) >= 0 &&
+                             orientation(b, apex, p) >= 0 && orientation(apex, a, p) >= 0;
+      const bool is_on_it =
+          p != apex && q != apex && orientation(p, q, apex) == 0 && std::min(p, q) < apex && apex < std::max(p, q);
+      return is_inside || is_on_it || crosses(p, q, a, apex) || crosses(p, q, b, apex);
+    });
+  }
+  std::set<Site> free_sites(const FrontEdge& edge) const {
+    std::set<Site> sites;
+    for (const FrontEdge& other : edges)
+      if (is_empty(edge, places[other.from])) sites.insert(other.from);
+    return sites;
+  }
+};
+
+/// A star on a grid, so that many points are on one line.
+Points star(rbpa_test::Random& random, int corners) {
+  Points places;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * 3.14159265358979323846 * i / corners, radius = random.chance(0.5) ? 64 : 20;
+    const Point p{std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))};
+    if (std::find(places.begin(), places.end(), p) == places.end()) places.push_back(p);
+  }
+  return places;
+}
+
+const rbpa::Box everywhere{{-1e9, -1e9}, {1e9, 1e9}};
+
+}  // namespace
+
+TEST_CASE("from every edge exactly the sites are seen that make empty triangles, whatever was filled and emptied") {
+  rbpa_test::Random random(11);
+  int emptied = 0, placed = 0, taken_out = 0;
+  for (int turn = 0; turn < 10; ++turn) {
+    Listed front{.places = star(random, 14)};
+    std::vector<std::vector<Site>> rings(1);
+    for (Site i = 0; i < front.places.size(); ++i) {
+      rings[0].push_back(i);
+      front.edges.push_back({i, static_cast<Site>((i + 1) % front.places.size())});
+    }
+    Unfilled unfilled(front.places, rings, {});
+    std::vector<std::array<Site, 3>> filled;
+    for (int step = 0; step < 40 && !front.edges.empty(); ++step) {
+      std::set<Site> on_front;
+      for (const FrontEdge& edge : front.edges) {
+        on_front.insert(edge.from);
+        unfilled.look_from(edge);
+        const auto found = unfilled.free_sites(everywhere);
+        REQUIRE(std::set<Site>(found.begin(), found.end()) == front.free_sites(edge));
+        for (const Site s : found) REQUIRE(unfilled.is_free(edge, s));
+      }
+      std::set<Site> corners;
+      for (const auto& [a, b, c] : unfilled.triangles()) {
+        REQUIRE(orientation(front.places[a], front.places[b], front.places[c]) > 0);
+        corners.insert({a, b, c});
+      }
+      REQUIRE(corners == on_front);
+      const FrontEdge edge = front.edges[random.below(front.edges.size())];
+      if (!filled.empty() && random.chance(0.3)) {  // the last goes
+        const std::array<Site, 3> t = filled.back();
+        filled.pop_back();
+        std::array<bool, 3> is_front;
+        for (std::size_t i = 0; i < 3; ++i) {
+          is_front[i] = !front.is_listed({t[(i + 1) % 3], t[i]});
+          front.toggle(t[i], t[(i + 1) % 3]);
+        }
+        unfilled.empty(t, is_front);
+        ++emptied;
+        taken_out += std::count(is_front.begin(), is_front.end(), true) == 1;
+        continue;
+      }
+      const Point &a = front.places[edge.from], &b = front.places[edge.to];
+      const Point apex{std::round((a.x + b.x) / 2 - (b.y - a.y) / 4), std::round((a.y + b.y) / 2 + (b.x - a.x) / 4)};
+      const bool is_free = unfilled.is_free(edge, apex, 0);
+      REQUIRE(is_free == front.is_empty(edge, apex));
+      if (is_free) REQUIRE(!unfilled.is_free(edge, apex, 1000));
+      const std::set<Site> sites = front.free_sites(edge);
+      Site site = *std::next(sites.begin(), static_cast<std::ptrdiff_t>(random.below(sites.size())));
+      if (is_free && random.chance(0.6)) {
+        site = static_cast<Site>(front.places.size());
+        front.places.push_back(apex);
+        ++placed;
+      }
+      unfilled.fill(edge, site);
+      filled.push_back({edge.from, edge.to, site});
+      std::erase(front.edges, edge);
+      for (const auto& [from, to] : {std::pair(site, edge.to), std::pair(edge.from, site)})
+        if (front.is_listed({to, from}))
+          std::erase(front.edges, FrontEdge{to, from});
+        else
+          front.edges.push_back({from, to});
+    }
+  }
+  CHECK(emptied > 20);
+  CHECK(placed > 20);
+  CHECK(taken_out > 10);
+}
+
+TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles are passed for each that is made") {
+  constexpr int teeth = 2000;
+  constexpr double width = 1.0 / teeth;
+  Points comb = {{0, -1}, {1, -1}, {1, 0}}, saw = comb, star;
+  for (int i = teeth; i > 0; --i) {
+    for (const Point& p :
+         Points{{(i - 0.5) * width, 0}, {(i - 0.5) * width, 1}, {(i - 1) * width, 1}, {(i - 1) * width, 0}})
+      comb.push_back(p);
+    saw.push_back({(i - 0.5) * width, 1});
+    saw.push_back({(i - 1) * width, 0});
+  }
+  comb.pop_back();
+  for (int i = 0; i < 2 * teeth; ++i) {
+    const double angle = 3.14159265358979323846 * i / teeth, radius = i % 2 == 1 ? 1 : 1e-4;
+    star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  const auto passed = [](const Points& points, double size) {
+    std::vector<rbpa::Polygon> polygons(1);
+    for (std::uint32_t i = 0; i < points.size(); ++i) polygons[0].shell.points.push_back(i);
+    const rbpa::Filling filling = rbpa::fill(points, polygons, {.size = size});
+    CHECK(rbpa_test::wrong_with_filling(filling, points, polygons, false) == "");
+    return filling.passed / filling.triangles.size();
+  };
+  CHECK(passed(saw, 10) < 400);
+  CHECK(passed(comb, 0.05) < 100);
+  CHECK(passed(star, 10) < 400);
+}
+
+TEST_SUITE_END();
