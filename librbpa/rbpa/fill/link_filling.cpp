@@ -14,10 +14,10 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-struct Side {
+struct GroupSide {
   std::uint32_t from, to;
   std::size_t group;
-  friend auto operator<=>(const Side&, const Side&) = default;
+  friend auto operator<=>(const GroupSide&, const GroupSide&) = default;
 };
 
 /// Groups that are neighbours of no other: of each of two triangles that have the same edge on their left.
@@ -25,7 +25,7 @@ std::vector<std::size_t> overlapping(const Filling& filling) {
   if (filling.groups.empty()) return {};
   const auto [least, greatest] = std::minmax_element(filling.groups.begin(), filling.groups.end());
   if (*least == *greatest) return {};
-  std::vector<Side> sides;
+  std::vector<GroupSide> sides;
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       sides.push_back({filling.triangles[t][k], filling.triangles[t][(k + 1) % 3], filling.groups[t]});

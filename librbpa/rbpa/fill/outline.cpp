@@ -44,8 +44,6 @@ std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field,
   return shares;
 }
 
-constexpr Site none = std::numeric_limits<Site>::max();
-
 /// Edges of rings, each once, whichever way it runs, with the points on it from the lower end to the higher.
 class CutEdges {
  public:

@@ -9,6 +9,7 @@
 
 #include "rbpa/base/steps.h"
 #include "rbpa/fill/constrained_delaunay.h"
+#include "rbpa/fill/plane_distance.h"
 
 namespace rbpa {
 namespace {
@@ -18,10 +19,6 @@ constexpr int most_rounds = 400;  // of halving: doubles have no finer pieces
 constexpr double tolerance = 0.1;
 
 Point between(const Point& a, const Point& b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
-double distance(const Point& a, const Point& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 /// A part of a polygon.
 struct Area {

@@ -113,7 +113,7 @@ double hrbpa(std::span<const Point> points, Radius alpha, std::size_t leaf_capac
              const std::function<void(const Level&)>& level_ended) {
   // 1. Compute the minimal radius α₀, set αᵢ = α₀ and i = 0.
   const double minimal = minimal_radius(quadtree(points, leaf_capacity));
-  const Box box = box_of(points);
+  const Box box = paper::box_of(points);
   const Radii radii(minimal, alpha, 2 * (box.width + box.height));
   Run(points, radii, front, monitor, level_ended).all_levels();
   return minimal;

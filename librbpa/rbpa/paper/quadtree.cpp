@@ -35,7 +35,7 @@ Box box_of(std::span<const Point> points) {
 }
 
 std::vector<Leaf> quadtree(std::span<const Point> points, std::size_t capacity) {
-  const Box box = box_of(points);
+  const Box box = paper::box_of(points);
   std::vector<Point> copy(points.begin(), points.end());
   std::vector<Leaf> leaves;
   cut(copy, {box.x, box.y, std::max(box.width, box.height), points.size()}, capacity, leaves);

@@ -16,11 +16,11 @@ namespace {
 
 using space::Cells;
 
-constexpr space::Site none = 0xffffffff;
+constexpr space::Site no_site = 0xffffffff;
 
 /// Of each input point the site it stands for, none for duplicates.
 std::vector<space::Site> sites_of(const Cells& cells, std::size_t points) {
-  std::vector<space::Site> site(points, none);
+  std::vector<space::Site> site(points, no_site);
   for (space::Site s = 0; s < cells.sites().size(); ++s) site[cells.input_index()[s]] = s;
   return site;
 }
@@ -46,13 +46,13 @@ class RollingBall::Inside {
   std::span<const Point3> points() const { return points_; }
 
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const {
-    if (site(a) == none || site(b) == none || a == b) return {};
+    if (site(a) == no_site || site(b) == no_site || a == b) return {};
     return fits_double_ ? rolls<double>(a, b) : rolls<long double>(a, b);
   }
   std::vector<Triangle> triangles_from(std::uint32_t first) const {
     meshops::require(first < points_.size(), "RollingBall: no such point");
     const space::Site v = site(first);
-    if (v == none) return {};
+    if (v == no_site) return {};
     space::Rings rings;
     space::find_rings(cells_, fits_double_, v, v + 1, rings);
     std::vector<Triangle> found;
@@ -86,7 +86,7 @@ class RollingBall::Inside {
     std::vector<std::uint32_t> input;
   };
 
-  space::Site site(std::uint32_t index) const { return index < points_.size() ? site_[index] : none; }
+  space::Site site(std::uint32_t index) const { return index < points_.size() ? site_[index] : no_site; }
 
   template <typename Real>
   Near near_to(std::uint32_t index) const {

@@ -14,7 +14,7 @@ using meshops::Site;
 /// Bit 0: the tile has seen the star of a point. Bit 1: moreover, all of it is in the patch.
 enum StarStatus : std::uint8_t { unseen = 0, shared = 1, settled = 3 };
 
-constexpr int none = -1;
+constexpr int no_side = -1;
 
 /// A number of a Patch, of a side or of what lies across where none does, in 16 bits.
 using Across = std::uint16_t;
@@ -168,7 +168,7 @@ class PatchExtraction {
   void connect() {
     const std::size_t points = tile_.points.size();
     result_.patch.across.resize(kept_.size());
-    workspace_.last.assign(points + 1, none);
+    workspace_.last.assign(points + 1, no_side);
     auto* const across = result_.patch.across.data();
     CountedList<Index> marginal(workspace_.marginal, kept_.size());
     int* const last = workspace_.last.data();
@@ -197,11 +197,12 @@ class PatchExtraction {
       for (std::size_t i = 0; i < 3; ++i) {
         const bool is_outer = result_.patch.across[k][i] < 0;
         outer.add(static_cast<int>(3 * k + i), is_outer);
-        workspace_.last[either<std::size_t>(front_.from(4 * std::size_t{kept_[k]} + i) + 1, 0, is_outer)] = none;
+        workspace_.last[either<std::size_t>(front_.from(4 * std::size_t{kept_[k]} + i) + 1, 0, is_outer)] = no_side;
       }
     find_holes(outer);
     CountedList<int> inside(workspace_.outer, workspace_.last.size());
-    for (std::size_t v = 1; v < workspace_.last.size(); ++v) inside.add(workspace_.last[v], workspace_.last[v] != none);
+    for (std::size_t v = 1; v < workspace_.last.size(); ++v)
+      inside.add(workspace_.last[v], workspace_.last[v] != no_side);
     result_.outline.inside.assign(inside.begin(), inside.end());
   }
 
@@ -212,12 +213,12 @@ class PatchExtraction {
     meshops::Outline& outline = result_.outline;
     outline.rim.resize(outer.size() + 1);
     outline.holes.resize(outer.size() + 1);
-    workspace_.ending.assign(tile_.points.size(), none);
+    workspace_.ending.assign(tile_.points.size(), no_side);
     int* const ending = workspace_.ending.data();
     std::size_t open_sides = 0;
     for (std::size_t k = 0; k < outer.size(); ++k) {
       int& at_end = ending[front_.to(on_front(outer[k]))];
-      at_end = at_end == none ? outer[k] : several;
+      at_end = at_end == no_side ? outer[k] : several;
       outline.rim[open_sides] = outline.holes[k - open_sides] = outer[k];
       open_sides += across(outer[k]) == Patch::open;
     }
@@ -229,7 +230,7 @@ class PatchExtraction {
       if (only == several) [[unlikely]]
         outline.next_hole[k] = meshops::next_hole(result_.patch, hole);
       else
-        outline.next_hole[k] = across(only) == Patch::nothing ? only : none;
+        outline.next_hole[k] = across(only) == Patch::nothing ? only : no_side;
     }
   }
 
