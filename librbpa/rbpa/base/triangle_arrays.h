@@ -15,7 +15,7 @@ namespace rbpa {
 /// As a Triangulation with neighbours has them, and converts to. Nothing is owned.
 struct TriangleArrays {
   /// What stands for a neighbour where there is none.
-  static constexpr std::uint32_t none = rbpa::none;
+  static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
   std::span<const Triangle> neighbors;  ///< number k is the triangle across from corner k, or none

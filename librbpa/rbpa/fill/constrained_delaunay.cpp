@@ -28,7 +28,7 @@ struct Directed {
 
 /// A side of a triangle: that across from its corner k.
 struct Side {
-  std::uint32_t triangle = none, k = 0;
+  std::uint32_t triangle = no_index, k = 0;
 };
 
 std::uint32_t after(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
@@ -50,7 +50,7 @@ class Constrained {
                     {.neighbors = true, .threads = 1, .progress = [&](const auto&) { return !go_on || go_on(); }});
     corners_ = std::move(whole.triangles);
     across_ = std::move(whole.neighbors);
-    star_.assign(places_.size(), none);
+    star_.assign(places_.size(), no_index);
     for (std::uint32_t t = 0; t < corners_.size(); ++t)
       for (const Site s : corners_[t]) star_[s] = t;
   }
@@ -75,7 +75,7 @@ class Constrained {
   /// The same edge as a side of the triangle beyond.
   Side beyond(const Side& side) const {
     const std::uint32_t other = across_[side.triangle][side.k];
-    if (other == none) return {};
+    if (other == no_index) return {};
     const Site apex_before = corners_[side.triangle][after(side.k)];  // this corner comes before the apex over there
     for (std::uint32_t k = 0; k < 3; ++k)
       if (corners_[other][before(k)] == apex_before && across_[other][k] == side.triangle) return {other, k};
@@ -116,7 +116,7 @@ class Constrained {
         if (u == b || w == b) return {};
         if (orientation(a, u, b) > 0 && orientation(a, w, b) < 0) return {t, k};
         t = across_[t][clockwise ? before(k) : after(k)];
-      } while (t != none && t != star_[a]);
+      } while (t != no_index && t != star_[a]);
     }
     meshops::require(false, "constrained_delaunay: an edge leads out of the triangulation");
     return {};
@@ -125,7 +125,7 @@ class Constrained {
   void insert(const Directed& edge) {
     const auto [a, b] = edge;
     Side side = first_crossed(a, b);
-    if (side.triangle == none) return;
+    if (side.triangle == no_index) return;
     slots_ = {side.triangle};
     Directed crossed = ends(side);  // from its right end to its left one
     left_ = {{a, {}}, {crossed.to, out_of({side.triangle, after(side.k)})}};
@@ -133,7 +133,7 @@ class Constrained {
     for (;;) {
       step_();
       side = beyond(side);
-      meshops::require(side.triangle != none, "constrained_delaunay: an edge leads out of the triangulation");
+      meshops::require(side.triangle != no_index, "constrained_delaunay: an edge leads out of the triangulation");
       slots_.push_back(side.triangle);
       const Site apex = corners_[side.triangle][side.k];
       // Over there the edge runs from its left end to its right one.
@@ -168,8 +168,8 @@ class Constrained {
   Side out_of(const Side& side) const { return beyond(side); }
 
   void join(const Side& one, const Side& other) {
-    if (one.triangle != none) across_[one.triangle][one.k] = other.triangle;
-    if (other.triangle != none) across_[other.triangle][other.k] = one.triangle;
+    if (one.triangle != no_index) across_[one.triangle][one.k] = other.triangle;
+    if (other.triangle != no_index) across_[other.triangle][other.k] = one.triangle;
   }
 
   void fill_cavities(Site a, Site b) {
@@ -209,7 +209,7 @@ class Constrained {
         if (p == q || orientation(p, q, last.site) <= 0) break;
         const std::uint32_t t = slots_[free_++];
         corners_[t] = {p, q, last.site};
-        across_[t] = {none, none, none};
+        across_[t] = {no_index, no_index, no_index};
         for (const Site s : corners_[t]) star_[s] = t;
         close(first.site, last, {t, is_right ? 0U : 1U}, is_right);
         close(last.site, next, {t, is_right ? 1U : 0U}, is_right);
@@ -230,7 +230,7 @@ class Constrained {
       const Side side = queue_.back();
       queue_.pop_back();
       const Side other = beyond(side);
-      if (other.triangle == none) continue;
+      if (other.triangle == no_index) continue;
       const auto [a, b] = ends(side);
       const Site p = corners_[side.triangle][side.k], q = corners_[other.triangle][other.k];
       if (Predicates<Real>::in_perturbed_circle(places_[a], places_[b], places_[p], places_[q]) <= 0) continue;
@@ -247,8 +247,8 @@ class Constrained {
     const Side beyond_aq = beyond({o, after(other.k)}), beyond_qb = beyond({o, before(other.k)});
     corners_[t] = {p, a, q};
     corners_[o] = {q, b, p};
-    across_[t] = {none, o, none};
-    across_[o] = {none, t, none};
+    across_[t] = {no_index, o, no_index};
+    across_[o] = {no_index, t, no_index};
     join({t, 0}, beyond_aq);
     join({t, 2}, beyond_pa);
     join({o, 0}, beyond_bp);
@@ -286,7 +286,7 @@ class Constrained {
       }
       const std::uint32_t t = slots_[free_++];
       corners_[t] = {p, q, rim[apex].site};
-      across_[t] = {none, none, none};
+      across_[t] = {no_index, no_index, no_index};
       for (const Site s : corners_[t]) star_[s] = t;
       const Side here{t, 2};
       if (part.first == 0 && part.last + 1 == rim.size())
@@ -336,7 +336,7 @@ class Constrained {
       result.push_back(corners_[found[i]]);
       for (std::uint32_t k = 0; k < 3; ++k) {
         const auto [from, to] = ends({found[i], k});
-        if (!is_edge(from, to) && !is_edge(to, from) && across_[found[i]][k] != none) visit(across_[found[i]][k]);
+        if (!is_edge(from, to) && !is_edge(to, from) && across_[found[i]][k] != no_index) visit(across_[found[i]][k]);
       }
     }
     return result;

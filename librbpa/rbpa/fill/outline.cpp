@@ -113,7 +113,7 @@ struct CutRings {
 class Assembly {
  public:
   Assembly(const Outline& outline, const CutEdges& edges)
-      : outline_(outline), edges_(edges), number_(outline.places.size(), none), first_(edges.size()) {}
+      : outline_(outline), edges_(edges), number_(outline.places.size(), no_index), first_(edges.size()) {}
 
   /// On all places of the outline, as they are, and then those on edges, as the rings pass them first.
   CutRings all() {
@@ -129,7 +129,7 @@ class Assembly {
     for (const std::size_t r : rings) add(r, result);
     for (const std::size_t r : rings)
       for (std::size_t i = 0; i < outline_.rings[r].sites.size(); ++i) {
-        number_[outline_.rings[r].sites[i]] = none;
+        number_[outline_.rings[r].sites[i]] = no_index;
         first_[edges_.number(r, i)] = {};
       }
     return result;
@@ -141,7 +141,7 @@ class Assembly {
     std::vector<std::uint32_t>& ring = result.rings.emplace_back().points;
     std::vector<std::size_t>& edge_of = result.edge_of.emplace_back();
     for (std::size_t i = 0; i < sites.size(); ++i) {
-      if (number_[sites[i]] == none) {
+      if (number_[sites[i]] == no_index) {
         number_[sites[i]] = static_cast<Site>(result.places.size());
         result.places.push_back(outline_.places[sites[i]]);
       }
@@ -150,7 +150,7 @@ class Assembly {
       const auto n = static_cast<Site>(edges_.points(edge).size());
       const bool runs_up = sites[i] < sites[(i + 1) % sites.size()];
       // The ring that passes an edge first numbers its points, as it runs.
-      const bool is_new = first_[edge].site == none;
+      const bool is_new = first_[edge].site == no_index;
       if (is_new) first_[edge] = {static_cast<Site>(result.places.size()), runs_up};
       const auto [begin, began_up] = first_[edge];
       for (Site k = 0; k < n; ++k) {
@@ -164,7 +164,7 @@ class Assembly {
   const Outline& outline_;
   const CutEdges& edges_;
   struct First {
-    Site site = none;
+    Site site = no_index;
     bool runs_up = true;
   };
   std::vector<Site> number_;  // of each site of the outline
@@ -246,7 +246,7 @@ void cut(Outline& outline, const SizeField& field, const std::function<bool()>& 
 
 std::vector<OutlinePart> parts_of(const Outline& outline) {
   std::vector<OutlinePart> parts;
-  std::vector<Site> number(outline.places.size(), none);
+  std::vector<Site> number(outline.places.size(), no_index);
   for (const std::vector<std::size_t>& rings : groups_of(outline)) {
     OutlinePart& part = parts.emplace_back();
     part.group = outline.rings[rings[0]].group;

@@ -18,7 +18,7 @@ namespace {
 bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   std::size_t sides = 0;
   for (const auto& neighbors : of.neighbors)
-    sides += static_cast<std::size_t>(std::count(neighbors.begin(), neighbors.end(), none));
+    sides += static_cast<std::size_t>(std::count(neighbors.begin(), neighbors.end(), no_index));
   return of.triangles.size() + sides + 2 == 2 * points;
 }
 
@@ -46,7 +46,7 @@ class Locator::Impl {
   }
 
   std::uint32_t find(const Point& query) const {
-    if (of_.triangles.empty() || !is_finite(query)) return none;
+    if (of_.triangles.empty() || !is_finite(query)) return no_index;
     std::uint32_t at = first_near(query);
     for (std::size_t steps = 0; steps <= of_.triangles.size(); ++steps) {
       std::array<int, 3> sign;
@@ -57,7 +57,7 @@ class Locator::Impl {
       }
       if (k == 3) return first_that_has(at, sign);
       at = of_.neighbors[at][k];
-      if (at == none) return none;  // beyond the convex hull
+      if (at == no_index) return no_index;  // beyond the convex hull
     }
     throw meshops::ContractViolation("locator: a walk goes round in circles, so the triangulation is not Delaunay");
   }
@@ -109,7 +109,7 @@ class Locator::Impl {
       const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
       at = of_.neighbors[at][(k + direction) % 3];
       least = std::min(least, at);
-    } while (at != t && at != none);
+    } while (at != t && at != no_index);
     return least;
   }
 

@@ -12,18 +12,27 @@
 namespace rbpa {
 namespace {
 
-/// Tiles tell what they can, and the remainder what is missing.
+/// Puts patches into a mesh.
+struct MeshSink {
+  using Share = meshops::Placement;
+  static constexpr bool needs_outline = true;
+
+  void prepare(const TilePatch&, Share&) const {}
+  void place(const TilePatch& tile, Share& placement) { assembler.place(tile.patch, tile.outline, placement); }
+  void fill(const TilePatch& tile, Share& placement) { assembler.fill(tile.patch, tile.outline, placement); }
+  void worked() { monitor.worked(assembler.faces()); }
+
+  meshops::PatchAssembler& assembler;
+  Monitor& monitor;
+};
+
+/// Tiles find what they can, and the remainder what is missing.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
                                    Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());
-  using meshops::Placement;
-  const meshops::Patch rest = for_each_patch<Placement>(
-      sites, radius, threads, [](const TilePatch&, Placement&) {},
-      [&](const TilePatch& tile, Placement& placement) { assembler.place(tile.patch, tile.outline, placement); },
-      [&](const TilePatch& tile, Placement& placement) { assembler.fill(tile.patch, tile.outline, placement); },
-      [&] { monitor.worked(assembler.faces()); });
-  assembler.lay(rest);
-  monitor.worked(assembler.faces());
+  MeshSink sink{assembler, monitor};
+  assembler.lay(for_each_patch(sites, radius, threads, sink));
+  sink.worked();
   auto assembled = std::move(assembler).join();
   monitor.completed(assembled.mesh());
   return assembled;

@@ -18,23 +18,34 @@
 namespace rbpa {
 namespace {
 
-/// All patches into a list, which is TriangleList or LinkedTriangles.
+/// Puts patches into a list, which is TriangleList or LinkedTriangles.
+template <typename List>
+struct ListSink {
+  using Share = typename List::Place;
+  static constexpr bool needs_outline = false;
+
+  void prepare(const TilePatch& tile, Share& share) { list.prepare(tile.patch, share); }
+  void place(const TilePatch& tile, Share& share) { list.place(tile.patch, share); }
+  void fill(const TilePatch& tile, Share& share) { list.fill(tile.patch, share); }
+  void worked() {
+    if (progress && !progress({list.size(), points})) throw Cancelled();
+  }
+
+  List& list;
+  std::size_t points;
+  const std::function<bool(const Progress&)>& progress;
+};
+
 template <typename List>
 void find_triangles(const Sites& sites, double alpha, const std::function<bool(const Progress&)>& progress,
                     Threads& threads, List& list) {
-  const auto worked = [&] {
-    if (progress && !progress({list.size(), sites.size()})) throw Cancelled();
-  };
-  using Place = typename List::Place;
-  const meshops::Patch rest = for_each_patch<Place>(
-      sites, Radius::of(alpha), threads, [&](const TilePatch& tile, Place& place) { list.prepare(tile.patch, place); },
-      [&](const TilePatch& tile, Place& place) { list.place(tile.patch, place); },
-      [&](const TilePatch& tile, Place& place) { list.fill(tile.patch, place); }, worked, false);
-  Place place;
+  ListSink<List> sink{list, sites.size(), progress};
+  const meshops::Patch rest = for_each_patch(sites, Radius::of(alpha), threads, sink);
+  typename List::Place place;
   list.prepare(rest, place);
   list.place(rest, place);
   list.fill(rest, place);
-  worked();
+  sink.worked();
 }
 
 /// The sides at which nothing lies, by the triangles and their neighbours.

@@ -11,11 +11,11 @@ namespace {
 
 std::vector<std::uint32_t> first_vertices(const std::vector<std::uint32_t>& input_index) {
   const auto last = std::max_element(input_index.begin(), input_index.end());
-  std::vector<std::uint32_t> on_point(last == input_index.end() ? 0 : *last + 1u, none);
+  std::vector<std::uint32_t> on_point(last == input_index.end() ? 0 : *last + 1u, no_index);
   std::vector<std::uint32_t> first(input_index.size());
   for (std::uint32_t v = 0; v < first.size(); ++v) {
     std::uint32_t& found = on_point[input_index[v]];
-    if (found == none) found = v;
+    if (found == no_index) found = v;
     first[v] = found;
   }
   return first;

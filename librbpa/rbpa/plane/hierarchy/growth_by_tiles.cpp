@@ -7,17 +7,41 @@
 namespace rbpa {
 namespace {
 
-/// What is made of a tile.
-struct Share {
-  LevelPatch levels;
-  meshops::Outline outline;  ///< of `levels.first`, where some triangle waits
-  meshops::Placement placement;
+/// Puts the triangles of the first level into a mesh, and keeps those of later ones.
+struct LevelSink {
+  struct Share {
+    LevelPatch levels;
+    meshops::Outline outline;  ///< of `levels.first`, where some triangle waits
+    meshops::Placement placement;
 
-  /// Its triangles of the first level.
-  const meshops::Patch& patch(const TilePatch& tile) const { return levels.later.empty() ? tile.patch : levels.first; }
-  const meshops::Outline& outline_of(const TilePatch& tile) const {
-    return levels.later.empty() ? tile.outline : outline;
+    /// Its triangles of the first level.
+    const meshops::Patch& patch(const TilePatch& tile) const {
+      return levels.later.empty() ? tile.patch : levels.first;
+    }
+    const meshops::Outline& outline_of(const TilePatch& tile) const {
+      return levels.later.empty() ? tile.outline : outline;
+    }
+  };
+  static constexpr bool needs_outline = true;
+
+  void prepare(const TilePatch& tile, Share& share) const {
+    share.levels.part(tile.patch, points, ladder);
+    if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
   }
+  void place(const TilePatch& tile, Share& share) {
+    assembler.place(share.patch(tile), share.outline_of(tile), share.placement);
+    waiting.add(share.levels.later);
+  }
+  void fill(const TilePatch& tile, Share& share) {
+    assembler.fill(share.patch(tile), share.outline_of(tile), share.placement);
+  }
+  void worked() { monitor.worked(assembler.faces()); }
+
+  std::span<const Point> points;
+  const ScaledLadder& ladder;
+  meshops::PatchAssembler& assembler;
+  WaitingTriangles& waiting;
+  Monitor& monitor;
 };
 
 /// As fit() says, which would also look for what a complex has not: an edge with two triangles on one side.
@@ -52,20 +76,8 @@ meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) 
   const auto points = sites_.grid().points();
   const Radius all = ladder_.radius(ladder_.end());
   assembler.reserve(3 * sites_.size(), 2 * sites_.size());
-  const meshops::Patch rest = for_each_patch<Share>(
-      sites_, all, threads_,
-      [&](const TilePatch& tile, Share& share) {
-        share.levels.part(tile.patch, points, scaled_ladder_);
-        if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
-      },
-      [&](const TilePatch& tile, Share& share) {
-        assembler.place(share.patch(tile), share.outline_of(tile), share.placement);
-        waiting_.add(share.levels.later);
-      },
-      [&](const TilePatch& tile, Share& share) {
-        assembler.fill(share.patch(tile), share.outline_of(tile), share.placement);
-      },
-      [&] { monitor_.worked(assembler.faces()); });
+  LevelSink sink{points, scaled_ladder_, assembler, waiting_, monitor_};
+  const meshops::Patch rest = for_each_patch(sites_, all, threads_, sink);
   LevelPatch levels;
   if (sites_.beyond().empty())
     levels.part(rest, points, scaled_ladder_);

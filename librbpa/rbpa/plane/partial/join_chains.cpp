@@ -39,7 +39,7 @@ std::vector<End> sorted_by(const std::vector<Chain>& chains, Edge (*edge_of)(con
 
 /// For each chain the one that goes on where it ends.
 std::vector<std::uint32_t> followers(const std::vector<Chain>& chains) {
-  std::vector<std::uint32_t> next(chains.size(), none);
+  std::vector<std::uint32_t> next(chains.size(), no_index);
   const std::vector<End> firsts = sorted_by(chains, first_edge), lasts = sorted_by(chains, last_edge);
   auto first = firsts.begin();
   for (const End& last : lasts) {
@@ -55,13 +55,13 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
   const std::vector<std::uint32_t> next = followers(chains);
   std::vector<bool> follows(chains.size(), false), done(chains.size(), false);
   for (const std::uint32_t c : next)
-    if (c != none) follows[c] = true;
+    if (c != no_index) follows[c] = true;
 
   // Both ends of two chains that meet are the same edge, which stays once.
   const auto follow = [&](std::uint32_t from) {
     Chain chain = std::move(chains[from]);
     done[from] = true;
-    for (std::uint32_t c = next[from]; c != none && !done[c]; c = next[c]) {
+    for (std::uint32_t c = next[from]; c != no_index && !done[c]; c = next[c]) {
       const std::vector<Corner> path = std::move(chains[c].path);
       chain.path.insert(chain.path.end(), path.begin() + 2, path.end());
       done[c] = true;

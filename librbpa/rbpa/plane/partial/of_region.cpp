@@ -29,7 +29,7 @@ void ask_at(std::size_t step, const Ask& ask) {
 /// What one pass over the triangles finds.
 struct Pass {
   explicit Pass(const RegionComplex& of)
-      : components(of.triangulation().triangles.size()), triangle_at(of.points(), none) {}
+      : components(of.triangulation().triangles.size()), triangle_at(of.points(), no_index) {}
 
   std::uint64_t triangles = 0;
   std::uint64_t twice_edges = 0;
@@ -47,7 +47,7 @@ void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pas
     if ((owned & ~(1U << k)) == 0) continue;
     const std::uint32_t other = neighbors[k];
     const bool counts = owned == all || of.owns_edge(corners[(k + 1) % 3], corners[(k + 2) % 3]);
-    if (other == none) {
+    if (other == no_index) {
       pass.boundary.push_back({t, k});
       pass.twice_edges += counts ? 2 : 0;
     } else {
@@ -134,7 +134,7 @@ class Builder {
         for (; i < end; ++i) pinch.members.push_back(fans[i].second);
         pinch.points = 1;
         pinched_.push_back(at);
-        pass_.triangle_at[at] = none;  // it counts there
+        pass_.triangle_at[at] = no_index;  // it counts there
       }
       i = end;
     }
@@ -146,7 +146,7 @@ class Builder {
     PartialCounts& counts = state_.counts;
     for (std::uint32_t i = 0; i < of_.points(); ++i) {
       counts.points += std::uint64_t{of_.owns(i)};
-      if (const std::uint32_t t = pass_.triangle_at[i]; t != none) ++state_.open[component(t)].points;
+      if (const std::uint32_t t = pass_.triangle_at[i]; t != no_index) ++state_.open[component(t)].points;
     }
     for (const std::uint32_t i : triangulation.isolated) counts.isolated += std::uint64_t{of_.owns(i)};
     for (const Duplicate& duplicate : triangulation.duplicates)
@@ -159,7 +159,7 @@ class Builder {
   /// It counts where the point that it repeats does, if anywhere.
   void add_duplicate(std::uint32_t of) {
     ++state_.counts.duplicates;
-    if (const std::uint32_t t = pass_.triangle_at[of]; t != none) {
+    if (const std::uint32_t t = pass_.triangle_at[of]; t != no_index) {
       ++state_.open[component(t)].points;
       return;
     }

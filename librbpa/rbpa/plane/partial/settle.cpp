@@ -16,18 +16,18 @@ using Numbers = std::vector<std::uint32_t>;  // new ones, by old ones
 
 /// Numbers open components by their first shared triangle, and moves them there. Others have no new number.
 Numbers number_components(PartialState& state, std::vector<OpenComponent>& finished, Numbers& old_of_finished) {
-  Numbers number(state.open.size(), none);
+  Numbers number(state.open.size(), no_index);
   std::vector<OpenComponent> open;
   for (SharedTriangle& triangle : state.shared) {
     std::uint32_t& n = number[triangle.component];
-    if (n == none) {
+    if (n == no_index) {
       n = static_cast<std::uint32_t>(open.size());
       open.push_back(std::move(state.open[triangle.component]));
     }
     triangle.component = n;
   }
   for (std::uint32_t c = 0; c < number.size(); ++c) {
-    if (number[c] != none) continue;
+    if (number[c] != no_index) continue;
     finished.push_back(std::move(state.open[c]));
     old_of_finished.push_back(c);
   }
@@ -40,16 +40,16 @@ void number_groups(PartialState& state, const std::vector<OpenComponent>& finish
   std::uint32_t bound = 0;
   for (const auto* components : {&std::as_const(state.open), &finished})
     for (const OpenComponent& component : *components) bound = std::max(bound, component.group + 1);
-  Numbers number(bound, none);
+  Numbers number(bound, no_index);
   std::uint32_t groups = 0;
   for (OpenComponent& component : state.open) {
     std::uint32_t& n = number[component.group];
-    if (n == none) n = groups++;
+    if (n == no_index) n = groups++;
     component.group = n;
   }
   for (const OpenComponent& component : finished) {
     std::uint32_t& n = number[component.group];
-    if (n != none) continue;
+    if (n != no_index) continue;
     n = groups;  // counted once; it is no more
     ++state.counts.components;
   }
@@ -57,7 +57,7 @@ void number_groups(PartialState& state, const std::vector<OpenComponent>& finish
 
 void number_chains(PartialState& state, const Numbers& number) {
   for (Chain& chain : state.chains) {
-    if (number[chain.component] == none)
+    if (number[chain.component] == no_index)
       throw InvalidInput("a boundary chain at point " + std::to_string(chain.path.front().index) +
                          " is open, expected a triangle at its end that belongs to another region as well");
     chain.component = number[chain.component];
@@ -71,15 +71,15 @@ void number_chains(PartialState& state, const Numbers& number) {
 /// point of an open component is known to be less. An open component may yet turn out to begin anywhere.
 void drop_losers(Pinch& pinch, const PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
-  std::uint32_t first = none;
+  std::uint32_t first = no_index;
   Point least = {std::numeric_limits<double>::infinity(), 0};
   for (const std::uint32_t m : pinch.members) {
     if (m < open)
       least = std::min(least, state.open[m].least);
-    else if (first == none || comes_before(state.held[m - open], state.held[first - open]))
+    else if (first == no_index || comes_before(state.held[m - open], state.held[first - open]))
       first = m;
   }
-  if (first != none && least < state.held[first - open].shell[0].at) first = none;
+  if (first != no_index && least < state.held[first - open].shell[0].at) first = no_index;
   std::erase_if(pinch.members, [&](std::uint32_t m) { return m >= open && m != first; });
 }
 
@@ -128,7 +128,7 @@ void release_held(PartialState& state) {
   }
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return comes_before(state.held[a], state.held[b]); });
-  Numbers number(waits.size(), none);
+  Numbers number(waits.size(), no_index);
   std::vector<CornerPolygon> held;
   for (const std::uint32_t h : order) {
     number[h] = static_cast<std::uint32_t>(held.size());

@@ -2,11 +2,12 @@
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
 // How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
 //       2. A finder makes a patch of each, and says which stars are settled (patches/find_patch.h).
-//       3. Patches are handed to the caller, one at a time where they have to do with each other.
+//       3. A sink puts patches together, one at a time where they have to do with each other.
 //       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
 // Cost: linear where density is even; at worst O(n log n).
 #pragma once
 
+#include <concepts>
 #include <utility>
 
 #include "meshops/patch/patch.h"
@@ -16,34 +17,43 @@
 
 namespace rbpa {
 
-/// Calls for the patch of each tile, a TilePatch: prepare(patch, share) in any thread; place(patch, share) in order and one
-/// at a time; fill(patch, share) in any thread. A Share is one tile's at a time, and is used again for others.
-/// Calls working() now and then, in any thread and one at a time; any of these may throw to end it.
+/// What becomes of patches. For each tile, in this order and with one Share, which is the tile's alone until fill() returns and is
+/// then used again: prepare(tile, share) in any thread; place(tile, share), one tile after another, in their order;
+/// fill(tile, share) in any thread. worked() is called after each place(), one call at a time, and now and then in the remainder.
+/// Each of them may throw, which ends the run.
+template <typename Sink>
+concept PatchSink = requires(Sink& sink, const TilePatch& tile, typename Sink::Share& share) {
+  sink.prepare(tile, share);
+  sink.place(tile, share);
+  sink.fill(tile, share);
+  sink.worked();
+  { Sink::needs_outline } -> std::convertible_to<bool>;  // whether patches come with their outlines
+};
+
 /// Returns: what tiles leave over, to be put beside the others.
-template <typename Share, typename Prepare, typename Place, typename Fill, typename Working>
-meshops::Patch for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Prepare prepare, Place place,
-                              Fill fill, Working working, bool with_outline = true) {
+template <PatchSink Sink>
+meshops::Patch for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Sink& sink) {
   struct Workspace {
     FinderWorkspace finder;
     TilePatch found;
-    Share share;
+    typename Sink::Share share;
   };
   const Radius scaled = sites.window().scaled(alpha);
   Remainder remainder(sites, alpha);
   for_each_tile<Workspace>(
       sites, threads,
       [&](const Tile& tile, Workspace& w) {
-        w.found.with_outline = with_outline;
+        w.found.with_outline = Sink::needs_outline;
         find_patch(tile, scaled, w.finder, w.found);
-        prepare(std::as_const(w.found), w.share);
+        sink.prepare(std::as_const(w.found), w.share);
       },
       [&](Workspace& w) {
-        place(std::as_const(w.found), w.share);
+        sink.place(std::as_const(w.found), w.share);
         remainder.add(w.found);
-        working();
+        sink.worked();
       },
-      [&](Workspace& w) { fill(std::as_const(w.found), w.share); });
-  return remainder.complete(threads, working);
+      [&](Workspace& w) { sink.fill(std::as_const(w.found), w.share); });
+  return remainder.complete(threads, [&] { sink.worked(); });
 }
 
 }  // namespace rbpa

@@ -31,7 +31,7 @@ class PolygonsByEdge {
   std::uint32_t of(std::uint32_t from, std::uint32_t to) const {
     const FirstEdge wanted{from, to, 0};
     const auto found = std::lower_bound(firsts_.begin(), firsts_.end(), wanted, less);
-    return found != firsts_.end() && key(*found) == key(wanted) ? found->polygon : none;
+    return found != firsts_.end() && key(*found) == key(wanted) ? found->polygon : no_index;
   }
 
  private:
@@ -44,21 +44,21 @@ class PolygonsByEdge {
 /// Of each component, at its least triangle, the polygon that it is, or none.
 std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, const PolygonsByEdge& polygons,
                                                  meshops::DisjointSets& components, Steps& step) {
-  std::vector<std::uint32_t> polygon(complex.triangles.size(), none);
+  std::vector<std::uint32_t> polygon(complex.triangles.size(), no_index);
   for (std::uint32_t t = 0; t < complex.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       step();
-      if (complex.neighbors[t][k] != none) continue;
+      if (complex.neighbors[t][k] != no_index) continue;
       const auto& corners = complex.triangles[t];
       const std::uint32_t found = polygons.of(corners[(k + 1) % 3], corners[(k + 2) % 3]);
-      if (found != none) polygon[components.find(t)] = found;
+      if (found != no_index) polygon[components.find(t)] = found;
     }
   return polygon;
 }
 
 /// A corner is in this polygon; of several in the first.
 void put(Number& of_point, std::uint32_t polygon) {
-  if (polygon != none && (!of_point || polygon < *of_point)) of_point = polygon;
+  if (polygon != no_index && (!of_point || polygon < *of_point)) of_point = polygon;
 }
 
 /// What is in no polygon so far may be in a hole that was filled, or repeat another.

@@ -27,7 +27,7 @@ std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::s
   // corner are together. The third side is across from that corner: a list of triangles for its lower end is linked where
   // its neighbour will be.
   std::vector<Triangle> neighbors(triangles.size());
-  std::vector<std::uint32_t> first(points, none);
+  std::vector<std::uint32_t> first(points, no_index);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     step();
     std::uint32_t& head = first[std::min(triangles[t][1], triangles[t][2])];
@@ -43,7 +43,7 @@ std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::s
       sides.push_back({triangles[t][1], false, 2, t});
       sides.push_back({triangles[t][2], true, 1, t});
     }
-    for (std::uint32_t at = first[p]; at != none; at = neighbors[at][0]) {
+    for (std::uint32_t at = first[p]; at != no_index; at = neighbors[at][0]) {
       const bool comes = triangles[at][2] == p;
       sides.push_back({triangles[at][comes ? 1 : 2], comes, 0, at});
     }
@@ -52,7 +52,7 @@ std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::s
               [](const SideAt& a, const SideAt& b) { return std::tie(a.other, a.comes) < std::tie(b.other, b.comes); });
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const bool are_two = i + 1 < sides.size() && sides[i].other == sides[i + 1].other;
-      neighbors[sides[i].triangle][sides[i].across] = are_two ? sides[i + 1].triangle : none;
+      neighbors[sides[i].triangle][sides[i].across] = are_two ? sides[i + 1].triangle : no_index;
       if (!are_two) continue;
       neighbors[sides[i + 1].triangle][sides[i + 1].across] = sides[i].triangle;
       ++i;
