@@ -1,7 +1,7 @@
-// What:   radii for points of space for which the user has none, from the gaps between neighbours along the surface.
-// Law:    a function of the set of points: of no order, no thread; points scaled by a power of two have scaled radii. What a
-//         radius is good for is experience, not proof. docs/surface_derivation.md, section 12.
-// Cost:   the nearest points of each point, some microseconds a point.
+// What:   radii for points in space where the user gives none, from the gaps between neighbours along the surface.
+// Law:    a function of the set of points, and of no order or thread; points scaled by a power of two have scaled radii. That
+//         the radii are good ones is experience, not proof. docs/surface.md, section 4.
+// Cost:   some microseconds a point, for its nearest neighbours.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,15 @@
 
 namespace rbpa {
 
-/// At most four radii, ascending. The last one spans the gaps between neighbours everywhere, but for those that are much
-/// larger than nearly all, and those that reach beyond the neighbours, which may be holes. Where half of a radius would do around
-/// one point in twenty, or a third where densities differ much, there is one before it that does there. None for points on a
-/// line, and for fewer than three distinct ones.
+/// At most four radii, ascending. The last one spans the gaps between neighbours everywhere, except gaps much larger than
+/// nearly all others and gaps beyond the neighbours, which may be holes. Where less than half of a radius is enough around one
+/// point in twenty, a smaller one precedes it; where densities differ much, the steps are larger. Empty for points on a line,
+/// and for fewer than three distinct ones.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput naming what is not; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});
 
-/// For a surface without triangles: the first of auto_radii() with which surface() has some, if there is one. Without normals:
-/// with which exposed_triangles() has.
+/// The first of auto_radii() with which surface() has triangles, if there is one; without normals, exposed_triangles().
 /// Throws:   as surface().
 RBPA_API std::optional<double> radius_with_triangles(std::span<const Point3> points, std::span<const Point3> normals,
                                                      const SurfaceOptions& options = {});

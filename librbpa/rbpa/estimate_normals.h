@@ -1,7 +1,7 @@
-// What:   normals of points in space that have none: of the plane that fits the nearest points, all turned to one side.
-// Law:    a function of the set of points: of no order, no thread, and of no power of two by which all are multiplied.
-//         Equal points have equal normals. An estimate, in rounded numbers; docs/surface.md, section 3, says when it is wrong.
-// Cost:   O(n log n); about 25 neighbors + 100 bytes a point at most.
+// What:   normals for points in space that have none: of the plane that fits the nearest points, all turned to one side.
+// Law:    a function of the set of points, and of no order or thread; multiplying all points by a power of two changes nothing.
+//         Equal points have equal normals. An estimate, in rounded numbers; when it is wrong: docs/surface.md, section 3.
+// Cost:   O(n log n); at most about 25 neighbors + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
 
@@ -17,28 +17,27 @@
 namespace rbpa {
 
 struct NormalOptions {
-  /// The plane is fitted to a point and so many others, the nearest, or all where there are fewer. Where triangles would be
-  /// equilateral the two rings around a point are 18 others, where squares 24: fewer follow the noise, more round off edges
-  /// and take in the other side of what is thin.
+  /// The plane is fitted to a point and this many nearest others, or all where there are fewer. The two rings around a point
+  /// have 18 others in a triangular grid, 24 in a square one: fewer follow the noise, more round off edges and include the
+  /// other side of thin parts.
   std::size_t neighbors = 16;
   /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called now and then, one call at a time but from any thread of the run, with no triangles; returning false cancels it.
+  /// Called repeatedly, with no triangles, one call at a time but from any thread of the run. Returning false cancels the run.
   /// Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// Of each point the unit normal of the plane that fits it and its nearest others, in the sense of least squares.
-/// Distances that are equal are told apart by coordinates, in lexicographic order.
+/// For each point, the unit normal of the plane that fits it and its nearest others with the least sum of squared distances.
+/// Equal distances are ordered by the points' coordinates.
 ///
-/// Points that are connected, from one to one of its nearest others and so on, have normals on one side: turned along a
-/// spanning tree, from edge to edge with the least doubt. One of them is turned outward: the extreme point in the first of
-/// the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So where no step errs
-/// (docs/surface.md, section 3) a closed surface has normals that point outward, each component of it, also one inside
-/// another; and a plane that is not too steep, upward.
+/// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree of
+/// the edges' doubts. The first is turned outward: the extreme point in the first of the directions +z, −z, +y, −y, +x, −x
+/// that is within 60 degrees of its plane's normal. So where no step errs (docs/surface.md, section 3) each component of a
+/// closed surface has normals that point outward, also one inside another; and a plane that is not too steep, upward.
 ///
-/// Where the nearest points are on a line as far as double can tell, the normal is, of the directions across that line, the
-/// one nearest to the z axis, or the y axis where the line is parallel to z; of a single point it is +z.
+/// Where the nearest points are on a line within the precision of double, the normal is the direction across the line that is
+/// nearest to the z axis, or to the y axis if the line is parallel to z; for a single point it is +z.
 /// Requires: finite points, fewer than 2^32 − 1; at least 2 neighbors.
 /// Throws:   InvalidInput naming what is not; Cancelled.
 RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options = {});

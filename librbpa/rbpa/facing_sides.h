@@ -1,8 +1,8 @@
-// What: which sides of triangles face each other across an edge that several share: for who glues triangles in space.
-// Law:  exact, on any finite input. Of the sides at an edge, in the order of their triangles around it, one whose triangle
-//       has its positive side after it faces the next one if that has its own before it. Each side faces one other at most,
+// What: which sides of triangles face each other around an edge that several triangles share, so that they can be glued.
+// Law:  exact, on any finite input. Sort the triangles at an edge around it, counter-clockwise: a side whose triangle has its
+//       positive side after it faces the next one, if that has its positive side before it. Each side faces at most one other,
 //       and that one faces it. A function of the set of sides.
-// Cost: a sort; an orientation for each comparison where more than two sides are at an edge.
+// Cost: a sort; an exact orientation for each comparison at edges of more than two sides.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,12 @@ namespace rbpa {
 /// A side of the triangle (from, to, apex), counter-clockwise seen from its positive side; corners are indices of points.
 struct EdgeSide {
   std::uint32_t from, to, apex;
-  std::uint32_t triangle;  ///< a name of the caller's
-  std::uint32_t across;    ///< of its corners, that of apex
+  std::uint32_t triangle;  ///< chosen by the caller
+  std::uint32_t across;    ///< the position of apex among the corners of that triangle
 };
 
-/// Sorts the sides. Returns: pairs of positions among them then. Requires: corners of a triangle are distinct points; at an
-/// edge no two triangles in the same direction of it, as those of a Delaunay triangulation.
+/// Sorts the sides. Returns: pairs of positions among the sorted sides. Requires: the corners of a triangle are distinct
+/// points, and no two triangles are in the same direction from an edge; those of a Delaunay triangulation never are.
 RBPA_API std::vector<std::pair<std::size_t, std::size_t>> facing_sides(std::span<const Point3> points,
                                                                        std::vector<EdgeSide>& sides);
 

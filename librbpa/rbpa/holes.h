@@ -1,6 +1,6 @@
-// What: the boundary curves of a surface of points in space, and why it ends there, side by side.
-// Law:  a function of the points, their normals and the radii. The exposed triangles are a closed surface: so the ball always
-//       comes to some triangle, and a side is boundary because that one is not in the surface. docs/surface_derivation.md, section 10.
+// What: the boundary curves of a surface of points in space, and for each of their edges why the surface ends there.
+// Law:  a function of the points, their normals and the radii. The exposed triangles are a closed surface, so that the ball
+//       always comes to some triangle: a side is boundary because that one is not in the surface. docs/surface.md, section 5.
 #pragma once
 
 #include <array>
@@ -17,37 +17,37 @@ namespace rbpa {
 
 /// Why the surface does not go on where the ball rolls over its rim.
 enum class RimCause : std::uint8_t {
-  nothing_within_reach,  ///< the ball goes around to the back: to the same three points, or where no normal agrees
-  normals_disagree,  ///< it comes to a triangle that disagrees with the normals at some corners, and agrees with others
-  blocked,           ///< it comes to one that agrees, and touches the inside of what smaller radii have made
+  nothing_within_reach,  ///< it rolls to the back: to the same three points, or to a triangle with which no normal agrees
+  normals_disagree,      ///< it rolls to a triangle with which normals at some corners disagree, and at others agree
+  blocked,               ///< it rolls to one that agrees, and touches the interior of the surface of smaller radii
 };
 
-/// A boundary side of a triangle, and where the ball comes when it rolls over it.
+/// A boundary side of a triangle, and the triangle to which the ball rolls over it.
 struct RimEdge {
-  std::uint32_t from = 0, to = 0;  ///< input indices, the triangle to the right
-  std::uint32_t triangle = 0;      ///< of the surface
-  std::uint32_t level = 0;         ///< of the radii the last one at which a ball rests on it: the ball meant here
+  std::uint32_t from = 0, to = 0;  ///< input indices, with the triangle to the right
+  std::uint32_t triangle = 0;      ///< in the surface
+  std::uint32_t level = 0;         ///< number of the largest radius whose ball rests on the triangle
   RimCause cause = RimCause::nothing_within_reach;
-  std::array<std::uint32_t, 3> next = {};  ///< the exposed triangle to which the ball comes, least index first
-  /// Of each corner of `next`: a normal there disagrees; or, when blocked, it is an interior point of the smaller radii.
+  std::array<std::uint32_t, 3> next = {};  ///< the exposed triangle to which that ball rolls, least index first
+  /// For each corner of `next`: a normal there disagrees; or, when blocked, it is an interior point of the smaller radii.
   std::array<bool, 3> corners = {};
-  /// When blocked, of each side of `next`, across from corner k: it is an interior edge of the smaller radii, between points
-  /// that are not.
+  /// When blocked, for the side of `next` across from each corner: it is an interior edge of the smaller radii, though its ends
+  /// are no interior points.
   std::array<bool, 3> sides = {};
   friend bool operator==(const RimEdge&, const RimEdge&) = default;
 };
 
-/// A boundary curve: of a hole, or of the rim of it all.
+/// A boundary curve: around a hole, or the outer rim.
 struct Hole {
-  std::vector<RimEdge> edges;  ///< each begins where the one before ends, the first with the least (from, to, triangle)
-  double length = 0;           ///< of all edges
+  std::vector<RimEdge> edges;  ///< end to end, beginning with the least (from, to, triangle)
+  double length = 0;           ///< sum over the edges
   friend bool operator==(const Hole&, const Hole&) = default;
 };
 
-/// All boundary curves, by their first edges. A curve goes on at the same fan of triangles, where several are at a point.
-/// Requires: what surface() made of these points, normals and radii.
-/// Throws:   InvalidInput as surface(); ContractViolation when it is no surface of theirs, as far as is noticed; Cancelled.
-/// Cost:     for each radius, that of the exposed triangles of the points near to the boundary.
+/// All boundary curves, sorted by their first edges. At a point with several fans of triangles a curve stays at its fan.
+/// Requires: the surface() of these points, normals and radii.
+/// Throws:   InvalidInput as surface(); ContractViolation when it is noticed that the surface is another one; Cancelled.
+/// Cost:     for each radius, that of the exposed triangles of the points near the boundary.
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
                                  std::span<const double> radii, const Surface& surface,
                                  const SurfaceOptions& options = {});

@@ -1,7 +1,8 @@
 // What:   ball pivoting of points in space, as arrays of indices in canonical order.
-// Law:    a function of the set of points, their normals and the radius: of no order, no seed, no thread. Every decision is
-//         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface_derivation.md.
-// Cost:   linear for a number of points within two radii of a point, and grows slowly with it: docs/surface_derivation.md, section 14.
+// Law:    a function of the set of points, their normals and the radius, and of no order, seed or thread. Every decision is
+//         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface.md;
+//         docs/surface_derivation.md.
+// Cost:   linear in the number of points; for each, it grows slowly with the number of points within two radii.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha shapes
 //         (Edelsbrunner and Mücke, 1994).
 #pragma once
@@ -23,38 +24,38 @@ namespace rbpa {
 struct SurfaceOptions {
   /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called now and then, one call at a time but from any thread of the run, with the number of exposed triangles; returning
-  /// false cancels it. Empty: never called.
+  /// Called repeatedly with the number of exposed triangles, one call at a time but from any thread of the run. Returning false
+  /// cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// Oriented triangles, and on which of them the ball comes to rest when it rolls over their sides. Indices are those of the
-/// input points, of equal points the lowest.
+/// Oriented triangles, and the triangle on which the ball comes to rest when it rolls over each side. Corners are input
+/// indices, of equal points the lowest.
 struct Surface {
-  /// What stands for a neighbour where there is none.
+  /// In `neighbors`, where there is none.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three points can be here
-  /// twice, once for each side.
+  /// Counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three points may form two
+  /// triangles, one for each side.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Of each triangle, neighbour k is the one to which the ball rolls over the side across from corner k, or none. Rolling
-  /// back returns.
+  /// Neighbour k of a triangle is the one to which the ball rolls over the side across from corner k, or none. Rolling back
+  /// returns.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
-  /// Of each triangle, which of several radii made it (surface_levels.h). Empty where there was one radius.
+  /// For each triangle, the number of the radius that made it (surface_levels.h). Empty after one radius.
   std::vector<std::uint32_t> levels;
   std::vector<Duplicate> duplicates;  ///< ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
 };
 
-/// The exposed triangles E_r: those on which an open ball of the radius rests, on their positive side, that holds no point.
-/// A closed surface: no neighbour is none.
+/// The exposed triangles E_r: those on whose positive side an open ball of the radius rests that holds no point. They are a
+/// closed surface: no neighbour is none.
 /// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput naming what is not; Cancelled.
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
 
-/// The surface A_r: the exposed triangles whose normal has a positive product with the normals at all three corners, those of
-/// all points that are there. Two sides are glued where each pivots to the other.
-/// Requires: as exposed_triangles(); a normal of each point, finite, of any length but 0.
+/// The surface A_r: the exposed triangles whose own normal has a positive product with the normals of all points at their
+/// corners. Two sides are glued where each pivots to the other.
+/// Requires: as exposed_triangles(); a normal for each point, finite, of any length but 0.
 /// Throws:   as exposed_triangles().
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                          const SurfaceOptions& options = {});

@@ -1,6 +1,6 @@
 // What: a surface of points in space as a halfedge mesh.
-// Law:  an oriented 2-manifold with boundary; its sides are glued as those of the surface are. Every fan of triangles at a
-//       point has a vertex of its own.
+// Law:  an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point has a vertex of its
+//       own.
 // Cost: linear, and a sort of the vertices.
 #pragma once
 
@@ -17,14 +17,14 @@ namespace rbpa {
 
 struct SurfaceMesh {
   Mesh mesh;                               ///< face i is triangle i of the surface, with the same orientation
-  std::vector<std::uint32_t> input_index;  ///< of each vertex of the mesh, the input point it stands on; ascending
+  std::vector<std::uint32_t> input_index;  ///< the input point of each vertex; ascending
 };
 
 /// Requires: a surface of these points.
-/// Throws:   InvalidInput when it has more triangles than OpenMesh can number the halfedges of, 357,913,941; ContractViolation
-///           when it is none of these points, or its neighbours do not know each other.
+/// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number; ContractViolation
+///           when a corner is none of these points, or a triangle is not a neighbour of its neighbour.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
-/// The same of a surface that is not needed any more: its memory is given back on the way.
+/// The same for a surface that is no longer needed: its memory is freed on the way.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
 }  // namespace rbpa

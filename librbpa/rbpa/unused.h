@@ -1,5 +1,5 @@
 // What: the points that are in no triangle of a surface, and why.
-// Law:  a function of the set of points, their normals and the radii; exact. docs/surface_derivation.md, section 10.
+// Law:  a function of the set of points, their normals and the radii; exact. docs/surface.md, section 6.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 namespace rbpa {
 
 enum class UnusedCause : std::uint8_t {
-  no_ball_rests,  ///< an empty ball that touches the point rests on no two others as well: they are too far, or on a line
-  hidden,         ///< every ball of the largest radius that touches the point holds others
-  normals_disagree,  ///< balls rest on it, on triangles none of which agrees with the normals at all of its corners
-  blocked,           ///< one agrees, and touches the inside of what smaller radii have made
+  no_ball_rests,  ///< empty balls touch the point, and none touches two others as well: they are too far, or on a line
+  hidden,         ///< every ball of the largest radius that touches the point holds another one
+  normals_disagree,  ///< the point is on exposed triangles, and none agrees with the normals at all its corners
+  blocked,           ///< one agrees, and touches the interior of the surface of smaller radii
 };
 
 struct UnusedPoint {
-  std::uint32_t index;  ///< of the input; of equal points the lowest
+  std::uint32_t index;  ///< in the input; of equal points the lowest
   UnusedCause cause;
   friend bool operator==(const UnusedPoint&, const UnusedPoint&) = default;
 };
 
-/// The distinct points that are in no triangle, ascending. (For repetitions see Surface::duplicates.) Of several causes, at
-/// several radii, the one that is named last above.
-/// Requires: what surface() made of these points, normals and radii; or exposed_triangles() of one radius, without normals.
-/// Throws:   InvalidInput as they do; ContractViolation when a triangle is not of three of the points; Cancelled.
-/// Cost:     for each radius, that of the exposed triangles of the points near to those unused.
+/// The distinct points that are in no triangle, ascending; for the others that are equal see Surface::duplicates. Where radii
+/// give several causes, the last one in the list above.
+/// Requires: the surface() of these points, normals and radii; or, without normals, the exposed_triangles() of one radius.
+/// Throws:   InvalidInput as they do; ContractViolation when a corner is none of the points; Cancelled.
+/// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 std::span<const double> radii, const Surface& surface,
                                                 const SurfaceOptions& options = {});

@@ -17,23 +17,24 @@
 namespace rbpa {
 namespace {
 
-// What follows was chosen by trying: docs/surface_derivation.md, section 12.
+// Chosen by experiment: docs/surface_derivation.md, section 12.
 constexpr std::size_t neighbors = 32;
-constexpr double most_of_all = 0.99, beyond_most = 2;  // of all gaps; a larger one is an exception
-constexpr double margin = 1.25;                        // surfaces are not flat, and not all gaps are seen
-constexpr double ladder = 2;                           // a ball so many times what is needed loses detail
-constexpr double some_of_all = 0.05;                   // of all points, for which a radius of their own is worth while
+constexpr double most_of_all = 0.99;  // share of the points whose gaps are ordinary
+constexpr double beyond_most = 2;     // a gap more than this many times the largest of these is an exception
+constexpr double margin = 1.25;       // surfaces are not flat, and not all gaps are seen
+constexpr double ladder = 2;          // a ball this many times larger than needed loses detail
+constexpr double some_of_all = 0.05;  // share of the points that gets a smaller radius of its own
 constexpr std::size_t most_radii = 4;
 constexpr double none = -1;
 
-/// Of each point, in the order of the neighbourhoods: the gap around it, or none.
+/// The gap around each point, or none, in the order of the neighbourhoods.
 struct Gaps {
   space::Neighborhoods near;
   std::vector<double> gap;
-  std::vector<double> least;  // circumradii, for where no gap is closed
+  std::vector<double> least;  // circumradii, used if no point has a gap
 };
 
-/// Neighbours relative to point i, times 2^-exponent so that their squares are no trouble.
+/// Neighbours relative to point i, times 2^-exponent so that no square overflows or underflows. Returns: the exponent.
 int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3>& result) {
   const Point3& p = near.points[i];
   const auto around = near.around(i);
@@ -51,7 +52,7 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
 Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
   const std::function<void()> go_on = asking(options.progress, points.size());
-  Threads threads(points.size() < 1000 ? 1 : options.threads);  // few are done before another thread has woken
+  Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
   Gaps gaps{space::find_nearest<double>(std::move(points), neighbors, threads, go_on), {}, {}};
   const std::size_t count = gaps.near.points.size();
   gaps.gap.assign(count, none);
@@ -61,7 +62,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
     std::vector<Point3> around;
     for (std::size_t i = first; i < last; ++i) {
       const int exponent = relative(gaps.near, i, around);
-      // A corner is as far from the points beyond the neighbours, at least, if they are twice as far from this one.
+      // A corner within half of the farthest neighbour's distance is not nearer to any point beyond the neighbours.
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
       const double reach = around.size() + 1 == count ? farthest : farthest / 2;
@@ -76,7 +77,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   return gaps;
 }
 
-/// What the neighbourhood of each point needs, of the gaps up to `largest`; none where there are none.
+/// The largest gap up to `largest` in the neighbourhood of each point; none where there is none.
 std::vector<double> needs(const Gaps& gaps, double largest) {
   std::vector<double> need(gaps.gap.size(), none);
   for (std::size_t i = 0; i < need.size(); ++i) {
@@ -106,7 +107,7 @@ std::vector<double> radii_of(const Gaps& gaps) {
   const double largest = *(std::upper_bound(sorted.begin(), sorted.end(), beyond_most * most) - 1);
   std::vector<double> need = without_none(needs(gaps, largest)), radii;
   const auto some = static_cast<std::size_t>(some_of_all * static_cast<double>(need.size()));
-  // Farther apart where the densities are too many for them.
+  // Larger steps where densities differ too much for this many radii.
   const double step = std::max(ladder, std::pow(need.back() / need[some], 1.0 / (most_radii - 1)));
   while (radii.size() < most_radii && need.size() > some) {
     radii.push_back(margin * need.back());
@@ -123,7 +124,7 @@ std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOpti
   double greatest = 0;
   for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (greatest == 0) return {};
-  // So that the largest coordinate is about 1: what is 1e-160 times that is all the same here.
+  // Scaled so that the largest coordinate is about 1: distances below 1e-160 count as 0.
   const int exponent = std::ilogb(greatest);
   const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
   std::vector<Point3> distinct;

@@ -21,7 +21,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// With edges that have their triangle and ends, and no cause yet.
+/// The boundary curves, without causes and lengths.
 std::vector<Hole> curves_of(const Surface& surface) {
   std::vector<Hole> curves;
   BoundaryWalk walk(space::arrays_of(surface));
@@ -45,7 +45,7 @@ std::vector<Hole> curves_of(const Surface& surface) {
   return curves;
 }
 
-/// The same to the last bit wherever the curve begins.
+/// Summed by ascending lengths, so that it is the same to the last bit wherever the curve begins.
 double length_of(const Hole& curve, std::span<const Point3> points) {
   std::vector<double> lengths;
   for (const RimEdge& e : curve.edges) {
@@ -58,7 +58,7 @@ double length_of(const Hole& curve, std::span<const Point3> points) {
   return sum;
 }
 
-/// The exposed triangles of one radius at points of the rim.
+/// The exposed triangles of one radius at the points of the rim.
 class Exposed {
  public:
   Exposed(std::span<const Point3> points, std::span<const Duplicate> duplicates,
@@ -69,7 +69,7 @@ class Exposed {
       for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still
   }
 
-  /// Where the ball comes from a triangle over the side from `to` to `from`; nothing where it does not rest on it.
+  /// The triangle to which the ball rolls over the edge's side of a triangle; nothing where it does not rest on that.
   std::optional<Triangle> next(const Triangle& triangle, const RimEdge& edge) const {
     const auto& all = exposed_.triangles;
     const auto found = std::lower_bound(all.begin(), all.end(), triangle);
@@ -84,7 +84,7 @@ class Exposed {
   Surface exposed_;
 };
 
-/// Requires: the ball comes to edge.next.
+/// Fills in the cause of an edge, and where it is. Requires: edge.next; the interior of the smaller radii, if there are any.
 void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
   edge.corners = agreement.disagreeing(edge.next);
   const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);

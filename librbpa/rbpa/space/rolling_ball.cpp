@@ -18,7 +18,7 @@ using space::Cells;
 
 constexpr space::Site no_site = 0xffffffff;
 
-/// Of each input point the site it stands for, none for duplicates.
+/// The site of each input point; none for duplicates.
 std::vector<space::Site> sites_of(const Cells& cells, std::size_t points) {
   std::vector<space::Site> site(points, no_site);
   for (space::Site s = 0; s < cells.sites().size(); ++s) site[cells.input_index()[s]] = s;
@@ -80,7 +80,7 @@ class RollingBall::Inside {
         site_(sites_of(cells_, points.size())),
         agreement_(points_, normals_, duplicates_of(cells_)) {}
 
-  /// What a ball that touches a point can touch or hold besides, nearest first.
+  /// The other points that a ball can touch or hold that touches a point, nearest first.
   struct Near {
     std::vector<Point3> points;
     std::vector<std::uint32_t> input;

@@ -17,7 +17,12 @@
 namespace rbpa {
 namespace {
 
-/// All triangles of the rings for which keep(v, x, y) holds, of sites; see SurfaceAssembly::add().
+/// The triangles for which keep(v, x, y) holds, for sites; see SurfaceAssembly::add(). In order:
+///   1. find the rings of a part of the sites, in any thread (find_rings());
+///   2. add the triangles of the part that are kept, and the rings that are needed for their neighbours;
+///   3. report progress, part by part in order;
+///   4. when all parts are there, number the triangles and look up their neighbours;
+///   5. list the points that are equal to another one.
 template <typename Keep, typename IsNeeded>
 void assemble(const space::Cells& cells, bool fits_double, std::size_t input_points, Threads& threads,
               const SurfaceOptions& options, Keep keep, IsNeeded is_needed, Surface& surface) {
@@ -48,7 +53,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
             [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
 }
 
-/// Few are done before another thread has woken.
+/// A few sites are done before another thread has woken.
 Threads threads_for_sites(std::size_t points, unsigned wanted) { return Threads(points < 1000 ? 1 : wanted); }
 
 }  // namespace
@@ -74,7 +79,7 @@ Surface surface(std::span<const Point3> points, std::span<const Point3> normals,
   Threads threads = threads_for_sites(points.size(), options.threads);
   const space::ScaledPoints scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
-  std::vector<Point3> own(cells.sites().size());  // of each site, the normal of its lowest index
+  std::vector<Point3> own(cells.sites().size());  // for each site, the normal of its lowest index
   for_each_part(threads, own.size(), 1u << 14, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) own[i] = normals[cells.input_index()[i]];
   });

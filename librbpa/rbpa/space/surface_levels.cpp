@@ -20,7 +20,12 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
-/// Adds what one radius makes. The triangles are sorted before and after.
+/// Adds the triangles of one radius to a surface:
+///   1. find the surface of the radius near points that are not interior;
+///   2. add those of its triangles that touch no interior point or edge, the candidates;
+///   3. glue sides that face each other at the candidates' edges;
+///   4. sort.
+/// The triangles are sorted before and after.
 class Level {
  public:
   Level(std::span<const Point3> points, std::uint32_t number, Surface& surface)
@@ -38,9 +43,9 @@ class Level {
     present_ = rbpa::surface(near.points, near.normals, radius, options);
     for (Triangle& triangle : present_.triangles)
       for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still
-    take_candidates();
+    add_candidates();
     glue();
-    put_in_order();
+    sort();
   }
 
  private:
@@ -52,7 +57,7 @@ class Level {
                                t);
   }
 
-  void take_candidates() {
+  void add_candidates() {
     for (const Triangle& triangle : present_.triangles) {
       if (!is_candidate(triangle)) continue;
       surface_.triangles.push_back(triangle);
@@ -61,7 +66,7 @@ class Level {
     }
   }
 
-  /// Sides at edges of candidates that are still to be glued, which are all sides there.
+  /// All sides at the edges of candidates: none is glued yet.
   std::vector<EdgeSide> open_sides() const {
     std::vector<std::uint8_t> at_candidate(points_.size(), 0);
     for (std::size_t t = old_count_; t < surface_.triangles.size(); ++t)
@@ -77,7 +82,7 @@ class Level {
     return sides;
   }
 
-  /// Where a triangle of the surface is among the present ones; none where it is not.
+  /// The position of a triangle of the surface among those of this radius; none where it is not there.
   std::size_t present(std::uint32_t t) const {
     const auto& all = present_.triangles;
     const auto found = std::lower_bound(all.begin(), all.end(), surface_.triangles[t]);
@@ -85,7 +90,8 @@ class Level {
     return static_cast<std::size_t>(found - all.begin());
   }
 
-  /// The ball rolls from one to the other; or it rests on one of them no more, which stands there, and comes to the other.
+  /// Requires: sides that face each other. They are glued if one is a candidate's and the ball rolls from one triangle to the
+  /// other, or does not rest on one of them any more.
   bool are_glued(const EdgeSide& s, const EdgeSide& t) const {
     if (s.triangle < old_count_ && t.triangle < old_count_) return false;
     const std::size_t i = present(s.triangle), j = present(t.triangle);
@@ -102,7 +108,7 @@ class Level {
     }
   }
 
-  void put_in_order() {
+  void sort() {
     const std::size_t count = surface_.triangles.size();
     std::vector<std::uint32_t> order(count), place(count);
     std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -126,8 +132,8 @@ class Level {
   std::uint32_t number_;
   Surface& surface_;
   std::size_t old_count_;
-  space::Interior interior_;  // of what there is before
-  Surface present_;           // the surface of this radius, near to points that are not interior
+  space::Interior interior_;  // of the surface before this level
+  Surface present_;           // the surface of this radius, near points that are not interior
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The triangles as one patch, on sites that are their corners yet: corner k of triangle t is 3t + k.
+/// The triangles as one patch, with a site for each corner: corner k of triangle t is 3t + k.
 meshops::Patch patch_of(const Surface& surface) {
   meshops::Patch patch;
   const auto& triangles = surface.triangles;
@@ -29,7 +29,7 @@ meshops::Patch patch_of(const Surface& surface) {
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t side = 0; side < 3; ++side) {
       patch.triangles[t][side] = static_cast<meshops::Site>(3 * t + side);
-      // From corner `side` to the next, which is across from the one after.
+      // Side `side` is from that corner to the next, across from the third.
       const std::uint32_t other = surface.neighbors[t][(side + 2) % 3];
       int& across = patch.across[t][side];
       across = meshops::Patch::nothing;
@@ -45,7 +45,7 @@ meshops::Patch patch_of(const Surface& surface) {
   return patch;
 }
 
-/// Of each corner, the least corner of its fan.
+/// For each corner, the least corner of its fan.
 std::vector<std::uint32_t> fans_of(const meshops::Patch& patch) {
   std::vector<std::uint32_t> least(3 * patch.triangles.size());
   std::iota(least.begin(), least.end(), std::uint32_t{0});
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> fans_of(const meshops::Patch& patch) {
 
 namespace {
 
-/// give_back() is called when the surface is not needed any more.
+/// Calls give_back() as soon as the surface is no longer needed.
 template <typename GiveBack>
 SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, GiveBack give_back) {
   if (surface.triangles.size() > max_points)
@@ -87,7 +87,7 @@ SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, Give
   meshops::Patch patch = patch_of(surface);
   std::vector<std::uint32_t> fan = fans_of(patch);
 
-  // A fan is a site for the assembler, so that each has one: numbered by points, fans of one point as their triangles are.
+  // Each fan is a site of its own for the assembler. Sites are sorted by point, fans of one point by their least corners.
   const auto point_of = [&](std::uint32_t corner) { return surface.triangles[corner / 3][corner % 3]; };
   std::vector<std::uint32_t> fans;
   for (std::uint32_t corner = 0; corner < fan.size(); ++corner)
@@ -95,7 +95,7 @@ SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, Give
   std::sort(fans.begin(), fans.end(), [&](std::uint32_t f, std::uint32_t g) {
     return point_of(f) != point_of(g) ? point_of(f) < point_of(g) : f < g;
   });
-  // The least corner of a fan has its number first, where the others find it.
+  // The least corner of a fan is numbered first; the others copy its number.
   const auto site_at = [&](std::uint32_t corner) -> meshops::Site& { return patch.triangles[corner / 3][corner % 3]; };
   for (std::size_t i = 0; i < fans.size(); ++i) site_at(fans[i]) = static_cast<meshops::Site>(i);
   for (std::uint32_t corner = 0; corner < fan.size(); ++corner) site_at(corner) = site_at(fan[corner]);

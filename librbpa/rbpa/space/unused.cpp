@@ -30,10 +30,10 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
   return unused;
 }
 
-/// Raises the causes to what the exposed triangles of one radius say. Points that are `wanted` are unused, and their causes
-/// are not the last yet.
-void ask_exposed(const space::NeighborhoodSubset& near, const Surface& exposed, const space::Agreement& agreement,
-                 const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes) {
+/// Raises the causes of the corners of one radius's exposed triangles. `wanted` are the unused points whose cause is not the
+/// last one yet.
+void raise_causes(const space::NeighborhoodSubset& near, const Surface& exposed, const space::Agreement& agreement,
+                  const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes) {
   for (const auto& local : exposed.triangles) {
     const std::array triangle = {near.input[local[0]], near.input[local[1]], near.input[local[2]]};
     if (std::none_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) { return wanted[i] != 0; })) continue;
@@ -43,9 +43,9 @@ void ask_exposed(const space::NeighborhoodSubset& near, const Surface& exposed, 
   }
 }
 
-/// Whether every ball that touches points[v] holds one of the others, where no ball rests on it that is empty: the balls that
-/// touch it and its nearest as well are all held then, or all free (docs/surface_derivation.md, section 10).
-/// Requires: distinct points; those of some cells are all that such balls can touch.
+/// Every ball that touches points[v] holds another point: so it is exactly if a ball rests on v, the nearest point and a third
+/// one (docs/surface_derivation.md, section 10).
+/// Requires: distinct points; no empty ball rests on v; `around` has all points that such balls can touch or hold.
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;
   std::uint32_t nearest = v;
@@ -63,8 +63,8 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
   });
 }
 
-/// Tells hidden points from those that no ball rests on, within the subset.
-void ask_nearest(const space::NeighborhoodSubset& near, const Surface& exposed, double radius,
+/// Changes `no_ball_rests` to `hidden` where it is so, for wanted points in the subset.
+void find_hidden(const space::NeighborhoodSubset& near, const Surface& exposed, double radius,
                  std::vector<UnusedCause>& causes, const std::vector<std::uint8_t>& wanted) {
   std::vector<std::uint8_t> is_distinct(near.points.size(), 1);
   for (const Duplicate& d : exposed.duplicates) is_distinct[d.index] = 0;
@@ -115,8 +115,8 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
     const space::NeighborhoodSubset near =
         space::neighborhood_subset(points, {}, surface.duplicates, wanted, radii[level]);
     const Surface exposed = exposed_triangles(near.points, radii[level], options);
-    ask_exposed(near, exposed, agreement, wanted, causes);
-    if (level + 1 == radii.size()) ask_nearest(near, exposed, radii[level], causes, wanted);
+    raise_causes(near, exposed, agreement, wanted, causes);
+    if (level + 1 == radii.size()) find_hidden(near, exposed, radii[level], causes, wanted);
   }
   for (UnusedPoint& point : unused) point.cause = causes[point.index];
   return unused;

@@ -9,7 +9,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Numbers coordinates so that of two that differ by at most two radii the numbers differ by at most two.
+/// Numbers coordinates so that the numbers of two that differ by at most two radii differ by at most two.
 class Numbering {
  public:
   explicit Numbering(double radius) : radius_(radius), inverse_(1 / (radius * (1 + 0x1p-6))) {}
@@ -42,7 +42,7 @@ struct Keyed {
 
 constexpr std::size_t at_a_time = 1u << 14;
 
-/// Turns the keys within a box into numbers, where 64 bits do.
+/// Packs the keys within a box into integers of bits() bits.
 class Packing {
  public:
   Packing(const Key& low, const Key& high) : low_(low) {
@@ -62,7 +62,7 @@ class Packing {
   std::array<int, 3> width_;
 };
 
-/// Sorts by what is above `shift`, where there are 2^digits values, and then each of these parts.
+/// Distributes by the digits above `shift`, of 2^digits values, then sorts each part.
 std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) {
   constexpr int digits = 11;
   const std::size_t n = input.size();
@@ -143,7 +143,7 @@ std::vector<std::uint32_t> by_cell(std::span<const Point3> points, const Numberi
   return order;
 }
 
-/// Whether there are equal points among the few.
+/// Whether two of a few points are equal.
 bool have_equals(std::span<const Point3> points) {
   for (std::size_t i = 1; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -164,7 +164,7 @@ Cells::Cells(std::span<const Point3> points, double radius, Threads& threads) : 
       cells_.push_back({key, static_cast<Site>(i)});
   cells_.push_back({{}, static_cast<Site>(sites_.size())});
 
-  // Equal points come together, the lowest index first, in cells where there are any.
+  // Sort cells with equal points, so that these are adjacent, the lowest index first.
   constexpr std::size_t few = 24, cells_at_a_time = 1024;
   std::vector<std::uint8_t> has_equals((size() + cells_at_a_time - 1) / cells_at_a_time, 0);
   for_each_part(threads, size(), cells_at_a_time, [&](std::size_t from, std::size_t to) {
@@ -207,7 +207,7 @@ std::size_t Cells::cell_of(Site site) const {
 }
 
 std::size_t Cells::first_not_before(const Key& key, std::size_t from) const {
-  // The cells around the next cell are near to those around this one.
+  // The cells around the next cell are near those around the last one: try a few steps before a binary search.
   constexpr std::size_t steps = 16;
   for (std::size_t step = 0; step < steps; ++step, ++from)
     if (from == size() || !(cells_[from].key < key)) return from;

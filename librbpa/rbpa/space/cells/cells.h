@@ -1,6 +1,6 @@
-// What: points of space in cells of about the ball's radius, those that have points only: on a surface most have none.
-// Law:  every point within two radii of a point is in the 125 cells around its cell. For any exponents:
-//       docs/surface_derivation.md, section 8. Equal points are one site. The order of the cells is a function of the set of points.
+// What: points in space in cubic cells, somewhat larger than the ball's radius. Empty cells, which most are, are not stored.
+// Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents. Equal
+//       points are one site. The order of the cells is a function of the set of points. docs/surface_derivation.md, section 8.
 // Cost: a sort; as much memory as the points.
 #pragma once
 
@@ -21,7 +21,7 @@ class Cells {
  public:
   struct Equal {
     Site site;
-    std::uint32_t index;  // of another input point there
+    std::uint32_t index;  // of a further input point there
   };
 
   /// Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
@@ -42,17 +42,17 @@ class Cells {
   /// The cell in which a site is.
   std::size_t cell_of(Site site) const;
 
-  /// Where the cells around a cell are; cheap for cells that are asked about in ascending order.
+  /// Finds the cells around a cell; cheap when cells are queried in ascending order.
   class Around {
    public:
     explicit Around(const Cells& cells) : cells_(cells) {}
 
-    /// Calls visit(first, last) for runs of sites that make up all cells around cell i, itself included.
+    /// Calls visit(first, last) for runs of sites that together are all sites in the cells around cell i, itself included.
     template <typename Visit>
     void for_each_run(std::size_t i, Visit visit) {
       const Key& key = cells_.cells_[i].key;
-      const bool is_next = i >= asked_;
-      asked_ = i;
+      const bool is_next = i >= last_query_;
+      last_query_ = i;
       std::size_t row = 0;
       for (std::int64_t x = key[0] - reach; x <= key[0] + reach; ++x)
         for (std::int64_t y = key[1] - reach; y <= key[1] + reach; ++y, ++row) {
@@ -66,8 +66,8 @@ class Cells {
 
    private:
     const Cells& cells_;
-    std::size_t asked_ = static_cast<std::size_t>(-1);
-    std::array<std::size_t, 25> first_{};
+    std::size_t last_query_ = static_cast<std::size_t>(-1);
+    std::array<std::size_t, 25> first_{};  // of each row of cells, where the last search ended
   };
 
  private:
@@ -78,10 +78,10 @@ class Cells {
   };
   static constexpr std::int64_t reach = 2;
 
-  /// The first cell from `from` on whose key is not before. Requires that none before `from` is.
+  /// The first cell whose key is not below `key`. Requires: all cells before `from` are below.
   std::size_t first_not_before(const Key& key, std::size_t from) const;
   bool is_in_row(std::size_t cell, std::int64_t x, std::int64_t y, std::int64_t last) const {
-    const Key& key = cells_[cell].key;  // the one for the end is there too
+    const Key& key = cells_[cell].key;  // cells_ has one more for the end
     return cell < size() && key[0] == x && key[1] == y && key[2] <= last;
   }
 
@@ -89,7 +89,7 @@ class Cells {
   std::vector<Point3> sites_;
   std::vector<std::uint32_t> input_index_;
   std::vector<Equal> equals_;
-  std::vector<Cell> cells_;  // by key; and one for the end
+  std::vector<Cell> cells_;  // sorted by key; and one for the end
 };
 
 }  // namespace rbpa::space

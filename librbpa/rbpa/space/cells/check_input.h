@@ -1,4 +1,4 @@
-// What: what the functions on points of space require of their input.
+// What: the input checks of all functions on points in space.
 // Cost: linear.
 #pragma once
 
@@ -8,13 +8,14 @@
 
 namespace rbpa::space {
 
-/// Requires: finite points, fewer than 2^32 − 1. Throws InvalidInput naming what is not.
+/// Each throws InvalidInput, naming what is wrong, unless the input is as required.
+/// Requires: finite points, fewer than 2^32 − 1.
 void check_points(std::span<const Point3> points);
 /// Requires: 0 < radius < infinity.
 void check_radius(double radius);
 /// Requires: at least one radius, 0 < radius < infinity, each above the one before.
 void check_radii(std::span<const double> radii);
-/// Requires: a normal of each point, finite, of any length but 0.
+/// Requires: a normal for each point, finite, of any length but 0.
 void check_normals(std::span<const Point3> points, std::span<const Point3> normals);
 
 }  // namespace rbpa::space

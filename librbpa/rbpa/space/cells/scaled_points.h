@@ -1,6 +1,6 @@
-// What: points of space and a radius as numbers that the filters like, where there are such.
-// Law:  multiplied by one power of two, exactly (search/scale.h).
-// Cost: linear; a copy of the points where the power is not 1.
+// What: points in space and a radius, multiplied so that the filters' products neither underflow nor overflow, where possible.
+// Law:  the factor is a power of two, so that products are exact (cells/scale.h).
+// Cost: linear; a copy of the points where the factor is not 1.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace rbpa::space {
 
-/// Keeps the span where it needs no copy.
+/// Refers to the given points where no copy is needed.
 class ScaledPoints {
  public:
   ScaledPoints(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {

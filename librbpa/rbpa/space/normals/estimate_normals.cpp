@@ -19,7 +19,7 @@
 namespace rbpa {
 namespace {
 
-/// The distinct points, ascending, and which of them each input point is.
+/// The distinct points, ascending, and for each input point the position of its own.
 struct Distinct {
   std::vector<Point3> points;
   std::vector<std::uint32_t> number;
@@ -43,7 +43,7 @@ Distinct distinct(std::span<const Point3> points) {
   return found;
 }
 
-/// Multiplies by a power of two where that brings the points to where squares fit double; otherwise says no.
+/// Multiplies the points by a power of two so that their squares fit double. Returns: false where there is no such power.
 bool fit_double(std::vector<Point3>& points) {
   double greatest = 0;
   for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -55,12 +55,12 @@ bool fit_double(std::vector<Point3>& points) {
   return true;
 }
 
-/// Of each of the points, by number.
+/// The normals of distinct points, in their order.
 template <typename Real>
 std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& options) {
   constexpr std::size_t points_at_a_time = 4096;
   const std::function<void()> go_on = asking(options.progress, points.size());
-  Threads threads(points.size() < 1000 ? 1 : options.threads);  // few are done before another thread has woken
+  Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
   space::Neighborhoods near = space::find_nearest<Real>(std::move(points), options.neighbors, threads, go_on);
   std::vector<Point3> normals(near.points.size());
   std::mutex asking_one;

@@ -14,7 +14,7 @@
 namespace rbpa::space {
 namespace {
 
-/// A long double as nanoflann can keep it: it hands out memory that is aligned for double.
+/// A long double in memory that is aligned for double, as nanoflann's is.
 class Unaligned {
  public:
   Unaligned(long double value = 0) { std::memcpy(bytes_.data(), &value, sizeof value); }
@@ -32,7 +32,7 @@ class Unaligned {
 template <typename Real>
 using Stored = std::conditional_t<std::is_same_v<Real, double>, double, Unaligned>;
 
-/// What nanoflann asks of a set of points.
+/// The interface to a point set that nanoflann requires.
 template <typename Real>
 struct Cloud {
   std::vector<Point3> points;
@@ -52,7 +52,7 @@ template <typename Real>
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Stored<Real>, Cloud<Real>>, Cloud<Real>,
                                                  3, std::uint32_t>;
 
-/// The nearest points so far, one of them left out. nanoflann's own keeps whichever of equal distances came first.
+/// The nearest points so far, without the query point. nanoflann's own set keeps whichever of equal distances came first.
 template <typename Real>
 class Nearest {
  public:
@@ -66,7 +66,7 @@ class Nearest {
   std::uint32_t operator[](std::size_t i) const { return found_[i].point; }
 
   bool full() const { return size_ == found_.size(); }
-  /// What is as far as this is not looked at: equal distances must be, and the tree adds up its bounds with roundings.
+  /// The tree skips what is at least this far. It must not skip equal distances, and it rounds its bounds: so slightly more.
   DistanceType worstDist() const {
     return full() ? found_.back().distance * (1 + Real(0x1p-40)) : std::numeric_limits<Real>::infinity();
   }
@@ -94,7 +94,7 @@ class Nearest {
   std::vector<Found> found_;
 };
 
-/// Puts the points in the order of the leaves, so that a leaf's are side by side. Returns where each has gone.
+/// Sorts the points by leaves, so that those of a leaf are adjacent. Returns: the new position of each.
 template <typename Real>
 std::vector<std::uint32_t> follow_leaves(Cloud<Real>& cloud, Tree<Real>& tree) {
   std::vector<Point3> in_order(cloud.points.size());

@@ -1,6 +1,6 @@
-// What: of each of a set of points the nearest others, by the k-d tree of nanoflann.
-// Law:  the nearest by squared distances as they are rounded, and of equal ones the lexicographically least points. The order
-//       of the points is that of the tree's leaves, near ones together: a function of the set of points.
+// What: the nearest others of each point of a set, by the k-d tree of nanoflann.
+// Law:  nearest by rounded squared distances, and of equal ones the lexicographically least points. Points are renumbered in
+//       the order of the tree's leaves, near ones together: a function of the set of points.
 // Cost: O(n log n).
 #pragma once
 
@@ -17,16 +17,16 @@ namespace rbpa::space {
 
 struct Neighborhoods {
   std::vector<Point3> points;          ///< in the order of the leaves
-  std::vector<std::uint32_t> place;    ///< in `points`, of each point that was given
-  std::size_t count = 0;               ///< of nearest others, the same for each
-  std::vector<std::uint32_t> nearest;  ///< in `points`, of the first point, then of the next one; the nearest first
+  std::vector<std::uint32_t> place;    ///< the position in `points` of each given point
+  std::size_t count = 0;               ///< nearest others per point
+  std::vector<std::uint32_t> nearest;  ///< positions in `points`: `count` of each point, nearest first
 
   std::span<const std::uint32_t> around(std::size_t i) const { return {nearest.data() + i * count, count}; }
 };
 
 /// The `count` nearest others of each, or all where there are fewer. Differences and squares are of type Real.
-/// Calls go_on() now and then, if there is one, one call at a time.
-/// Requires: distinct points, ascending, at least one; that no square of a difference overflows, nor underflows to 0.
+/// Calls go_on() repeatedly, if there is one, one call at a time.
+/// Requires: distinct points, ascending, at least one; no square of a difference overflows, or underflows to 0.
 template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
                            const std::function<void()>& go_on);

@@ -34,7 +34,7 @@ Point3 fit_plane(const Neighborhoods& points, std::size_t i) {
   const Point3& at = points.points[i];
   const auto around = points.around(i);
   if (around.empty()) return {0, 0, 1};
-  // By a power of two, so that what is squared is about 1 however near the points are. The last is the farthest.
+  // Scaled by a power of two, so that squares are about 1 however near the points are. The last is the farthest.
   const int exponent =
       std::ilogb(difference<Real>(at, points.points[around.back()]).template lpNorm<Eigen::Infinity>());
   const Real scale = std::ldexp(Real(1), -exponent);
@@ -53,7 +53,7 @@ Point3 fit_plane(const Neighborhoods& points, std::size_t i) {
   });
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
-  constexpr double rounding = 0x1p-48;                   // of the covariance, times the few that are added
+  constexpr double rounding = 0x1p-48;                   // of the covariance, a sum over a few points
   if (spread[1] <= rounding * spread[2]) return point(across(solver.eigenvectors().col(2)));
   return point(solver.eigenvectors().col(0));
 }

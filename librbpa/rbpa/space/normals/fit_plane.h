@@ -8,9 +8,9 @@
 
 namespace rbpa::space {
 
-/// A unit normal of the plane through the centroid of point i and those around it from which their distances have the least
-/// sum of squares; on either side. Where they are on a line as far as double can tell, the direction across it that is
-/// nearest to +z, or to +y where the line is parallel to z; of one point +z. Differences are of type Real.
+/// A unit normal, to either side, of the plane through the centroid of point i and its neighbours that has the least sum of
+/// squared distances from them. Where they are on a line within the precision of double, the direction across it that is
+/// nearest to +z, or to +y if the line is parallel to z; for one point +z. Differences are of type Real.
 template <typename Real>
 Point3 fit_plane(const Neighborhoods& points, std::size_t i);
 

@@ -25,14 +25,14 @@ using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_pro
 
 Point3 turned(const Point3& n) { return {0.0 - n.x, 0.0 - n.y, 0.0 - n.z}; }
 
-/// What an edge between two points says of their normals.
+/// How the normals at the ends of an edge are related.
 struct Comparison {
-  double agreement;  ///< above 0: on one side, below: on different sides; of 1 or −1 there is no doubt
-  double tilt;       ///< 0 where the edge lies in both planes, 2 where it stands on both
+  double agreement;  ///< above 0: on the same side, below: on different sides; 1 and −1 are beyond doubt
+  double tilt;       ///< 0 where the edge lies in both planes, 2 where it is perpendicular to both
 };
 
-/// The arc of a circle on both points has normals that are each other's reflections across the plane in their middle. So
-/// the edge from one side of a thin sheet to the other tells of opposite sides, and that around a sharp edge of the same.
+/// At the ends of a circular arc the normals are each other's reflections across the plane in the middle. So one is reflected
+/// before they are compared: through a thin sheet the sides are then opposite, around a sharp edge the same.
 template <typename Real>
 Comparison compare(const Point3& p, const Point3& m, const Point3& q, const Point3& n) {
   const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);
@@ -43,11 +43,10 @@ Comparison compare(const Point3& p, const Point3& m, const Point3& q, const Poin
           static_cast<double>((along_m * along_m + along_n * along_n) / length)};
 }
 
-/// A spanning tree takes edges of little weight first: of little doubt, and along the surface rather than across, which
-/// with noise can be anything.
+/// The weight in the spanning tree, which prefers edges of little doubt, and edges along the surface: across it, noise decides.
 double weight(const Comparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
 
-/// Of each component of the graph the point that is turned first, its normal turned outward.
+/// The first point to be turned in each component of the graph; its normal is turned outward.
 class Seeds {
  public:
   Seeds(const Neighborhoods& points, std::span<Point3> normals) : points_(points), normals_(normals) {}
@@ -112,7 +111,7 @@ class Seeds {
   std::span<Point3> normals_;
 };
 
-/// Both ways between each point and its nearest; and one more vertex, the root, from which seeds are reached.
+/// The graph: edges both ways between each point and its nearest, and from one more vertex, the root, to the first points.
 Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   const auto root = static_cast<Number>(points.points.size());
   const auto for_each_edge = [&](auto visit) {
@@ -132,7 +131,7 @@ Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   return {boost::edges_are_sorted, edges.begin(), edges.end(), root + Number{1}, edges.size()};
 }
 
-/// Turns what the tree comes to as that from which it came says.
+/// Turns the normal of each vertex that the tree reaches to the side of its parent's.
 template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:
@@ -176,8 +175,8 @@ void orient_normals(const Neighborhoods& points, std::span<Point3> normals, cons
     const Number u = boost::source(edge, graph), v = boost::target(edge, graph);
     return u == root ? 0.0 : weight(compare<Real>(points.points[u], normals[u], points.points[v], normals[v]));
   };
-  // Prim's algorithm as Boost.Graph has it: that of Dijkstra, where a distance is the last edge's weight alone. Turning a
-  // normal does not change a weight.
+  // Prim's algorithm as in Boost.Graph: Dijkstra's, with the last edge's weight as distance. Turning a normal changes no
+  // weight.
   boost::dijkstra_shortest_paths_no_init(
       graph, root, map(from), map(least),
       boost::make_function_property_map<boost::graph_traits<Graph>::edge_descriptor, double>(weight_of), index,

@@ -1,6 +1,6 @@
-// What:   normals turned to one side, along a minimum spanning tree of the graph of nearest points (Boost.Graph).
-// Law:    a function of the neighbourhoods: edges of equal weight are taken in an order that depends on the order of the
-//         points only, which is that of the tree's leaves.
+// What:   turns normals to one side, along a minimum spanning tree of the graph of nearest points (Boost.Graph).
+// Law:    a function of the neighbourhoods: the order of edges of equal weight depends only on the order of the points, which
+//         is that of the k-d tree's leaves.
 // Cost:   O(n log n), in one thread.
 // Source: Hoppe et al. (1992), section 3.3; the normal of one end is compared after reflection across the edge's middle, as
 //         in König and Gumhold, Consistent propagation of normal orientations in point clouds (2009), section 2.
@@ -14,7 +14,7 @@
 
 namespace rbpa::space {
 
-/// Turns normals, of each point of the neighbourhoods one, as estimate_normals() promises. Calls go_on() now and then, if
+/// Turns the normals, one for each point of the neighbourhoods, as estimate_normals() promises. Calls go_on() repeatedly, if
 /// there is one.
 template <typename Real>
 void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on);

@@ -9,8 +9,8 @@ std::size_t EdgeRoll<Real>::holder(const Ball<Real>& ball, std::size_t p) const 
   return none;
 }
 
-// The stretch of the circle that is known to be held begins where the ball leaves `start`, and ends where it leaves `end`;
-// it grows to where it leaves the next point that holds it, until nothing does, or it has come around.
+// A stretch of the circle on which the ball is held begins where it leaves `start`, and ends where it leaves `end`. It grows to
+// where the ball leaves the next point that holds it, until none does, or the stretch is the whole circle.
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_left_free() const {
   std::size_t start = 0;
@@ -24,17 +24,16 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
 
   std::size_t end = start;
   Ball<Real> ball = beginning;
-  std::size_t reach =
-      none;  // of the points met so far that hold the ball at the beginning, the one that does so farthest
+  std::size_t reach = none;  // the point so far that holds the ball at the beginning and farthest on
   while (true) {
     const std::size_t q = holder(ball, end);
     if (q == none) return end;
-    if (q == start || q == reach) return none;  // it held the ball up to the beginning, or beyond, and does so again
+    if (q == start || q == reach) return none;  // q held the ball up to the beginning or beyond: it is held all around
     const Ball<Real> next = leaving(q);
-    if (!next.rests()) return none;  // it never lets go
+    if (!next.rests()) return none;  // q holds the ball all around
     if (beginning.contains(points_[q])) {
-      // Either it holds the ball from the beginning to the end of the stretch and on, farther than `reach`; or it does so from
-      // the end on, past the beginning, or together with `reach` all around.
+      // Either q holds the ball from the beginning past the end, farther than `reach`; or from the end past the beginning,
+      // alone or together with `reach` all around.
       if (reach != none && next.contains(points_[reach])) return none;
       reach = q;
     }
@@ -44,7 +43,7 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
 }
 
 template <typename Real>
-std::size_t EdgeRoll<Real>::carried_on(std::size_t from) const {
+std::size_t EdgeRoll<Real>::next_left_free(std::size_t from) const {
   while (true) {
     const std::size_t q = holder(leaving(from), from);
     if (q == none) return from;
@@ -52,7 +51,7 @@ std::size_t EdgeRoll<Real>::carried_on(std::size_t from) const {
   }
 }
 
-// The point of `left` itself is touched at last, when the ball has come all around.
+// The point `left` itself is touched last, when the ball has come around.
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
   const Point3& c = points_[left];
@@ -66,7 +65,7 @@ std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
     if (at_best.contains(points_[p])) {
       at_p = coming_to(p);
     } else {
-      // It is touched earlier only if it is left again before `best` is touched: then its middle comes between.
+      // p is touched earlier only if the ball leaves it before it touches `best`: then the middle of p's arc is between.
       if (best != left) {
         const int turns =
             (start.side_of_plane(points_[p]) > 0) + (at_best.side_of_plane(points_[p]) > 0) + c_after_best;

@@ -1,6 +1,6 @@
 // What: whether triangles agree with the normals at their corners.
-// Law:  exact. At a corner count the normals of all points that are there.
-// Cost: some nanoseconds in double, where points fit it; else as TriangleNormal, for each normal.
+// Law:  exact. A corner with several points has all their normals.
+// Cost: some nanoseconds in double, where points fit it; otherwise that of TriangleNormal, for each normal.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +17,17 @@
 
 namespace rbpa::space {
 
-/// Corners are numbers of places, and triangles are oriented and have a normal.
+/// Corners are indices of places. Triangles are oriented, and their own normal is not 0.
 class Agreement {
  public:
-  /// One more normal at a place.
+  /// A second or further normal at a place.
   struct Further {
     std::uint32_t place;
     Point3 normal;
   };
 
-  /// Keeps the spans. Requires: a normal of each place, or none at all: then all agrees. Whether the places fit double is what
-  /// scale_to_double() says.
+  /// Keeps the spans. Requires: a normal for each place, or none at all: then every triangle agrees. `fits_double` as of
+  /// scale_to_double().
   Agreement(std::span<const Point3> places, std::span<const Point3> normals, std::vector<Further> further,
             bool fits_double)
       : places_(places), normals_(normals), further_(std::move(further)), fits_double_(fits_double) {
@@ -35,11 +35,11 @@ class Agreement {
               [](const Further& a, const Further& b) { return a.place < b.place; });  // of one place in any order
   }
 
-  /// Of input points, of any size. Requires: the duplicates among them.
+  /// For input points of any size. Requires: the duplicates among them.
   Agreement(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates)
       : Agreement(points, normals, further_of(normals, duplicates), false) {}
 
-  /// Whether the triangle's own normal has a positive product with all at its corners.
+  /// Whether the triangle's own normal has a positive product with all normals at its corners.
   bool operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (normals_.empty()) return true;
     if (fits_double_ && further_.empty()) {
@@ -56,7 +56,7 @@ class Agreement {
     return !disagrees_at(a, normal) && !disagrees_at(b, normal) && !disagrees_at(c, normal);
   }
 
-  /// Of each corner, whether one of the normals there has no positive product with the triangle's own.
+  /// For each corner, whether a normal there has no positive product with the triangle's own.
   std::array<bool, 3> disagreeing(const std::array<std::uint32_t, 3>& triangle) const {
     const auto [a, b, c] = triangle;
     if (normals_.empty()) return {false, false, false};
@@ -64,7 +64,7 @@ class Agreement {
     return {disagrees_at(a, normal), disagrees_at(b, normal), disagrees_at(c, normal)};
   }
 
-  /// Some triangle (v, x, y) may agree, of a cycle of places around v in which x follows y. False is certain.
+  /// False if no triangle (v, x, y) agrees, for x following y in a cycle of places around v; true if one may.
   bool may_agree(std::uint32_t v, std::span<const std::uint32_t> cycle) const {
     if (!fits_double_ || normals_.empty()) return true;
     for (std::size_t k = 0; k < cycle.size(); ++k) {
@@ -85,7 +85,7 @@ class Agreement {
                     std::abs(u.x * v.y) + std::abs(u.y * v.x)};
     }
 
-    /// 0 when it is not certain.
+    /// Sign of the product; 0 when it is not certain.
     int sign_along(const Point3& m) const {
       const double product = normal_.x * m.x + normal_.y * m.y + normal_.z * m.z;
       const double bound =

@@ -1,8 +1,9 @@
 // What:   the ball that rests on three points: whether there is one of the radius, and which points it holds.
-// Law:    exact for every finite input. The answers are those of a ball larger by an infinitesimal, among points that the
-//         symbolic perturbation has moved by even less: no fourth point touches it. docs/surface_derivation.md, sections 2 and 6.
-// How:    a floating filter whose bounds are computed with the ball (docs/surface_derivation.md, section 7); then long double, then
-//         integers of any length.
+// Law:    exact for every finite input. The results are those of a ball larger by an infinitesimal, among points that the
+//         symbolic perturbation has moved by even less: no fourth point touches it. docs/surface_derivation.md, sections 2 and
+//         6.
+// How:    a floating-point filter whose bounds are computed with the ball (docs/surface_derivation.md, section 7); then long
+//         double, then integers of any length.
 // Cost:   about sixty operations a ball, and fifteen a point; microseconds where a filter fails.
 #pragma once
 
@@ -34,12 +35,12 @@ Vector3<Real> cross(const Vector3<Real>& u, const Vector3<Real>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// q is in the ball that rests on a, b and c, by integers and by the perturbation where q touches it.
+/// Whether q is in the ball that rests on a, b and c: by integers, and by the perturbation where q touches the ball.
 /// Requires: the circumradius of the three is at most the radius.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
 /// The ball of the radius that touches a, b and c, with its centre on the side from which they are counter-clockwise.
-/// Real is double for points and a radius within the range of fits_double() (space/search/scale.h), and long double for any.
+/// Real is double for points and a radius within the range of fits_double() (space/cells/scale.h), and long double for any.
 template <typename Real>
 class Ball {
   static_assert(std::numeric_limits<Real>::is_iec559);
@@ -60,7 +61,7 @@ class Ball {
   /// The circumradius of the three is at most the radius.
   bool rests() const { return rests_; }
 
-  /// q, none of the three, is inside. Requires: the ball rests.
+  /// q is inside. Requires: q is none of the three; the ball rests.
   bool contains(const Point3& q) const {
     const Estimate power = power_of(q);
     if (power.value > power.bound) return false;
@@ -68,7 +69,7 @@ class Ball {
     return decide(q);
   }
 
-  /// Sign of the side of the triangle's plane that q is on: 1 on that of the centre.
+  /// The side of the triangle's plane that q is on: 1 for the side of the centre, −1 for the other, 0 in the plane.
   int side_of_plane(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real height = dot(normal_, d);
@@ -85,7 +86,7 @@ class Ball {
     Real value, bound;
   };
 
-  /// All but the points. Returns rests().
+  /// Computes all but the points. Returns: rests().
   bool fill_in() {
     constexpr Real e = unit_roundoff;
     const Vector3<Real> u = from<Real>(a_, b_), v = from<Real>(a_, c_), w = from<Real>(b_, c_), n = cross(u, v);

@@ -17,7 +17,7 @@ Vector cross(const Vector& u, const Vector& v) {
 }
 Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
 
-/// Turns points, and a length, into integers.
+/// Scales points and a length to integers.
 class Scale {
  public:
   Scale(std::initializer_list<Point3> points, double length = 0) {

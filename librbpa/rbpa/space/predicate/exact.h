@@ -1,6 +1,6 @@
 // What: the signs behind every decision in space, in integers of any length: the last stage of each predicate.
-// Law:  each is the sign that its comment names, for all finite doubles.
-// Cost: microseconds, growing with the span of the exponents.
+// Law:  exact for all finite doubles.
+// Cost: microseconds, growing with the range of the exponents.
 #pragma once
 
 #include "rbpa/base/point3.h"

@@ -28,12 +28,12 @@ class TriangleNormal {
         (magnitude_.x * std::abs(Real(v.x)) + magnitude_.y * std::abs(Real(v.y)) + magnitude_.z * std::abs(Real(v.z)));
     if (product > bound) return 1;
     if (product < -bound) return -1;
-    if (bound == 0) return 0;  // all products are, and not by underflow
+    if (bound == 0) return 0;  // all products are 0, and not by underflow
     return exact::normal_sign(a_, b_, c_, v);
   }
 
  private:
-  using Real = long double;  // the normals of others have exponents of their own
+  using Real = long double;  // normals may have exponents far from those of the points
   static constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
   Point3 a_, b_, c_;

@@ -1,5 +1,5 @@
-// What: the two balls of the radius that touch v, p and q: where the circles of p and q cross on the sphere of centres around v.
-//       For one pair of points or for as many as a vector has lanes.
+// What: the two balls of the radius that touch v, p and q: where the circles of p and q cross on the sphere of centres around
+//       v. For one pair of points or for as many as a vector has lanes.
 // Law:  centres come with a bound of their error. docs/surface_derivation.md, sections 6 and 7.
 // How:  seen from v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centres are (p² (q × n) + q² (n × p) ± √D n) / 2n²:
 //

@@ -1,5 +1,5 @@
-// What: the union of the caps that have been subtracted from the sphere of a ball's centres: whether it covers a point, a circle,
-//       a great circle.
+// What: the union of the caps that have been subtracted from the sphere of a ball's centres: whether it covers a point, a
+//       circle, a great circle.
 // Law:  "yes" is certain, "no" means that it could not be shown. Compiled once for each kind of vector unit; no include guard
 //       but the compiler's own per kind.
 #if defined(RBPA_SPACE_STAR_CAP_UNION_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,8 +1,10 @@
 // What: the rings of exposed triangles around sites.
-// Law:  exact, and complete: all exposed triangles at each site, and to which of them the ball rolls.
-// How:  the free region of the ball at each site, by caps (star/free_region-inl.h); where that is lost, every edge is rolled
-//       about (pivot/roll_about_edge.h).
-// Cost: for each site, a look at the points in the cells around it, and some hundred operations for each of its triangles.
+// Law:  exact and complete: all exposed triangles at each site, and to which of them the ball rolls.
+// How:  1. gather the sites in the cells around a cell, once for all sites in it (surroundings-inl.h);
+//       2. find the free region of the ball at each site, by caps (free_region-inl.h), and read the rings off its corners;
+//       3. where the region is lost, roll about every edge at the site (pivot/roll_about_edge.h).
+// Cost: for each site, two passes over the points in the cells around it, and some hundred operations for each of its
+//       triangles.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +20,13 @@ namespace rbpa::space {
 struct Rings {
   static constexpr Site end_of_cycle = 0xffffffff;
 
-  std::vector<Site> points;          // each cycle, and its end
-  std::vector<std::uint32_t> first;  // in points, of each site, and the end of the last
-  std::size_t rolled = 0;            // sites at which every edge was rolled about
+  std::vector<Site> points;          // each cycle, followed by end_of_cycle
+  std::vector<std::uint32_t> first;  // for each site the position of its first cycle in points; and the end
+  std::size_t rolled = 0;            // number of sites at which every edge was rolled about
 };
 
 /// Replaces `found` by the rings of the sites first … last − 1.
-/// Requires: where `fits_double`, it holds for sites and radius (search/scale.h).
+/// Requires: if `fits_double`, that sites and radius fit (cells/scale.h).
 void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found);
 
 }  // namespace rbpa::space

@@ -3,8 +3,8 @@
 // Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is enough the region is lost, and false is
 //       returned. docs/surface_derivation.md, section 5.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound what is left. An arc is part of the
-//       circle of a point: where the ball touches v and that point. Compiled once for each kind of vector unit; no include guard
-//       but the compiler's own per kind.
+//       circle of a point: where the ball touches v and that point. Compiled once for each kind of vector unit; no include
+//       guard but the compiler's own per kind.
 // Cost: for a point whose cap changes nothing, two to four vector operations for each eight corners.
 #if defined(RBPA_SPACE_STAR_FREE_REGION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_FREE_REGION_INL_H_
@@ -213,8 +213,9 @@ class FreeRegion {
             .spared = signs.covered & ends & signs.reverse_on};
   }
 
-  /// Step 2b: p may cut the arc's interior though its ends say otherwise; test the extremes, and drop the arcs that it does not
-  /// cut. Returns: whether all is certain.
+  /// Step 2b: p may cut the arc's interior though its ends say otherwise; test the extremes. Drops the arcs that p does not
+  /// cut.
+  /// Returns: whether all is certain.
   bool test_interiors(const Neighbor& p, double size, Cut& cut) const {
     for (std::uint64_t left = cut.bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
@@ -246,8 +247,8 @@ class FreeRegion {
     return {along / 2 + half_range - p.power, along / 2 - half_range - p.power, limits::extreme * radius_ * size};
   }
 
-  /// Step 3: p's circle crosses no arc. One covered point of it shows that it is covered as a whole; then whole cycles are in the
-  /// cap, or none.
+  /// Step 3: p's circle crosses no arc. One covered point of it shows that it is covered as a whole; then whole cycles are in
+  /// the cap, or none.
   Outcome cut_nothing(const Neighbor& p, const Cut& cut) {
     if (!caps_.meets_circle_of(p)) return cut.covered == 0 ? Outcome::circle_is_free : Outcome::lost;
     if (cut.covered != 0) caps_.push(p);
@@ -256,7 +257,8 @@ class FreeRegion {
     return Outcome::done;
   }
 
-  /// Step 4: cuts the arcs. Returns: false where a crossing is not certain, there is no room, or entries and exits do not match.
+  /// Step 4: cuts the arcs. Returns: false where a crossing is not certain, there is no room, or entries and exits do not
+  /// match.
   bool cut_arcs(const Neighbor& p, int cap, const Cut& cut, OwnArcs& own) {
     // Most circles are crossed twice.
     constexpr std::size_t known_size = 4;

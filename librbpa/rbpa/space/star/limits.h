@@ -23,8 +23,8 @@ static_assert(flatness > 4 * (16 * 2200 + 32) * unit_roundoff && flatness > 4 * 
 inline constexpr double slack = 1e-6;
 static_assert(slack >= 10 * error);
 
-/// Error of a corner that is no triangle, in radii: it is put there, and only rounded. Nothing is decided by it but whether a cap
-/// covers it, and a larger value makes that uncertain more often.
+/// Error of a corner that is no triangle, in radii: it is put there, and only rounded. Nothing is decided by it but whether a
+/// cap covers it, and a larger value makes that uncertain more often.
 inline constexpr double placed = 1e-10;
 static_assert(placed > 1000 * unit_roundoff && placed < error);
 
@@ -34,8 +34,8 @@ static_assert(placed > 1000 * unit_roundoff && placed < error);
 inline constexpr double extreme = 1e-7;
 static_assert(extreme * extreme > 2 * (15 + 5) * unit_roundoff);  // (√15 + √5)² < 2 (15 + 5)
 
-/// In radii, what is allowed for offsets and sums in single precision, for each radius of length. An offset from another site is
-/// below 3.1 in each coordinate, and differences of two such are off by less than 10⁻⁶ altogether; so are sums of products.
+/// In radii, what is allowed for offsets and sums in single precision, for each radius of length. An offset from another site
+/// is below 3.1 in each coordinate, and differences of two such are off by less than 10⁻⁶ altogether; so are sums of products.
 inline constexpr double rounding = 1e-5;
 static_assert(rounding > 4 * 1e-6 && 1e-6 > 4 * 4 * float_roundoff);
 

@@ -1,5 +1,6 @@
 // What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's centres.
-// Law:  arcs are shorter than 120 degrees, by corners that are no triangles where necessary. docs/surface_derivation.md, section 5.
+// Law:  arcs are shorter than 120 degrees, by corners that are no triangles where necessary. docs/surface_derivation.md,
+//       section 5.
 // How:  corner k and the arc from it to corner next[k] are in the same place of all arrays, so that one loop over vector lanes
 //       tests a point against all of them, and sets of corners or arcs are the bits of a word. Compiled once for each kind of
 //       vector unit; no include guard but the compiler's own per kind.

@@ -1,7 +1,7 @@
-// What: the triangles of rings, and how they are glued, in canonical order.
-// Law:  each triangle comes from the ring of its corner of the lowest input index; what lies across its sides, from the rings
-//       of that corner and of the next one.
-// Cost: linear; for each triangle a few looks into the rings around its corners, which are near in memory.
+// What: makes arrays of triangles and neighbours, in canonical order, from the rings of all sites.
+// Law:  each triangle is read from the ring of its corner of the lowest input index; its neighbours from the rings of that
+//       corner and of the next one.
+// Cost: linear; for each triangle a few short searches in the rings of its corners, which are near in memory.
 #pragma once
 
 #include <algorithm>
@@ -20,21 +20,21 @@ namespace rbpa::space {
 class SurfaceAssembly {
  public:
   using Triple = std::array<std::uint32_t, 3>;
-  static constexpr std::uint32_t none = 0xffffffff;  // stands for what is across where nothing is
-  static constexpr std::size_t part_size = 256;      // sites: few enough that a run can be ended soon
+  static constexpr std::uint32_t none = 0xffffffff;  // no neighbour
+  static constexpr std::size_t part_size = 256;      // sites: few, so that a run is cancelled soon
 
   /// A triangle (v, x, y); the ball rolls about x to (v, after, x), and about y to (v, y, before).
   struct Owned {
     Site x, y, before, after;
   };
   struct Part {
-    std::vector<Site> points;                // of the rings that are needed, as in Rings
-    std::vector<std::uint32_t> first;        // in points, of each site, and the end
-    std::vector<Owned> owned;                // triangles (v, x, y) of which v has the lowest index, in canonical order
-    std::vector<std::uint32_t> owned_first;  // in owned, of each site, and the end
+    std::vector<Site> points;                // the rings that are needed, as in Rings
+    std::vector<std::uint32_t> first;        // for each site the position of its rings in points; and the end
+    std::vector<Owned> owned;                // triangles (v, x, y) in which v has the lowest index, in canonical order
+    std::vector<std::uint32_t> owned_first;  // for each site the position of its triangles in owned; and the end
   };
 
-  /// Keeps a reference.
+  /// Keeps a reference to the cells.
   explicit SurfaceAssembly(const Cells& cells)
       : cells_(cells), parts_((cells.sites().size() + part_size - 1) / part_size) {}
 
@@ -44,15 +44,15 @@ class SurfaceAssembly {
     return static_cast<Site>(std::min((part + 1) * part_size, cells_.sites().size()));
   }
 
-  /// Takes the triangles of a part for which keep(v, x, y) holds; it is asked once for each triangle. A ring is needed unless
-  /// is_needed(v, cycle) denies it for a cycle without any such triangle. For different parts in any order and thread.
-  /// What is in `scratch` does not matter; each thread has one, so that no memory comes and goes between what stays.
-  /// Returns: how many.
+  /// Adds the triangles of a part for which keep(v, x, y) holds; it is called once for each triangle. A cycle is stored if
+  /// is_needed(v, cycle), which may be false only if no triangle of it is kept. Parts may be added in any order, by any thread.
+  /// `scratch` is overwritten; each thread has one, so that memory that stays is not fragmented.
+  /// Returns: the number of triangles added.
   template <typename Keep, typename IsNeeded>
   std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed, Part& scratch);
 
-  /// Fills in the triangles and what lies across their sides, once all parts are there.
-  /// Throws: InvalidInput when there are more than can be numbered.
+  /// Fills in all triangles and their neighbours. Requires: all parts have been added.
+  /// Throws: InvalidInput when there are too many triangles for 32 bits.
   void finish(std::size_t input_points, Threads& threads, std::vector<Triple>& triangles,
               std::vector<Triple>& neighbors) const;
 

@@ -1,8 +1,8 @@
 // What: the sites in the cells around one, and which of them can change the free region of a site.
 // Law:  in single precision, rounded to the safe side: a site that is left out changes nothing. docs/surface_derivation.md,
 //       section 5.
-// How:  offsets from one of the sites, in radii, coordinate by coordinate. Compiled once for each kind of vector unit; no include
-//       guard but the compiler's own per kind.
+// How:  offsets from one of the sites, in radii, coordinate by coordinate. Compiled once for each kind of vector unit; no
+//       include guard but the compiler's own per kind.
 #if defined(RBPA_SPACE_STAR_SURROUNDINGS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_SURROUNDINGS_INL_H_
 #undef RBPA_SPACE_STAR_SURROUNDINGS_INL_H_
