@@ -1,17 +1,37 @@
-// What a user writes who wants arrays, in the plane and in space, and no mesh.
+// What a user writes who wants arrays, in the plane and in space, and no mesh. All headers are here that need none.
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <vector>
 
 #include "rbpa/auto_radii.h"
+#include "rbpa/boundary_curves.h"
+#include "rbpa/collinear.h"
+#include "rbpa/corner_polygon.h"
+#include "rbpa/coverage.h"
+#include "rbpa/covering.h"
 #include "rbpa/estimate_normals.h"
+#include "rbpa/facing_sides.h"
+#include "rbpa/filtration.h"
+#include "rbpa/filtration_arrays.h"
+#include "rbpa/holes.h"
+#include "rbpa/level_topology.h"
+#include "rbpa/link_triangles.h"
+#include "rbpa/locate.h"
 #include "rbpa/partial.h"
+#include "rbpa/partial_bytes.h"
 #include "rbpa/persistence.h"
 #include "rbpa/plateaus.h"
+#include "rbpa/polygons_of_rings.h"
+#include "rbpa/region.h"
+#include "rbpa/rolling_ball.h"
 #include "rbpa/shape.h"
 #include "rbpa/surface.h"
+#include "rbpa/surface_levels.h"
+#include "rbpa/topology.h"
 #include "rbpa/triangulate.h"
+#include "rbpa/unused.h"
+#include "rbpa/validity.h"
 
 int main() {
   const std::vector<rbpa::Point> points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}};
