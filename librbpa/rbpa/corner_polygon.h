@@ -1,4 +1,4 @@
-// What: polygons whose corners say where they are, as the points of the input are not in memory, and have indices of 64 bits.
+// What: polygons whose corners have coordinates, as the points of the input are not in memory, and have indices of 64 bits.
 // Law:  those of polygons() (rbpa/shape.h), to the last bit.
 #pragma once
 

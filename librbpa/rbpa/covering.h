@@ -22,7 +22,7 @@ struct Covering {
 };
 
 /// `count` of `all` is at least this share: the quotient, rounded to double, is not below it. So a share written in
-/// decimals means what it says: 7 of 100 are the share 0.07.
+/// decimals is met exactly: 7 of 100 are the share 0.07.
 constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }

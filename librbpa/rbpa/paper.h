@@ -1,4 +1,4 @@
-// What:   RBPA and HRBPA as the paper says them: one point after the other, on the advancing-front engine, with grid cells of side 2α of
+// What:   RBPA and HRBPA as published: one point after the other, on the advancing-front engine, with grid cells of side 2α of
 //         which nine are scanned at each pivot.
 // Law:    the triangles of rbpa() and hrbpa(). Short and slow, to read and to compare with.
 // Cost:   a pivot grows with α² over the square of the spacing; one thread.

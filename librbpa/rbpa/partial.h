@@ -67,7 +67,7 @@ class RBPA_API Partial {
   /// Whether all of the plane is merged.
   bool is_whole() const;
 
-  // For the functions of this room.
+  // For the functions in plane/partial/.
   explicit Partial(PartialState&& state);
   const PartialState& state() const { return *state_; }
   PartialState& state() { return *state_; }
@@ -107,7 +107,7 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
                                            const PartialOptions& options = {});
 
 /// Two sets of regions as one.
-/// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when what they say of a common triangle
+/// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when what they hold of a common triangle
 ///         cannot be: halos were not complete, or points not the same. Then neither is of any further use.
 /// Cost:   n log n in what is open; an amortised constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);

@@ -15,7 +15,7 @@ namespace rbpa {
 /// Cost: linear, and that of a sort of the polygons.
 RBPA_API std::vector<std::uint8_t> to_bytes(const Partial& partial);
 
-/// Throws: InvalidInput that says where and what: not such bytes, of another version, cut off, changed, or bytes that
+/// Throws: InvalidInput that names the place and what was found: not such bytes, of another version, cut off, changed, or bytes that
 ///         to_bytes() does not write.
 RBPA_API Partial partial_from_bytes(std::span<const std::uint8_t> bytes);
 

@@ -1,4 +1,4 @@
-// What: rings, of which nobody has said which are holes, as polygons with holes.
+// What: rings, of which it is not known which are holes, as polygons with holes.
 // Law:  a function of the rings as sets of the plane, but for the order of what is returned.
 // Cost: n log n in the points of the rings.
 #pragma once

@@ -23,8 +23,8 @@ struct Options {
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Not
   /// so often where points are sorted before the first triangle, where what tiles leave over is laid, and where the mesh
-  /// is finished: each time for up to about a tenth of a second a million points, or half of one on sets that tiles can
-  /// tell nothing of.
+  /// is finished: each time for up to about a tenth of a second a million points, or half of one on sets of which tiles
+  /// find nothing.
   /// Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };

@@ -86,7 +86,7 @@ class Validator {
         h = mesh_.next_halfedge_handle(h);
       } while (++steps <= sides && h != first && mesh_.face_handle(h) == f);
       if (h != first) {
-        // Where the face changes along the loop, that has been said of the halfedge.
+        // Where the face changes along the loop, that has been reported for the halfedge.
         if (steps > sides) add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
         return;
       }

@@ -28,7 +28,7 @@ struct Fit {
   Fit(const std::array<Site, 3>& sites, const Front& front, std::size_t revision)
       : corners(sites), front_(&front), revision_(revision) {}
 
-  const Front* front_ = nullptr;  // that said so; none where it was made by hand
+  const Front* front_ = nullptr;  // that made it; none where it was made by hand
   std::size_t revision_ = 0;      // of the front then
 };
 

@@ -1,7 +1,7 @@
 // What:   the front: boundary curves that are still to be advanced, on a mesh whose vertices stand on sites.
 // Law:    whatever it is asked, the mesh is an oriented manifold at every step, and every boundary halfedge is active,
-//         frozen, or in the hands of who popped it. Between two sites there is at most one edge, unless who asks says
-//         himself which sides are glued; then no triangle comes twice. What would break this is refused, with the mesh
+//         frozen, or in the hands of who popped it. Between two sites there is at most one edge, unless the caller decides
+//         which sides are glued; then no triangle comes twice. What would break this is refused, with the mesh
 //         untouched.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1.
 #pragma once
@@ -114,7 +114,7 @@ class MESHOPS_API Front {
   /// The halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
   /// Cost: the lesser of the numbers of edges at both sites.
   Halfedge edge_between(Site from, Site to) const;
-  /// All of them, in any order: there are several only where who asks says himself what is glued.
+  /// All of them, in any order: there are several only where the caller decides what is glued.
   /// Cost: that of edge_between() where no edge joins them.
   std::vector<Halfedge> edges_between(Site from, Site to) const;
   /// The boundary halfedge from a site to another; an invalid handle when there is none.
@@ -150,7 +150,7 @@ class MESHOPS_API Front {
   /// The same in two steps, and without asking twice.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
-  /// The same for who knows which sides are glued, where sites do not tell: surfaces in space touch along edges, and have
+  /// The same for a caller who knows which sides are glued, where sites do not decide it: surfaces in space touch along edges, and have
   /// slits. Of the boundary halfedges between the sites of a side, the first is glued for which glues(halfedge, apex) is
   /// true, the apex being the third corner; without any it is a new edge. It must not change the front. All that is asked of the triangle itself is
   /// that it is not there yet, and of its corners that they are distinct, and exist or are the next new ones.

@@ -65,14 +65,14 @@ class Proposal {
 ///                      to freeze it; or another Proposal
 /// The numbers that follow the last site, front.sites() and so on, stand for new ones, which are added when the triangle
 /// is: so a policy places points. A triangle that the front refuses (Front::attach_blocker) is not attached: the edge is
-/// frozen, and the visitor is told.
+/// frozen, and the visitor is called.
 template <typename P>
 concept FrontPolicy = requires(P policy, const Front& front, Halfedge h) {
   { policy.seed(front) } -> std::same_as<std::optional<std::array<Site, 3>>>;
   { policy.propose(front, h) } -> std::convertible_to<Proposal>;
 };
 
-/// A policy may say which sides are glued. Without it sites tell: between two of them there is one edge.
+/// A policy may decide which sides are glued. Without that, sites decide: between two of them there is one edge.
 ///   glues(front, h, apex)  the boundary halfedge h is glued to the side, between the same sites, of a triangle whose third
 ///                          corner is the apex. It is asked of the halfedges that there are, when a triangle is inserted;
 ///                          where the answer is no to all, the side is a new edge.
@@ -93,7 +93,7 @@ concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& f
   { policy.key(front, h) } -> std::totally_ordered;
 };
 
-/// Keys may depend on the neighbours on the curve, as angles between edges do. A policy that says so,
+/// Keys may depend on the neighbours on the curve, as angles between edges do. A policy that declares it,
 ///   static constexpr bool rekeys_neighbours = true;
 /// is asked for the key again of both boundary halfedges at each corner of a triangle that was inserted or taken away, if
 /// they are active. Their age stays: where no triangle is taken away, keys that stay the same make the same run.

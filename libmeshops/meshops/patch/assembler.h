@@ -65,7 +65,7 @@ class MESHOPS_API PatchAssembler {
     std::vector<std::array<int, 2>> edges;  // the first, and one behind the last
     std::vector<bool> has_vertex;           // of each site: a fan between holes has it for its vertex
     std::vector<Halfedge> into;             // of each further vertex, a boundary halfedge that ends there
-    std::vector<Halfedge> loose;            // boundary halfedges that end where another patch has a say in what follows
+    std::vector<Halfedge> loose;            // boundary halfedges that end where another patch decides what follows
   };
   void place_holes(const Patch& patch, const Outline& outline, Placement& placement);
   void fill_holes(const Patch& patch, const Outline& outline, Placement& placement);

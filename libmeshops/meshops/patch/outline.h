@@ -12,7 +12,7 @@ namespace meshops {
 struct Outline {
   std::vector<int> rim;    ///< the sides at which nothing of the patch lies, but of another may; ascending
   std::vector<int> holes;  ///< the sides beyond which there is nothing, ascending
-  /// Of each hole, that whose boundary halfedge follows that of the hole, or −1 where another patch has a say in it.
+  /// Of each hole, that whose boundary halfedge follows that of the hole, or −1 where another patch decides it.
   std::vector<int> next_hole;
   /// For each site inside, around which triangles of the patch close, a side out of it: the last of those whose number is
   /// less than that of the side across. In any order.

@@ -18,8 +18,8 @@ class Placement {
     sides += static_cast<std::size_t>(-Patch::nothing);
     if (of_side_.size() < sides) of_side_.resize(sides);
   }
-  /// Of a side, as others tell it: at the rim place(), of a hole the number of its place, else the side across. What is
-  /// across at the rim is told to no purpose.
+  /// Of a side, as others store it: at the rim place(), of a hole the number of its place, else the side across. What is
+  /// across at the rim is not used.
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;

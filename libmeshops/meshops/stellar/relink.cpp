@@ -137,7 +137,7 @@ void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Hal
   if (mesh.halfedge_handle(c) == dw) mesh.set_halfedge_handle(c, cw_left);
 }
 
-/// Of a dead edge the halfedge that left `v`, as far as its records tell.
+/// Of a dead edge the halfedge that left `v`, as far as its records hold it.
 Halfedge leaving(const Connectivity& mesh, Edge e, Vertex v) {
   return mesh.halfedge_handle(e, mesh.to_vertex_handle(mesh.halfedge_handle(e, 0)) == v ? 1 : 0);
 }
@@ -231,7 +231,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
   const StarElements& removed = effect.removed;
   const Vertex v = removed.vertex, w = effect.survivor;
-  // The records of what was removed are as they were, and say what no rule tells.
+  // The records of what was removed are as they were, and hold what no rule determines.
   const Halfedge h = effect.halfedge, named_by_v = mesh.halfedge_handle(v);
   const std::array<Halfedge, 2> named_by_face = {
       mesh.halfedge_handle(removed.face[0]), removed.at_boundary ? Halfedge() : mesh.halfedge_handle(removed.face[1])};

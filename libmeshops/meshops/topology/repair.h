@@ -1,4 +1,4 @@
-// What: makes an oriented manifold of any soup, and says what that took.
+// What: makes an oriented manifold of any soup, and reports what was changed.
 // Law:  find_defects(repair(s).soup) is empty; a soup without defects comes back as it was; nothing is added to the
 //       surface.
 // Cost: near-linear.

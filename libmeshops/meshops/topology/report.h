@@ -67,7 +67,7 @@ struct TopologyReport {
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {});
 
-/// Of a mesh. `point_of_vertex` tells which vertices stand on one point; by default each stands on its own. Where
+/// Of a mesh. `point_of_vertex` is the point of each vertex; by default each stands on its own. Where
 /// several fans share a vertex, as OpenMesh's readers leave it, it is a pinch: no piece and no curve passes it.
 /// Requires: validate() finds nothing but vertices with several fans; `point_of_vertex` is empty or has a value per vertex.
 /// Throws: Cancelled.

@@ -1,5 +1,5 @@
 // What: keeps the counts of a mesh and the components of its vertices up to date while operators change it.
-// Law:  after every operator that it was told of, counts() equals count_topology(mesh).
+// Law:  after every operator that was recorded, counts() equals count_topology(mesh).
 // Cost: union–find time for operators that only join; what parts a component pays for the smaller of the two parts.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace meshops {
 /// Tell it of each operator at once, before the next: with note() and what the operator returned. Those in which it
 /// matters to know the components are also members: these use what the tracker knows instead of a search. A flip
 /// changes nothing that is tracked. A remove_triangle() is to be done as its unglue() and destroy_triangle().
-/// What names elements that are not there, or of which it was not told, is a ContractViolation, and nothing is changed.
+/// What names elements that are not there, or that was not recorded, is a ContractViolation, and nothing is changed.
 class MESHOPS_API TopologyTracker {
  public:
   /// Counts once. Keeps a reference. Requires: validate(mesh) is empty.
@@ -31,10 +31,10 @@ class MESHOPS_API TopologyTracker {
   /// Whether two live vertices hang together. Cost: union–find time.
   bool in_same_component(Vertex a, Vertex b);
 
-  /// glue(), told at once. Cost: union–find time when the edges are on two components or adjacent; otherwise the
+  /// glue(), in one step. Cost: union–find time when the edges are on two components or adjacent; otherwise the
   /// shorter of two ways along a curve, or the shorter of two curves.
   GlueEffect glue(Halfedge first, Halfedge second);
-  /// zip_curves(), told at once.
+  /// zip_curves(), in one step.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
   void note_created(Halfedge first_side);  ///< of create_triangle(): what it returned

@@ -130,9 +130,9 @@ struct Pieces {
   std::size_t retreats = 0, passed = 0;
 };
 
-class Told : public Monitor {
+class ProgressVisitor : public Monitor {
  public:
-  Told(LoFront& policy, const std::function<bool(const Progress&)>& progress, std::size_t points)
+  ProgressVisitor(LoFront& policy, const std::function<bool(const Progress&)>& progress, std::size_t points)
       : Monitor(progress, points), policy_(policy) {}
   void attached(const Front& front, Halfedge h, const meshops::InsertedTriangle& triangle) {
     policy_.attached(front, triangle);
@@ -160,7 +160,7 @@ Pieces advance_from(const Outline& outline, const SizeField& field, const FillOp
 
   Front front(mesh, site_of_vertex);
   LoFront policy(std::move(places), rings, field, go_on);
-  meshops::advance(front, policy, Told(policy, options.progress, outline.places.size()));
+  meshops::advance(front, policy, ProgressVisitor(policy, options.progress, outline.places.size()));
   Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats(), .passed = policy.passed()};
   for (std::size_t i = 0; i < mesh.n_halfedges(); ++i)
     meshops::require(!front.is_boundary(Halfedge(static_cast<int>(i))), "fill: the front has not closed");

@@ -26,7 +26,7 @@ bool Ball::met_before(Site v, Site from, Site q, Site p) const {
   return P::orientation(at(v), at(q), at(p)) > 0;
 }
 
-/// Is q inside the ball that arrives at p? The angle at q tells: docs/seeding.md, section 4.
+/// Is q inside the ball that arrives at p? The angle at q decides: docs/seeding.md, section 4.
 bool Ball::in_arriving_ball(Site v, Site p, Site q) const {
   const int side = P::orientation(at(v), at(p), at(q));
   const int cosine = P::dot_sign(at(q), at(v), at(p));

@@ -86,7 +86,7 @@ class Locator::Impl {
     }
   }
 
-  /// Of the triangles that have the point for which `sign` is what side() says, the first.
+  /// Of the triangles that have the point for which side() returns `sign`, the first.
   std::uint32_t first_that_has(std::uint32_t t, const std::array<int, 3>& sign) const {
     const auto zeros = std::count(sign.begin(), sign.end(), 0);
     if (zeros == 0) return t;

@@ -81,7 +81,7 @@ std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t poin
   return others(covered, of.duplicates);
 }
 
-/// The triangles of a radius, and what is told of points.
+/// The triangles of a radius, and what becomes of points.
 Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
   Triangulation result;
   Threads threads = threads_for(points.size(), options.threads);

@@ -68,7 +68,7 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// All triangles in order. With `rank`, tells of each number where it went. Nothing is added afterwards. Calls `ask`, if
+  /// All triangles in order. `rank`, if any, gets the new place of each number. Nothing is added afterwards. Calls `ask`, if
   /// any, after each bucket, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
   /// Frees the memory.

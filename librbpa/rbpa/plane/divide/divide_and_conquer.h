@@ -16,7 +16,7 @@
 
 namespace rbpa {
 
-/// What becomes of a triangle: 0 when it is kept; else what the patch is to tell those beside it. Called in any thread,
+/// What becomes of a triangle: 0 when it is kept; else what the patch stores for the triangles beside it. Called in any thread,
 /// several at a time.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 

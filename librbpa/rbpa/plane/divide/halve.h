@@ -20,8 +20,7 @@ struct SitePoint {
   std::uint32_t site;
 };
 
-/// The order along x is lexicographic; the one along y is the same after a quarter turn. By branches with_rare_ties(),
-/// and else without.
+/// The order along x is lexicographic; the one along y is the same after a quarter turn. with_rare_ties() compares by branches, the others without.
 struct AlongX {
   bool operator()(const SitePoint& p, const SitePoint& q) const {
     return (p.at.x < q.at.x) | ((p.at.x == q.at.x) & (p.at.y < q.at.y));

@@ -60,7 +60,7 @@ class QuadEdges {
     return e;
   }
 
-  /// An edge between the points that `a` and `b` leave, next to each counter-clockwise.
+  /// Adds an edge from the origin of `a` to that of `b`. It becomes the next edge counter-clockwise at either origin.
   Edge connect(Edge a, Edge b, Unused& unused) {
     const Edge e = unused.first, back = sym(e);
     unused.first = edges_[e].onext;

@@ -1,7 +1,7 @@
 // What: the triangles of a small solid alpha complex on a tile, found by enumeration: a finder (tile/finder.h).
 // Law:  every triangle of the complex of which the tile owns a corner is found, and no other.
 // Why:  a front that advances finds the whole Delaunay triangulation, also where alpha leaves little of it. Where a point
-//       has a handful of others within 2 alpha, it is sooner said which of them form a triangle with it.
+//       has a handful of others within 2 alpha, it is faster to test which of them form a triangle with it.
 // Cost: for each point, with m others within 2 alpha: O(m³), in vectors; a few dozen nanoseconds up to m = 6.
 #pragma once
 

@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// By alpha; in which order equal alphas come is not said.
+/// By alpha; equal alphas come in any order.
 inline std::vector<std::uint32_t> ascending(const Filtration& filtration, Steps& pulse) {
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<std::uint32_t> faces(alpha.size());

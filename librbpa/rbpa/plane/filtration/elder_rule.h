@@ -25,7 +25,7 @@ struct Arrival {
   friend auto operator<=>(const Arrival&, const Arrival&) = default;
 };
 
-/// Edges ascending: an edge between two components ends the younger. `pair(vertex's arrival, death)` is told of each
+/// Edges ascending: an edge between two components ends the younger. Calls pair(vertex's arrival, death) for each
 /// component that lives for some time, with the vertex that it began with.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
@@ -48,7 +48,7 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
 
 /// Edges descending: taking an edge away joins the gaps on its sides. A gap fills up with the last of its triangles; of
 /// two that are separate above this alpha the one that fills up first is a hole from here to there.
-/// `pair(birth, last face's arrival)` is told of each hole, which dies as that face comes.
+/// Calls pair(birth, last face's arrival) for each hole, which dies as that face comes.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_holes(const FilteredCells& cells, Steps& pulse, const Pair& pair) {

@@ -33,11 +33,11 @@ std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const
   return faces;
 }
 
-/// Gaps of the complex while alpha falls: faces that are not there, hung together through sides that are not there.
+/// Gaps of the complex while alpha falls: triangles that are not in it, connected through sides that are not in it.
 class Gaps {
  public:
   explicit Gaps(std::size_t faces) : sets_(faces + 1), next_(faces + 1) { std::iota(next_.begin(), next_.end(), 0u); }
-  /// Joins those of two faces; `outside_reaches(face)` is called with each face that is now in that of `outside`.
+  /// Joins those of two faces; `outside_reaches(face)` is called with each triangle that is now in the gap of `outside`.
   template <typename Reaches>
   void join(std::uint32_t a, std::uint32_t b, std::uint32_t outside, const Reaches& outside_reaches) {
     const std::uint32_t of_a = sets_.find(a), of_b = sets_.find(b);
@@ -106,7 +106,7 @@ std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<con
   areas = std::vector<Wide>();
   const std::vector<Wide> enclosed = enclosed_areas(ordered, step_of, ordered_areas, pulse);
 
-  // Flat triangles may have no area that can be told.
+  // The area of a flat triangle may round to 0.
   const auto positive = [](Wide area) { return std::max(area, std::numeric_limits<Wide>::min()); };
   const Wide whole = enclosed.empty() ? 1 : positive(enclosed.back());
   SolidParts parts(ordered, points.size());

@@ -1,5 +1,5 @@
 // What: points that are not in a grid, and where they lie, for who must not overlook them.
-// Law:  in_box() tells of every hidden point of a box, are_left() and the others of every side on which one lies outside
+// Law:  in_box() counts every hidden point of a box, are_left() and the others of every side on which one lies outside
 //       of the grid.
 #pragma once
 

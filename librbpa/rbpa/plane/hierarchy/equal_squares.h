@@ -38,7 +38,7 @@ class EqualSquares {
     for (int i = 0; i < depth; ++i) side_ /= 2;
   }
 
-  /// All squares can be told apart.
+  /// No two squares have the same number.
   bool are_apart() const { return columns_.are_apart() && rows_.are_apart(); }
 
   /// Requires that they are apart, and points in the square.

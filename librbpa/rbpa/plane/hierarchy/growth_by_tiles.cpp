@@ -44,7 +44,7 @@ struct LevelSink {
   Monitor& monitor;
 };
 
-/// As fit() says, which would also look for what a complex has not: an edge with two triangles on one side.
+/// As fit(), which would also look for what a complex has not: an edge with two triangles on one side.
 meshops::Fit fit_of_complex(const meshops::Front& front, const std::array<meshops::Site, 3>& corners) {
   meshops::Fit fit(corners);
   for (std::size_t i = 0; i < 3; ++i)

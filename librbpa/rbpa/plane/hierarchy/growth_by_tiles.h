@@ -1,4 +1,4 @@
-// What:   the complex from level to level where tiles tell all triangles at once.
+// What:   the complex from level to level where tiles find all triangles at once.
 // Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every boundary
 //         halfedge is frozen.
 // How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and

@@ -17,7 +17,7 @@ int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder
   return level;
 }
 
-/// What `across` says of a side whose triangle has a new number, three times that, or is gone.
+/// What `across` holds of a side whose triangle has a new number, three times that, or is gone.
 int renumbered(int beyond, const std::vector<int>& number) {
   if (beyond < 0) return beyond;
   const int of_triangle = number[static_cast<std::size_t>(beyond) / 3];

@@ -1,4 +1,4 @@
-// What:   the leaves of a quadtree over points, which tell how dense they lie.
+// What:   the leaves of a quadtree over points, which measure how dense they lie.
 // Law:    a square with more than `capacity` distinct points is cut in four, the first is the least square that begins
 //         at the lower left corner of the points' box and covers it. A function of the set of points.
 // Cost:   linear in the points where these lie evenly; otherwise at most in points times depth. A square whose points

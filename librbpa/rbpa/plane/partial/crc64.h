@@ -1,4 +1,4 @@
-// What: CRC-64/XZ, by which bytes that were changed are told.
+// What: CRC-64/XZ, which detects bytes that were changed.
 // Why:  of this length it misses no change of up to 64 bits side by side, and of others one in 2⁶⁴; a product of bytes (FNV)
 //       promises nothing.
 // Source: ECMA-182 (1992), annex B; reflected, as in the XZ format.

@@ -63,7 +63,7 @@ void append_all(PartialState& a, PartialState&& b) {
   append(a.polygons, std::move(b.polygons));
 }
 
-/// Merges two sorted lists: says which components are one as they have a triangle in common.
+/// Merges two sorted lists: unites components that have a triangle in common.
 std::vector<SharedTriangle> merge_shared(const std::vector<SharedTriangle>& a, const std::vector<SharedTriangle>& b,
                                          meshops::DisjointSets& components) {
   std::vector<SharedTriangle> merged;

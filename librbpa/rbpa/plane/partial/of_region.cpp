@@ -39,7 +39,7 @@ struct Pass {
   std::vector<OpenSide> boundary;          // sides that have an owned end
 };
 
-/// A side is of this region to tell of when it has an owned end: then both of its triangles are known here.
+/// A region counts a side that has an owned end: then both of its triangles are known here.
 void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pass& pass) {
   const auto& corners = of.triangulation().triangles[t];
   const auto& neighbors = of.triangulation().neighbors[t];
@@ -156,7 +156,7 @@ class Builder {
     counts.edges = pass_.twice_edges / 2;
   }
 
-  /// It counts where the point that it repeats does, if anywhere.
+  /// A duplicate counts in the component of the point that it repeats, if there is one.
   void add_duplicate(std::uint32_t of) {
     ++state_.counts.duplicates;
     if (const std::uint32_t t = pass_.triangle_at[of]; t != no_index) {

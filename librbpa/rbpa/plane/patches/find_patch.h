@@ -13,7 +13,7 @@ struct FinderWorkspace {
   PivotWorkspace pivots;
 };
 
-/// Replaces `found`; it is empty where no finder tells anything.
+/// Replaces `found`; it is empty where no finder decides anything.
 inline void find_patch(const Tile& tile, const Radius& alpha, FinderWorkspace& workspace, TilePatch& found) {
   if (tile.points.empty()) return found.clear();
   workspace.tile.coordinates.assign(tile);

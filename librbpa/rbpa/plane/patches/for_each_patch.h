@@ -1,7 +1,7 @@
 // What: the solid alpha complex, patch by patch: those of tiles, then one of what tiles leave over.
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
 // How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
-//       2. A finder makes a patch of each, and says which stars are settled (patches/find_patch.h).
+//       2. A finder makes a patch of each, and marks the stars that are settled (patches/find_patch.h).
 //       3. A sink puts patches together, one at a time where they have to do with each other.
 //       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
 // Cost: linear where density is even; at worst O(n log n).

@@ -67,7 +67,7 @@ class TileFront {
   }
 
   /// Long searches are few where points are scattered. Where they are not, along curves and in crowds, the remainder needs
-  /// less time, and what is not told yet is left to it.
+  /// less time, and what is not decided yet is left to it.
   bool has_given_up() const {
     constexpr std::size_t max_work = 200;                          // measured: points looked at for a triangle
     const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first

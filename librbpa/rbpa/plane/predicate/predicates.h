@@ -55,7 +55,7 @@ class Predicates {
     const CircleTest<Real> test(a, b, p, q);
     if (test.is_sure()) return test.sign();
     if constexpr (std::is_same_v<Real, double>) {
-      // Cocircular but for rounding. What has a few bits more tells nearly always.
+      // Cocircular but for rounding. A few bits more nearly always decide.
       if constexpr (has_extended) {
         const CircleTest<long double> finer(a, b, p, q);
         if (finer.is_sure()) return finer.sign();
@@ -139,7 +139,7 @@ class Predicates {
   /// long double has 64 bits, in the processor: on x86. Where it has 113, these are computed in software, and slowly.
   static constexpr bool has_extended = std::numeric_limits<long double>::digits == 64;
 
-  /// in_circle() as far as numbers of one kind can tell.
+  /// in_circle() as far as numbers of one kind decide it.
   template <typename Number>
   struct CircleTest {
     CircleTest(const Point& a, const Point& b, const Point& p, const Point& q) {

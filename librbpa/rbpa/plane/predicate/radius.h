@@ -1,4 +1,4 @@
-// What: the ball's radius, with infinity said in words.
+// What: the ball's radius, with infinity as a state of its own.
 #pragma once
 
 #include <cmath>

@@ -25,7 +25,7 @@ void filter_on(const TileCoordinates& at, const LocalFront& front, double alpha,
   const hn::Rebind<LocalFront::Index, D> dn;
   using V = hn::Vec<D>;
 
-  constexpr double max_factor = 0x1p30;  // a larger one tells as little: nothing is above it
+  constexpr double max_factor = 0x1p30;  // a larger one excludes nothing either
   const double scaled = alpha * at.scale, exact_factor = 4 * scaled * scaled;
   const bool is_exact = exact_factor < max_factor;
   const V factor = hn::Set(d, static_cast<float>(std::min(exact_factor, max_factor)));

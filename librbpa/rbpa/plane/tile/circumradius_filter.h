@@ -1,4 +1,4 @@
-// What: which triangles on a tile have a circumradius ≤ alpha, as far as single precision tells.
+// What: which triangles on a tile have a circumradius ≤ alpha, as far as single precision decides.
 // Law:  `inside` and `outside` are true of the points in double precision; `uncertain` is for exact arithmetic to decide.
 // How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/tiles.md, section 7, derives the bounds.
 // Cost: a few nanoseconds a triangle.

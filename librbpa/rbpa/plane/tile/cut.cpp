@@ -32,7 +32,7 @@ void for_each_grid(const Level& level, std::uint32_t merged, std::uint32_t first
     if (points_in(level, child->cell) > merged) visit(child->cell);
 }
 
-/// As many points as a tile may have that owns some. Those of a tile beside dense cells are left to others.
+/// Limit on owned plus ghost points. A tile beside dense cells leaves theirs to others.
 std::size_t max_points_around(std::size_t owned) { return std::min(Tile::max_points, 8 * owned + 1024); }
 
 std::uint32_t points_of(const Level& level, const Block& block) {
@@ -126,7 +126,7 @@ void Cutter::cut(const Block& block, Tile& tile) {
 /// Cells that suit the block: the level's are right on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
-  // Where density varies, points see more of it than the mean; along rows of points they seem to, but less.
+  // Where density varies, most points lie where it is above the mean. Rows of points look the same, but to a lesser degree.
   const double mean = density(block), seen = mean_occupancy(level, block) - 1;
   const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
   const double ratio = std::sqrt(points_per_cell / mean) / finer;

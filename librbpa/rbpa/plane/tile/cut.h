@@ -1,5 +1,5 @@
 // What: cuts the plane into tiles along the cells of the point grid.
-// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells it says it does not
+// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells that it lists as not
 //       know.
 // Cost: linear in the points of the tile and the cells of its block.
 #pragma once

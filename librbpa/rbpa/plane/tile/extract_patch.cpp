@@ -108,7 +108,7 @@ class PatchExtraction {
     }
   }
 
-  /// Which triangles the patch keeps, and what is told of each side to the one across.
+  /// Which triangles the patch keeps, and what the side across of each stores.
   template <typename IsWithin>
   void number_sides(IsWithin is_within) {
     const std::size_t triangles = front_.triangles();

@@ -15,11 +15,11 @@
 
 namespace rbpa {
 
-/// Memory, from tile to tile; extract_patch.cpp says what for.
+/// Memory, from tile to tile; extract_patch.cpp defines its use.
 struct ExtractionWorkspace {
   std::vector<std::uint16_t> kept, others, marginal;  // numbers of triangles
   std::vector<std::uint16_t> owned;                   // of each triangle: the tile owns its least corner
-  std::vector<std::uint16_t> number;                  // of each side: what the one across is told of it
+  std::vector<std::uint16_t> number;                  // of each side: what the one across stores of it
   std::vector<std::uint16_t> elsewhere;               // of each point: triangles around it that other tiles own
   std::vector<int> last,
       ending;  // of each point: the side that leaves it in an outline; one of the rim that ends there
@@ -32,7 +32,7 @@ struct ExtractionWorkspace {
   std::vector<int> outer;
 };
 
-/// Replaces `result` by what the triangles on the front tell: those within alpha that the tile owns, and what is settled.
+/// Replaces `result` by what follows from the triangles on the front: those within alpha that the tile owns, and what is settled.
 /// Requires the tile's coordinates.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);

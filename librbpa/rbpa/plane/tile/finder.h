@@ -1,6 +1,6 @@
 // What: what is common to those who find the triangles of a tile, by pivots (pivots/) or by enumeration (enumeration/).
 // Law:  a finder replaces `found` by a patch of the complex and what is settled by it, a function of the tile and alpha
-//       alone. It returns false where it cannot tell anything or would be too slow; what is in `found` is of no use then.
+//       alone. It returns false where it can decide nothing or would be too slow; what is in `found` is of no use then.
 #pragma once
 
 #include "rbpa/plane/tile/coordinates.h"

@@ -1,6 +1,6 @@
 // What: triangles of a tile and the front around them, in 16 bits a number.
 // Law:  a side of a triangle is glued as soon as the triangle across it is there.
-// Why:  an advancing front on a tile needs neither vertices nor curves: fans on one point are told apart when the
+// Why:  an advancing front on a tile needs neither vertices nor curves: fans on one point are separated when the
 //       triangles come to the mesh. It stays in the fastest cache, and nothing waits for a branch that cannot be foreseen.
 #pragma once
 
@@ -65,7 +65,7 @@ class LocalFront {
   }
 
   /// At the points that are marked there is no further triangle: they are touched, and no longer on the front. What is
-  /// said of others is of no use from then on.
+  /// stored of others is of no use from then on.
   void seal(const std::vector<std::uint8_t>& marked) {
     for (std::size_t v = 0; v < head_.size(); ++v) {
       head_[v] = marked[v] ? none : head_[v];
