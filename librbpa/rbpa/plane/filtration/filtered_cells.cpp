@@ -11,7 +11,7 @@
 namespace rbpa {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// An edge of the triangulation: the side of a triangle across from a corner, and the triangle beyond, or none.
 struct Side {
@@ -92,7 +92,7 @@ FilteredCells filtered_cells(const Triangulation& delaunay, std::span<const Poin
   const std::vector<double>& alpha = filtration.triangle_alpha;
   FilteredCells cells;
   cells.faces = alpha;
-  cells.vertices.assign(delaunay.distinct, kind == ComplexKind::full ? 0.0 : infinity);
+  cells.vertices.assign(delaunay.distinct, kind == ComplexKind::full ? 0.0 : never);
   cells.edges.reserve(delaunay.distinct + delaunay.triangles.size());
   for_each_edge(delaunay, [&](const Side& side) {
     pulse();

@@ -9,14 +9,14 @@
 namespace rbpa {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Weights along a vertical line, and the extremes of their sums from below.
 class Heights {
  public:
   explicit Heights(std::span<const Quadrant> quadrants) {
     for (const Quadrant& quadrant : quadrants) y_.push_back(quadrant.at.y);
-    y_.push_back(-infinity);  // what lies below every corner is not covered
+    y_.push_back(-unbounded);  // what lies below every corner is not covered
     std::sort(y_.begin(), y_.end());
     y_.erase(std::unique(y_.begin(), y_.end()), y_.end());
     leaves_ = std::bit_ceil(y_.size());
@@ -77,7 +77,7 @@ Cover::Cover(const Region& region) {
   if (!(region.x0 < region.x1) || !(region.y0 < region.y1)) return;
   // −0 is written as 0, so that equal covers have equal bytes.
   const auto add = [&](double x, double y, int weight) {
-    if (x < infinity && y < infinity) quadrants_.push_back({{x + 0.0, y + 0.0}, weight});
+    if (x < unbounded && y < unbounded) quadrants_.push_back({{x + 0.0, y + 0.0}, weight});
   };
   add(region.x0, region.y0, 1);
   add(region.x0, region.y1, -1);
@@ -104,7 +104,9 @@ Cover operator+(const Cover& a, const Cover& b) {
   return Cover(std::move(sum));
 }
 
-bool Cover::is_whole() const { return quadrants_.size() == 1 && quadrants_[0] == Quadrant{{-infinity, -infinity}, 1}; }
+bool Cover::is_whole() const {
+  return quadrants_.size() == 1 && quadrants_[0] == Quadrant{{-unbounded, -unbounded}, 1};
+}
 
 std::optional<Point> Cover::wrong() const {
   return sweep(
@@ -113,7 +115,7 @@ std::optional<Point> Cover::wrong() const {
 }
 
 std::optional<Point> Cover::missing() const {
-  if (quadrants_.empty() || quadrants_[0].at.x > -infinity) return Point{-infinity, -infinity};
+  if (quadrants_.empty() || quadrants_[0].at.x > -unbounded) return Point{-unbounded, -unbounded};
   return sweep(
       quadrants_, [](int least, int) { return least < 1; }, [](int sum) { return sum < 1; });
 }
