@@ -8,11 +8,9 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "cli/text_of.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/number.h"
-#include "io/whole_number.h"
 #include "rbpa/filtration.h"
 #include "rbpa/plateaus.h"
 

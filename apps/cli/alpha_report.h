@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/persistence.h"
 #include "report/radii.h"
 

@@ -11,12 +11,11 @@
 #include "cli/find_radii.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/output_file.h"
-#include "io/same_file.h"
 #include "picture/filtration_plot.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
@@ -77,7 +76,7 @@ void run_alpha(const AlphaArguments& arguments) {
                              .kind = parse_complex(arguments)};
   const RunOptions run = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
-  if (arguments.picture && shape_format(ending(*arguments.picture)) != ShapeFormat::svg)
+  if (arguments.picture && find_format(Use::shape, ending(*arguments.picture)) != Format::svg)
     throw WrongUsage(*arguments.picture + ": found the ending " + in_quotes(ending(*arguments.picture)) +
                      ", expected svg");
   std::vector<std::string> outputs{"-"};

@@ -5,30 +5,33 @@
 #include <iterator>
 #include <limits>
 
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/number.h"
-#include "io/ogr/ogr.h"
-#include "io/same_file.h"
-#include "io/whole_number.h"
+#include "io/polygon/ogr.h"
 #include "picture/scene.h"
 
 namespace rbpa::app {
 namespace {
 
-template <typename Format>
-std::vector<TargetOf<Format>> targets_of(std::optional<Format> (*known_format)(std::string_view),
-                                         std::string_view known_formats, const std::vector<std::string>& paths,
-                                         const std::optional<std::string>& format, bool any_report) {
+/// A format of GDAL is an unknown ending where there is no GDAL.
+std::optional<Format> find_known(Use use, std::string_view name) {
+  const std::optional<Format> format = find_format(use, name);
+  return format && is_ogr(*format) && !has_gdal() ? std::nullopt : format;
+}
+
+std::vector<Target> targets_of(Use use, std::string_view known_formats, const std::vector<std::string>& paths,
+                               const std::optional<std::string>& format, bool any_report) {
   std::optional<Format> otherwise;
   if (format) {
-    otherwise = known_format(*format);
+    otherwise = find_known(use, *format);
     if (!otherwise) refuse_name("--output-format", *format, known_formats);
   }
   if (paths.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
-  std::vector<TargetOf<Format>> targets;
+  std::vector<Target> targets;
   for (const std::string& path : paths) {
     if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
-    std::optional<Format> known = path == "-" ? std::nullopt : known_format(ending(path));
+    std::optional<Format> known = path == "-" ? std::nullopt : find_known(use, ending(path));
     if (!known) known = otherwise;
     if (!known && path == "-")
       throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(known_formats));
@@ -38,18 +41,18 @@ std::vector<TargetOf<Format>> targets_of(std::optional<Format> (*known_format)(s
   return targets;
 }
 
-template <typename Format>
-void require_different_files(const std::vector<TargetOf<Format>>& targets, const std::vector<std::string>& reports,
+void require_different_files(const std::vector<Target>& targets, const std::vector<std::string>& reports,
                              const std::string& points) {
   std::vector<std::string> files;
-  for (const TargetOf<Format>& target : targets) files.push_back(target.path);
+  for (const Target& target : targets) files.push_back(target.path);
   files.insert(files.end(), reports.begin(), reports.end());
   require_different(files, points, "points");
 }
 
 /// "m.npy" is "m.edges.npy", whatever its ending was.
 std::string beside(const std::string& path, const std::string& part) {
-  const std::size_t size = output_format(ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
+  const std::size_t size =
+      find_format(Use::triangles, ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
   return path.substr(0, size) + "." + part + ".npy";
 }
 
@@ -57,22 +60,17 @@ std::string beside(const std::string& path, const std::string& part) {
 std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
-    if (target.format == OutputFormat::off || target.format == OutputFormat::ply)
+    if (target.format == Format::off || target.format == Format::ply)
       throw WrongUsage(target.path + ": found --complex full, expected one of " + std::string(full_output_formats) +
                        ", which have a place for edges and points in no triangle");
     all.push_back(target);
-    if (target.format != OutputFormat::npy) continue;
+    if (target.format != Format::npy) continue;
     if (target.path == "-")
       throw WrongUsage("-o -: found --complex full, which makes three .npy files, expected the name of one");
-    all.push_back({beside(target.path, "edges"), OutputFormat::npy_edges});
-    all.push_back({beside(target.path, "points"), OutputFormat::npy_points});
+    all.push_back({beside(target.path, "edges"), Format::npy_edges});
+    all.push_back({beside(target.path, "points"), Format::npy_points});
   }
   return all;
-}
-
-std::optional<ShapeFormat> plain_shape_format(std::string_view name) {
-  const std::optional<ShapeFormat> format = shape_format(name);
-  return format && is_ogr(*format) ? std::nullopt : format;
 }
 
 std::string all_shape_formats() { return std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""); }
@@ -107,21 +105,18 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
                                   const std::vector<std::string>& reports, const std::string& points, Complex complex) {
-  std::vector<Target> targets = targets_of(output_format, output_formats, paths, format, !reports.empty());
+  std::vector<Target> targets = targets_of(Use::triangles, output_formats, paths, format, !reports.empty());
   if (complex == Complex::full) targets = with_edges_and_points(targets);
   require_different_files(targets, reports, points);
   return targets;
 }
 
-std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
-                                             const std::optional<std::string>& format,
-                                             const std::vector<std::string>& reports, const std::string& points) {
-  // A format of GDAL is an unknown ending where there is no GDAL.
-  const std::vector<ShapeTarget> targets =
-      targets_of(has_gdal() ? shape_format : plain_shape_format, all_shape_formats(), paths, format, !reports.empty());
+std::vector<Target> parse_shape_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
+                                        const std::vector<std::string>& reports, const std::string& points) {
+  const std::vector<Target> targets = targets_of(Use::shape, all_shape_formats(), paths, format, !reports.empty());
   std::vector<std::string> others = reports;
-  for (const ShapeTarget& target : targets)
-    if (target.format == ShapeFormat::shp) {
+  for (const Target& target : targets)
+    if (target.format == Format::shp) {
       if (target.path == "-") throw WrongUsage("-o -: found shp, which is several files, expected the name of one");
       for (const std::string& path : ogr_paths(target)) others.push_back(path);
       others.erase(std::find(others.begin() + static_cast<std::ptrdiff_t>(reports.size()), others.end(), target.path));
@@ -130,30 +125,29 @@ std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& pat
   return targets;
 }
 
-std::vector<SurfaceTarget> parse_surface_targets(const std::vector<std::string>& paths,
-                                                 const std::optional<std::string>& format,
-                                                 const std::vector<std::string>& reports, const std::string& points) {
-  const std::vector<SurfaceTarget> targets =
-      targets_of(surface_format, surface_formats, paths, format, !reports.empty());
+std::vector<Target> parse_surface_targets(const std::vector<std::string>& paths,
+                                          const std::optional<std::string>& format,
+                                          const std::vector<std::string>& reports, const std::string& points) {
+  const std::vector<Target> targets = targets_of(Use::surface, surface_formats, paths, format, !reports.empty());
   require_different_files(targets, reports, points);
   return targets;
 }
 
-std::vector<std::string> ogr_paths(const ShapeTarget& target) {
+std::vector<std::string> ogr_paths(const Target& target) {
   const std::vector<std::string> endings = ogr_endings(target.format);
   if (endings.size() == 1) return {target.path};
   std::vector<std::string> paths;
   // Beside s.shp; of a file with another ending, or none, behind it.
-  const bool is_own = shape_format(ending(target.path)) == target.format;
+  const bool is_own = find_format(Use::shape, ending(target.path)) == target.format;
   const std::string stem =
       is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;
   for (const std::string& part : endings) paths.push_back(part == endings.front() ? target.path : stem + "." + part);
   return paths;
 }
 
-ShapeTarget parse_isolated(const std::string& path) {
-  const std::optional<ShapeFormat> format = (has_gdal() ? shape_format : plain_shape_format)(ending(path));
-  constexpr ShapeFormat others[] = {ShapeFormat::svg, ShapeFormat::png, ShapeFormat::shp};
+Target parse_isolated(const std::string& path) {
+  const std::optional<Format> format = find_known(Use::shape, ending(path));
+  constexpr Format others[] = {Format::svg, Format::png, Format::shp};
   if (!format || std::find(std::begin(others), std::end(others), *format) != std::end(others))
     throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
                      std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""));

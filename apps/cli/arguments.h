@@ -19,14 +19,11 @@ int parse_width(const std::string& text);
 /// "solid" or "full".
 bool parse_is_full(const std::string& complex);
 
-template <typename Format>
-struct TargetOf {
+/// A file to write.
+struct Target {
   std::string path;
   Format format;
 };
-using Target = TargetOf<OutputFormat>;
-using SurfaceTarget = TargetOf<SurfaceFormat>;
-using ShapeTarget = TargetOf<ShapeFormat>;
 
 /// Those that the command line names.
 std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
@@ -35,20 +32,19 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 /// points or `reports`. Of the full complex m.npy is three targets: m.npy, m.edges.npy, m.points.npy.
 std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
                                   const std::vector<std::string>& reports, const std::string& points, Complex complex);
-std::vector<ShapeTarget> parse_shape_targets(const std::vector<std::string>& paths,
-                                             const std::optional<std::string>& format,
-                                             const std::vector<std::string>& reports, const std::string& points);
+std::vector<Target> parse_shape_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
+                                        const std::vector<std::string>& reports, const std::string& points);
 
 /// Of surfaces none is needed where there are `reports`.
-std::vector<SurfaceTarget> parse_surface_targets(const std::vector<std::string>& paths,
-                                                 const std::optional<std::string>& format,
-                                                 const std::vector<std::string>& reports, const std::string& points);
+std::vector<Target> parse_surface_targets(const std::vector<std::string>& paths,
+                                          const std::optional<std::string>& format,
+                                          const std::vector<std::string>& reports, const std::string& points);
 
 /// The files of a target of GDAL, in the order of their endings.
-std::vector<std::string> ogr_paths(const ShapeTarget& target);
+std::vector<std::string> ogr_paths(const Target& target);
 
 /// A file for the points in no polygon, by its ending.
-ShapeTarget parse_isolated(const std::string& path);
+Target parse_isolated(const std::string& path);
 
 /// " -> a.off, standard output"; "" when there is none.
 template <typename Target>

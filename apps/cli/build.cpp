@@ -5,7 +5,6 @@
 
 #include "cli/progress.h"
 #include "io/failure.h"
-#include "io/message.h"
 
 namespace rbpa::app {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/run_options.h"
-#include "io/points/read_points.h"
+#include "io/cloud/read_points.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {

@@ -8,9 +8,8 @@
 #include "cli/build.h"
 #include "cli/progress.h"
 #include "cli/text_of.h"
-#include "io/available_memory.h"
+#include "io/bytes/available_memory.h"
 #include "io/failure.h"
-#include "io/message.h"
 #include "rbpa/collinear.h"
 
 namespace rbpa::app {

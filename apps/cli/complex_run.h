@@ -12,8 +12,8 @@
 #include "cli/point_arguments.h"
 #include "cli/run_options.h"
 #include "cli/stats.h"
-#include "io/output_file.h"
-#include "io/points/read_points.h"
+#include "io/bytes/output_file.h"
+#include "io/cloud/read_points.h"
 
 namespace rbpa::app {
 

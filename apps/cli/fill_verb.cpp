@@ -11,17 +11,15 @@
 #include "cli/arguments.h"
 #include "cli/stats.h"
 #include "cli/valid_features.h"
-#include "io/available_memory.h"
+#include "io/bytes/available_memory.h"
+#include "io/bytes/number.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/gis/read_polygons.h"
-#include "io/gis/read_sizes.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/number.h"
-#include "io/output_file.h"
+#include "io/mesh/write_triangles.h"
+#include "io/polygon/read_polygons.h"
 #include "io/progress_line.h"
-#include "io/same_file.h"
-#include "io/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
 #include "rbpa/base/error.h"
@@ -41,7 +39,7 @@ double parse_positive(const std::string& option, const std::string& text, const 
 /// What the command line asks for.
 struct FillRequest {
   std::string path;
-  PolygonFormat format;
+  Format format;
   double size;
   std::optional<std::string> size_at;
   std::optional<double> grade;
@@ -49,15 +47,15 @@ struct FillRequest {
   int width;
 };
 
-PolygonFormat parse_format(const std::string& path, const std::optional<std::string>& format) {
+Format parse_format(const std::string& path, const std::optional<std::string>& format) {
   if (path.empty()) throw WrongUsage("POLYGON: found an empty name, expected a path or -");
   if (format) {
-    const std::optional<PolygonFormat> known = polygon_format(*format);
+    const std::optional<Format> known = find_format(Use::polygons, *format);
     if (!known) refuse_name("--format", *format, polygon_formats);
     return *known;
   }
   if (path == "-") throw WrongUsage("-: found no --format, expected one of " + std::string(polygon_formats));
-  const std::optional<PolygonFormat> known = polygon_format(input_ending(path));
+  const std::optional<Format> known = find_format(Use::polygons, input_ending(path));
   if (!known) refuse_input(path, polygon_formats, "--format");
   return *known;
 }
@@ -208,10 +206,10 @@ void write_targets(OutputSet& outputs, const FillRequest& request, const Filling
   for (const Target& target : request.targets) {
     stop_if_interrupted();
     OutputFile& file = outputs.add(target.path);
-    if (target.format == OutputFormat::svg || target.format == OutputFormat::png) {
+    if (target.format == Format::svg || target.format == Format::png) {
       const Drawing drawing = drawing_of(filling.points, arrays, Complex::solid);
       const Scene scene = place(drawing, request.width);
-      target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+      target.format == Format::svg ? write_svg(file, scene) : write_png(file, scene);
     } else {
       write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}, &features});
     }

@@ -10,8 +10,8 @@
 #include "cli/progress.h"
 #include "cli/stats.h"
 #include "cli/text_of.h"
-#include "io/output_file.h"
-#include "io/same_file.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
 #include "io/sort.h"
 
 namespace rbpa::app {

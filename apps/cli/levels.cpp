@@ -94,15 +94,15 @@ void write_json(OutputFile& file, const Hierarchy& hierarchy, const Method& meth
 
 }  // namespace
 
-LevelFormat parse_levels(const std::string& path, const Method& method) {
+Format parse_levels(const std::string& path, const Method& method) {
   if (!method.leaf_capacity) throw WrongUsage("--levels: found --method rbpa, expected hrbpa, which has levels");
-  const auto format = path == "-" ? LevelFormat::csv : level_format(ending(path));
+  const auto format = path == "-" ? Format::csv : find_format(Use::levels, ending(path));
   if (!format) throw WrongUsage("--levels: found the ending " + in_quotes(ending(path)) + ", expected csv or json");
   return *format;
 }
 
-void write_levels(OutputFile& file, LevelFormat format, const Hierarchy& hierarchy, const Method& method) {
-  if (format == LevelFormat::csv)
+void write_levels(OutputFile& file, Format format, const Hierarchy& hierarchy, const Method& method) {
+  if (format == Format::csv)
     write_csv(file, hierarchy);
   else
     write_json(file, hierarchy, method);

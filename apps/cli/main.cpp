@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/verbs.h"
-#include "io/descriptor.h"
+#include "io/bytes/descriptor.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "program/exit_code.h"

@@ -5,12 +5,11 @@
 #include "cli/stats.h"
 #include "cli/stream_arguments.h"
 #include "cli/stream_report.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/message.h"
-#include "io/output_file.h"
 #include "io/progress_line.h"
-#include "io/same_file.h"
 #include "tasks/merge_task.h"
 
 namespace rbpa::app {

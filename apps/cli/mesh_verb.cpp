@@ -8,8 +8,7 @@
 #include "cli/progress.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/write_triangles.h"
+#include "io/mesh/write_triangles.h"
 #include "picture/png.h"
 #include "picture/svg.h"
 #include "rbpa/hrbpa.h"
@@ -19,10 +18,10 @@
 namespace rbpa::app {
 namespace {
 
-bool is_picture(OutputFormat format) { return format == OutputFormat::svg || format == OutputFormat::png; }
+bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
 
-bool is_array(OutputFormat format) {
-  return format == OutputFormat::npy || format == OutputFormat::npy_edges || format == OutputFormat::npy_points;
+bool is_array(Format format) {
+  return format == Format::npy || format == Format::npy_edges || format == Format::npy_points;
 }
 
 /// Edges and points in no triangle come with the arrays, and by no other method.
@@ -72,7 +71,7 @@ void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const
     if (is_picture(target.format)) {
       if (!drawing) drawing = made.drawing(run.points);
       const Scene scene = place(*drawing, run.request.width);
-      target.format == OutputFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+      target.format == Format::svg ? write_svg(file, scene) : write_png(file, scene);
     } else if (compacted && !is_array(target.format)) {
       if (!compact) compact.emplace(whole);
       write_triangles(file, target.format, compact->mesh());
@@ -97,7 +96,7 @@ std::string said(const Made& made) {
 void run_mesh(const MeshArguments& arguments) {
   ComplexRequest request = parse_request(arguments);
   const Complex kind = parse_complex(arguments, request.method);
-  std::optional<LevelFormat> levels;
+  std::optional<Format> levels;
   if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
   const std::vector<Target> targets = parse_targets(arguments.outputs, arguments.output_format,
                                                     given({arguments.stats, arguments.levels}), arguments.points, kind);

@@ -1,8 +1,8 @@
 #include "cli/method.h"
 
 #include "cli/progress.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/whole_number.h"
 #include "rbpa/paper.h"
 
 namespace rbpa::app {

@@ -1,7 +1,7 @@
 #include "cli/pixel_arguments.h"
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/number.h"
 
 namespace rbpa::app {
 

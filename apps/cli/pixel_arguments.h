@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/points/foreground.h"
+#include "io/cloud/images.h"
 
 namespace rbpa::app {
 

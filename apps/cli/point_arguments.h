@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/pixel_arguments.h"
-#include "io/points/read_points.h"
+#include "io/cloud/read_points.h"
 
 namespace rbpa::app {
 

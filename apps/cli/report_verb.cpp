@@ -12,13 +12,12 @@
 #include "cli/find_radii.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
+#include "io/cloud/units.h"
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/output_file.h"
-#include "io/points/unit.h"
-#include "io/same_file.h"
 #include "report/write_report.h"
 
 namespace rbpa::app {

@@ -1,6 +1,6 @@
 #include "cli/run_options.h"
 
-#include "io/whole_number.h"
+#include "io/bytes/number.h"
 
 namespace rbpa::app {
 

@@ -9,14 +9,11 @@
 #include "cli/arguments.h"
 #include "cli/build.h"
 #include "cli/progress.h"
+#include "io/bytes/output_file.h"
 #include "io/failure.h"
-#include "io/gis/geojson_crs.h"
-#include "io/gis/write_points.h"
-#include "io/gis/write_polygons.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/ogr/ogr.h"
-#include "io/output_file.h"
+#include "io/polygon/ogr.h"
+#include "io/polygon/shape_files.h"
 #include "picture/png.h"
 #include "picture/svg.h"
 #include "rbpa/coverage.h"
@@ -28,18 +25,18 @@
 namespace rbpa::app {
 namespace {
 
-bool is_picture(ShapeFormat format) { return format == ShapeFormat::svg || format == ShapeFormat::png; }
+bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
 
-bool is_text_geometry(ShapeFormat format) { return format == ShapeFormat::wkt || format == ShapeFormat::ewkt; }
+bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
 
 /// What the command line asks for.
 struct Files {
-  std::vector<ShapeTarget> targets;
-  std::optional<ShapeTarget> isolated = std::nullopt;  ///< for the points in no polygon
+  std::vector<Target> targets;
+  std::optional<Target> isolated = std::nullopt;  ///< for the points in no polygon
 
   /// Whether any of them says in which polygon points are.
   bool have_points() const {
-    return isolated || std::any_of(targets.begin(), targets.end(), [](const ShapeTarget& target) {
+    return isolated || std::any_of(targets.begin(), targets.end(), [](const Target& target) {
              return !is_text_geometry(target.format) && !is_picture(target.format);
            });
   }
@@ -50,26 +47,25 @@ std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + 
 
 /// EWKT names the system, which is known when the points are read.
 void require_srid(const Files& files, const std::optional<Crs>& crs) {
-  std::vector<ShapeTarget> all = files.targets;
+  std::vector<Target> all = files.targets;
   if (files.isolated) all.push_back(*files.isolated);
-  const auto first =
-      std::find_if(all.begin(), all.end(), [](const ShapeTarget& t) { return t.format == ShapeFormat::ewkt; });
+  const auto first = std::find_if(all.begin(), all.end(), [](const Target& t) { return t.format == Format::ewkt; });
   if (first == all.end() || (crs && crs->srid())) return;
   throw WrongUsage((first->path == "-" ? "-o -" : first->path) + ": found points in " +
                    (crs ? crs->text() : "a system that is not known") +
                    ", expected one with a number of EPSG, which EWKT names (--crs EPSG:28992, or the ending wkt)");
 }
 
-void write_shape(OutputFile& file, ShapeFormat format, const Shape& shape) {
+void write_shape(OutputFile& file, Format format, const Shape& shape) {
   switch (format) {
-    case ShapeFormat::geojson:
+    case Format::geojson:
       return write_geojson(file, shape);
-    case ShapeFormat::ewkt:
+    case Format::ewkt:
       file.write(srid_of(shape));
       [[fallthrough]];
-    case ShapeFormat::wkt:
+    case Format::wkt:
       return write_wkt(file, shape);
-    case ShapeFormat::csv:
+    case Format::csv:
       return write_points_csv(file, shape);
     default:
       break;
@@ -77,7 +73,7 @@ void write_shape(OutputFile& file, ShapeFormat format, const Shape& shape) {
 }
 
 /// All of GDAL's files of a target, those that GDAL has made.
-void write_ogr(OutputSet& outputs, const ShapeTarget& target, const std::vector<OgrFile>& files) {
+void write_ogr(OutputSet& outputs, const Target& target, const std::vector<OgrFile>& files) {
   const std::vector<std::string> endings = ogr_endings(target.format), paths = ogr_paths(target);
   for (std::size_t i = 0; i < endings.size(); ++i) {
     const auto made =
@@ -93,9 +89,9 @@ void write_ogr(OutputSet& outputs, const ShapeTarget& target, const std::vector<
   }
 }
 
-void write_isolated(OutputFile& file, ShapeFormat format, const Shape& shape) {
-  if (format == ShapeFormat::geojson) return write_isolated_geojson(file, shape);
-  if (format == ShapeFormat::ewkt) file.write(srid_of(shape));
+void write_isolated(OutputFile& file, Format format, const Shape& shape) {
+  if (format == Format::geojson) return write_isolated_geojson(file, shape);
+  if (format == Format::ewkt) file.write(srid_of(shape));
   is_text_geometry(format) ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
 }
 
@@ -103,7 +99,7 @@ void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run
                    const Triangulation& complex) {
   const ProgressLine line("rbpa", run.request.shows_writing, "writing");
   std::optional<Drawing> drawing;
-  for (const ShapeTarget& target : files.targets) {
+  for (const Target& target : files.targets) {
     stop_if_interrupted();
     if (is_ogr(target.format)) {
       write_ogr(outputs, target, ogr_polygons(target.format, shape));
@@ -113,7 +109,7 @@ void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run
     if (is_picture(target.format)) {
       if (!drawing) drawing = drawing_of(run.points, shape.polygons, complex.isolated);
       const Scene scene = place(*drawing, run.request.width);
-      target.format == ShapeFormat::svg ? write_svg(file, scene) : write_png(file, scene);
+      target.format == Format::svg ? write_svg(file, scene) : write_png(file, scene);
     } else {
       write_shape(file, target.format, shape);
     }
@@ -129,10 +125,9 @@ void write_targets(OutputSet& outputs, const Files& files, const ComplexRun& run
 
 /// GeoJSON in metres looks like any other: said once, whatever else is not.
 void caution(const Files& files, const Shape& shape) {
-  std::vector<ShapeTarget> all = files.targets;
+  std::vector<Target> all = files.targets;
   if (files.isolated) all.push_back(*files.isolated);
-  const auto first =
-      std::find_if(all.begin(), all.end(), [](const ShapeTarget& t) { return t.format == ShapeFormat::geojson; });
+  const auto first = std::find_if(all.begin(), all.end(), [](const Target& t) { return t.format == Format::geojson; });
   if (first == all.end()) return;
   if (const std::optional<std::string> why = geojson_caution(shape))
     say("rbpa", (first->path == "-" ? "standard output" : first->path) + ": " + *why);

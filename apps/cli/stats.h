@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/shape.h"
 #include "rbpa/topology.h"
 

@@ -3,23 +3,22 @@
 #include <cctype>
 #include <cmath>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/number.h"
-#include "io/whole_number.h"
 #include "stream/budget.h"
 
 namespace rbpa::app {
 namespace {
 
 std::optional<StreamFormat> stream_format(std::string_view name) {
-  if (const auto shape = shape_format(name)) {
-    if (*shape == ShapeFormat::geojson) return StreamFormat::geojson;
-    if (*shape == ShapeFormat::wkt) return StreamFormat::wkt;
+  if (const auto shape = find_format(Use::shape, name)) {
+    if (*shape == Format::geojson) return StreamFormat::geojson;
+    if (*shape == Format::wkt) return StreamFormat::wkt;
   }
-  if (const auto mesh = output_format(name)) {
-    if (*mesh == OutputFormat::npy) return StreamFormat::npy;
-    if (*mesh == OutputFormat::ply) return StreamFormat::ply;
+  if (const auto mesh = find_format(Use::triangles, name)) {
+    if (*mesh == Format::npy) return StreamFormat::npy;
+    if (*mesh == Format::ply) return StreamFormat::ply;
   }
   return std::nullopt;
 }

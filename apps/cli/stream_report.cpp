@@ -6,9 +6,8 @@
 
 #include "cli/arguments.h"
 #include "cli/stats.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/message.h"
-#include "io/number.h"
 
 namespace rbpa::app {
 

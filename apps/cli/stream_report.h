@@ -1,7 +1,7 @@
 // What: what a run over tiles says when it is done.
 #pragma once
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "stream/request.h"
 #include "stream/run_stream.h"
 

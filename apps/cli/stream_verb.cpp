@@ -8,13 +8,12 @@
 
 #include "cli/stream_arguments.h"
 #include "cli/stream_report.h"
+#include "io/bytes/number.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/message.h"
-#include "io/output_file.h"
 #include "io/progress_line.h"
-#include "io/same_file.h"
-#include "io/whole_number.h"
 #include "stream/run_stream.h"
 #include "tasks/write_lists.h"
 
@@ -46,7 +45,7 @@ std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.is_regular_file(error) && point_format(input_ending(entry.path().native())))
+    if (entry.is_regular_file(error) && find_format(Use::points, input_ending(entry.path().native())))
       found.push_back(entry.path().string());
   if (error) throw Failure(folder + ": cannot read the folder: " + error.message());
   if (found.empty())

@@ -3,22 +3,22 @@
 #include <algorithm>
 
 #include "cli/point_arguments.h"
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/number.h"
-#include "io/same_file.h"
 
 namespace rbpa::app {
 namespace {
 
-SpaceFormat parse_format(const SurfaceArguments& arguments) {
+Format parse_format(const SurfaceArguments& arguments) {
   if (arguments.points.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
   if (arguments.format) {
-    const std::optional<SpaceFormat> known = space_format(*arguments.format);
+    const std::optional<Format> known = find_format(Use::space, *arguments.format);
     if (!known) refuse_name("--format", *arguments.format, space_formats);
     return *known;
   }
-  if (arguments.points == "-") return SpaceFormat::text;
-  const std::optional<SpaceFormat> known = space_format(input_ending(arguments.points));
+  if (arguments.points == "-") return Format::text;
+  const std::optional<Format> known = find_format(Use::space, input_ending(arguments.points));
   if (!known) refuse_input(arguments.points, space_formats, "--format");
   return *known;
 }
@@ -61,25 +61,24 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
                          .targets = {},
                          .width = parse_width(arguments.width),
                          .run = parse_run(arguments.run)};
-  const bool text = request.format == SpaceFormat::text;
+  const bool text = request.format == Format::text;
   if (arguments.columns) {
     require_format(text, "--columns", "with fixed columns", "text");
     request.choice.columns = parse_space_columns(*arguments.columns);
   }
   if (arguments.skip_invalid)
-    require_format(text || request.format == SpaceFormat::las, "--skip-invalid", "without lines of points",
-                   "las or text");
+    require_format(text || request.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
   request.choice.skip_invalid = arguments.skip_invalid;
   if (arguments.where) {
     const std::optional<FieldNames> names = fields_of(request.format);
-    require_format(names.has_value(), "--where", "without fields beside the points", "las or text");
+    require_format(names.has_value(), "--where", "without fields beside the points", "las, pcd, ply or text");
     request.choice.where = Condition(*arguments.where, *names);
   }
   if (request.normals == NormalSource::none && request.radii.size() > 1)
     throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +
                      " with --normals none, expected one radius");
   if (arguments.holes) {
-    if (polyline_format(ending(*arguments.holes)) != PolylineFormat::obj)
+    if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
       throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
     if (request.normals == NormalSource::none)
       throw WrongUsage("--holes: found --normals none, of which the triangles have no boundary");

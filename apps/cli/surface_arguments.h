@@ -7,7 +7,7 @@
 
 #include "cli/arguments.h"
 #include "cli/run_options.h"
-#include "io/space/read_space_points.h"
+#include "io/cloud/read_space_points.h"
 
 namespace rbpa::app {
 
@@ -34,11 +34,11 @@ enum class NormalSource { file, estimate, none };
 
 struct SurfaceRequest {
   std::string path;
-  SpaceFormat format;
-  SpaceChoice choice;
+  Format format;
+  CloudRequest choice;
   std::vector<double> radii;            ///< empty: auto
   std::optional<NormalSource> normals;  ///< absent: of the file if it has any, else estimated
-  std::vector<SurfaceTarget> targets;
+  std::vector<Target> targets;
   int width;
   RunOptions run;
 };

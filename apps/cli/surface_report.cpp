@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "cli/stats.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

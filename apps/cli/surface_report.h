@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/holes.h"
 #include "rbpa/surface.h"
 #include "rbpa/unused.h"

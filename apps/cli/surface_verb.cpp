@@ -8,13 +8,12 @@
 
 #include "cli/stats.h"
 #include "cli/surface_report.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/message.h"
-#include "io/number.h"
-#include "io/polylines.h"
+#include "io/mesh/polylines.h"
+#include "io/mesh/write_mesh.h"
 #include "io/progress_line.h"
-#include "io/write_surface.h"
 #include "picture/surface_picture.h"
 #include "rbpa/auto_radii.h"
 #include "rbpa/base/error.h"
@@ -64,7 +63,7 @@ class SurfaceRun {
   void build();
   void explain();
   void write(OutputSet& outputs);
-  void write_target(OutputFile& file, const SurfaceTarget& target);
+  void write_target(OutputFile& file, const Target& target);
   void say_empty();
   void summarize() const;
 
@@ -146,8 +145,8 @@ void SurfaceRun::explain() {
   });
 }
 
-void SurfaceRun::write_target(OutputFile& file, const SurfaceTarget& target) {
-  if (target.format == SurfaceFormat::png) {
+void SurfaceRun::write_target(OutputFile& file, const Target& target) {
+  if (target.format == Format::png) {
     std::vector<std::array<std::uint32_t, 2>> rims;
     for (const Hole& hole : facts_.holes)
       for (const RimEdge& edge : hole.edges) rims.push_back({edge.from, edge.to});
@@ -156,7 +155,7 @@ void SurfaceRun::write_target(OutputFile& file, const SurfaceTarget& target) {
     return write_surface_png(file, {file_.points, surface_.triangles, rims, unused, file_.colors}, request_.width);
   }
   // An .npy file has the canonical order whatever other files have.
-  if (target.format == SurfaceFormat::npy)
+  if (target.format == Format::npy)
     return write_surface(file, target.format, {file_.points, surface_.triangles, {}, {}});
   if (ordered_.empty())
     ordered_ = source_ == NormalSource::none ? by_shells(file_.points, surface_) : surface_.triangles;
@@ -182,7 +181,7 @@ void SurfaceRun::write_target(OutputFile& file, const SurfaceTarget& target) {
 
 void SurfaceRun::write(OutputSet& outputs) {
   const ProgressLine line("rbpa", talks() && !written_to_terminal(arguments_.outputs), "writing");
-  for (const SurfaceTarget& target : request_.targets) {
+  for (const Target& target : request_.targets) {
     stop_if_interrupted();
     OutputFile& file = outputs.add(target.path);
     write_target(file, target);
@@ -198,7 +197,7 @@ void SurfaceRun::write(OutputSet& outputs) {
     for (const RimEdge& edge : hole.edges) loop.push_back(edge.from);
   }
   OutputFile& file = outputs.add(*arguments_.holes);
-  write_polylines(file, PolylineFormat::obj, positions, loops);
+  write_polylines(file, Format::obj, positions, loops);
   file.finish();
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/number.h"
+#include "io/bytes/number.h"
 
 namespace rbpa::app {
 

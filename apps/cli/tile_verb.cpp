@@ -4,12 +4,11 @@
 #include <thread>
 
 #include "cli/stats.h"
+#include "io/bytes/output_file.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/message.h"
-#include "io/output_file.h"
 #include "io/progress_line.h"
-#include "io/same_file.h"
 #include "tasks/partial_file.h"
 #include "tasks/tile_task.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/gis/polygon_file.h"
+#include "io/polygon/polygon_file.h"
 
 namespace rbpa::app {
 

@@ -4,7 +4,7 @@
 
 #include "cli/shared_options.h"
 #include "cli/verbs.h"
-#include "io/ogr/ogr.h"
+#include "io/polygon/ogr.h"
 #include "program/exit_code.h"
 
 namespace rbpa::app {

@@ -1,6 +1,9 @@
 #include "io/failure.h"
 
-#include "io/message.h"
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
 
 namespace rbpa::app {
 
@@ -35,6 +38,86 @@ std::string in_quotes(std::string_view text) {
 
 std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+namespace {
+
+struct Character {
+  char32_t code;
+  std::size_t size;  // in bytes
+};
+
+/// What `text` begins with; a size of 0 when that is no UTF-8: a stray byte, a sequence that is cut off or longer than
+/// it need be, a surrogate, a number beyond Unicode.
+Character first_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80U) return {lead, 1};
+  struct Form {
+    unsigned char mask, mark;
+    char32_t least;
+  };
+  static constexpr std::array<Form, 3> forms = {{{0xE0U, 0xC0U, 0x80}, {0xF0U, 0xE0U, 0x800}, {0xF8U, 0xF0U, 0x10000}}};
+  for (std::size_t more = 1; more <= forms.size(); ++more) {
+    const Form& form = forms[more - 1];
+    if ((lead & form.mask) != form.mark) continue;
+    if (text.size() <= more) return {0, 0};
+    char32_t code = lead & static_cast<unsigned char>(~form.mask);
+    for (std::size_t i = 1; i <= more; ++i) {
+      if ((byte(i) & 0xC0U) != 0x80U) return {0, 0};
+      code = code << 6U | (byte(i) & 0x3FU);
+    }
+    const bool is_one = code >= form.least && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+    return {code, is_one ? more + 1 : 0};
+  }
+  return {0, 0};
+}
+
+bool is_visible(char32_t code) {
+  static constexpr std::pair<char32_t, char32_t> hidden[] = {
+      {0x00, 0x1F},     {0x7F, 0x9F},      // control characters
+      {0x200E, 0x200F}, {0x202A, 0x202E},  // marks, embeddings and overrides of direction
+      {0x2066, 0x2069},                    // isolates of direction
+      {0x2028, 0x2029}};                   // ends of lines and paragraphs
+  for (const auto& [first, last] : hidden)
+    if (code >= first && code <= last) return false;
+  return true;
+}
+
+void append_escaped(std::string& text, char c) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  if (c == '\n' || c == '\r' || c == '\t') {
+    text += '\\';
+    text += c == '\n' ? 'n' : c == '\r' ? 'r' : 't';
+    return;
+  }
+  text += "\\x";
+  text += digits[static_cast<unsigned char>(c) >> 4U];
+  text += digits[static_cast<unsigned char>(c) & 15U];
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const auto [code, size] = first_character(text);
+    if (size > 0 && is_visible(code)) {
+      result += text.substr(0, size);
+      text.remove_prefix(size);
+      continue;
+    }
+    // A stray byte stands for itself alone: what follows it may be a character.
+    for (std::size_t i = 0; i < (size == 0 ? 1 : size); ++i) append_escaped(result, text[i]);
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return result;
+}
+
+void say(std::string_view program, std::string_view message) {
+  // At once, so that lines of several programs at one terminal do not mix.
+  const std::string line = std::string(program) + ": " + printable(message) + "\n";
+  std::fputs(line.c_str(), stderr);
 }
 
 }  // namespace rbpa::app

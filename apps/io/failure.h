@@ -1,4 +1,6 @@
-// What: how a program of ours ends without a result. What each says is one line, without the program's name.
+// What: how a program of ours ends without a result, and what it says on standard error: one line, without its name and
+//       without anything that a terminal would obey.
+// Law:  whatever is in a name or in a piece of input, a message is one line of text.
 #pragma once
 
 #include <stdexcept>
@@ -44,5 +46,12 @@ std::string in_quotes(std::string_view text);
 
 /// "1 column", "2 columns".
 std::string counted(std::size_t count, std::string_view noun);
+
+/// The text with everything that is no visible character written out: \n \r \t, and \x1b for other bytes. Those are
+/// control characters, what is no UTF-8, other ends of lines, and marks that turn the direction of writing.
+std::string printable(std::string_view text);
+
+/// "PROGRAM: MESSAGE" on standard error, printable.
+void say(std::string_view program, std::string_view message);
 
 }  // namespace rbpa::app

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
-#include <utility>
 
 #include "io/failure.h"
-#include "io/gunzip.h"
 
 namespace rbpa::app {
 namespace {
@@ -17,96 +14,66 @@ bool same(std::string_view name, std::string_view known) {
   return std::equal(name.begin(), name.end(), known.begin(), known.end(), same_letter);
 }
 
-template <typename Format, std::size_t count>
-std::optional<Format> find(const std::pair<std::string_view, Format> (&known)[count], std::string_view name) {
-  for (const auto& [text, format] : known)
-    if (same(name, text)) return format;
-  return std::nullopt;
+/// Names apart by blanks.
+struct Named {
+  std::string_view names;
+  Format format;
+  unsigned uses;
+};
+constexpr unsigned operator|(Use a, Use b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
+constexpr unsigned operator|(unsigned a, Use b) { return a | static_cast<unsigned>(b); }
+constexpr unsigned only(Use use) { return static_cast<unsigned>(use); }
+constexpr Named formats[] = {
+    {"txt csv tsv xyz text", Format::text, Use::points | Use::space},
+    {"xy", Format::text, only(Use::points)},
+    {"npy", Format::npy, Use::points | Use::space | Use::triangles | Use::surface},
+    {"f64xy", Format::raw, only(Use::points)},
+    {"las", Format::las, Use::points | Use::space},
+    {"off", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface},
+    {"ply", Format::ply, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface},
+    {"obj", Format::obj, Use::space | Use::mesh | Use::triangles | Use::surface | Use::polylines},
+    {"stl", Format::stl, Use::mesh | Use::surface},
+    {"pcd", Format::pcd, only(Use::space)},
+    {"png", Format::png, Use::points | Use::triangles | Use::surface | Use::shape},
+    {"pgm", Format::pgm, only(Use::points)},
+    {"svg", Format::svg, Use::triangles | Use::shape},
+    {"vtu", Format::vtu, only(Use::triangles)},
+    {"wkt", Format::wkt, Use::points | Use::polygons | Use::shape},
+    {"ewkt", Format::wkt, Use::points | Use::polygons},
+    {"ewkt", Format::ewkt, only(Use::shape)},
+    {"geojson json", Format::geojson, Use::points | Use::polygons | Use::shape},
+    {"geojsonl geojsons ndjson", Format::geojson, Use::points | Use::polygons},
+    {"poly", Format::poly, only(Use::polygons)},
+    {"csv", Format::csv, Use::shape | Use::levels},
+    {"json", Format::json, Use::levels | Use::polylines},
+    {"ogr gpkg fgb shp kml gpx gml", Format::ogr, only(Use::points)},
+    {"gpkg", Format::gpkg, only(Use::shape)},
+    {"fgb", Format::fgb, only(Use::shape)},
+    {"shp", Format::shp, only(Use::shape)}};
+
+bool is_among(std::string_view name, std::string_view names) {
+  while (!names.empty()) {
+    const std::size_t size = std::min(names.find(' '), names.size());
+    if (same(name, names.substr(0, size))) return true;
+    names.remove_prefix(std::min(size + 1, names.size()));
+  }
+  return false;
 }
 
 /// The command that makes of a file with that ending one that is read; empty when there is none.
 std::string conversion(std::string_view ending, const std::string& path) {
-  constexpr std::string_view clouds[] = {"laz", "e57", "pcd", "ptx", "pts", "bpf", "rdb", "copc"};
-  constexpr std::string_view layers[] = {"shp", "gpkg", "fgb", "kml", "kmz", "gpx",    "gml", "parquet", "gdb",
-                                         "tab", "mif",  "dxf", "osm", "pbf", "sqlite", "ods", "xlsx"};
-  const auto is_one_of = [&](const auto& known) {
-    return std::any_of(std::begin(known), std::end(known), [&](std::string_view text) { return same(ending, text); });
-  };
-  if (is_one_of(clouds)) return "pdal translate " + path + " points.las";
-  if (is_one_of(layers)) return "ogr2ogr -f GeoJSON points.geojson " + path;
+  if (is_among(ending, "laz e57 pcd ptx pts bpf rdb copc")) return "pdal translate " + path + " points.las";
+  if (is_among(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))
+    return "ogr2ogr -f GeoJSON points.geojson " + path;
   return "";
 }
 
 }  // namespace
 
-std::optional<PointFormat> point_format(std::string_view name) {
-  constexpr std::pair<std::string_view, PointFormat> known[] = {
-      {"xy", PointFormat::text},          {"txt", PointFormat::text},       {"csv", PointFormat::text},
-      {"tsv", PointFormat::text},         {"xyz", PointFormat::text},       {"text", PointFormat::text},
-      {"npy", PointFormat::npy},          {"off", PointFormat::off},        {"ply", PointFormat::ply},
-      {"f64xy", PointFormat::raw},        {"png", PointFormat::png},        {"pgm", PointFormat::pgm},
-      {"las", PointFormat::las},          {"wkt", PointFormat::wkt},        {"ewkt", PointFormat::wkt},
-      {"geojson", PointFormat::geojson},  {"json", PointFormat::geojson},   {"geojsonl", PointFormat::geojson},
-      {"geojsons", PointFormat::geojson}, {"ndjson", PointFormat::geojson}, {"ogr", PointFormat::ogr},
-      {"gpkg", PointFormat::ogr},         {"fgb", PointFormat::ogr},        {"shp", PointFormat::ogr},
-      {"kml", PointFormat::ogr},          {"gpx", PointFormat::ogr},        {"gml", PointFormat::ogr}};
-  return find(known, name);
-}
-
-std::optional<SpaceFormat> space_format(std::string_view name) {
-  constexpr std::pair<std::string_view, SpaceFormat> known[] = {
-      {"xyz", SpaceFormat::text},  {"txt", SpaceFormat::text}, {"csv", SpaceFormat::text}, {"tsv", SpaceFormat::text},
-      {"text", SpaceFormat::text}, {"ply", SpaceFormat::ply},  {"off", SpaceFormat::off},  {"obj", SpaceFormat::obj},
-      {"pcd", SpaceFormat::pcd},   {"npy", SpaceFormat::npy},  {"las", SpaceFormat::las}};
-  return find(known, name);
-}
-
-std::optional<MeshFormat> mesh_format(std::string_view name) {
-  constexpr std::pair<std::string_view, MeshFormat> known[] = {
-      {"off", MeshFormat::off}, {"ply", MeshFormat::ply}, {"obj", MeshFormat::obj}, {"stl", MeshFormat::stl}};
-  return find(known, name);
-}
-
-std::optional<PolylineFormat> polyline_format(std::string_view name) {
-  constexpr std::pair<std::string_view, PolylineFormat> known[] = {{"obj", PolylineFormat::obj},
-                                                                   {"json", PolylineFormat::json}};
-  return find(known, name);
-}
-
-std::optional<OutputFormat> output_format(std::string_view name) {
-  constexpr std::pair<std::string_view, OutputFormat> known[] = {
-      {"off", OutputFormat::off}, {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj}, {"npy", OutputFormat::npy},
-      {"vtu", OutputFormat::vtu}, {"svg", OutputFormat::svg}, {"png", OutputFormat::png}};
-  return find(known, name);
-}
-
-std::optional<SurfaceFormat> surface_format(std::string_view name) {
-  constexpr std::pair<std::string_view, SurfaceFormat> known[] = {
-      {"ply", SurfaceFormat::ply}, {"off", SurfaceFormat::off}, {"obj", SurfaceFormat::obj},
-      {"stl", SurfaceFormat::stl}, {"npy", SurfaceFormat::npy}, {"png", SurfaceFormat::png}};
-  return find(known, name);
-}
-
-std::optional<ShapeFormat> shape_format(std::string_view name) {
-  constexpr std::pair<std::string_view, ShapeFormat> known[] = {
-      {"geojson", ShapeFormat::geojson}, {"json", ShapeFormat::geojson}, {"wkt", ShapeFormat::wkt},
-      {"ewkt", ShapeFormat::ewkt},       {"csv", ShapeFormat::csv},      {"gpkg", ShapeFormat::gpkg},
-      {"fgb", ShapeFormat::fgb},         {"shp", ShapeFormat::shp},      {"svg", ShapeFormat::svg},
-      {"png", ShapeFormat::png}};
-  return find(known, name);
-}
-
-std::optional<LevelFormat> level_format(std::string_view name) {
-  constexpr std::pair<std::string_view, LevelFormat> known[] = {{"csv", LevelFormat::csv}, {"json", LevelFormat::json}};
-  return find(known, name);
-}
-
-std::optional<PolygonFormat> polygon_format(std::string_view name) {
-  constexpr std::pair<std::string_view, PolygonFormat> known[] = {
-      {"geojson", PolygonFormat::geojson},  {"json", PolygonFormat::geojson},   {"geojsonl", PolygonFormat::geojson},
-      {"geojsons", PolygonFormat::geojson}, {"ndjson", PolygonFormat::geojson}, {"wkt", PolygonFormat::wkt},
-      {"ewkt", PolygonFormat::wkt},         {"poly", PolygonFormat::poly}};
-  return find(known, name);
+std::optional<Format> find_format(Use use, std::string_view name) {
+  for (const Named& known : formats)
+    if ((known.uses & only(use)) != 0 && is_among(name, known.names)) return known.format;
+  return std::nullopt;
 }
 
 std::string_view ending(std::string_view path) {
@@ -114,6 +81,8 @@ std::string_view ending(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
 }
+
+bool is_gzip_name(std::string_view path) { return path.ends_with(".gz") || path.ends_with(".GZ"); }
 
 std::string_view input_ending(std::string_view path) {
   if (is_gzip_name(path)) path.remove_suffix(3);

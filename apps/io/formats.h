@@ -1,4 +1,4 @@
-// What: the file formats by their names and endings.
+// What: the file formats by their names and endings, and what each is for.
 #pragma once
 
 #include <optional>
@@ -7,32 +7,55 @@
 
 namespace rbpa::app {
 
-enum class PointFormat { text, npy, off, ply, raw, png, pgm, las, wkt, geojson, ogr };
-/// Of points of space.
-enum class SpaceFormat { text, ply, off, obj, pcd, npy, las };
-enum class MeshFormat { off, ply, obj, stl };
-enum class PolylineFormat { obj, json };
-/// Triangles, or with all of a full complex. Its edges and points are files of their own beside the .npy of its triangles.
-enum class OutputFormat { off, ply, obj, npy, npy_edges, npy_points, vtu, svg, png };
-/// Of surfaces in space.
-enum class SurfaceFormat { ply, off, obj, stl, npy, png };
-enum class ShapeFormat { geojson, wkt, ewkt, csv, gpkg, fgb, shp, svg, png };
-enum class LevelFormat { csv, json };
-enum class PolygonFormat { geojson, wkt, poly };
+enum class Format {
+  text,  // a table, a point a line
+  npy,
+  npy_edges,  // beside the .npy of the triangles of a full complex
+  npy_points,
+  raw,
+  las,
+  off,
+  ply,
+  obj,
+  stl,
+  pcd,
+  png,
+  pgm,
+  svg,
+  vtu,
+  wkt,
+  ewkt,
+  geojson,
+  poly,
+  csv,  // as it is written
+  json,
+  ogr,  // whatever GDAL reads
+  gpkg,
+  fgb,
+  shp
+};
+
+/// What is read from a file or written to it.
+enum class Use : unsigned {
+  points = 1U << 0U,     ///< of the plane
+  space = 1U << 1U,      ///< points of space
+  mesh = 1U << 2U,       ///< in or out
+  polygons = 1U << 3U,   ///< in
+  triangles = 1U << 4U,  ///< out, or with all of a full complex
+  surface = 1U << 5U,    ///< out, in space
+  shape = 1U << 6U,      ///< out
+  levels = 1U << 7U,     ///< out
+  polylines = 1U << 8U   ///< out
+};
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
-std::optional<PointFormat> point_format(std::string_view name);
-std::optional<SpaceFormat> space_format(std::string_view name);
-std::optional<MeshFormat> mesh_format(std::string_view name);
-std::optional<PolylineFormat> polyline_format(std::string_view name);
-std::optional<OutputFormat> output_format(std::string_view name);
-std::optional<SurfaceFormat> surface_format(std::string_view name);
-std::optional<ShapeFormat> shape_format(std::string_view name);
-std::optional<LevelFormat> level_format(std::string_view name);
-std::optional<PolygonFormat> polygon_format(std::string_view name);
+std::optional<Format> find_format(Use use, std::string_view name);
 
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);
+
+/// Whether the name of a file ends in .gz.
+bool is_gzip_name(std::string_view path);
 
 /// The same of a file that is read, which .gz may follow.
 std::string_view input_ending(std::string_view path);

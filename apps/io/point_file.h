@@ -1,4 +1,4 @@
-// What: points as a file has them, and what the file says about them.
+// What: points of the plane as a file has them, and what the file says about them.
 #pragma once
 
 #include <optional>
@@ -6,10 +6,27 @@
 #include <vector>
 
 #include "io/crs.h"
-#include "io/heights.h"
 #include "rbpa/base/point.h"
 
 namespace rbpa::app {
+
+class Heights {
+ public:
+  void take(double z) {
+    if (!first_) first_ = z;
+    differ_ = differ_ || z != *first_;
+  }
+  void take(const Heights& others) {
+    if (others.first_) take(*others.first_);
+    differ_ = differ_ || others.differ_;
+  }
+  /// A constant is none.
+  bool differ() const { return differ_; }
+
+ private:
+  std::optional<double> first_ = std::nullopt;
+  bool differ_ = false;
+};
 
 struct PointFile {
   std::vector<Point> points = {};         ///< in the order of the file, all finite

@@ -4,24 +4,24 @@
 #include <cctype>
 #include <utility>
 
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/same_file.h"
-#include "io/whole_number.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 namespace rbpa::app {
 namespace {
 
 MeshSource parse_source(const std::string& path, const std::optional<std::string>& format) {
   if (path == "-" && !format) throw WrongUsage("-: found no --format, expected one of " + std::string(mesh_formats));
-  const std::optional<MeshFormat> known = mesh_format(format ? std::string_view(*format) : input_ending(path));
+  const std::optional<Format> known = find_format(Use::mesh, format ? std::string_view(*format) : input_ending(path));
   if (known) return {path, *known};
   if (format) refuse_name("--format", *format, mesh_formats);
   refuse_ending(path, mesh_formats, "--format");
 }
 
-std::optional<MeshFormat> writable(std::string_view name) {
-  const std::optional<MeshFormat> known = mesh_format(name);
+std::optional<Format> writable(std::string_view name) {
+  const std::optional<Format> known = find_format(Use::mesh, name);
   return known && can_write_mesh(*known) ? known : std::nullopt;
 }
 
@@ -31,13 +31,13 @@ RepairTarget parse_repair_target(const std::string& option, const std::string& p
   if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
   if (path == "-" && !format)
     throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(written_mesh_formats));
-  if (const std::optional<MeshFormat> known = writable(ending(path))) return {path, *known};
+  if (const std::optional<Format> known = writable(ending(path))) return {path, *known};
   if (!format) refuse_ending(path, written_mesh_formats, "--output-format");
   return {path, *writable(*format)};
 }
 
 GeneratorTarget parse_generator_target(const std::string& path) {
-  if (const std::optional<PolylineFormat> known = polyline_format(ending(path))) return {path, *known};
+  if (const std::optional<Format> known = find_format(Use::polylines, ending(path))) return {path, *known};
   throw WrongUsage("--generators: found the ending " + in_quotes(ending(path)) + ", expected one of " +
                    std::string(polyline_formats));
 }
@@ -50,7 +50,7 @@ ReportTarget parse_report_target(const std::string& path, bool json) {
     return std::equal(name.begin(), name.end(), known.begin(), known.end(),
                       [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
   };
-  if (mesh_format(name))
+  if (find_format(Use::mesh, name))
     throw WrongUsage(path + ": found the ending " + in_quotes(name) +
                      " of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
   if (is("txt") && json) throw WrongUsage(path + ": found the ending 'txt' with --json, expected json");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace rbpa::app {
 
@@ -33,12 +33,12 @@ struct ReportTarget {
 
 struct RepairTarget {
   std::string path;
-  MeshFormat format;
+  Format format;
 };
 
 struct GeneratorTarget {
   std::string path;
-  PolylineFormat format;
+  Format format;
 };
 
 /// What a run reads and writes.

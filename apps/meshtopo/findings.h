@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/polylines.h"
+#include "io/mesh/polylines.h"
 #include "meshops/core/connectivity.h"
 
 namespace rbpa::app {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "io/equal_positions.h"
 #include "io/interrupt.h"
+#include "io/mesh/equal_positions.h"
 #include "io/sort.h"
 #include "rbpa/collinear.h"
 

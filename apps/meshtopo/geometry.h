@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace rbpa::app {
 

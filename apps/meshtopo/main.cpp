@@ -4,9 +4,9 @@
 #include <sstream>
 #include <string>
 
-#include "io/descriptor.h"
+#include "io/bytes/descriptor.h"
 #include "io/interrupt.h"
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "meshtopo/run_topology.h"
 #include "program/exit_code.h"
 #include "program/manual.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace rbpa::app {
 

@@ -1,7 +1,7 @@
 // What: the report of meshtopo for programs.
 #pragma once
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "meshtopo/findings.h"
 
 namespace rbpa::app {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/bytes/output_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/output_file.h"
+#include "io/mesh/write_mesh.h"
 #include "io/progress_line.h"
-#include "io/write_mesh.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/examine.h"
 #include "meshtopo/generators.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/triangle_mesh.h"
+#include "io/mesh/write_triangles.h"
 #include "rbpa/base/point.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape.h"

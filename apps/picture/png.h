@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "picture/scene.h"
 
 namespace rbpa::app {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::app {

@@ -2,7 +2,7 @@
 // Law:  the same scene gives the same bytes. Positions are multiples of 0.01 pixels.
 #pragma once
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "picture/scene.h"
 
 namespace rbpa::app {

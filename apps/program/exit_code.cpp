@@ -2,9 +2,8 @@
 
 #include <new>
 
+#include "io/bytes/output_file.h"
 #include "io/failure.h"
-#include "io/message.h"
-#include "io/output_file.h"
 #include "rbpa/base/error.h"
 
 namespace rbpa::app {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 
 namespace rbpa::app {
 

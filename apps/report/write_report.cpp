@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "io/markup.h"
-#include "io/message.h"
+#include "io/failure.h"
+#include "io/text/markup.h"
 #include "report/blob.h"
 #include "report/page_parts.h"
 

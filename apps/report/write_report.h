@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/filtration_arrays.h"
 #include "report/radii.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "io/blocks/point_blocks.h"
+#include "io/cloud/point_blocks.h"
 
 namespace rbpa::app {
 namespace {

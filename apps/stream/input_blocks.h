@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "io/cloud/read_points.h"
 #include "io/point_file.h"
-#include "io/points/read_points.h"
 
 namespace rbpa::app {
 

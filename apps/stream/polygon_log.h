@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/gis/polygon_writers.h"
+#include "io/polygon/shape_files.h"
 #include "rbpa/partial.h"
 #include "stream/record_log.h"
 #include "stream/scratch.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "io/gis/polygon_writers.h"
+#include "io/polygon/shape_files.h"
 #include "rbpa/partial.h"
 
 namespace rbpa::app {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/number.h"
 
 namespace rbpa::app {
 

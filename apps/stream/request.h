@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/points/read_points.h"
+#include "io/cloud/read_points.h"
 
 namespace rbpa::app {
 

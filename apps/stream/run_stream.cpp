@@ -7,7 +7,6 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/message.h"
 #include "stream/budget.h"
 #include "stream/cell_counts.h"
 #include "stream/compute_tiles.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/partial.h"
 #include "stream/manifest.h"
 #include "stream/request.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "io/output_file.h"
-#include "io/write_triangles.h"
+#include "io/bytes/output_file.h"
+#include "io/mesh/write_triangles.h"
 
 namespace rbpa::app {
 
@@ -34,7 +34,7 @@ void write_tile_mesh(const std::string& path, const IndexedPoints& points, std::
   }
   OutputSet outputs;
   OutputFile& file = outputs.add(path);
-  write_triangles(file, OutputFormat::ply, {vertices, faces, {}, {}});
+  write_triangles(file, Format::ply, {vertices, faces, {}, {}});
   file.finish();
   outputs.publish();
 }

@@ -5,10 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/gis/geojson_crs.h"
-#include "io/gis/polygon_writers.h"
+#include "io/bytes/npy.h"
 #include "io/interrupt.h"
-#include "io/npy_header.h"
+#include "io/polygon/shape_files.h"
 #include "rbpa/shape.h"
 #include "stream/room_on_disk.h"
 

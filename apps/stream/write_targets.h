@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "io/bytes/output_file.h"
 #include "io/crs.h"
-#include "io/output_file.h"
 #include "rbpa/base/point.h"
 #include "stream/polygon_log.h"
 #include "stream/request.h"

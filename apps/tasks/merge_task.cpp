@@ -5,10 +5,10 @@
 #include <iterator>
 #include <utility>
 
+#include "io/bytes/npy.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/npy_header.h"
-#include "io/number.h"
 #include "rbpa/base/error.h"
 #include "stream/budget.h"
 #include "stream/scratch.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "stream/request.h"
 #include "stream/run_stream.h"
 #include "tasks/partial_file.h"

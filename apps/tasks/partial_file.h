@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/partial.h"
 #include "tasks/run_facts.h"
 

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "io/bytes/npy.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/npy_header.h"
-#include "io/number.h"
 #include "rbpa/base/error.h"
 #include "stream/compute_tile.h"
 #include "stream/tile_mesh.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "io/output_file.h"
+#include "io/bytes/output_file.h"
 #include "rbpa/partial.h"
 
 namespace rbpa::app {

@@ -11,7 +11,7 @@
 #include "drawings/figures.h"
 #include "drawings/random.h"
 #include "drawings/sheet.h"
-#include "io/points/foreground.h"
+#include "io/cloud/images.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
 #include "rbpa/rbpa.h"

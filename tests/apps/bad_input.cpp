@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "support/npy_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -26,18 +27,6 @@ void refuses_text(const std::string& content, const std::string& message) {
   const Folder folder;
   folder.file("p.xy", content);
   refuses(folder, "mesh p.xy --alpha 1 -o m.off", 3, message);
-}
-
-std::string npy(const std::string& description, const std::string& data) {
-  std::string header = description;
-  while ((10 + header.size() + 1) % 64 != 0) header += ' ';
-  header += '\n';
-  std::string file = "\x93NUMPY";
-  file += '\x01';
-  file += '\0';
-  file += static_cast<char>(header.size() & 0xff);
-  file += static_cast<char>(header.size() >> 8);
-  return file + header + data;
 }
 
 std::string doubles(std::initializer_list<double> values) {
@@ -104,7 +93,8 @@ TEST_SUITE("bad input") {
 
   TEST_CASE("a truncated binary file") {
     const Folder folder;
-    folder.file("p.npy", npy("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
+    folder.file("p.npy",
+                npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
     Outcome outcome = folder.rbpa("mesh p.npy --alpha 1 -o m.off");
     CHECK(outcome.code == 3);
     CHECK(outcome.err.find("p.npy: found 40 bytes of data, expected 3 rows of 16 bytes as the header says") !=
@@ -122,7 +112,7 @@ TEST_SUITE("bad input") {
   TEST_CASE("a header that claims more points than the file holds is found before memory is asked for") {
     const Folder folder;
     folder.file("p.npy",
-                npy("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999, 2), }", doubles({0, 0})));
+                npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999, 2), }", doubles({0, 0})));
     folder.file("p.ply",
                 "ply\nformat binary_little_endian 1.0\nelement vertex 99999999999999\nproperty double x\n"
                 "property double y\nend_header\n" +

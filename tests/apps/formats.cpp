@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <random>
 
-#include "io/points/read_points.h"
+#include "io/cloud/read_points.h"
 #include "support/program.h"
 
 using namespace apps_test;
 using rbpa::Point;
-using rbpa::app::PointFormat;
+using rbpa::app::Format;
 
 namespace {
 
@@ -35,7 +35,7 @@ std::string as_text(const std::vector<Point>& points, const std::string& separat
   return text;
 }
 
-std::vector<Point> read(const std::string& path, PointFormat format) {
+std::vector<Point> read(const std::string& path, Format format) {
   return rbpa::app::read_points({path, format}).points;
 }
 
@@ -46,10 +46,10 @@ TEST_SUITE("formats") {
     const Folder folder;
     const auto points = awkward_points();
     folder.file("p.xy", as_text(points, " "));
-    REQUIRE(read(folder.path("p.xy"), PointFormat::text) == points);
+    REQUIRE(read(folder.path("p.xy"), Format::text) == points);
     REQUIRE(folder.rbpa("mesh p.xy --alpha inf -o m.off -o m.ply -o m.obj -q").code == 0);
-    CHECK(read(folder.path("m.off"), PointFormat::off) == points);
-    CHECK(read(folder.path("m.ply"), PointFormat::ply) == points);
+    CHECK(read(folder.path("m.off"), Format::off) == points);
+    CHECK(read(folder.path("m.ply"), Format::ply) == points);
     // And so the same mesh comes from each.
     REQUIRE(folder.rbpa("mesh m.off --alpha inf -o again.ply -q").code == 0);
     CHECK(folder.content("again.ply") == folder.content("m.ply"));
@@ -62,12 +62,10 @@ TEST_SUITE("formats") {
     const Folder folder;
     for (const std::string separator : {" ", "\t", ",", ";", " , ", "   "}) {
       CAPTURE(separator);
-      CHECK(read(folder.file("p.csv", as_text(points, separator)), PointFormat::text) == points);
-      CHECK(read(folder.file("p.csv", "x" + separator + "y\n" + as_text(points, separator)), PointFormat::text) ==
-            points);
+      CHECK(read(folder.file("p.csv", as_text(points, separator)), Format::text) == points);
+      CHECK(read(folder.file("p.csv", "x" + separator + "y\n" + as_text(points, separator)), Format::text) == points);
     }
-    CHECK(read(folder.file("p.txt", "# points\r\n\r\n1 2 # first\r\n-3.5 4e2\r\n\r\n5 6"), PointFormat::text) ==
-          points);
+    CHECK(read(folder.file("p.txt", "# points\r\n\r\n1 2 # first\r\n-3.5 4e2\r\n\r\n5 6"), Format::text) == points);
   }
 
   TEST_CASE("columns by number and by name") {
@@ -104,7 +102,7 @@ TEST_SUITE("formats") {
       header.resize(117, ' ');
       header += '\n';
       std::string file = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) + '\0' + header + c.data;
-      CHECK(read(folder.file("p.npy", file), PointFormat::npy) == points);
+      CHECK(read(folder.file("p.npy", file), Format::npy) == points);
     }
     const std::string complex_numbers = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(118) + '\0' +
                                         "{'descr': '<c16', 'fortran_order': False, 'shape': (3, 2), }" +
@@ -120,13 +118,13 @@ TEST_SUITE("formats") {
                            "ply\nformat ascii 1.0\ncomment c\nelement face 2\nproperty list uchar int vertex_indices\n"
                            "element vertex 3\nproperty float z\nproperty double y\nproperty int x\nend_header\n"
                            "3 0 1 2\n4 0 1 2 2\n9 2 1\n9 4 3\n9 6 5\n"),
-               PointFormat::ply) == points);
+               Format::ply) == points);
     const std::string data("\0\1\0\2\0\3\0\4\0\5\0\6", 12);
     CHECK(read(folder.file("b.ply",
                            "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\nproperty short y\n"
                            "end_header\n" +
                                data),
-               PointFormat::ply) == points);
+               Format::ply) == points);
   }
 
   TEST_CASE("standard input and output") {

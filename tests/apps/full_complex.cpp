@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "support/program.h"
 #include "support/random.h"
 
@@ -300,8 +300,8 @@ TEST_SUITE("full complex") {
     const Folder folder;
     REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.02 --complex full -o f.obj -q").code == 0);
     REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.02 -o s.off -q").code == 0);
-    const auto full = rbpa::app::read_mesh({folder.path("f.obj"), rbpa::app::MeshFormat::obj});
-    const auto solid = rbpa::app::read_mesh({folder.path("s.off"), rbpa::app::MeshFormat::off});
+    const auto full = rbpa::app::read_mesh({folder.path("f.obj"), rbpa::app::Format::obj});
+    const auto solid = rbpa::app::read_mesh({folder.path("s.off"), rbpa::app::Format::off});
     CHECK(full.positions == solid.positions);
     CHECK(full.soup.corners == solid.soup.corners);
   }

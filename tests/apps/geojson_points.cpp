@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/gis/geojson_points.h"
-#include "io/number.h"
+#include "io/polygon/geojson.h"
 #include "support/program.h"
 
 using rbpa::Point;

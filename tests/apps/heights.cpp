@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/las_file.h"
+#include "support/npy_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -21,15 +22,12 @@ std::string remark(const std::string& file, int points = 3) {
 /// Points of three numbers, of which the last is given.
 std::string npy(const std::vector<double>& z, bool columns_first) {
   const std::size_t n = z.size();
-  std::string header = "{'descr': '<f8', 'fortran_order': " + std::string(columns_first ? "True" : "False") +
-                       ", 'shape': (" + std::to_string(n) + ", 3)}\n";
-  std::string bytes("\x93NUMPY\x01\x00", 8);
-  bytes += static_cast<char>(header.size());
-  bytes += '\0';
-  bytes += header;
   const auto value = [&](std::size_t i, std::size_t k) { return k == 2 ? z[i] : static_cast<double>((i + k) % n); };
+  std::string bytes;
   for (std::size_t i = 0; i < n * 3; ++i) bytes += little(columns_first ? value(i % n, i / n) : value(i / 3, i % 3));
-  return bytes;
+  return npy_file("{'descr': '<f8', 'fortran_order': " + std::string(columns_first ? "True" : "False") +
+                      ", 'shape': (" + std::to_string(n) + ", 3)}",
+                  bytes);
 }
 
 std::string ply(const std::vector<double>& z, bool binary, bool with_list) {

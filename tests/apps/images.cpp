@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <random>
 
+#include "io/cloud/images.h"
+#include "io/cloud/read_points.h"
 #include "io/failure.h"
-#include "io/points/pgm_points.h"
-#include "io/points/png_points.h"
-#include "io/points/read_points.h"
 #include "support/image_files.h"
 #include "support/program.h"
 
@@ -15,8 +14,8 @@ using namespace apps_test;
 using rbpa::Point;
 using rbpa::app::BadInput;
 using rbpa::app::Foreground;
+using rbpa::app::Format;
 using rbpa::app::PixelRule;
-using rbpa::app::PointFormat;
 
 namespace {
 
@@ -163,8 +162,8 @@ TEST_SUITE("images") {
 
   TEST_CASE("the horse is the points that others took from its image") {
     const std::string folder = RBPA_TEST_DATA "/";
-    auto expected = rbpa::app::read_points({folder + "shape_skimage_horse_fill.xy", PointFormat::text}).points;
-    auto points = rbpa::app::read_points({folder + "shape_skimage_horse_fill.png", PointFormat::png}).points;
+    auto expected = rbpa::app::read_points({folder + "shape_skimage_horse_fill.xy", Format::text}).points;
+    auto points = rbpa::app::read_points({folder + "shape_skimage_horse_fill.png", Format::png}).points;
     for (Point& p : expected) p = {p.x + 0.5, p.y + 0.5};  // theirs are corners
     std::sort(expected.begin(), expected.end());
     std::sort(points.begin(), points.end());

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "io/cloud/las_fields.h"
+#include "io/cloud/read_points.h"
 #include "io/failure.h"
-#include "io/las/selection.h"
-#include "io/points/read_points.h"
 #include "support/data_folder.h"
 #include "support/las_file.h"
 #include "support/program.h"
@@ -23,7 +23,7 @@ using namespace rbpa::app;
 namespace {
 
 PointFile read(const std::string& bytes, const std::string& where = "") {
-  PointSource source{.path = "p.las", .format = PointFormat::las};
+  PointSource source{.path = "p.las", .format = Format::las};
   if (!where.empty()) source.where = Condition(where, names_of_las_fields());
   return points_in(bytes, "p.las", source);
 }
@@ -367,7 +367,7 @@ TEST_SUITE("las") {
     las.signature_counts = true;
     std::string bytes = bytes_of(las);
     bytes.resize(bytes.size() - 7);
-    PointSource source{.path = "p.las", .format = PointFormat::las, .skip_invalid = true};
+    PointSource source{.path = "p.las", .format = Format::las, .skip_invalid = true};
     CHECK(points_in(bytes, "p.las", source).points ==
           std::vector<Point>{{0, 0}, {0.01, 0.01}, {0.02, 0.04}, {0.03, 0.09}});
   }
@@ -427,7 +427,7 @@ TEST_SUITE("las") {
       return;
     }
     const auto file = [&](const std::string& name) {
-      return read_points({.path = folder + name, .format = PointFormat::las});
+      return read_points({.path = folder + name, .format = Format::las});
     };
     struct Real {
       std::string name;
@@ -445,7 +445,7 @@ TEST_SUITE("las") {
     }
     // The same points as text, made by others.
     CHECK(file("las_certainty3d.las").points ==
-          read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = PointFormat::text}).points);
+          read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = Format::text}).points);
     CHECK_THROWS_AS(file("las_garbage_vlr_count.las"), BadInput);  // which lacks a part of its last point
   }
 
@@ -489,6 +489,6 @@ TEST_SUITE("las") {
     CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 2);
     CHECK(folder.rbpa("info p.las --where red==2").code == 3);
     CHECK(folder.rbpa("info p.npy --where x==2").err ==
-          "rbpa: --where: found a format without fields beside the points, expected las or text\n");
+          "rbpa: --where: found a format without fields beside the points, expected las, ply or text\n");
   }
 }

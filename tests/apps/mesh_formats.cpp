@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "io/failure.h"
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "support/mesh_files.h"
 #include "support/program.h"
 
@@ -24,7 +24,7 @@ namespace {
 using Positions = std::vector<std::array<double, 3>>;
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-MeshFile read(const std::string& content, MeshFormat format) {
+MeshFile read(const std::string& content, Format format) {
   const Folder folder;
   return read_mesh({folder.file("m", content), format});
 }
@@ -46,30 +46,30 @@ void is_pyramid(const MeshFile& mesh) {
 
 TEST_SUITE("mesh formats") {
   TEST_CASE("OFF: prefixes, comments, blank lines, counts beside the word, normals and colours") {
-    is_pyramid(read(pyramid_off, MeshFormat::off));
+    is_pyramid(read(pyramid_off, Format::off));
     is_pyramid(
         read("OFF 5 5 0 # counts\n\n0 0 0\n1 0 0 # here\n1 1 0\n0 1 0\n0.5 0.5 1\n"
              "4 3 2 1 0 # base\n# sides\n3 0 1 4 0.5 0.5 0.5\n3 1 2 4 255 0 0 255\r\n3 2 3 4 7\n3 3 0 4",
-             MeshFormat::off));
+             Format::off));
     is_pyramid(
         read("STCNOFF\n5 5 8\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 1\n"
              "4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n",
-             MeshFormat::off));
-    is_pyramid(read("5 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 1\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n",
-                    MeshFormat::off));
+             Format::off));
+    is_pyramid(
+        read("5 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 1\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n", Format::off));
   }
 
   TEST_CASE("the lines of points and faces are those of the file") {
-    const MeshFile off = read("OFF\n# a comment\n3 1 0\n0 0 0\n\n1 0 0\n0 1 0\n# another\n3 0 1 2\n", MeshFormat::off);
+    const MeshFile off = read("OFF\n# a comment\n3 1 0\n0 0 0\n\n1 0 0\n0 1 0\n# another\n3 0 1 2\n", Format::off);
     CHECK(off.point_lines == std::vector<std::size_t>{4, 6, 7});
     CHECK(off.face_lines == std::vector<std::size_t>{9});
-    const MeshFile obj = read("v 0 0 0\nv 1 0 0\nv 0 1 \\\n0\nf 1 \\\n2 \\\n3\nf 3 2 1\n", MeshFormat::obj);
+    const MeshFile obj = read("v 0 0 0\nv 1 0 0\nv 0 1 \\\n0\nf 1 \\\n2 \\\n3\nf 3 2 1\n", Format::obj);
     CHECK(obj.point_lines == std::vector<std::size_t>{1, 2, 3});
     CHECK(obj.face_lines == std::vector<std::size_t>{5, 8});
-    const MeshFile stl = read(stl_text(pyramid_triangles), MeshFormat::stl);
+    const MeshFile stl = read(stl_text(pyramid_triangles), Format::stl);
     CHECK(stl.point_lines == std::vector<std::size_t>{4, 5, 6, 13, 20});
     CHECK(stl.face_lines == std::vector<std::size_t>{2, 9, 16, 23, 30, 37});
-    CHECK(read(ply_binary(std::endian::big), MeshFormat::ply).face_lines.empty());
+    CHECK(read(ply_binary(std::endian::big), Format::ply).face_lines.empty());
   }
 
   TEST_CASE("OBJ: texture and normal references, negative numbers, continued lines, everything else passed over") {
@@ -77,37 +77,36 @@ TEST_SUITE("mesh formats") {
         read("# a pyramid\nmtllib a.mtl\no pyramid\nv 0 0 0 1 0 0\nv 1 0 0\nvt 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\n"
              "v 0.5 0.5 1\ng sides\ns 1\nusemtl red\nf 4/1/1 3/1/1 2/1/1 1/1/1\nf 1/1 2/1 5/1\nf 2//1 3//1 5//1\n"
              "f -3 -2 -1 # side\nf 4 \\\n  1 \\\n  5\nl 1 2\np 3\nvp 0.5\n",
-             MeshFormat::obj));
+             Format::obj));
     // A negative number counts from where it stands, a positive one may look ahead.
-    const MeshFile mesh =
-        read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\nf -4 -3 -1\n", MeshFormat::obj);
+    const MeshFile mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\nf -4 -3 -1\n", Format::obj);
     CHECK(faces_of(mesh) == Faces{{0, 1, 2}, {0, 1, 3}, {0, 1, 3}});
   }
 
   TEST_CASE("PLY: ASCII and both byte orders, any types, other properties and elements, faces before vertices") {
-    is_pyramid(read(ply_binary(std::endian::little), MeshFormat::ply));
-    is_pyramid(read(ply_binary(std::endian::big), MeshFormat::ply));
+    is_pyramid(read(ply_binary(std::endian::little), Format::ply));
+    is_pyramid(read(ply_binary(std::endian::big), Format::ply));
     is_pyramid(
         read("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
              "element face 5\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
              "0.5 0.5 1\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n",
-             MeshFormat::ply));
+             Format::ply));
     is_pyramid(read(
         "ply\nformat ascii 1.0\nelement material 1\nproperty float shine\nelement face 5\n"
         "property list uint uint neighbours\nproperty uchar red\nproperty list ushort short vertex_index\n"
         "element vertex 5\nproperty double z\nproperty list uchar int near\nproperty double x\nproperty double "
         "y\nelement edge 1\nproperty int a\nend_header\n7\n2 8 9 255 4 3 2 1 0\n0 1 3 0 1 4\n0 1 3 1 2 4\n0 1 3 2 3 "
         "4\n0 1 3 3 0 4\n0 0 0 0\n0 1 5 1 0\n0 2 5 6 1 1\n0 0 0 1\n1 0 0.5 0.5\n3\n",
-        MeshFormat::ply));
+        Format::ply));
     CHECK(read("ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\nend_header\n1 "
                "2 3\n",
-               MeshFormat::ply)
+               Format::ply)
               .positions == Positions{{1, 2, 3}});
   }
 
   TEST_CASE("STL: corners with equal coordinates are one point, ASCII and binary") {
     for (const std::string& content : {stl_text(pyramid_triangles), stl_binary(pyramid_triangles)}) {
-      const MeshFile mesh = read(content, MeshFormat::stl);
+      const MeshFile mesh = read(content, Format::stl);
       CHECK(mesh.positions.size() == 5);
       REQUIRE(mesh.soup.faces() == 6);
       for (std::size_t f = 0; f < 6; ++f)
@@ -121,7 +120,7 @@ TEST_SUITE("mesh formats") {
         "solid\nfacet normal nan 0 0\nouter loop\nvertex -0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
         "FACET NORMAL 0 0 0\nOUTER LOOP\nVERTEX 0 -0.0 0\nVERTEX 1.0000000000000002 0 0\nVERTEX 0 1.0e0 0\nENDLOOP\n"
         "ENDFACET\nendsolid\nsolid two words\nendsolid two words\n",
-        MeshFormat::stl);
+        Format::stl);
     CHECK(faces_of(mesh) == Faces{{0, 1, 2}, {0, 3, 2}});
     CHECK_FALSE(std::signbit(mesh.positions[0][0]));
   }
@@ -129,7 +128,7 @@ TEST_SUITE("mesh formats") {
   TEST_CASE("STL: binary by its size, also when its header begins with 'solid'") {
     std::string content = stl_binary(pyramid_triangles);
     std::memcpy(content.data(), "solid of some exporter", 22);
-    CHECK(read(content, MeshFormat::stl).soup.faces() == 6);
+    CHECK(read(content, Format::stl).soup.faces() == 6);
   }
 
   TEST_CASE("what is written reads back: the same doubles, the same faces") {
@@ -141,7 +140,7 @@ TEST_SUITE("mesh formats") {
     soup.add_face(std::vector<std::uint32_t>{3, 2, 1, 0});
     for (const bool long_face : {false, true}) {
       if (long_face) soup.add_face(std::vector<std::uint32_t>(300, 1));
-      for (const MeshFormat format : {MeshFormat::off, MeshFormat::ply, MeshFormat::obj}) {
+      for (const Format format : {Format::off, Format::ply, Format::obj}) {
         const Folder folder;
         OutputFile file(folder.path("m"));
         write_mesh(file, format, positions, soup);
@@ -159,12 +158,12 @@ TEST_SUITE("mesh formats") {
   }
 
   TEST_CASE("a file with a few bytes changed, dropped or doubled is a sound mesh or refused") {
-    const std::pair<MeshFormat, std::string> files[] = {{MeshFormat::off, pyramid_off},
-                                                        {MeshFormat::obj, pyramid_obj},
-                                                        {MeshFormat::ply, pyramid_ply},
-                                                        {MeshFormat::ply, ply_binary(std::endian::little)},
-                                                        {MeshFormat::stl, stl_text(pyramid_triangles)},
-                                                        {MeshFormat::stl, stl_binary(pyramid_triangles)}};
+    const std::pair<Format, std::string> files[] = {{Format::off, pyramid_off},
+                                                    {Format::obj, pyramid_obj},
+                                                    {Format::ply, pyramid_ply},
+                                                    {Format::ply, ply_binary(std::endian::little)},
+                                                    {Format::stl, stl_text(pyramid_triangles)},
+                                                    {Format::stl, stl_binary(pyramid_triangles)}};
     const Folder folder;
     std::mt19937_64 random(11);
     std::size_t read_well = 0, refused = 0;

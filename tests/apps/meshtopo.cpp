@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "support/data_folder.h"
 #include "support/mesh_files.h"
 #include "support/program.h"
@@ -349,8 +349,8 @@ TEST_SUITE("meshtopo --repair") {
     const Folder folder;
     const std::string path = (rbpa_test::bundled_data() / "m3_bob.off").string();
     REQUIRE(folder.meshtopo("'" + path + "' --repair -o bob.ply -q").code == 0);
-    const auto given = rbpa::app::read_mesh({path, rbpa::app::MeshFormat::off});
-    const auto written = rbpa::app::read_mesh({folder.path("bob.ply"), rbpa::app::MeshFormat::ply});
+    const auto given = rbpa::app::read_mesh({path, rbpa::app::Format::off});
+    const auto written = rbpa::app::read_mesh({folder.path("bob.ply"), rbpa::app::Format::ply});
     CHECK(given.positions == written.positions);
     CHECK(given.soup.corners == written.soup.corners);
     CHECK(given.soup.begin == written.soup.begin);
@@ -371,8 +371,8 @@ TEST_SUITE("meshtopo --repair") {
     const Outcome outcome = folder.meshtopo("m.off --repair -o - --output-format off -q");
     REQUIRE(outcome.code == 0);
     folder.file("r.off", outcome.out);
-    const auto given = rbpa::app::read_mesh({folder.path("m.off"), rbpa::app::MeshFormat::off});
-    const auto written = rbpa::app::read_mesh({folder.path("r.off"), rbpa::app::MeshFormat::off});
+    const auto given = rbpa::app::read_mesh({folder.path("m.off"), rbpa::app::Format::off});
+    const auto written = rbpa::app::read_mesh({folder.path("r.off"), rbpa::app::Format::off});
     REQUIRE(written.positions.size() > given.positions.size());
     const std::set<std::array<double, 3>> places(given.positions.begin(), given.positions.end());
     for (std::size_t i = 0; i < written.positions.size(); ++i)
@@ -387,7 +387,7 @@ TEST_SUITE("meshtopo --generators") {
     const std::string path = (rbpa_test::bundled_data() / "m3_plate_holes.off").string();
     REQUIRE(folder.meshtopo("'" + path + "' --generators l.obj -q").code == 0);
     REQUIRE(folder.meshtopo("'" + path + "' --generators l.json -q").code == 0);
-    const auto mesh = rbpa::app::read_mesh({path, rbpa::app::MeshFormat::off});
+    const auto mesh = rbpa::app::read_mesh({path, rbpa::app::Format::off});
     std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
     for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {
       const auto face = mesh.soup.face(f);

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/number.h"
+#include "io/bytes/number.h"
 
 using rbpa::app::NumberFault;
 using rbpa::app::ParsedNumber;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "io/number.h"
-#include "io/ogr/ogr.h"
+#include "io/bytes/number.h"
+#include "io/polygon/ogr.h"
 #include "support/program.h"
 
 using namespace apps_test;

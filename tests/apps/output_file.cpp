@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/output_file.h"
 #include "io/failure.h"
-#include "io/output_file.h"
 #include "support/program.h"
 
 using apps_test::Folder;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/number.h"
-#include "io/points/read_points.h"
+#include "io/bytes/number.h"
+#include "io/cloud/read_points.h"
 #include "support/generate.h"
 #include "support/program.h"
 
@@ -21,7 +21,7 @@ namespace {
 /// Two squares, of which one has a point twice, a point between them and one far away.
 constexpr const char* squares = "0 0\n1 0\n1 1\n0 1\n3 3\n10 0\n11 0\n11 1\n10 1\n11 1\n90 90\n";
 
-std::vector<Point> read(const std::string& path, rbpa::app::PointFormat format) {
+std::vector<Point> read(const std::string& path, rbpa::app::Format format) {
   return rbpa::app::read_points({.path = path, .format = format}).points;
 }
 
@@ -74,13 +74,13 @@ TEST_SUITE("shape files") {
     for (const Point& p : rbpa_test::uniform(3000, 5))
       text += std::string(rbpa::app::ShortestText(p.x * 1e3)) + " " + std::string(rbpa::app::ShortestText(-p.y * 1e3)) +
               "\n";
-    const std::vector<Point> points = read(folder.file("p.xy", text), rbpa::app::PointFormat::text);
+    const std::vector<Point> points = read(folder.file("p.xy", text), rbpa::app::Format::text);
     REQUIRE(
         folder.rbpa("shape p.xy --alpha 600 --min-hole-area 1 -o s.csv -o s.geojson --isolated i.geojson -q").code ==
         0);
     REQUIRE(folder.rbpa("shape p.xy --alpha 600 --min-hole-area 1 --isolated i.csv -q").code == 0);
     REQUIRE(folder.rbpa("shape p.xy --alpha 600 --min-hole-area 1 --isolated i.wkt -q").code == 0);
-    CHECK(read(folder.path("s.csv"), rbpa::app::PointFormat::text) == points);
+    CHECK(read(folder.path("s.csv"), rbpa::app::Format::text) == points);
     std::map<std::string, std::size_t> counts;
     std::vector<Point> isolated;
     std::istringstream lines(folder.content("s.csv"));
@@ -97,9 +97,9 @@ TEST_SUITE("shape files") {
       CHECK(feature["properties"]["points"] == counts[to_string(feature["properties"]["number"])]);
     CHECK(counts.size() == all["features"].size());
     REQUIRE(isolated.size() > 3);
-    CHECK(read(folder.path("i.geojson"), rbpa::app::PointFormat::geojson) == isolated);
-    CHECK(read(folder.path("i.csv"), rbpa::app::PointFormat::text) == isolated);
-    CHECK(read(folder.path("i.wkt"), rbpa::app::PointFormat::wkt) == isolated);
+    CHECK(read(folder.path("i.geojson"), rbpa::app::Format::geojson) == isolated);
+    CHECK(read(folder.path("i.csv"), rbpa::app::Format::text) == isolated);
+    CHECK(read(folder.path("i.wkt"), rbpa::app::Format::wkt) == isolated);
     const json isolated_file = json::parse(folder.content("i.geojson"));
     for (const json& feature : isolated_file["features"]) {
       const Point& p = points[feature["properties"]["index"].get<std::size_t>()];

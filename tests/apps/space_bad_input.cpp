@@ -4,9 +4,10 @@
 #include <cstring>
 #include <string>
 
+#include "io/cloud/read_space_points.h"
 #include "io/failure.h"
-#include "io/space/read_space_points.h"
 #include "support/las_file.h"
+#include "support/npy_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -14,9 +15,9 @@ using namespace rbpa::app;
 
 namespace {
 
-std::string refusal(const std::string& bytes, SpaceFormat format, const std::string& columns = "") {
+std::string refusal(const std::string& bytes, Format format, const std::string& columns = "") {
   try {
-    SpaceChoice choice;
+    CloudRequest choice;
     if (!columns.empty()) choice.columns = parse_space_columns(columns);
     space_points_in(bytes, "p", format, choice);
   } catch (const BadInput& error) {
@@ -28,7 +29,7 @@ std::string refusal(const std::string& bytes, SpaceFormat format, const std::str
 }
 
 std::string table(const std::string& text, const std::string& columns = "") {
-  return refusal(text, SpaceFormat::text, columns);
+  return refusal(text, Format::text, columns);
 }
 std::string ply(const std::string& vertices) {
   return refusal(
@@ -36,25 +37,21 @@ std::string ply(const std::string& vertices) {
       "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
       "property uchar blue\nend_header\n" +
           vertices,
-      SpaceFormat::ply);
+      Format::ply);
 }
-std::string off(const std::string& text) { return refusal(text, SpaceFormat::off); }
-std::string obj(const std::string& text) { return refusal(text, SpaceFormat::obj); }
+std::string off(const std::string& text) { return refusal(text, Format::off); }
+std::string obj(const std::string& text) { return refusal(text, Format::obj); }
 
 /// With one line of the header replaced.
 std::string pcd(const std::string& data, const std::string& line = "", const std::string& replaced = "") {
   std::string text =
       "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n";
   if (!line.empty()) text.replace(text.find(line), line.size(), replaced);
-  return refusal(text + data, SpaceFormat::pcd);
+  return refusal(text + data, Format::pcd);
 }
 
 std::string npy(const std::string& shape, const std::string& data) {
-  const std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + "}\n";
-  std::string file("\x93NUMPY\x01\x00", 8);
-  file += static_cast<char>(header.size());
-  file += '\0';
-  return refusal(file + header + data, SpaceFormat::npy);
+  return refusal(npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + "}", data), Format::npy);
 }
 
 template <typename T>
@@ -72,26 +69,26 @@ const double no_number = __builtin_nan(""), inf = __builtin_inf();
 TEST_SUITE("bad points of space") {
   TEST_CASE("no such file, a folder, an empty file") {
     const Folder folder;
-    CHECK_THROWS_WITH_AS(read_space_points(folder.path("none.xyz"), SpaceFormat::text),
+    CHECK_THROWS_WITH_AS(read_space_points(folder.path("none.xyz"), Format::text),
                          (folder.path("none.xyz") + ": found no such file, expected a file of points").c_str(),
                          BadInput);
-    CHECK_THROWS_AS(read_space_points(folder.path(""), SpaceFormat::ply), BadInput);
-    for (const SpaceFormat format : {SpaceFormat::text, SpaceFormat::ply, SpaceFormat::off, SpaceFormat::obj,
-                                     SpaceFormat::pcd, SpaceFormat::npy, SpaceFormat::las})
+    CHECK_THROWS_AS(read_space_points(folder.path(""), Format::ply), BadInput);
+    for (const Format format :
+         {Format::text, Format::ply, Format::off, Format::obj, Format::pcd, Format::npy, Format::las})
       CHECK(refusal("", format) == "p: found an empty file, expected points");
   }
 
   TEST_CASE("what is of no format at all is not the one that its name says") {
     const std::string text = "hello, world\n";
     CHECK(table(text) == "p:1: found 'hello, world', expected 3 or 6 numbers");
-    CHECK(refusal(text, SpaceFormat::ply) == "p: found no PLY signature, expected a .ply file");
+    CHECK(refusal(text, Format::ply) == "p: found no PLY signature, expected a .ply file");
     CHECK(off(text) == "p:1: found 'hello,', expected OFF, COFF, NOFF or CNOFF");
     CHECK(obj(text) == "p: found no line 'v x y z', expected points");
-    CHECK(refusal(text, SpaceFormat::pcd) ==
+    CHECK(refusal(text, Format::pcd) ==
           "p:1: found 'hello, world', expected a .pcd file, which begins with VERSION or FIELDS");
-    CHECK(refusal("#\n", SpaceFormat::pcd) == "p: found no PCD header, expected a .pcd file");
-    CHECK(refusal(text, SpaceFormat::npy) == "p: found no NumPy signature, expected an .npy file");
-    CHECK(refusal(text, SpaceFormat::las) == "p: found 'hell', expected a LAS file, which begins with 'LASF'");
+    CHECK(refusal("#\n", Format::pcd) == "p: found no PCD header, expected a .pcd file");
+    CHECK(refusal(text, Format::npy) == "p: found no NumPy signature, expected an .npy file");
+    CHECK(refusal(text, Format::las) == "p: found 'hell', expected a LAS file, which begins with 'LASF'");
   }
 
   TEST_CASE("a wrong number of columns") {
@@ -155,7 +152,7 @@ TEST_SUITE("bad points of space") {
     CHECK(refusal("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\nproperty double y\n"
                   "property double z\nend_header\n" +
                       numbers({0., 0., inf}),
-                  SpaceFormat::ply) == "p: point 0: found 'inf', expected a finite number");
+                  Format::ply) == "p: point 0: found 'inf', expected a finite number");
   }
 
   TEST_CASE("the first normal that has no direction is named") {
@@ -181,12 +178,12 @@ TEST_SUITE("bad points of space") {
         CHECK(refusal("ply\nformat binary_big_endian 1.0\nelement vertex " + count +
                           "\nproperty float x\nproperty float y\nproperty float z\n" + list + "end_header\n" +
                           numbers({0.F, 0.F, 0.F, 0.F, 0.F}),
-                      SpaceFormat::ply) ==
+                      Format::ply) ==
               "p: found 20 bytes of data, expected " + count + " vertex elements as line 3 says");
     CHECK(refusal("ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
                       numbers({0.F, 0.F, 0.F}) + "\x03xx",
-                  SpaceFormat::ply) == "p: found 0 whole face elements, expected 1 face element as line 7 says");
+                  Format::ply) == "p: found 0 whole face elements, expected 1 face element as line 7 says");
     CHECK(pcd(numbers({0.F, 0.F, 0.F, 0.F, 0.F})) == "p: found 20 bytes of data, expected 2 points as line 8 says");
     CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2", "POINTS 99999999999999") ==
           "p: found 0 bytes of data, expected 99999999999999 points as line 6 says");
@@ -204,10 +201,10 @@ TEST_SUITE("bad points of space") {
     }
     CHECK(refusal("FIELDS x y z" + names + "\nSIZE 4 4 4" + sizes + "\nTYPE F F F" + types + "\nCOUNT 1 1 1" + counts +
                       "\nPOINTS 0\nDATA ascii\n",
-                  SpaceFormat::pcd) == "none");
+                  Format::pcd) == "none");
     std::string las = bytes_of({.points = {{.x = 1}, {.x = 2}}});
     las.resize(las.size() - 1);
-    CHECK(refusal(las, SpaceFormat::las) ==
+    CHECK(refusal(las, Format::las) ==
           "p: found 1 whole record of 20 bytes, expected 2 as the header says (--skip-invalid reads those that are "
           "whole)");
   }
@@ -238,9 +235,9 @@ TEST_SUITE("bad points of space") {
           "p: found WIDTH and HEIGHT beyond any file, expected 4294967296 times 4294967297 as WIDTH and HEIGHT say");
     CHECK(pcd("", "HEIGHT 1", "DEPTH 1") == "p:7: found 'DEPTH 1', expected a line of the header, or DATA");
     CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nPOINTS 1\nDATA ascii\n0 0 0 4294967296\n",
-                  SpaceFormat::pcd) == "p:6: found '4294967296', expected a colour of 4 bytes");
-    CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nPOINTS 1\nDATA ascii\n0 0 0 1e300\n",
-                  SpaceFormat::pcd) == "p:6: found '1e+300', expected a colour of 4 bytes");
+                  Format::pcd) == "p:6: found '4294967296', expected a colour of 4 bytes");
+    CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nPOINTS 1\nDATA ascii\n0 0 0 1e300\n", Format::pcd) ==
+          "p:6: found '1e+300', expected a colour of 4 bytes");
   }
 
   TEST_CASE("a normal or a vertex that a face of OBJ names and the file has not") {
@@ -257,17 +254,15 @@ TEST_SUITE("bad points of space") {
   TEST_CASE("heights of LAS that are none") {
     LasFile file{.points = {{.x = 1}}};
     file.scale[2] = 0;
-    CHECK(refusal(bytes_of(file), SpaceFormat::las) ==
-          "p: found a scale of '0', expected a finite number other than 0");
+    CHECK(refusal(bytes_of(file), Format::las) == "p: found a scale of '0', expected a finite number other than 0");
     file.scale[2] = no_number;
-    CHECK(refusal(bytes_of(file), SpaceFormat::las) ==
-          "p: found a scale of 'nan', expected a finite number other than 0");
+    CHECK(refusal(bytes_of(file), Format::las) == "p: found a scale of 'nan', expected a finite number other than 0");
     file.scale[2] = 1;
     file.offset[2] = inf;
-    CHECK(refusal(bytes_of(file), SpaceFormat::las) == "p: found an offset of 'inf', expected a finite number");
+    CHECK(refusal(bytes_of(file), Format::las) == "p: found an offset of 'inf', expected a finite number");
     file.scale[2] = 1e300;
     file.offset[2] = 0;
-    CHECK(refusal(bytes_of(file), SpaceFormat::las) ==
+    CHECK(refusal(bytes_of(file), Format::las) ==
           "p: found a scale of '1e+300' and an offset of '0', expected coordinates within the range of a double");
   }
 }

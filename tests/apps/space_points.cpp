@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "io/cloud/las_fields.h"
+#include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
+#include "io/cloud/readers.h"
 #include "io/failure.h"
-#include "io/las/selection.h"
-#include "io/space/read_space_points.h"
 #include "support/las_file.h"
 #include "support/mesh_files.h"
+#include "support/npy_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -22,14 +25,14 @@ using Colors = std::vector<std::array<std::uint8_t, 3>>;
 
 namespace {
 
-SpacePoints read(const std::string& bytes, SpaceFormat format, const std::string& columns = "") {
-  SpaceChoice choice;
+SpacePoints read(const std::string& bytes, Format format, const std::string& columns = "") {
+  CloudRequest choice;
   if (!columns.empty()) choice.columns = parse_space_columns(columns);
   return space_points_in(bytes, "p", format, choice);
 }
 
 SpacePoints table(const std::string& text, const std::string& columns = "") {
-  return read(text, SpaceFormat::text, columns);
+  return read(text, Format::text, columns);
 }
 
 const Places points = {{0.5, -1, 2}, {3, 4e-3, 1e6}};
@@ -71,11 +74,7 @@ std::string ply_binary_of(std::endian order) {
 }
 
 std::string npy(const std::string& description, const std::string& data) {
-  std::string header = "{" + description + "}\n";
-  std::string file("\x93NUMPY\x01\x00", 8);
-  file += static_cast<char>(header.size());
-  file += '\0';
-  return file + header + data;
+  return npy_file("{" + description + "}", data);
 }
 
 std::string pcd_head(const std::string& data) {
@@ -103,14 +102,14 @@ std::string pcd_binary() {
 
 TEST_SUITE("points of space") {
   TEST_CASE("a name or an ending is a format") {
-    CHECK(space_format("XYZ") == SpaceFormat::text);
-    CHECK(space_format("csv") == SpaceFormat::text);
-    CHECK(space_format("pcd") == SpaceFormat::pcd);
-    CHECK_FALSE(space_format("stl").has_value());
+    CHECK(find_format(Use::space, "XYZ") == Format::text);
+    CHECK(find_format(Use::space, "csv") == Format::text);
+    CHECK(find_format(Use::space, "pcd") == Format::pcd);
+    CHECK_FALSE(find_format(Use::space, "stl").has_value());
     std::string_view names = space_formats;  // what is said to be known is known
     while (!names.empty()) {
       const std::size_t comma = std::min(names.find(','), names.size());
-      CHECK(space_format(names.substr(0, comma)).has_value());
+      CHECK(find_format(Use::space, names.substr(0, comma)).has_value());
       names.remove_prefix(std::min(comma + 2, names.size()));
     }
   }
@@ -189,8 +188,8 @@ TEST_SUITE("points of space") {
     // A normal without a direction is refused wherever it is seen that it is one, or left out.
     const std::string zero = "1 2 3 0 0 0\n1 2 4 0.5 2 0\n";
     CHECK_THROWS_WITH_AS(table(zero), doctest::Contains("p:1: found a normal of length 0"), BadInput);
-    SpaceChoice choice{.skip_invalid = true};
-    const SpacePoints rest = space_points_in(zero, "p", SpaceFormat::text, choice);
+    CloudRequest choice{.skip_invalid = true};
+    const SpacePoints rest = space_points_in(zero, "p", Format::text, choice);
     CHECK(rest.points == Places{{1, 2, 4}});
     CHECK(rest.normals == Places{{0.5, 2, 0}});
     CHECK(rest.remarks.size() == 2);
@@ -209,7 +208,7 @@ TEST_SUITE("points of space") {
     las.records = {{"LASF_Projection", 34735,
                     little(1, 2) + little(1, 2) + little(0, 2) + little(2, 2) + little(1024, 2) + little(0, 2) +
                         little(1, 2) + little(2, 2) + little(2048, 2) + little(0, 2) + little(1, 2) + little(4326, 2)}};
-    const SpacePoints of_las = read(bytes_of(las), SpaceFormat::las);
+    const SpacePoints of_las = read(bytes_of(las), Format::las);
     REQUIRE(of_las.remarks.size() == 1);
     CHECK(of_las.remarks[0].starts_with("x and y are degrees"));
   }
@@ -223,11 +222,11 @@ TEST_SUITE("points of space") {
 
   TEST_CASE("PLY of every kind, its properties in any order, lists and other elements between") {
     std::string text = ply_head("ascii") + "9\n-1 0 0.5 1 0 2 255 2 5 2\n4e-3 -1 3 128 0.25 0 7 1e6 5 0\n";
-    is(read(text, SpaceFormat::ply), normals, colors);
-    is(read(ply_binary_of(std::endian::little), SpaceFormat::ply), normals, colors);
-    is(read(ply_binary_of(std::endian::big), SpaceFormat::ply), normals, colors);
+    is(read(text, Format::ply), normals, colors);
+    is(read(ply_binary_of(std::endian::little), Format::ply), normals, colors);
+    is(read(ply_binary_of(std::endian::big), Format::ply), normals, colors);
     for (const std::string& bytes : {pyramid_ply, ply_binary(std::endian::little), ply_binary(std::endian::big)}) {
-      const SpacePoints file = read(bytes, SpaceFormat::ply);
+      const SpacePoints file = read(bytes, Format::ply);
       REQUIRE(file.points.size() == pyramid_positions.size());
       for (std::size_t i = 0; i < file.points.size(); ++i)
         CHECK(file.points[i] == Point3{pyramid_positions[i][0], pyramid_positions[i][1], pyramid_positions[i][2]});
@@ -240,7 +239,7 @@ TEST_SUITE("points of space") {
         "nx\n"
         "property float ny\nproperty float red\nproperty float green\nproperty float blue\nend_header\n"
         "0.5 -1 2 0 0 1 1 1\n3 4e-3 1e6 0 0 1 1 1\n",
-        SpaceFormat::ply);
+        Format::ply);
     is(file);
     CHECK(file.remarks ==
           std::vector<std::string>{"normals are left out, as not all of nx, ny and nz are there",
@@ -248,19 +247,18 @@ TEST_SUITE("points of space") {
   }
 
   TEST_CASE("OFF has the normals of its prefix N and the colours of its prefix C, and nothing else") {
-    is(read("OFF\n2 1 0\n0.5 -1 2 9 9 9\n3 4e-3 1e6\n3 0 1 0\n", SpaceFormat::off));
-    is(read("NOFF\n2 0 0\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n", SpaceFormat::off), normals);
-    is(read("STCNOFF 2 0 0\n0.5 -1 2 0 0 2 1 2 255 1 0 0\n3 4e-3 1e6 -1 .25 0 128 0 7 1 0 1\n", SpaceFormat::off),
-       normals, colors);
-    is(read("COFF\n2 0 0\n0.5 -1 2 1 2 255 # red\n3 4e-3 1e6 128 0 7 255\n", SpaceFormat::off), {}, colors);
-    is(read("COFF\n2 0 0\n0.5 -1 2 1 1 1 1\n3 4e-3 1e6 0 0.5 1 1\n", SpaceFormat::off), {},
+    is(read("OFF\n2 1 0\n0.5 -1 2 9 9 9\n3 4e-3 1e6\n3 0 1 0\n", Format::off));
+    is(read("NOFF\n2 0 0\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n", Format::off), normals);
+    is(read("STCNOFF 2 0 0\n0.5 -1 2 0 0 2 1 2 255 1 0 0\n3 4e-3 1e6 -1 .25 0 128 0 7 1 0 1\n", Format::off), normals,
+       colors);
+    is(read("COFF\n2 0 0\n0.5 -1 2 1 2 255 # red\n3 4e-3 1e6 128 0 7 255\n", Format::off), {}, colors);
+    is(read("COFF\n2 0 0\n0.5 -1 2 1 1 1 1\n3 4e-3 1e6 0 0.5 1 1\n", Format::off), {},
        {{255, 255, 255}, {0, 128, 255}});
   }
 
   TEST_CASE("OBJ has the colours behind its vertices, from 0 to 1, or to 255 where one is greater than 1") {
     const auto with = [](const std::string& first, const std::string& second) {
-      return read("v 0.5 -1 2 " + first + "\nvn 0 0 2\nv 3 4e-3 \\\n1e6 " + second + "\nvn -1 .25 0\n",
-                  SpaceFormat::obj);
+      return read("v 0.5 -1 2 " + first + "\nvn 0 0 2\nv 3 4e-3 \\\n1e6 " + second + "\nvn -1 .25 0\n", Format::obj);
     };
     is(with("1 2 255", "128 0 7 # said"), normals, colors);
     is(with(".0039 0.0078431 1 1", "0.50196 0 0.027451"), normals, colors);
@@ -272,37 +270,37 @@ TEST_SUITE("points of space") {
   }
 
   TEST_CASE("colours of text that are there in part, or are none, are left out, and that is said") {
-    const auto says = [](const std::string& text, SpaceFormat format, const std::string& why) {
+    const auto says = [](const std::string& text, Format format, const std::string& why) {
       const SpacePoints file = read(text, format);
       is(file);
       CHECK(file.remarks == std::vector<std::string>{"colours are left out, as " + why});
     };
     const std::string first = "v 0.5 -1 2", second = "\nv 3 4e-3 1e6";
-    says(first + " 1 1 1" + second + " 1\n", SpaceFormat::obj, "line 2 has none");
-    says(first + " 1 1 x" + second + " 1 1 1\n", SpaceFormat::obj, "line 1 has none");
-    says(first + " 0 0 0" + second + " 1 256 1\n", SpaceFormat::obj,
+    says(first + " 1 1 1" + second + " 1\n", Format::obj, "line 2 has none");
+    says(first + " 1 1 x" + second + " 1 1 1\n", Format::obj, "line 1 has none");
+    says(first + " 0 0 0" + second + " 1 256 1\n", Format::obj,
          "line 2 has a channel of '256', and not from 0 to 1 or to 255");
-    says(first + " 0 0 -0.1" + second + " 1 1 1\n", SpaceFormat::obj,
+    says(first + " 0 0 -0.1" + second + " 1 1 1\n", Format::obj,
          "line 1 has a channel of '-0.1', and not from 0 to 1 or to 255");
-    says("COFF\n2 0 0\n0.5 -1 2\n3 4e-3 1e6\n", SpaceFormat::off, "line 3 has none");
-    CHECK(read("COFF\n0 0 0\n", SpaceFormat::off).remarks.empty());
+    says("COFF\n2 0 0\n0.5 -1 2\n3 4e-3 1e6\n", Format::off, "line 3 has none");
+    CHECK(read("COFF\n0 0 0\n", Format::off).remarks.empty());
   }
 
   TEST_CASE("normals of OBJ are those that faces give, else those in order") {
     const std::string v = "v 0.5 -1 2\nv 3 4e-3 \\\n1e6\n", n = "vn 0 0 2\nvn -1 .25 0\n";
-    is(read(v, SpaceFormat::obj));
-    is(read(v + n, SpaceFormat::obj), normals);
-    is(read(v + n + "f 1 2 1\n", SpaceFormat::obj), normals);  // which names none
-    is(read(v + "vn -1 .25 0\nvn 0 0 2\nf 1//2 2//1 1//2\n", SpaceFormat::obj), normals);
-    is(read("f 1/7/2 2//1\n" + v + "vn -1 .25 0\nvn 0 0 2\nf -2//-1 2/1 1\n", SpaceFormat::obj), normals);
-    is(read(v + "vn 9 9 9\n" + n + "f 1//-2 2//-1 1//-2\n", SpaceFormat::obj), normals);
-    is(read(v + "vn 0 0 2\nvn 0 0 2\nvn -1 .25 0\nf 1//1 2//3 1//2\n", SpaceFormat::obj), normals);  // equal ones
+    is(read(v, Format::obj));
+    is(read(v + n, Format::obj), normals);
+    is(read(v + n + "f 1 2 1\n", Format::obj), normals);  // which names none
+    is(read(v + "vn -1 .25 0\nvn 0 0 2\nf 1//2 2//1 1//2\n", Format::obj), normals);
+    is(read("f 1/7/2 2//1\n" + v + "vn -1 .25 0\nvn 0 0 2\nf -2//-1 2/1 1\n", Format::obj), normals);
+    is(read(v + "vn 9 9 9\n" + n + "f 1//-2 2//-1 1//-2\n", Format::obj), normals);
+    is(read(v + "vn 0 0 2\nvn 0 0 2\nvn -1 .25 0\nf 1//1 2//3 1//2\n", Format::obj), normals);  // equal ones
   }
 
   TEST_CASE("where OBJ does not say one normal for each vertex there are none, and that is said") {
     const std::string v = "v 0.5 -1 2\nv 3 4e-3 1e6\n", n = "vn 0 0 2\nvn -1 .25 0\n";
     const auto says = [&](const std::string& text, const std::string& why) {
-      const SpacePoints file = read(v + text, SpaceFormat::obj);
+      const SpacePoints file = read(v + text, Format::obj);
       is(file);
       CHECK(file.remarks == std::vector<std::string>{"normals are left out: " + why});
     };
@@ -316,11 +314,10 @@ TEST_SUITE("points of space") {
     const auto text = [](const std::string& first, const std::string& second) {
       return pcd_head("ascii") + "0.5 -1 2 " + first + " 1 2 3 0 0 2\n3 4e-3 1e6 " + second + " 1 2 3 -1 .25 0\n";
     };
-    is(read(text(std::to_string(packed(colors[0])), std::to_string(packed(colors[1]))), SpaceFormat::pcd), normals,
-       colors);
-    is(read(pcd_binary(), SpaceFormat::pcd), normals, colors);
+    is(read(text(std::to_string(packed(colors[0])), std::to_string(packed(colors[1]))), Format::pcd), normals, colors);
+    is(read(pcd_binary(), Format::pcd), normals, colors);
     is(read("VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 2\nDATA ascii\n0.5 -1 2\n3 4e-3 1e6\n",
-            SpaceFormat::pcd));
+            Format::pcd));
   }
 
   TEST_CASE("a colour of PCD may be in the bits of a float") {
@@ -329,12 +326,12 @@ TEST_SUITE("points of space") {
         "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
         "DATA binary\n" +
             raw(1.0F) + raw(2.0F) + raw(3.0F) + raw(bits),
-        SpaceFormat::pcd);
+        Format::pcd);
     CHECK(file.colors == Colors{colors[0]});
     const SpacePoints text = read(
         "FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n"
         "1 2 3 4.2108e+06\n",
-        SpaceFormat::pcd);
+        Format::pcd);
     CHECK(text.colors == Colors{{0x80, 0x80, 0xe0}});  // the float 4.2108e6 is 4a8080e0
   }
 
@@ -346,11 +343,11 @@ TEST_SUITE("points of space") {
       for (const auto axis : {&Point3::x, &Point3::y, &Point3::z})
         for (const Point3& p : places) columns += raw(p.*axis);
     const std::string f8 = "'descr': '<f8', 'shape': ";
-    is(read(npy(f8 + "(2, 6), 'fortran_order': False", rows), SpaceFormat::npy), normals);
-    is(read(npy(f8 + "(2, 6), 'fortran_order': True", columns), SpaceFormat::npy), normals);
+    is(read(npy(f8 + "(2, 6), 'fortran_order': False", rows), Format::npy), normals);
+    is(read(npy(f8 + "(2, 6), 'fortran_order': True", columns), Format::npy), normals);
     std::string shorts;
     for (const int value : {1, -2, 3}) shorts += raw(static_cast<std::int16_t>(value), std::endian::big);
-    CHECK(read(npy("'descr': '>i2', 'shape': (1, 3), 'fortran_order': False", shorts), SpaceFormat::npy).points ==
+    CHECK(read(npy("'descr': '>i2', 'shape': (1, 3), 'fortran_order': False", shorts), Format::npy).points ==
           Places{{1, -2, 3}});
   }
 
@@ -360,10 +357,10 @@ TEST_SUITE("points of space") {
       file.scale[2] = 0.5;
       file.offset[2] = 100;
       file.points = {{.x = 150, .y = -7, .z = 3}, {.x = 1, .y = 2, .z = -400, .classification = 2}};
-      CHECK(read(bytes_of(file), SpaceFormat::las).points == Places{{1.5, -0.07, 101.5}, {0.01, 0.02, -100}});
-      SpaceChoice choice;
+      CHECK(read(bytes_of(file), Format::las).points == Places{{1.5, -0.07, 101.5}, {0.01, 0.02, -100}});
+      CloudRequest choice;
       choice.where = Condition("classification == 2", names_of_las_fields());
-      const SpacePoints some = space_points_in(bytes_of(file), "p", SpaceFormat::las, choice);
+      const SpacePoints some = space_points_in(bytes_of(file), "p", Format::las, choice);
       CHECK(some.points == Places{{0.01, 0.02, -100}});
       CHECK(some.remarks == std::vector<std::string>{"1 of 2 points are as --where asks"});
     }
@@ -377,19 +374,19 @@ TEST_SUITE("points of space") {
                      {.classification = 1, .red = 9, .green = 9, .blue = 9},
                      {.red = 0x8000, .green = 0, .blue = 0x0700}};
       const bool has = format == 2 || format == 3 || format == 5 || format == 7 || format == 8 || format == 10;
-      SpaceChoice choice;
+      CloudRequest choice;
       choice.where = Condition("classification == 0", names_of_las_fields());
-      CHECK(space_points_in(bytes_of(file), "p", SpaceFormat::las, choice).colors == (has ? colors : Colors{}));
+      CHECK(space_points_in(bytes_of(file), "p", Format::las, choice).colors == (has ? colors : Colors{}));
       file.points = {{.red = 1, .green = 2, .blue = 255}, {.red = 128, .blue = 7}};
-      CHECK(read(bytes_of(file), SpaceFormat::las).colors == (has ? colors : Colors{}));
+      CHECK(read(bytes_of(file), Format::las).colors == (has ? colors : Colors{}));
       file.points = {{}, {}};
-      CHECK(read(bytes_of(file), SpaceFormat::las).colors.empty());
+      CHECK(read(bytes_of(file), Format::las).colors.empty());
     }
   }
 
   TEST_CASE("lines that are no point are left out and counted, if that is asked for") {
     const auto skipping = [](const std::string& text) {
-      return space_points_in(text, "p", SpaceFormat::text, {.skip_invalid = true});
+      return space_points_in(text, "p", Format::text, {.skip_invalid = true});
     };
     const SpacePoints bare = skipping("x,y,z\nNA,NA,NA\n0.5,-1,2\n1,2\n3,4,1e999\n3,4e-3,1e6\n,,\n1,2,3,4\n");
     is(bare);
@@ -410,9 +407,9 @@ TEST_SUITE("points of space") {
 
   TEST_CASE("--where takes lines of a table by columns that its header names") {
     const auto where = [](const std::string& text, const std::string& condition, bool skip = false) {
-      SpaceChoice choice{.skip_invalid = skip};
+      CloudRequest choice{.skip_invalid = skip};
       choice.where = Condition(condition, names_of_columns());
-      return space_points_in(text, "p", SpaceFormat::text, choice);
+      return space_points_in(text, "p", Format::text, choice);
     };
     const std::string text = "x;y;z;class\n9;9;9;2\n0,5;-1;2;6\nNA;9;9;5\n3;0,004;1e6;6\n";
     const SpacePoints file = where(text, "class == 6");
@@ -436,10 +433,41 @@ TEST_SUITE("points of space") {
                          BadInput);
   }
 
+  TEST_CASE("--where: vertices of PLY by their properties, points of PCD by their fields") {
+    const auto where = [](const std::string& condition) {
+      return CloudRequest{.where = Condition(condition, names_of_properties())};
+    };
+    const std::string head =
+        "element vertex 3\nproperty double x\nproperty double y\nproperty double z\nproperty short class\nend_header\n";
+    std::string binary = "ply\nformat binary_little_endian 1.0\n" + head;
+    for (const auto& [z, kind] : {std::pair(2.0, 2), {__builtin_nan(""), 3}, {7.0, 2}})
+      for (const std::string& bytes : {std::string(16, '\0'), std::string(reinterpret_cast<const char*>(&z), 8),
+                                       std::string(1, static_cast<char>(kind)), std::string(1, '\0')})
+        binary += bytes;
+    const Places selected{{0, 0, 2}, {0, 0, 7}};
+    const SpacePoints of_binary = space_points_in(binary, "p", Format::ply, where("class == 2"));
+    CHECK(of_binary.points == selected);
+    CHECK(of_binary.remarks == std::vector<std::string>{"2 of 3 points are as --where asks"});
+    const std::string text = "ply\nformat ascii 1.0\n" + head + "0 0 2 2\n0 0 3 3\n0 0 7 2\n";
+    CHECK(space_points_in(text, "p", Format::ply, where("class < 3 and x == 0")).points == selected);
+    CHECK(points_in(text, "p", {.format = Format::ply, .where = where("not class == 3").where}).points ==
+          std::vector<rbpa::Point>{{0, 0}, {0, 0}});
+    CHECK_THROWS_WITH_AS(space_points_in(text, "p", Format::ply, where("kind == 1")),
+                         "p:3: found vertices without 'kind', expected a number property of that name, as --where asks",
+                         BadInput);
+    const std::string pcd =
+        "FIELDS x y z class\nSIZE 4 4 4 1\nTYPE F F F U\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
+        "0 0 2 2\n0 0 3 3\n0 0 7 2\n";
+    CHECK(space_points_in(pcd, "p", Format::pcd, where("class == 2")).points == selected);
+    CHECK(space_points_in(pcd, "p", Format::pcd, where("class == 9")).points.empty());
+    CHECK_THROWS_WITH_AS(space_points_in(pcd, "p", Format::pcd, where("kind == 1")),
+                         "p: found points without 'kind', expected a field of that name, as --where asks", BadInput);
+  }
+
   TEST_CASE("a path is read, compressed or not") {
     const Folder folder;
-    is(read_space_points(folder.file("p.xyz", "0.5 -1 2\n3 4e-3 1e6\n"), SpaceFormat::text));
+    is(read_space_points(folder.file("p.xyz", "0.5 -1 2\n3 4e-3 1e6\n"), Format::text));
     REQUIRE(folder.run("gzip", "p.xyz").code == 0);
-    is(read_space_points(folder.path("p.xyz.gz"), SpaceFormat::text));
+    is(read_space_points(folder.path("p.xyz.gz"), Format::text));
   }
 }

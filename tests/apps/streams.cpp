@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/message.h"
+#include "io/failure.h"
 #include "support/child.h"
 #include "support/program.h"
 

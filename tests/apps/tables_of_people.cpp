@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/number.h"
+#include "io/cloud/read_points.h"
+#include "io/cloud/readers.h"
 #include "io/failure.h"
-#include "io/number.h"
-#include "io/table/separator.h"
-#include "io/table/text_points.h"
+#include "io/text/fields.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -20,9 +21,11 @@ using namespace rbpa::app;
 
 namespace {
 
-PointFile read(const std::string& text, const TableRule& rule = {}) { return read_text_points(text, "t", rule); }
+PointFile read(const std::string& text, const CloudRequest& rule = {}) {
+  return read_plane_points(*open_table(Content(text, "t"), rule));
+}
 
-std::string refusal(const std::string& text, const TableRule& rule = {}) {
+std::string refusal(const std::string& text, const CloudRequest& rule = {}) {
   try {
     read(text, rule);
   } catch (const BadInput& error) {
@@ -32,7 +35,7 @@ std::string refusal(const std::string& text, const TableRule& rule = {}) {
 }
 
 const std::vector<Point> three = {{13.4, 52.5}, {7.1, 50.7}, {-3, 40}};
-const TableRule skipping{.skip_invalid = true};
+const CloudRequest skipping{.skip_invalid = true};
 
 }  // namespace
 
@@ -85,7 +88,8 @@ TEST_SUITE("tables of people") {
     CHECK(read("lat,lon\n1,2\n").remarks ==
           std::vector<std::string>{
               "x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses others)"});
-    const PointFile transposed = read("lat,lon\n1,2\n", {.columns = Columns{{.name = "lat"}, {.name = "lon"}}});
+    const PointFile transposed =
+        read("lat,lon\n1,2\n", {.columns = std::vector<Column>{{.name = "lat"}, {.name = "lon"}}});
     CHECK(transposed.points == std::vector<Point>{{1, 2}});
     CHECK(transposed.remarks ==
           std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns asks"});
@@ -99,7 +103,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("a,b,c\n1,2,3\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("lon,height,depth\n1,2,3\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("x,y,WKT\n1,2,POINT (3 4)\n").points == std::vector<Point>{{3, 4}});
-    CHECK(read("lat,lon\n1,2\n", {.columns = Columns{}}).points == std::vector<Point>{{1, 2}});
+    CHECK(read("lat,lon\n1,2\n", {.columns = parse_columns("1,2")}).points == std::vector<Point>{{1, 2}});
   }
 
   TEST_CASE("a decimal comma, and what is none") {
@@ -174,7 +178,9 @@ TEST_SUITE("tables of people") {
   }
 
   TEST_CASE("--where compares texts that stand in quotes") {
-    const auto where = [](const std::string& text) { return TableRule{.where = Condition(text, names_of_columns())}; };
+    const auto where = [](const std::string& text) {
+      return CloudRequest{.where = Condition(text, names_of_columns())};
+    };
     const std::string text =
         "x,y,grp,\"my kind\",n\n0,0,A,\"a, b\",1\n1,0,B,c,2\n2,0,\"A\",,3\n3,0, a ,it's,4\n4,0,6,c,5\n";
     const auto xs = [&](const std::string& condition) {
@@ -226,7 +232,7 @@ TEST_SUITE("tables of people") {
     CHECK(file.remarks == std::vector<std::string>{"the geometries of column 'WKT' are read, and not 'lon' and 'lat' "
                                                    "(--columns chooses these)"});
     CHECK(read("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read(lines, {.columns = Columns{{.name = "lon"}, {.name = "lat"}}}).points ==
+    CHECK(read(lines, {.columns = std::vector<Column>{{.name = "lon"}, {.name = "lat"}}}).points ==
           std::vector<Point>{{9, 9}, {8, 8}});
     // The bytes of a geometry, or none.
     CHECK(read("x,y,geom\n1,2,0101000000000000000000F03F\n3,4,\n").points == std::vector<Point>{{1, 2}, {3, 4}});
@@ -351,7 +357,7 @@ TEST_SUITE("tables of people") {
 
   TEST_CASE("--where: lines by columns that the header names") {
     const auto where = [](const std::string& condition, bool skip = false) {
-      return TableRule{.skip_invalid = skip, .where = Condition(condition, names_of_columns())};
+      return CloudRequest{.where = Condition(condition, names_of_columns()), .skip_invalid = skip};
     };
     const std::string text =
         "class;x;y;z;Point Class;\xC3\xA9tage\n"

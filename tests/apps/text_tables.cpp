@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/number.h"
+#include "io/cloud/read_points.h"
 #include "io/failure.h"
-#include "io/number.h"
-#include "io/table/text_points.h"
 
 using rbpa::Point;
-using rbpa::app::Columns;
+using Columns = std::vector<rbpa::app::Column>;
 
 namespace {
 
@@ -93,7 +93,7 @@ class Tables {
   std::size_t width_, x_, y_;
 };
 
-Columns columns(std::size_t x, std::size_t y) { return {.x = {.number = x + 1}, .y = {.number = y + 1}}; }
+Columns columns(std::size_t x, std::size_t y) { return {{.number = x + 1}, {.number = y + 1}}; }
 
 /// Calls check(tables, columns) for tables of every shape.
 template <typename Check>
@@ -115,9 +115,9 @@ TEST_SUITE("text tables") {
     for_each_shape([](Tables tables, const Columns& columns) {
       Table table;
       for (int i = 0; i < 100; ++i) tables.add_line(table);
-      CHECK(rbpa::app::read_text_points(table.text, "t", {.columns = columns}).points == table.points);
+      CHECK(rbpa::app::points_in(table.text, "t", {.columns = columns}).points == table.points);
       while (!table.text.empty() && table.text.back() == '\n') table.text.pop_back();  // no end of the last line
-      CHECK(rbpa::app::read_text_points(table.text, "t", {.columns = columns}).points == table.points);
+      CHECK(rbpa::app::points_in(table.text, "t", {.columns = columns}).points == table.points);
     });
   }
 
@@ -131,7 +131,7 @@ TEST_SUITE("text tables") {
       for (int i = 0; i < 20; ++i) tables.add_line(table);
       std::string message;
       try {
-        rbpa::app::read_text_points(table.text, "t", {.columns = columns});
+        rbpa::app::points_in(table.text, "t", {.columns = columns});
       } catch (const rbpa::app::BadInput& error) {
         message = error.what();
       }

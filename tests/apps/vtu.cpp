@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/number.h"
-#include "io/points/read_points.h"
+#include "io/bytes/number.h"
+#include "io/cloud/read_points.h"
 #include "support/generate.h"
 #include "support/program.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/gis/wkt_points.h"
-#include "io/number.h"
+#include "io/polygon/wkt.h"
 
 using rbpa::Point;
 using namespace rbpa::app;

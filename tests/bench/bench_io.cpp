@@ -25,11 +25,11 @@
 #include "bench/arguments.h"
 #include "bench/machine.h"
 #include "bench/timings.h"
-#include "io/number.h"
-#include "io/output_file.h"
-#include "io/points/read_points.h"
-#include "io/read_mesh.h"
-#include "io/write_triangles.h"
+#include "io/bytes/number.h"
+#include "io/bytes/output_file.h"
+#include "io/cloud/read_points.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_triangles.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa_bench {
@@ -260,14 +260,14 @@ class Table {
   }
   void write(const std::string& format, const std::string& name, std::span<const Triangle> triangles) {
     OutputFile file(folder_.file(name + "." + format));
-    rbpa::app::write_triangles(file, *rbpa::app::output_format(format), {points_, triangles});
+    rbpa::app::write_triangles(file, *rbpa::app::find_format(Use::triangles, format), {points_, triangles});
     file.finish();
     file.publish();
   }
 
   void add_read_points(const std::string& name, const std::string& path) {
     const auto read = [path, this] {
-      const auto format = rbpa::app::point_format(rbpa::app::input_ending(path));
+      const auto format = rbpa::app::find_format(Use::points, rbpa::app::input_ending(path));
       if (rbpa::app::read_points({path, *format}).points.size() != points_.size())
         throw std::runtime_error(path + ": other points");
     };
@@ -276,7 +276,7 @@ class Table {
   void add_read_mesh(const std::string& format) {
     const std::string path = folder_.file("m." + format);
     const auto read = [path, format, this] {
-      if (rbpa::app::read_mesh({path, *rbpa::app::mesh_format(format)}).soup.faces() != triangles_.size())
+      if (rbpa::app::read_mesh({path, *rbpa::app::find_format(Use::mesh, format)}).soup.faces() != triangles_.size())
         throw std::runtime_error(path + ": other faces");
     };
     rows_.push_back({"read the mesh ." + format, path, triangles_.size(), read, [path] { read_plainly(path); }});

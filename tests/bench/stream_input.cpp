@@ -15,8 +15,8 @@
 #include <stdexcept>
 
 #include "bench/stopwatch.h"
-#include "io/blocks/point_blocks.h"
-#include "io/npy_header.h"
+#include "io/bytes/npy.h"
+#include "io/cloud/point_blocks.h"
 
 namespace rbpa_bench {
 namespace {
@@ -139,7 +139,7 @@ double forget(const PointFiles& files) {
 double seconds_to_read(const PointFiles& files) {
   const Stopwatch watch;
   for (const std::string& path : files.paths) {
-    const auto format = path.ends_with(".npy") ? rbpa::app::PointFormat::npy : rbpa::app::PointFormat::raw;
+    const auto format = path.ends_with(".npy") ? rbpa::app::Format::npy : rbpa::app::Format::raw;
     const std::unique_ptr<rbpa::app::PointBlocks> blocks =
         rbpa::app::open_point_blocks({.path = path, .format = format});
     for (std::vector<rbpa::Point> block; blocks->next(block);) {

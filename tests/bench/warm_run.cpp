@@ -8,7 +8,7 @@
 
 #include "bench/memory.h"
 #include "bench/stopwatch.h"
-#include "io/blocks/point_blocks.h"
+#include "io/cloud/point_blocks.h"
 #include "rbpa/shape.h"
 #include "rbpa/triangulate.h"
 
@@ -16,7 +16,7 @@ namespace rbpa_bench {
 namespace {
 
 std::vector<rbpa::Point> points_of(const std::string& file) {
-  const auto blocks = rbpa::app::open_point_blocks({.path = file, .format = rbpa::app::PointFormat::raw});
+  const auto blocks = rbpa::app::open_point_blocks({.path = file, .format = rbpa::app::Format::raw});
   std::vector<rbpa::Point> all;
   for (std::vector<rbpa::Point> block; blocks->next(block);) all.insert(all.end(), block.begin(), block.end());
   return all;

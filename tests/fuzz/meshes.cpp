@@ -7,13 +7,13 @@
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
 #include "io/failure.h"
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 namespace {
 
 using namespace rbpa::app;
 
-constexpr MeshFormat formats[] = {MeshFormat::off, MeshFormat::ply, MeshFormat::obj, MeshFormat::stl};
+constexpr Format formats[] = {Format::off, Format::ply, Format::obj, Format::stl};
 
 void is_sound(const MeshFile& mesh) {
   const auto& soup = mesh.soup;
@@ -35,7 +35,7 @@ void is_sound(const MeshFile& mesh) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const MeshFormat format = formats[data[0] % std::size(formats)];
+  const Format format = formats[data[0] % std::size(formats)];
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
     const MeshFile mesh = mesh_in(bytes, "FILE", format);

@@ -8,17 +8,17 @@
 
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
+#include "io/bytes/gunzip.h"
+#include "io/cloud/las_fields.h"
+#include "io/cloud/read_points.h"
 #include "io/failure.h"
-#include "io/gunzip.h"
-#include "io/las/selection.h"
-#include "io/points/read_points.h"
 
 namespace {
 
 using namespace rbpa::app;
 
-constexpr PointFormat formats[] = {PointFormat::text, PointFormat::npy, PointFormat::off, PointFormat::ply,
-                                   PointFormat::raw,  PointFormat::png, PointFormat::pgm};
+constexpr Format formats[] = {Format::text, Format::npy, Format::off, Format::ply,
+                              Format::raw,  Format::png, Format::pgm};
 
 constexpr std::size_t ways = 4;  // in which each is read
 
@@ -29,17 +29,17 @@ PointSource later_source_of(std::size_t selector) {
   source.skip_invalid = selector % 4 > 1;
   switch (selector / 4 % 4) {
     case 0:
-      source.format = PointFormat::las;
+      source.format = Format::las;
       source.skip_invalid = source.vertices = false;
       if (selector % 4 == 1)
         source.where = Condition("classification == 2 or x < 0 and not withheld", names_of_las_fields());
       if (selector % 4 == 2) source.where = Condition("gps_time > 1 or red > 1", names_of_las_fields());
       break;
     case 1:
-      source.format = PointFormat::geojson;
+      source.format = Format::geojson;
       break;
     case 2:
-      source.format = PointFormat::wkt;
+      source.format = Format::wkt;
       break;
     default:
       source.shift_longitude = selector % 8 > 5;
@@ -54,15 +54,15 @@ PointSource source_of(std::uint8_t selector) {
   PointSource source{.path = "", .format = formats[selector % std::size(formats)]};
   switch (selector / std::size(formats) % ways) {
     case 1:
-      source.columns = Columns{{.number = 2}, {.number = 1}};
+      source.columns = std::vector<Column>{{.number = 2}, {.number = 1}};
       source.pixels = {.foreground = Foreground::dark};
       break;
     case 2:
-      source.columns = Columns{{.name = "x"}, {.name = "y"}};
+      source.columns = std::vector<Column>{{.name = "x"}, {.name = "y"}};
       source.pixels = {.foreground = Foreground::light, .threshold = 0.25};
       break;
     case 3:
-      source.columns = Columns{{.number = 3}, {.name = "lat"}};
+      source.columns = std::vector<Column>{{.number = 3}, {.name = "lat"}};
       source.pixels = {.threshold = 1};
       break;
     default:
@@ -121,7 +121,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const PointSource source = source_of(data[0]);
   std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-  if (source.format == PointFormat::png) bytes = with_check_sums(bytes);
+  if (source.format == Format::png) bytes = with_check_sums(bytes);
   try {
     constexpr std::uint8_t gzip_selector = 255, condition_selector = 254;
     if (data[0] >= condition_selector) {

@@ -7,7 +7,7 @@
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
 #include "io/failure.h"
-#include "io/gis/poly_polygons.h"
+#include "io/polygon/read_polygons.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fuzz/target.h"
-#include "io/message.h"
+#include "io/failure.h"
 
 namespace fuzz {
 

@@ -5,19 +5,19 @@
 
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
+#include "io/cloud/las_fields.h"
+#include "io/cloud/read_space_points.h"
 #include "io/failure.h"
-#include "io/las/selection.h"
-#include "io/space/read_space_points.h"
 
 namespace {
 
 using namespace rbpa::app;
 
-constexpr SpaceFormat formats[] = {SpaceFormat::text, SpaceFormat::ply, SpaceFormat::off, SpaceFormat::obj,
-                                   SpaceFormat::pcd,  SpaceFormat::npy, SpaceFormat::las};
+constexpr Format formats[] = {Format::text, Format::ply, Format::off, Format::obj,
+                              Format::pcd,  Format::npy, Format::las};
 
-SpaceChoice choice_of(std::size_t selector) {
-  SpaceChoice choice;
+CloudRequest choice_of(std::size_t selector) {
+  CloudRequest choice;
   if (selector % 4 == 1) choice.columns = parse_space_columns("3,1,2");
   if (selector % 4 == 2) choice.columns = parse_space_columns("x,y,z,nx,ny,nz");
   if (selector % 4 == 3) choice.where = Condition("z > 1 or classification == 2", names_of_las_fields());

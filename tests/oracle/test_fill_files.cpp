@@ -17,7 +17,7 @@
 #include "apps/support/program.h"
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/gis/read_polygons.h"
+#include "io/polygon/read_polygons.h"
 #include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "oracle/rational.h"
@@ -194,7 +194,7 @@ void check_fill(const Folder& folder, const std::string& path, const PolygonFile
 }
 
 PolygonFile read(const std::string& path) {
-  return rbpa::app::read_polygons(path, *rbpa::app::polygon_format(rbpa::app::input_ending(path)));
+  return rbpa::app::read_polygons(path, *rbpa::app::find_format(Use::polygons, rbpa::app::input_ending(path)));
 }
 
 /// Without new points, and with few inside.

@@ -49,24 +49,22 @@ set(allowed
     rbpa/plane/predicate"
 
   # Programs: folders of ours first, then what each uses of the libraries.
-  "cli: rbpa rbpa/base io io/gis io/ogr io/points io/space picture program report stream tasks triangulation"
+  "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon io/text picture program report stream tasks triangulation"
   "examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa"
-  "io: meshops/core meshops/topology rbpa/base"
-  "io/blocks: io io/las io/points io/table"
-  "io/gis: rbpa rbpa/base io"
-  "io/las: rbpa/base io"
-  "io/ogr: io io/gis"
-  "io/points: rbpa/base io io/gis io/las io/ogr io/table"
-  "io/space: rbpa/base io io/las io/points io/table"
-  "io/table: io io/gis"
-  "meshtopo: meshops/core meshops/topology rbpa io program"
-  "picture: meshops/front rbpa rbpa/base io"
-  "program: rbpa/base io"
+  "io: meshops/core rbpa/base"
+  "io/bytes: meshops/core io"
+  "io/text: io io/bytes"
+  "io/polygon: rbpa rbpa/base io io/bytes io/text"
+  "io/cloud: rbpa/base io io/bytes io/polygon io/text"
+  "io/mesh: meshops/core meshops/topology rbpa/base io io/bytes io/cloud io/text"
+  "meshtopo: meshops/core meshops/topology rbpa io io/bytes io/mesh io/text program"
+  "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh io/text"
+  "program: rbpa/base io io/bytes io/text"
   "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base"
-  "report: rbpa io"
-  "stream: rbpa rbpa/base io io/blocks io/gis io/points"
-  "tasks: rbpa rbpa/base io stream"
-  "triangulation: meshops/core rbpa rbpa/base io")
+  "report: rbpa io io/bytes io/text"
+  "stream: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon io/text"
+  "tasks: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon io/text stream"
+  "triangulation: meshops/core rbpa rbpa/base io io/bytes io/mesh io/text")
 set(arrows "")
 foreach(line ${allowed})
   string(REGEX MATCHALL "[^: \n]+" folders "${line}")

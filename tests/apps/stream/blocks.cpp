@@ -4,11 +4,12 @@
 #include <bit>
 #include <cstring>
 
-#include "io/blocks/point_blocks.h"
+#include "io/cloud/las_fields.h"
+#include "io/cloud/point_blocks.h"
 #include "io/failure.h"
-#include "io/las/selection.h"
 #include "support/gzip.h"
 #include "support/las_file.h"
+#include "support/npy_file.h"
 #include "support/program.h"
 #include "support/random.h"
 
@@ -50,9 +51,9 @@ std::string refusal(const PointSource& source) {
 }
 
 std::string npy(const std::string& descr, bool columns_first, std::size_t rows, const std::string& data) {
-  std::string header = "{'descr': '" + descr + "', 'fortran_order': " + (columns_first ? "True" : "False") +
-                       ", 'shape': (" + std::to_string(rows) + ", 2), }\n";
-  return std::string("\x93NUMPY\x01\x00", 8) + char(header.size()) + '\0' + header + data;
+  return apps_test::npy_file("{'descr': '" + descr + "', 'fortran_order': " + (columns_first ? "True" : "False") +
+                                 ", 'shape': (" + std::to_string(rows) + ", 2), }",
+                             data);
 }
 
 // More than a block, and more than a piece of text.
@@ -70,10 +71,10 @@ std::string doubles(std::size_t count) {
 TEST_CASE("raw numbers, arrays and LAS by blocks are what they are at once") {
   const Folder folder;
   const std::string numbers = doubles(many);
-  check_same({.path = folder.file("p.f64xy", numbers), .format = PointFormat::raw});
-  check_same({.path = folder.file("a.npy", npy("<f8", false, many, numbers)), .format = PointFormat::npy});
-  check_same({.path = folder.file("b.npy", npy("<f8", true, many, numbers)), .format = PointFormat::npy});
-  check_same({.path = folder.file("c.npy", npy(">i4", false, 2 * many, numbers)), .format = PointFormat::npy});
+  check_same({.path = folder.file("p.f64xy", numbers), .format = Format::raw});
+  check_same({.path = folder.file("a.npy", npy("<f8", false, many, numbers)), .format = Format::npy});
+  check_same({.path = folder.file("b.npy", npy("<f8", true, many, numbers)), .format = Format::npy});
+  check_same({.path = folder.file("c.npy", npy(">i4", false, 2 * many, numbers)), .format = Format::npy});
   apps_test::LasFile las{.minor = 4, .format = 6};
   rbpa_test::Random random(2);
   for (std::size_t i = 0; i < 70'000; ++i)
@@ -83,16 +84,15 @@ TEST_CASE("raw numbers, arrays and LAS by blocks are what they are at once") {
                           .withheld = i % 7 == 0});
   las.extended = {{"LASF_Projection", 2112, "PROJCS[\"x\",AUTHORITY[\"EPSG\",\"28992\"]]"}};
   const std::string path = folder.file("p.las", apps_test::bytes_of(las));
-  check_same({.path = path, .format = PointFormat::las});
-  check_same(
-      {.path = path, .format = PointFormat::las, .where = Condition("classification == 2", names_of_las_fields())});
+  check_same({.path = path, .format = Format::las});
+  check_same({.path = path, .format = Format::las, .where = Condition("classification == 2", names_of_las_fields())});
   std::string table = "x,class,y\n";
   for (int i = 0; i < 90000; ++i)
     table += std::to_string(i) + ',' + std::to_string(i % 3) + ',' + std::to_string(-i) + '\n';
   const std::string csv = folder.file("p.csv", table);
-  check_same({.path = csv, .format = PointFormat::text, .where = Condition("class == 2", names_of_columns())});
+  check_same({.path = csv, .format = Format::text, .where = Condition("class == 2", names_of_columns())});
   PointFile about;
-  by_blocks({.path = path, .format = PointFormat::las}, &about);
+  by_blocks({.path = path, .format = Format::las}, &about);
   REQUIRE(about.crs);
   CHECK(about.crs->text() == "EPSG:28992");
 }
@@ -147,17 +147,17 @@ TEST_CASE("what is wrong with a file is said by its line or point, as when it is
   check({.path = folder.file("name.csv", "# x\n"), .columns = parse_columns("a,b")});
   check({.path = folder.path("none.xy")});
   std::string numbers = doubles(many);
-  check({.path = folder.file("odd.f64xy", numbers + "x"), .format = PointFormat::raw});
-  check({.path = folder.file("short.npy", npy("<f8", false, many + 1, numbers)), .format = PointFormat::npy});
+  check({.path = folder.file("odd.f64xy", numbers + "x"), .format = Format::raw});
+  check({.path = folder.file("short.npy", npy("<f8", false, many + 1, numbers)), .format = Format::npy});
   const double infinite = INFINITY;
   std::memcpy(numbers.data() + 16 * 100'000, &infinite, 8);
-  check({.path = folder.file("inf.f64xy", numbers), .format = PointFormat::raw});
-  check({.path = folder.file("inf.npy", npy("<f8", false, many, numbers)), .format = PointFormat::npy});
-  check({.path = folder.file("no.las", std::string(300, 'x')), .format = PointFormat::las});
+  check({.path = folder.file("inf.f64xy", numbers), .format = Format::raw});
+  check({.path = folder.file("inf.npy", npy("<f8", false, many, numbers)), .format = Format::npy});
+  check({.path = folder.file("no.las", std::string(300, 'x')), .format = Format::las});
   apps_test::LasFile las;
   las.points.resize(1000);
   std::string bytes = apps_test::bytes_of(las);
-  check({.path = folder.file("cut.las", bytes.substr(0, bytes.size() - 5)), .format = PointFormat::las});
+  check({.path = folder.file("cut.las", bytes.substr(0, bytes.size() - 5)), .format = Format::las});
   CHECK(refusal({.path = "/dev/null"}) ==
         "/dev/null: found a pipe or a device, expected a file, which can be read twice");
   CHECK(refusal({.path = folder.path("")}).find("found a folder") != std::string::npos);

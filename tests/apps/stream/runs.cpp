@@ -8,7 +8,7 @@
 #include "cli/mesh_verb.h"
 #include "cli/shape_verb.h"
 #include "cli/stream_verb.h"
-#include "io/number.h"
+#include "io/bytes/number.h"
 
 namespace stream_test {
 

@@ -9,7 +9,7 @@
 #include "cli/merge_verb.h"
 #include "cli/stream_verb.h"
 #include "cli/tile_verb.h"
-#include "io/number.h"
+#include "io/bytes/number.h"
 
 namespace tasks_test {
 

@@ -1,0 +1,50 @@
+#include "io/bytes/number.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "io/failure.h"
+
+namespace rbpa::app {
+
+ParsedNumber parse_extreme_number(const char* first, const char* /*last*/, const char* end) {
+  // strtod() tells too large from too small; the program never leaves the "C" locale.
+  const double value = std::strtod(std::string(first, end).c_str(), nullptr);
+  return {value, end, std::isinf(value) ? NumberFault::out_of_range : NumberFault::none};
+}
+
+ParsedNumber parse_whole_number(std::string_view text) {
+  const char* last = text.data() + text.size();
+  ParsedNumber number = parse_number(text.data(), last);
+  if (number.end != last) number.fault = NumberFault::not_a_number;
+  return number;
+}
+
+const char* expected_instead(NumberFault fault) {
+  switch (fault) {
+    case NumberFault::not_finite:
+      return "a finite number";
+    case NumberFault::out_of_range:
+      return "a number within the range of a double (up to 1.8e308)";
+    default:
+      return "a number";
+  }
+}
+
+std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
+                        const std::string& things) {
+  std::size_t number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (error == std::errc() && end == last && number >= allowed.least && number <= allowed.greatest) return number;
+  std::string expected = ", expected a whole number ";
+  if (!things.empty()) expected.append("of ").append(things).append(" ");
+  expected.append("from ").append(std::to_string(allowed.least));
+  if (allowed.greatest < WholeNumbers().greatest) expected.append(" to ").append(std::to_string(allowed.greatest));
+  throw WrongUsage(option + ": found " + in_quotes(text) + expected);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,72 @@
+// What: decimal text to double and back; whole numbers of a command line.
+// Law:  parse_number(text of x) = x for every finite double x; reading rounds to the nearest double.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace rbpa::app {
+
+enum class NumberFault { none, not_a_number, not_finite, out_of_range };
+
+struct ParsedNumber {
+  double value;
+  const char* end;  ///< behind the last character that belongs to the number
+  NumberFault fault;
+};
+
+/// What from_chars() calls out of range: larger than any double is a fault, smaller than any is rounded.
+ParsedNumber parse_extreme_number(const char* first, const char* last, const char* end);
+
+/// The number that begins at `first`, an optional sign included.
+inline ParsedNumber parse_number(const char* first, const char* last) {
+  if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
+  double value = 0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error == std::errc::invalid_argument) return {0, first, NumberFault::not_a_number};
+  if (error == std::errc::result_out_of_range) return parse_extreme_number(first, last, end);
+  const bool finite = value - value == 0;
+  return {value, end, finite ? NumberFault::none : NumberFault::not_finite};
+}
+
+/// The number that is the whole of `text`.
+ParsedNumber parse_whole_number(std::string_view text);
+
+/// What had to stand where there is a fault.
+const char* expected_instead(NumberFault fault);
+
+/// The characters of the longest, such as -2.2250738585072014e-308.
+constexpr std::size_t number_room = 24;
+
+/// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is number_room.
+/// Returns its end.
+inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
+inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
+
+/// A double as the shortest text that reads back to it.
+class ShortestText {
+ public:
+  explicit ShortestText(double value) : end_(put_number(text_.data(), value)) {}
+  operator std::string_view() const { return {text_.data(), static_cast<std::size_t>(end_ - text_.data())}; }
+
+ private:
+  std::array<char, number_room> text_;
+  char* end_;
+};
+
+struct WholeNumbers {
+  std::size_t least = 0;
+  std::size_t greatest = std::numeric_limits<std::size_t>::max();
+};
+
+/// What `option` was given: decimal digits and nothing else, of a number among `allowed`. Throws WrongUsage naming text
+/// and bounds, of so many `things` ("points").
+std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
+                        const std::string& things = "");
+
+}  // namespace rbpa::app

@@ -1,0 +1,87 @@
+#include "io/bytes/same_file.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "io/failure.h"
+
+namespace rbpa::app {
+
+std::string behind_links(const std::string& path) {
+  std::filesystem::path at = path;
+  for (int links = 0; links <= 40; ++links) {  // as many as Linux follows
+    std::error_code error;
+    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(at, error))) return at.string();
+    const std::filesystem::path target = std::filesystem::read_symlink(at, error);
+    if (error) return at.string();
+    at = at.parent_path() / target;  // the target alone when it is absolute
+  }
+  throw Failure(path + ": found a loop of symbolic links, expected a file to write");
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run reads or writes: a path, or "-" for the stream of this number.
+struct Place {
+  const std::string& path;
+  int stream;
+
+  bool is_stream() const { return path == "-"; }
+  std::string name() const {
+    return !is_stream() ? path : stream == STDIN_FILENO ? "standard input" : "standard output";
+  }
+  /// None when there is nothing yet.
+  std::optional<struct stat> status() const {
+    struct stat found {};
+    const int failed = is_stream() ? fstat(stream, &found) : stat(path.c_str(), &found);
+    return failed == 0 ? std::optional(found) : std::nullopt;
+  }
+  /// Where the file will be, however the path is written.
+  fs::path full() const {
+    std::error_code error;  // Made absolute first: what does not exist yet would stay relative.
+    return fs::weakly_canonical(fs::absolute(behind_links(path), error), error);
+  }
+};
+
+/// Whether two are, or will be, the same file.
+bool same_file(const Place& a, const Place& b) {
+  if (a.is_stream() && b.is_stream() && a.stream == b.stream) return true;
+  const auto one = a.status(), other = b.status();
+  if (one && other) return S_ISREG(one->st_mode) && one->st_dev == other->st_dev && one->st_ino == other->st_ino;
+  return !one && !other && !a.is_stream() && !b.is_stream() && a.full() == b.full();
+}
+
+void require_place(const std::string& path) {
+  if (path == "-") return;
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw Failure(path + ": found a folder, expected a file to write");
+  if (fs::exists(path, error)) return;
+  const fs::path folder = fs::path(behind_links(path)).parent_path();
+  if (folder.empty()) return;
+  if (fs::status(folder, error).type() == fs::file_type::not_found)
+    throw Failure(path + ": found no folder " + in_quotes(folder.string()) + ", expected one to write to");
+}
+
+}  // namespace
+
+void require_different(const std::vector<std::string>& outputs, const std::string& input, const std::string& content) {
+  for (const std::string& output : outputs)
+    if (output.empty()) throw WrongUsage("found an empty name of a file to write, expected a path");
+  const Place read{input, STDIN_FILENO};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Place written{outputs[i], STDOUT_FILENO};
+    if (same_file(written, read))
+      throw WrongUsage(written.name() + ": found the file of " + content + ", expected another file to write to");
+    for (std::size_t k = 0; k < i; ++k)
+      if (same_file(written, {outputs[k], STDOUT_FILENO}))
+        throw WrongUsage(written.name() + ": found twice among the files to write, expected once");
+  }
+  for (const std::string& output : outputs) require_place(output);
+}
+
+}  // namespace rbpa::app

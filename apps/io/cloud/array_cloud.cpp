@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <utility>
+
+#include "io/bytes/npy.h"
+#include "io/cloud/readers.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+/// An array of numbers, by rows or by columns.
+class ArrayCloud final : public Cloud {
+ public:
+  /// `content` at the array's first number.
+  ArrayCloud(Content content, const NpyLayout& array, bool in_space, bool is_whole)
+      : array_(array), is_whole_(is_whole), looks_at_heights_(!in_space && array.columns == 3) {
+    facts_.normals = in_space && array.columns == 6;
+    facts_.expected = is_whole ? array.rows : 0;
+    const std::size_t wanted = in_space ? array.columns : 2;
+    for (std::size_t k = 0; k < wanted + (looks_at_heights_ ? 1 : 0); ++k) columns_.push_back(k);
+    if (array.columns_first) {
+      for (const std::size_t k : columns_) {
+        Content& column = sources_.emplace_back(content.again());
+        column.skip(array.data + std::uint64_t{array.rows} * array.item() * k);
+      }
+    } else {
+      sources_.push_back(std::move(content));
+    }
+  }
+
+  bool next(CloudBlock& block) override {
+    stop_if_interrupted();
+    if (looks_at_heights_ && facts_.file.heights.differ()) leave_out_heights();
+    const std::size_t step = array_.columns_first ? array_.item() : array_.row();
+    std::size_t count = std::min(points_at_once, array_.rows - first_);
+    block.column[CloudBlock::z].clear();
+    for (const std::size_t k : columns_) {
+      Content& source = array_.columns_first ? sources_[k] : sources_.front();
+      const std::string_view bytes = source.ahead(count * step);
+      if (bytes.size() < count * step) count = end_early(bytes.size(), step);
+      const std::size_t offset = array_.columns_first ? 0 : k * array_.item();
+      load_column(block.column[k], array_.type, bytes.data() + offset, step, count, array_.order);
+    }
+    for (std::size_t k = 0; k < sources_.size(); ++k) sources_[k].skip(count * step);
+    block.count = count;
+    if (looks_at_heights_) {
+      for (const double z : block.column[CloudBlock::z]) facts_.file.heights.take(z);
+      block.column[CloudBlock::z].clear();
+    }
+    require_finite(block, first_, sources_.front().name());
+    first_ += count;
+    return count > 0;
+  }
+
+  std::uint64_t bytes_read() const override {
+    std::uint64_t sum = 0;
+    for (const Content& source : sources_) sum += source.bytes_read();
+    return sum / sources_.size();
+  }
+
+ private:
+  void leave_out_heights() {
+    looks_at_heights_ = false;
+    columns_.pop_back();
+    if (array_.columns_first) sources_.pop_back();
+  }
+
+  /// How many rows there are in `size` bytes: the last of a file that does not say how many it has.
+  std::size_t end_early(std::size_t size, std::size_t step) {
+    const std::string& name = sources_.front().name();
+    if (is_whole_)
+      bad_input(name, std::to_string(first_ + size / step) + " of the points",
+                std::to_string(array_.rows) + " as the header says");
+    if (size % step != 0) bad_input(name, counted(first_ * step + size, "byte"), "a multiple of 16 (pairs of float64)");
+    array_.rows = first_ + size / step;
+    return size / step;
+  }
+
+  NpyLayout array_;
+  bool is_whole_;  // it is known how many rows there are
+  bool looks_at_heights_;
+  std::vector<std::size_t> columns_ = {};
+  std::vector<Content> sources_ = {};  // one, or one of each column
+  std::size_t first_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Cloud> open_raw(Content content, const CloudRequest& request) {
+  constexpr std::size_t row = 16;
+  const std::size_t size = content.size();
+  if (!content.is_packed() && size % row != 0)
+    bad_input(content.name(), counted(size, "byte"), "a multiple of 16 (pairs of float64)");
+  const bool is_whole = !content.is_packed();
+  const NpyLayout pairs{size / row, 2, Scalar::float64, std::endian::little, false, 0};
+  return std::make_unique<ArrayCloud>(std::move(content), pairs, request.in_space, is_whole);
+}
+
+std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
+  constexpr std::size_t most_header = std::size_t{1} << 20U;
+  const std::size_t fits[] = {request.in_space ? 3U : 2U, request.in_space ? 6U : 3U};
+  const NpyLayout array = read_npy_layout(content.ahead(most_header), content.size(), content.name(), fits);
+  content.skip(array.data);
+  return std::make_unique<ArrayCloud>(std::move(content), array, request.in_space, true);
+}
+
+double claimed_npy_size(std::string_view first, const std::string& name) {
+  return read_npy_layout(first, unknown_size, name).end();
+}
+
+}  // namespace rbpa::app

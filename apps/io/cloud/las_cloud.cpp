@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/cloud/las_fields.h"
+#include "io/cloud/las_header.h"
+#include "io/cloud/readers.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+/// No double is larger than what the largest integers become: then no point is infinite.
+void require_range(const LasHeader& header, std::size_t axis, const std::string& name) {
+  constexpr double largest = 0x1p31;
+  if (!std::isfinite(largest * std::abs(header.scale[axis]) + std::abs(header.offset[axis])))
+    bad_input(name,
+              "a scale of " + in_quotes(ShortestText(header.scale[axis])) + " and an offset of " +
+                  in_quotes(ShortestText(header.offset[axis])),
+              "coordinates within the range of a double");
+}
+
+class LasCloud final : public Cloud {
+ public:
+  LasCloud(Content content, const CloudRequest& request)
+      : content_(std::move(content)), in_space_(request.in_space), skip_invalid_(request.skip_invalid) {
+    constexpr std::size_t most_header = 65536, signature = 2;
+    const std::string& name = content_.name();
+    header_ = read_las_header(content_.ahead(most_header), content_.size(), name);
+    const std::string_view first = content_.ahead(header_.begin + signature);
+    header_ = read_las_header(first, content_.size(), name);
+    for (const std::size_t axis : {0U, 1U, 2U}) axes_.emplace_back(header_.scale[axis], header_.offset[axis]);
+    withheld_ = find_las_field("withheld", header_.format, header_.minor);
+    for (const std::size_t axis : {0U, 1U}) require_range(header_, axis, name);
+    if (request.where) {
+      selection_.emplace(*request.where);
+      places_ = find_las_places(*request.where, header_.format, header_.minor, name);
+    }
+    if (in_space_) {
+      require_las_axis(header_, 2, name);
+      require_range(header_, 2, name);
+      red_ = find_las_field("red", header_.format, header_.minor);
+      if (red_) facts_.colors = Channels::bytes;
+    }
+    const LasCrs system = find_system(first);
+    facts_.file.crs = system.crs;
+    if (content_.is_packed()) {
+      count_ = header_.count.sought(skip_invalid_);
+    } else {
+      settle(header_.count);
+    }
+    if (!system.remark.empty() && !in_space_) facts_.file.remarks.push_back(system.remark);
+    if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
+    if (!selection_ && is_settled_) facts_.expected = count_;  // whose records are all there
+    content_.skip(header_.begin);
+  }
+
+  bool next(CloudBlock& block) override {
+    block.count = 0;
+    while (block.count == 0 && first_ < count_) {
+      stop_if_interrupted();
+      const std::size_t count = std::min(points_at_once, count_ - first_);
+      const std::string_view bytes = content_.ahead(count * header_.length);
+      const std::size_t whole = std::min(count, bytes.size() / header_.length);
+      read(bytes.data(), whole, block);
+      content_.skip(whole * header_.length);
+      first_ += whole;
+      if (whole < count) settle(header_.count.with_room(first_));
+    }
+    if (block.count == 0 && !ended_) end();
+    return block.count > 0;
+  }
+
+  void finish() override {
+    std::vector<std::string>& remarks = facts_.file.remarks;
+    if (selection_) selection_->remark(remarks);
+    if (withheld_points_ > 0)
+      remarks.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
+                        " marked as withheld (--where \"not withheld\" leaves them out)");
+  }
+
+  std::uint64_t bytes_read() const override { return content_.bytes_read(); }
+
+ private:
+  /// Also behind the points.
+  LasCrs find_system(std::string_view before) const {
+    const bool has_more = !content_.is_packed() && header_.extended_records > 0 &&
+                          header_.extended_begin > header_.begin && header_.extended_begin < content_.size();
+    if (!has_more) return las_crs(before, {}, header_);
+    constexpr std::size_t most = std::size_t{16} << 20U;
+    Content more = content_.again();
+    more.skip(header_.extended_begin);
+    return las_crs(before, more.ahead(most), header_);
+  }
+
+  bool is_selected(const char* record) {
+    for (std::size_t i = 0; i < places_.size(); ++i) selection_->values()[i] = places_[i].value(record, axes_);
+    return selection_->holds();
+  }
+
+  void read(const char* records, std::size_t count, CloudBlock& block) {
+    const std::size_t length = header_.length, dimension = in_space_ ? 3 : 2;
+    for (std::size_t axis = 0; axis < dimension; ++axis) block.column[axis].resize(count);
+    double* const x = block.column[CloudBlock::x].data();
+    double* const y = block.column[CloudBlock::y].data();
+    double* const z = in_space_ ? block.column[CloudBlock::z].data() : nullptr;
+    for (std::size_t k = 0; red_ && k < 3; ++k) block.column[CloudBlock::color + k].resize(count);
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const char* const record = records + i * length;
+      if (selection_ && !is_selected(record)) continue;
+      x[taken] = axes_[0](las_value<std::int32_t>(record));
+      y[taken] = axes_[1](las_value<std::int32_t>(record + 4));
+      if (z != nullptr) z[taken] = axes_[2](las_value<std::int32_t>(record + 8));
+      for (std::size_t k = 0; red_ && k < 3; ++k) {
+        const auto channel = las_value<std::uint16_t>(record + red_->offset + 2 * k);
+        greatest_channel_ = std::max(greatest_channel_, channel);
+        block.column[CloudBlock::color + k][taken] = channel;
+      }
+      if (withheld_ && withheld_->value(record) != 0) ++withheld_points_;
+      ++taken;
+    }
+    if (taken < count)
+      for (std::vector<double>& column : block.column) column.resize(std::min(column.size(), taken));
+    block.count = taken;
+  }
+
+  void settle(const LasCount& count) {
+    count_ = count.settle(skip_invalid_, content_.name(), facts_.file.remarks);
+    is_settled_ = true;
+  }
+
+  void end() {
+    ended_ = true;
+    if (!is_settled_) {
+      // How many records there are is known when the file is unpacked.
+      std::size_t found = first_;
+      for (; found < header_.count.room() && content_.ahead(header_.length).size() >= header_.length; ++found)
+        content_.skip(header_.length);
+      settle(header_.count.with_room(found));
+    }
+    // Channels have 16 bits, but many programs write 8; those that have no colours write black.
+    if (red_ && greatest_channel_ == 0) facts_.colors.reset();
+    if (red_ && greatest_channel_ > 255) facts_.colors = Channels::wide;
+  }
+
+  Content content_;
+  bool in_space_, skip_invalid_;
+  LasHeader header_ = {};
+  std::vector<ScaledInteger> axes_ = {};
+  std::optional<PointSelection> selection_ = std::nullopt;
+  std::vector<LasPlace> places_ = {};
+  std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue are behind red
+  std::size_t first_ = 0, count_ = 0, withheld_points_ = 0;
+  std::uint16_t greatest_channel_ = 0;
+  bool is_settled_ = false, ended_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Cloud> open_las(Content content, const CloudRequest& request) {
+  return std::make_unique<LasCloud>(std::move(content), request);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,227 @@
+#include "io/cloud/las_fields.h"
+
+#include <bit>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+/// What stands behind the fields that all formats of a family have.
+struct FieldLayout {
+  std::size_t size;
+  std::size_t time = 0, colour = 0, infrared = 0;  // 0: there is none
+};
+constexpr FieldLayout layouts[last_las_format + 1] = {
+    {20},              // 0
+    {28, 20},          // 1
+    {26, 0, 20},       // 2
+    {34, 20, 28},      // 3
+    {57, 20},          // 4: 1 and wave packets
+    {63, 20, 28},      // 5: 3 and wave packets
+    {30, 22},          // 6
+    {36, 22, 30},      // 7
+    {38, 22, 30, 36},  // 8
+    {59, 22},          // 9: 6 and wave packets
+    {67, 22, 30, 36},  // 10: 8 and wave packets
+};
+constexpr unsigned first_of_new_family = 6;
+
+enum class Since { any, version_1_1, new_family };
+
+/// A field and where each family of formats has it.
+struct Known {
+  std::string_view name;
+  LasField old_family, new_family;
+  Since since = Since::any;
+};
+constexpr Scalar u8 = Scalar::uint8, u16 = Scalar::uint16;
+constexpr LasField none{};
+constexpr Known fields[] = {{"intensity", {12, u16}, {12, u16}},
+                            {"return_number", {14, u8, 0, 3}, {14, u8, 0, 4}},
+                            {"number_of_returns", {14, u8, 3, 3}, {14, u8, 4, 4}},
+                            {"scan_direction_flag", {14, u8, 6, 1}, {15, u8, 6, 1}},
+                            {"edge_of_flight_line", {14, u8, 7, 1}, {15, u8, 7, 1}},
+                            {"classification", {15, u8, 0, 5}, {16, u8}},
+                            {"synthetic", {15, u8, 5, 1}, {15, u8, 0, 1}, Since::version_1_1},
+                            {"key_point", {15, u8, 6, 1}, {15, u8, 1, 1}, Since::version_1_1},
+                            {"withheld", {15, u8, 7, 1}, {15, u8, 2, 1}, Since::version_1_1},
+                            {"overlap", none, {15, u8, 3, 1}, Since::new_family},
+                            {"scanner_channel", none, {15, u8, 4, 2}, Since::new_family},
+                            {"scan_angle", {16, Scalar::int8}, {18, Scalar::int16, 0, 0, 0.006}},  // degrees
+                            {"user_data", {17, u8}, {17, u8}},
+                            {"point_source_id", {18, u16}, {20, u16}}};
+constexpr std::string_view further[] = {"gps_time", "red", "green", "blue", "infrared"};
+constexpr std::string_view axes[] = {"x", "y", "z"};
+
+std::string folded(std::string_view name) {
+  std::string result;
+  for (const char c : name)
+    if (c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  // As PDAL and LAStools call them.
+  if (result == "nir") return "infrared";
+  if (result == "scananglerank") return "scanangle";
+  if (result == "keypoint" || result == "modelkeypoint") return "keypoint";
+  return result;
+}
+
+bool is(std::string_view name, std::string_view known) { return folded(name) == folded(known); }
+
+}  // namespace
+
+std::size_t las_record_size(unsigned format) { return layouts[format].size; }
+
+double LasField::value(const char* record) const {
+  if (bits > 0) {
+    const unsigned byte = load<std::uint8_t>(record + offset, std::endian::little);
+    return static_cast<double>(byte >> first_bit & ((1U << bits) - 1));
+  }
+  return load_number(type, record + offset, std::endian::little) * unit;
+}
+
+std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor) {
+  const FieldLayout& layout = layouts[format];
+  const bool is_new = format >= first_of_new_family;
+  for (const Known& field : fields) {
+    if (!is(name, field.name)) continue;
+    if (field.since == Since::new_family && !is_new) return std::nullopt;
+    // Version 1.0 knows no flags there: the class is the whole byte.
+    if (!is_new && minor == 0 && field.since == Since::version_1_1) return std::nullopt;
+    if (!is_new && minor == 0 && field.name == "classification") return LasField{15, u8};
+    return is_new ? field.new_family : field.old_family;
+  }
+  if (is(name, "gps_time") && layout.time > 0) return LasField{layout.time, Scalar::float64};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (is(name, further[1 + i]) && layout.colour > 0) return LasField{layout.colour + 2 * i, u16};
+  if (is(name, "infrared") && layout.infrared > 0) return LasField{layout.infrared, u16};
+  return std::nullopt;
+}
+
+bool is_las_field(std::string_view name) {
+  for (const Known& field : fields)
+    if (is(name, field.name)) return true;
+  for (const std::string_view field : further)
+    if (is(name, field)) return true;
+  return las_axis(name).has_value();
+}
+
+std::optional<std::size_t> las_axis(std::string_view name) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (is(name, axes[axis])) return axis;
+  return std::nullopt;
+}
+
+std::string las_field_names() {
+  std::string names = "x, y, z";
+  for (const Known& field : fields) names += ", " + std::string(field.name);
+  for (const std::string_view field : further) names += ", " + std::string(field);
+  return names;
+}
+
+namespace {
+
+constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // up to it every integer is a double
+constexpr int max_places = 15;                                  // ten to that is exact, and below 2^53
+
+/// digits · 10^-places.
+struct Decimal {
+  std::int64_t digits;
+  int places;
+};
+
+/// The shortest decimal that reads back to the value, when it has few enough digits and places.
+std::optional<Decimal> decimal_of(double value) {
+  char text[32];
+  const char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
+  const std::string_view all(text, static_cast<std::size_t>(end - text));
+  const std::size_t e = all.find('e');
+  if (e == std::string_view::npos) return std::nullopt;
+  Decimal decimal{0, 0};
+  bool fraction = false;
+  for (const char c : all.substr(0, e)) {
+    if (c == '-') continue;
+    if (c == '.') {
+      fraction = true;
+      continue;
+    }
+    decimal.digits = 10 * decimal.digits + (c - '0');  // at most 17 digits
+    decimal.places += fraction ? 1 : 0;
+  }
+  int exponent = 0;
+  const char* first = all.data() + e + 1;
+  std::from_chars(*first == '+' ? first + 1 : first, end, exponent);
+  decimal.places -= exponent;
+  if (all.front() == '-') decimal.digits = -decimal.digits;
+  if (decimal.digits == 0) return Decimal{0, 0};
+  for (; decimal.places < 0; ++decimal.places) {
+    if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
+    decimal.digits *= 10;
+  }
+  if (decimal.places > max_places) return std::nullopt;
+  return decimal;
+}
+
+/// The digits with so many places, when they stay small enough.
+std::optional<std::int64_t> with_places(Decimal decimal, int places) {
+  for (; decimal.places < places; ++decimal.places) {
+    if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
+    decimal.digits *= 10;
+  }
+  return decimal.digits;
+}
+
+}  // namespace
+
+ScaledInteger::ScaledInteger(double scale, double offset) : scale_(scale), offset_(offset) {
+  const std::optional<Decimal> a = decimal_of(scale), b = decimal_of(offset);
+  if (!a || !b) return;
+  const int places = std::max(a->places, b->places);
+  const std::optional<std::int64_t> factor = with_places(*a, places), summand = with_places(*b, places);
+  constexpr std::int64_t largest_value = std::int64_t{1} << 31;
+  if (!factor || !summand || std::abs(*factor) > (greatest_exact - std::abs(*summand)) / largest_value) return;
+  exact_ = true;
+  factor_ = *factor;
+  summand_ = *summand;
+  for (int i = 0; i < places; ++i) divisor_ *= 10;
+}
+
+namespace {
+
+/// The formats that have a field, for a message.
+std::string formats_with(std::string_view field, unsigned minor) {
+  std::string formats;
+  for (unsigned format = 0; format <= last_las_format; ++format)
+    if (find_las_field(field, format, minor)) formats += (formats.empty() ? "" : ", ") + std::to_string(format);
+  return formats.empty() ? "one of a later version" : formats;
+}
+
+}  // namespace
+
+FieldNames names_of_las_fields() { return {is_las_field, "a field of LAS: " + las_field_names(), false}; }
+
+std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
+                                      const std::string& name) {
+  std::vector<LasPlace> places;
+  for (const std::string& wanted : condition.fields()) {
+    if (const std::optional<std::size_t> axis = las_axis(wanted)) {
+      places.push_back({.field = {.offset = 4 * *axis, .type = Scalar::int32}, .axis = axis});
+      continue;
+    }
+    const std::optional<LasField> field = find_las_field(wanted, format, minor);
+    if (!field)
+      bad_input(name, "point format " + std::to_string(format) + " of LAS 1." + std::to_string(minor),
+                "one with " + wanted + ", as --where asks: " + formats_with(wanted, minor));
+    places.push_back({.field = *field});
+  }
+  return places;
+}
+
+}  // namespace rbpa::app

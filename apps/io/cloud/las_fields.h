@@ -1,0 +1,79 @@
+// What: the fields of LAS point records, formats 0 to 10, by their names; coordinates; `--where` on them.
+// Source: ASPRS, LAS specification 1.4 R15, section 2.6.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/scalar.h"
+#include "io/text/condition.h"
+
+namespace rbpa::app {
+
+constexpr unsigned last_las_format = 10;
+
+/// Bytes of a record of the format.
+std::size_t las_record_size(unsigned format);
+
+/// Where a field is: a number at an offset, or some bits of it.
+struct LasField {
+  std::size_t offset;
+  Scalar type;
+  unsigned first_bit = 0, bits = 0;  ///< all of it where bits is 0
+  double unit = 1;                   ///< by which the number is multiplied
+
+  double value(const char* record) const;
+};
+
+/// The field of that name, in whose letters case and underscores do not count: "ReturnNumber" is return_number. Nothing
+/// where the format, of a file of version 1.minor, has no such field.
+std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor);
+
+/// Whether any format has a field of that name; x, y and z are names, and no fields: they need scale and offset.
+bool is_las_field(std::string_view name);
+
+/// 0, 1 or 2 of x, y and z.
+std::optional<std::size_t> las_axis(std::string_view name);
+
+/// All names for messages: "x, y, z, intensity, ...".
+std::string las_field_names();
+
+class ScaledInteger {
+ public:
+  ScaledInteger(double scale, double offset);
+
+  double operator()(std::int32_t value) const {
+    if (exact_) return static_cast<double>(value * factor_ + summand_) / divisor_;
+    return static_cast<double>(value) * scale_ + offset_;
+  }
+
+ private:
+  double scale_, offset_;
+  bool exact_ = false;
+  std::int64_t factor_ = 0, summand_ = 0;  // scale and offset times divisor_, a power of ten
+  double divisor_ = 1;
+};
+
+/// Those of all formats, and x, y and z.
+FieldNames names_of_las_fields();
+
+/// Where a value that a condition asks for is in a record.
+struct LasPlace {
+  LasField field;
+  std::optional<std::size_t> axis = std::nullopt;  ///< of x, y or z, which need scale and offset
+
+  double value(const char* record, std::span<const ScaledInteger> axes) const {
+    return axis ? axes[*axis](load<std::int32_t>(record + field.offset, std::endian::little)) : field.value(record);
+  }
+};
+
+/// Those of the condition's fields. Throws BadInput when records of the format, of a file of version 1.minor, lack one.
+std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
+                                      const std::string& name);
+
+}  // namespace rbpa::app

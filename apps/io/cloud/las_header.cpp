@@ -1,0 +1,234 @@
+#include "io/cloud/las_header.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "io/bytes/number.h"
+#include "io/bytes/unpack_limit.h"
+#include "io/cloud/las_fields.h"
+#include "io/cloud/units.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+
+std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::vector<std::string>& remarks) const {
+  if (claimed_ == room_) return room_;
+  const bool too_high = claimed_ > room_;
+  if (!skip_invalid)
+    bad_input(name, counted(room_, "whole record") + " of " + counted(length_, "byte"),
+              std::to_string(claimed_) + " as the header says (--skip-invalid reads " +
+                  (too_high        ? "those that are whole)"
+                   : claimed_ == 0 ? "all of them)"
+                                   : "as many as it says)"));
+  if (takes_all(skip_invalid)) {
+    remarks.push_back("the header says that there are no points, and " +
+                      (room_ == 1 ? "the whole record behind it is"
+                                  : "all " + std::to_string(room_) + " whole records behind it are") +
+                      " read");
+    return room_;
+  }
+  if (too_high) {
+    remarks.push_back(std::to_string(claimed_ - room_) + " of " + counted(claimed_, "point") +
+                      " that the header says are left out: the file ends before them");
+    return room_;
+  }
+  const std::size_t more = room_ - claimed_;
+  remarks.push_back(counted(more, "whole record") + " behind the " + counted(claimed_, "point") +
+                    " that the header says " + (more == 1 ? "is" : "are") + " left out");
+  return claimed_;
+}
+
+namespace {
+
+constexpr std::size_t first_header_size = 227, header_size_of_4 = 375;
+
+void require_version(std::string_view bytes, const std::string& name) {
+  if (!bytes.starts_with("LASF"))
+    bad_input(name, in_quotes(bytes.substr(0, 4)), "a LAS file, which begins with 'LASF'");
+  if (bytes.size() < first_header_size)
+    bad_input(name, counted(bytes.size(), "byte"), "a LAS header, of at least " + std::to_string(first_header_size));
+  const unsigned major = las_value<std::uint8_t>(bytes.data() + 24), minor = las_value<std::uint8_t>(bytes.data() + 25);
+  if (major != 1 || minor > 4)
+    bad_input(name, "LAS version " + std::to_string(major) + "." + std::to_string(minor), "1.0 to 1.4");
+}
+
+/// How many points there are. Version 1.4 counts beyond 32 bits, and leaves the older place zero where it cannot.
+std::size_t point_count(std::string_view bytes, const LasHeader& header) {
+  const std::size_t legacy = las_value<std::uint32_t>(bytes.data() + 107);
+  if (header.minor < 4 || header.size < header_size_of_4) return legacy;
+  const auto count = las_value<std::uint64_t>(bytes.data() + 247);
+  return count == 0 ? legacy : count;
+}
+
+/// Version 1.0 has a signature before the points. Some writers count it among them.
+bool begins_with_signature(std::string_view data) {
+  return data.starts_with("\xDD\xCC") || data.starts_with("\xCC\xDD");
+}
+
+void find_points(LasHeader& header, std::string_view bytes, std::size_t size, const std::string& name) {
+  const std::size_t claimed = point_count(bytes, header);
+  const std::size_t begin = las_value<std::uint32_t>(bytes.data() + 96);
+  if (begin < header.size || begin > size)
+    bad_input(name, "an offset to point data of " + std::to_string(begin),
+              "one behind the header, from " + std::to_string(header.size) + " to " + std::to_string(size));
+  std::size_t left = size - begin;
+  header.begin = begin;
+  constexpr std::size_t signature = 2;
+  const bool is_signed =
+      header.minor == 0 && begin <= bytes.size() && begins_with_signature(bytes.substr(begin)) && left >= signature;
+  // It is counted among them where only so they fit.
+  const bool fits_only_with_it = claimed <= left / header.length && claimed > (left - signature) / header.length;
+  if (is_signed && !fits_only_with_it) {
+    header.begin += signature;
+    left -= signature;
+  }
+  const std::size_t whole = left / header.length;
+  const auto ends_at = [&](std::size_t at) {
+    if (at >= header.begin && at <= size && (at - header.begin) / header.length >= claimed) left = at - header.begin;
+  };
+  if (header.extended_records > 0) ends_at(header.extended_begin);
+  ends_at(header.waveforms);
+  header.count = {claimed, std::min(whole, left / header.length), header.length};
+}
+
+/// Of so many extended variable length records, as far as they are there: each begins with its length.
+double end_of_extended(std::string_view first, std::size_t begin, std::size_t records) {
+  constexpr double header_size = 60;
+  auto end = static_cast<double>(begin);
+  for (; records > 0 && end + header_size <= static_cast<double>(first.size()); --records)
+    end +=
+        header_size + static_cast<double>(las_value<std::uint64_t>(first.data() + static_cast<std::size_t>(end) + 20));
+  return end + header_size * static_cast<double>(records);
+}
+
+}  // namespace
+
+LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name) {
+  require_version(bytes, name);
+  const char* at = bytes.data();
+  LasHeader header{};
+  header.minor = las_value<std::uint8_t>(at + 25);
+  header.size = las_value<std::uint16_t>(at + 94);
+  if (header.size < first_header_size || header.size > size)
+    bad_input(name, "a header size of " + std::to_string(header.size),
+              "from " + std::to_string(first_header_size) + " to the size of the file, " + std::to_string(size));
+  header.records = las_value<std::uint32_t>(at + 100);
+  const unsigned format = las_value<std::uint8_t>(at + 104);
+  constexpr unsigned compressed = 0xC0U;  // bits that LASzip sets
+  if ((format & compressed) != 0)
+    bad_input(name, "LAZ, which is compressed",
+              "LAS (pdal translate FILE points.las, or las2las -i FILE -o points.las)");
+  if (format > last_las_format)
+    bad_input(name, "point format " + std::to_string(format), "0 to " + std::to_string(last_las_format));
+  header.format = format;
+  header.length = las_value<std::uint16_t>(at + 105);
+  if (header.length < las_record_size(format))
+    bad_input(name, "point records of " + counted(header.length, "byte"),
+              "at least " + std::to_string(las_record_size(format)) + " of point format " + std::to_string(format));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    header.scale[axis] = las_value<double>(at + 131 + 8 * axis);
+    header.offset[axis] = las_value<double>(at + 155 + 8 * axis);
+  }
+  for (const std::size_t axis : {0U, 1U}) require_las_axis(header, axis, name);
+  if (header.minor >= 4 && header.size >= header_size_of_4) {
+    header.extended_begin = las_value<std::uint64_t>(at + 235);
+    header.extended_records = las_value<std::uint32_t>(at + 243);
+  }
+  constexpr std::size_t has_waveforms = 235;
+  if (header.minor >= 3 && header.size >= has_waveforms) header.waveforms = las_value<std::uint64_t>(at + 227);
+  find_points(header, bytes, size, name);
+  return header;
+}
+
+double claimed_las_size(std::string_view first, const std::string& name) {
+  const LasHeader header = read_las_header(first, unknown_size, name);
+  const double points = static_cast<double>(header.begin) +
+                        static_cast<double>(header.count.sought(false)) * static_cast<double>(header.length);
+  const double waveforms = header.waveforms == 0 ? 0 : end_of_extended(first, header.waveforms, 1);
+  return std::max({points, waveforms, end_of_extended(first, header.extended_begin, header.extended_records)});
+}
+
+void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {
+  const double scale = header.scale[axis], offset = header.offset[axis];
+  if (!std::isfinite(scale) || scale == 0)
+    bad_input(name, "a scale of " + in_quotes(ShortestText(scale)), "a finite number other than 0");
+  if (!std::isfinite(offset)) bad_input(name, "an offset of " + in_quotes(ShortestText(offset)), "a finite number");
+}
+
+namespace {
+
+/// What the records say. Text is newer, and says more.
+struct Found {
+  std::optional<LasCrs> text = std::nullopt, keys = std::nullopt;
+};
+
+LasCrs named(const std::optional<Crs>& crs) {
+  return {crs, crs ? "" : "the system of coordinates has no EPSG code and is not carried over (--crs says one)"};
+}
+
+/// GeoTIFF: four numbers, of which the last counts the keys; then four for each key.
+LasCrs crs_of_keys(std::string_view data) {
+  constexpr std::size_t entry = 8;
+  const auto number = [&](std::size_t i, std::size_t k) {
+    return las_value<std::uint16_t>(data.data() + i * entry + 2 * k);
+  };
+  if (data.size() < entry) return {};
+  const std::size_t keys = std::min<std::size_t>(number(0, 3), data.size() / entry - 1);
+  unsigned model = 0, geographic = 0, projected = 0, unit = 0;
+  for (std::size_t i = 1; i <= keys; ++i) {
+    if (number(i, 1) != 0) continue;  // its value is elsewhere: a text or doubles
+    if (number(i, 0) == 1024) model = number(i, 3);
+    if (number(i, 0) == 2048) geographic = number(i, 3);
+    if (number(i, 0) == 3072) projected = number(i, 3);
+    if (number(i, 0) == 3076) unit = number(i, 3);
+  }
+  constexpr unsigned of_the_user = 32767, model_projected = 1, model_geographic = 2, metre = 9001;
+  const auto is_code = [](unsigned code) { return code > 0 && code < of_the_user; };
+  if (is_code(projected) && model != model_geographic) {
+    const std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(projected));
+    const unsigned own = feet_of_epsg(projected).value_or(metre);
+    if (unit == 0 || unit == own) return named(crs);
+    // Some write the code of the system in metres beside a unit of their own, feet.
+    return {std::nullopt, "the system of coordinates is " + crs->text() + " in the unit " + std::to_string(unit) +
+                              " of EPSG, and not its own, "
+                              "and is not carried over (--crs says which it is)"};
+  }
+  if (!is_code(geographic) || model == model_projected || projected != 0) return named(std::nullopt);
+  std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(geographic));
+  crs->degrees = true;
+  return named(crs);
+}
+
+std::string_view without_zeros(std::string_view text) { return text.substr(0, std::min(text.find('\0'), text.size())); }
+
+void take_note(Found& found, std::string_view user, unsigned number, std::string_view data) {
+  if (without_zeros(user) != "LASF_Projection") return;
+  if (number == 2112) found.text = named(crs_of_wkt(without_zeros(data)));
+  if (number == 34735) found.keys = crs_of_keys(data);
+}
+
+/// Records from `at` on, which end before `end`. A header has reserved (2), user (16), number (2), length (2, or 8 of
+/// extended records) and description (32).
+void visit(Found& found, std::string_view bytes, std::size_t at, std::size_t end, std::size_t count, bool extended) {
+  const std::size_t frame = extended ? 60 : 54;
+  for (std::size_t i = 0; i < count && at <= end && end - at >= frame; ++i) {
+    const char* record = bytes.data() + at;
+    const std::size_t length = extended ? las_value<std::uint64_t>(record + 20) : las_value<std::uint16_t>(record + 20);
+    if (length > end - at - frame) return;
+    take_note(found, {record + 2, 16}, las_value<std::uint16_t>(record + 18), bytes.substr(at + frame, length));
+    at += frame + length;
+  }
+}
+
+}  // namespace
+
+LasCrs las_crs(std::string_view before, std::string_view behind, const LasHeader& header) {
+  Found found;
+  visit(found, before, header.size, std::min(header.begin, before.size()), header.records, false);
+  visit(found, behind, 0, behind.size(), header.extended_records, true);
+  if (found.text && (found.text->crs || !found.keys)) return *found.text;
+  return found.keys.value_or(LasCrs{});
+}
+
+}  // namespace rbpa::app

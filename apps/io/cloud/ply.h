@@ -1,0 +1,157 @@
+// What: the header of a PLY file, and the elements behind it, passed over one kind after the other.
+// Law:  each step stays inside the data, or throws BadInput naming the element and what the header announces.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/scalar.h"
+#include "io/interrupt.h"
+#include "io/text/lines.h"
+
+namespace rbpa::app {
+
+struct PlyProperty {
+  std::string name;
+  Scalar type;                       ///< of the value, or of each value of the list
+  std::optional<Scalar> count_type;  ///< of the length before the values, when it is a list
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count;
+  std::size_t line;  ///< of the header, that says so
+  std::vector<PlyProperty> properties;
+
+  bool has_lists() const;
+  /// Bytes that one takes in a binary file, with every list empty.
+  std::size_t least_size() const;
+};
+
+struct PlyHeader {
+  std::optional<std::endian> binary;  ///< the byte order; none when the file is ASCII
+  std::vector<PlyElement> elements;
+  std::size_t lines;      ///< of the header
+  std::string_view data;  ///< what follows it
+};
+
+/// Throws BadInput naming the line.
+PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
+
+/// "3 vertex elements as line 3 says".
+std::string announced(const PlyElement& element);
+
+/// The element "vertex". Throws BadInput when there is none.
+const PlyElement& vertices_of(const PlyHeader& header, const std::string& name);
+
+/// Where the property that is one number lies among those of `element`; nothing when there is none.
+std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property);
+
+/// Where the property that is one number lies among those of `element`. Throws BadInput when there is none, naming the
+/// `wanted` properties.
+std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
+                        const std::string& name);
+
+/// A Claim: the bytes of all elements, or as many lines. A binary list says how long it is where it stands.
+double claimed_ply_size(std::string_view first, const std::string& name);
+
+/// The data of a binary file.
+class PlyBinary {
+ public:
+  PlyBinary(const PlyHeader& header, const std::string& name)
+      : order_(*header.binary), at_(header.data.data()), end_(at_ + header.data.size()), name_(name) {}
+
+  /// What comes next is long enough for `element` with every list empty.
+  void require_room(const PlyElement& element) const;
+
+  /// Passes over all of `element`, which has room, or from one to another. `visit(index, offsets)` gets where each property
+  /// begins.
+  template <typename Visit>
+  void pass(const PlyElement& element, Visit&& visit) {
+    pass(element, 0, element.count, visit);
+  }
+  template <typename Visit>
+  void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
+    std::vector<const char*> offsets(element.properties.size());
+    for (std::size_t i = first; i < last; ++i) {
+      if (i % 16384 == 0) stop_if_interrupted();
+      for (std::size_t k = 0; k < offsets.size(); ++k) {
+        offsets[k] = at_;
+        pass(element.properties[k], element, i);
+      }
+      visit(i, offsets);
+    }
+  }
+  /// Passes over all of `element`, which has room.
+  void skip(const PlyElement& element);
+
+  /// Where `count` of `element` lie, which has no lists; passes over them.
+  const char* take_rows(const PlyElement& element, std::size_t count) {
+    const char* const first = at_;
+    at_ += count * element.least_size();
+    return first;
+  }
+
+ private:
+  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  void pass(const PlyProperty& property, const PlyElement& element, std::size_t index) {
+    if (property.count_type == Scalar::uint8 && at_ != end_) {  // as nearly all lists of corners
+      const std::size_t size = 1 + static_cast<unsigned char>(*at_) * size_of(property.type);
+      if (size <= left()) {
+        at_ += size;
+        return;
+      }
+    }
+    pass_any(property, element, index);
+  }
+  void pass_any(const PlyProperty& property, const PlyElement& element, std::size_t index);
+  void take(std::size_t size, const PlyElement& element, std::size_t index);
+
+  std::endian order_;
+  const char* at_;
+  const char* end_;
+  const std::string& name_;
+};
+
+/// The data of an ASCII file: one element a line.
+class PlyText {
+ public:
+  PlyText(const PlyHeader& header, const std::string& name) : lines_(header.data, header.lines), name_(name) {}
+
+  /// What comes next is long enough for `element` with every list empty.
+  void require_room(const PlyElement& element) const;
+
+  /// Passes over the lines of `element`, or from one to another. `visit(index, rest)` gets the line, of which it may take words.
+  template <typename Visit>
+  void pass(const PlyElement& element, Visit&& visit) {
+    pass(element, 0, element.count, visit);
+  }
+  template <typename Visit>
+  void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (i % 16384 == 0) stop_if_interrupted();
+      next(element, i);
+      std::string_view rest = lines_.line();
+      visit(i, rest);
+    }
+  }
+  void skip(const PlyElement& element) {
+    pass(element, [](std::size_t, std::string_view&) {});
+  }
+
+  /// Passes over the words of one property in `rest`.
+  void pass_words(const PlyProperty& property, std::string_view& rest) const;
+
+  const Lines& lines() const { return lines_; }
+
+ private:
+  void next(const PlyElement& element, std::size_t index);
+
+  Lines lines_;
+  const std::string& name_;
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,105 @@
+#include "io/cloud/point_blocks.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "io/bytes/content.h"
+#include "io/cloud/cloud.h"
+#include "io/cloud/units.h"
+#include "io/formats.h"
+
+namespace rbpa::app {
+namespace {
+
+/// A file that is read as it goes.
+class CloudBlocks final : public PointBlocks {
+ public:
+  explicit CloudBlocks(const PointSource& source)
+      // Numbers may begin like a gzip file.
+      : cloud_(open_plane_cloud(
+            Content::of_file(source.path, source.format != Format::raw || is_gzip_name(source.path)), source)) {}
+
+  bool next(std::vector<Point>& block) override {
+    block.clear();
+    while (block.size() < points_in_block && !ended_) {
+      ended_ = !cloud_->next(columns_);
+      if (!ended_) append_points(columns_, block);
+    }
+    if (block.empty() && !is_finished_) {
+      is_finished_ = true;
+      cloud_->finish();
+      about_ = std::move(cloud_->facts().file);
+    }
+    return !block.empty();
+  }
+  std::uint64_t bytes_read() const override { return cloud_->bytes_read(); }
+
+ private:
+  std::unique_ptr<Cloud> cloud_;
+  CloudBlock columns_ = {};
+  bool ended_ = false, is_finished_ = false;
+};
+
+/// A file that has to be in memory as a whole.
+class WholeFile final : public PointBlocks {
+ public:
+  explicit WholeFile(const PointSource& source) {
+    if (source.format != Format::ogr) size_ = Content::of_file(source.path, false).size();
+    about_ = read_points(source);
+    points_ = std::move(about_.points);
+    about_.points = {};
+  }
+
+  bool next(std::vector<Point>& block) override {
+    const std::size_t count = std::min(points_in_block, points_.size() - first_);
+    const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first_);
+    block.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+    first_ += count;
+    if (count == 0) points_ = {};
+    return count > 0;
+  }
+  std::uint64_t bytes_read() const override { return size_; }
+
+ private:
+  std::vector<Point> points_;
+  std::size_t first_ = 0;
+  std::uint64_t size_ = 0;
+};
+
+/// What the command line says of the points, as read_points() obeys it.
+class Settled final : public PointBlocks {
+ public:
+  Settled(std::unique_ptr<PointBlocks> blocks, const PointSource& source)
+      : blocks_(std::move(blocks)), source_(source) {}
+
+  bool next(std::vector<Point>& block) override {
+    if (blocks_->next(block)) {
+      if (source_.shift_longitude) {
+        PointFile file{.points = std::move(block)};
+        shift_longitude(file, source_.path);
+        block = std::move(file.points);
+      }
+      return true;
+    }
+    about_ = blocks_->about();
+    settle_crs(about_, source_.crs);
+    if (source_.shift_longitude) about_.degrees = true;
+    return false;
+  }
+  std::uint64_t bytes_read() const override { return blocks_->bytes_read(); }
+
+ private:
+  std::unique_ptr<PointBlocks> blocks_;
+  PointSource source_;
+};
+
+}  // namespace
+
+std::unique_ptr<PointBlocks> open_point_blocks(const PointSource& source) {
+  const CloudFormat* const format = cloud_format(source.format);
+  if (format == nullptr || !format->streams) return std::make_unique<WholeFile>(source);
+  return std::make_unique<Settled>(std::make_unique<CloudBlocks>(source), source);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,93 @@
+#include "io/cloud/read_points.h"
+
+#include <utility>
+
+#include "io/bytes/gunzip.h"
+#include "io/bytes/input_bytes.h"
+#include "io/cloud/units.h"
+#include "io/failure.h"
+#include "io/polygon/geojson.h"
+#include "io/polygon/ogr.h"
+#include "io/polygon/wkt.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Geometries and pixels are no columns.
+PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
+  switch (source.format) {
+    case Format::png:
+      return {.points = read_png_points(bytes, name, source.pixels)};
+    case Format::pgm:
+      return {.points = read_pgm_points(bytes, name, source.pixels)};
+    case Format::geojson:
+      return read_geojson_points(bytes, name, source.vertices);
+    case Format::wkt:
+      return read_wkt_points(bytes, name, source.vertices);
+    default:
+      return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
+  }
+}
+
+PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
+  settle_crs(file, source.crs);
+  if (source.shift_longitude) shift_longitude(file, name);
+  if (file.degrees) remark_on_degrees(file);
+  return file;
+}
+
+}  // namespace
+
+std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& source) {
+  if (content.size() == 0) bad_input(content.name(), "an empty file", "points");
+  return cloud_format(source.format)
+      ->open(std::move(content), {.columns = source.columns,
+                                  .where = source.where,
+                                  .skip_invalid = source.skip_invalid,
+                                  .vertices = source.vertices});
+}
+
+PointFile read_plane_points(Cloud& cloud) {
+  std::vector<Point> points;
+  points.reserve(cloud.facts().expected);
+  CloudBlock block;
+  while (cloud.next(block)) append_points(block, points);
+  cloud.finish();
+  PointFile file = std::move(cloud.facts().file);
+  file.points = std::move(points);
+  return file;
+}
+
+void append_points(const CloudBlock& block, std::vector<Point>& points) {
+  const double* const x = block.column[CloudBlock::x].data();
+  const double* const y = block.column[CloudBlock::y].data();
+  const std::size_t before = points.size();
+  points.resize(before + block.count);
+  for (std::size_t i = 0; i < block.count; ++i) points[before + i] = {x[i], y[i]};
+}
+
+void settle_crs(PointFile& file, const std::optional<Crs>& said) {
+  if (said && file.crs && file.crs->text() != said->text())
+    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
+  if (said) file.crs = said;
+  if (file.crs && file.crs->degrees) file.degrees = true;
+}
+
+PointFile read_points(const PointSource& source) {
+  if (source.format == Format::ogr)
+    return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
+  InputBytes input(source.path, "a file of points");
+  // Numbers may begin like a gzip file.
+  if (is_gzip(input.bytes()) && (source.format != Format::raw || is_gzip_name(source.path)))
+    input.gunzip(claim_of(source.format, source.skip_invalid),
+                 " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
+  return points_in(input.bytes(), input.name(), source);
+}
+
+PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source) {
+  // No points may be meant; no bytes at all come from a command that failed before.
+  if (bytes.empty()) bad_input(name, "an empty file", "points");
+  return settled(parse(bytes, name, source), name, source);
+}
+
+}  // namespace rbpa::app

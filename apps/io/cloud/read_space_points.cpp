@@ -1,0 +1,88 @@
+#include "io/cloud/read_space_points.h"
+
+#include <utility>
+
+#include "io/bytes/gunzip.h"
+#include "io/bytes/input_bytes.h"
+#include "io/cloud/colors.h"
+#include "io/cloud/units.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+using Channel3 = std::array<float, 3>;
+
+/// Columns `first` to `first` + 2 of a block as vectors behind those there are.
+void append_vectors(const CloudBlock& block, std::size_t first, std::vector<Point3>& vectors) {
+  for (std::size_t i = 0; i < block.count; ++i)
+    vectors.push_back({block.column[first][i], block.column[first + 1][i], block.column[first + 2][i]});
+}
+
+std::array<std::uint8_t, 3> bytes_of(double red, double green, double blue, Channels channels) {
+  return {channel_byte(red, channels), channel_byte(green, channels), channel_byte(blue, channels)};
+}
+
+/// Nothing where the file has to be read with last_are_normals.
+std::optional<SpacePoints> read_cloud(Cloud& cloud) {
+  CloudFacts& facts = cloud.facts();
+  SpacePoints space;
+  space.points.reserve(facts.expected);
+  if (facts.normals) space.normals.reserve(facts.expected);
+  std::vector<Channel3> colors;  // what their channels are of shows at the end
+  if (facts.colors) colors.reserve(facts.expected);
+  CloudBlock block;
+  while (cloud.next(block)) {
+    append_vectors(block, CloudBlock::x, space.points);
+    if (facts.normals) append_vectors(block, CloudBlock::normal, space.normals);
+    for (std::size_t i = 0; facts.colors && i < block.count; ++i) {
+      const auto channel = [&](std::size_t k) { return static_cast<float>(block.column[CloudBlock::color + k][i]); };
+      colors.push_back({channel(0), channel(1), channel(2)});
+    }
+  }
+  if (facts.last_have_no_direction) return std::nullopt;
+  if (facts.last_are_colors) {
+    for (const Point3& color : std::exchange(space.normals, {}))
+      space.colors.push_back(bytes_of(color.x, color.y, color.z, *facts.colors));
+  } else if (facts.colors) {
+    space.colors.reserve(colors.size());
+    for (const auto& [red, green, blue] : colors)
+      space.colors.push_back(
+          bytes_of(static_cast<double>(red), static_cast<double>(green), static_cast<double>(blue), *facts.colors));
+  }
+  if (facts.file.degrees && !space.points.empty()) facts.file.remarks.push_back(remark_on_degrees(space.points));
+  cloud.finish();
+  space.remarks = std::move(facts.file.remarks);
+  return space;
+}
+
+/// A normal says a direction.
+void require_directions(const SpacePoints& file, const std::string& name) {
+  for (std::size_t i = 0; i < file.normals.size(); ++i)
+    if (file.normals[i] == Point3{})
+      bad_input(name + ": normal of point " + std::to_string(i), "'0 0 0'", "a vector of another length than 0");
+}
+
+}  // namespace
+
+SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request) {
+  InputBytes input(path, "a file of points");
+  if (is_gzip(input.bytes())) input.gunzip(claim_of(format, request.skip_invalid));
+  return space_points_in(input.bytes(), input.name(), format, request);
+}
+
+SpacePoints space_points_in(std::string_view bytes, const std::string& name, Format format,
+                            const CloudRequest& request) {
+  // No points may be meant; no bytes at all come from a command that failed before.
+  if (bytes.empty()) bad_input(name, "an empty file", "points");
+  CloudRequest in_space = request;
+  in_space.in_space = true;
+  const CloudFormat& known = *cloud_format(format);
+  std::optional<SpacePoints> file = read_cloud(*known.open(Content(bytes, name), in_space));
+  in_space.last_are_normals = true;
+  if (!file) file = read_cloud(*known.open(Content(bytes, name), in_space));
+  require_directions(*file, name);
+  return std::move(*file);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,395 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/bytes/available_memory.h"
+#include "io/bytes/number.h"
+#include "io/cloud/colors.h"
+#include "io/cloud/readers.h"
+#include "io/cloud/table_layout.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/polygon/wkt.h"
+#include "io/text/fields.h"
+#include "io/text/line_selection.h"
+
+namespace rbpa::app {
+namespace {
+
+class TableCloud final : public Cloud {
+ public:
+  TableCloud(Content content, const CloudRequest& request)
+      : content_(std::move(content)),
+        name_(content_.name()),
+        request_(request),
+        selection_(request.where, request.skip_invalid) {
+    has_line_ = next_line();
+    if (has_line_ && is_separator_hint(lines_.line())) has_line_ = next_line();
+    if (has_line_)
+      has_line_ = begin();
+    else if (is_by_name(request.columns))
+      bad_input(name_, "no header line", "one with the column names");
+  }
+
+  bool next(CloudBlock& block) override {
+    stop_if_interrupted();
+    make_room(block);
+    while (has_line_ && block.count < points_at_once) {
+      take_line(block);
+      if (is_plain_ && width_ > 0) read_plain_lines(block);
+      has_line_ = next_line();
+    }
+    for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(block.count);
+    any_points_ = any_points_ || block.count > 0;
+    if (separator_ != ',') all_whole_ = all_whole_ && is_whole(block);
+    if (block.count == 0 && any_points_ && !ended_) end();
+    return block.count > 0;
+  }
+
+  void finish() override { selection_.tell(any_points_, name_, facts_.file.remarks); }
+
+  std::uint64_t bytes_read() const override { return content_.bytes_read(); }
+
+ private:
+  /// What a column is: a number by its place in a block, and others.
+  static constexpr std::uint8_t first_color = CloudBlock::color, height = 9, nothing = 10;
+  static constexpr double greatest_channel = 65535;
+  using Numbers = std::array<double, CloudBlock::color>;
+
+  // The text.
+
+  /// The next line with content, in whichever part of the text.
+  bool next_line() {
+    while (!lines_.next_with_content())
+      if (!next_text()) return false;
+    return true;
+  }
+
+  /// All that is in memory, or some more of a file, up to the end of a line.
+  bool next_text() {
+    const bool is_first = taken_ == 0;
+    content_.skip(taken_);
+    constexpr std::size_t at_once = std::size_t{1} << 20U;
+    std::string_view text = content_.ahead();
+    for (std::size_t before = 0; !content_.is_in_memory();) {
+      text = content_.ahead(before + at_once);
+      if (text.size() < before + at_once) break;  // the end of the file
+      const std::size_t last = text.substr(before).rfind('\n');
+      if (last != std::string_view::npos) {
+        text = text.substr(0, before + last + 1);
+        break;
+      }
+      before = text.size();
+      require_memory(before);
+    }
+    taken_ = text.size();
+    lines_ = Lines(is_first ? beyond_byte_order_mark(text, name_) : text, lines_.number());
+    return !text.empty();
+  }
+
+  /// For a line that has not ended so far.
+  void require_memory(std::size_t size) const {
+    constexpr double bytes_for_each = 5;  // the text, a larger one when it grows, and the point or its vertices
+    const std::optional<double> there = available_memory();
+    if (there && bytes_for_each * static_cast<double>(size) > *there)
+      bad_input(name_, "a line of more than " + bytes_text(static_cast<double>(size)),
+                "lines for which memory suffices");
+  }
+
+  std::string here() const { return at_line(name_, lines_.number()); }
+
+  // The beginning.
+
+  /// Finds the columns and goes to the first line of data; false when there is none.
+  bool begin() {
+    const TableLayout layout = lay_out_table(lines_, name_, request_, facts_.file.remarks);
+    wkt_ = layout.wkt;
+    numbers_ = layout.numbers.size();
+    first_line_ = lines_.number();
+    lay_out(layout);
+    if (layout.header) {
+      header_ = lines_.line();
+      width_ = layout.width;
+    }
+    selection_.find_columns(layout.header ? split(header_, separator_of(header_)) : std::vector<std::string_view>(),
+                            lines_, name_);
+    if (layout.header && !next_line()) return false;
+    separator_ = data_separator();
+    first_point_ = lines_.number();
+    is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
+    if (!content_.is_in_memory()) return true;
+    // A point takes two characters a number, or more; room that is not used costs nothing.
+    const std::string_view rest = lines_.rest();
+    const std::size_t shortest = request_.in_space ? 6 : 4;
+    facts_.expected = std::min(count_line_ends(rest) + 2, rest.size() / shortest + 2);
+    return true;
+  }
+
+  void lay_out(const TableLayout& layout) {
+    const auto is = [&](std::size_t column, std::size_t role) {
+      if (column >= role_.size()) role_.resize(column + 1, nothing);
+      role_[column] = static_cast<std::uint8_t>(role);
+    };
+    role_.resize(layout.width, nothing);
+    if (!wkt_)
+      for (std::size_t k = 0; k < numbers_; ++k) is(layout.numbers[k], k);
+    for (std::size_t k = 0; k < layout.colors.size(); ++k) is(layout.colors[k], first_color + k);
+    if (layout.height) is(*layout.height, height);
+    facts_.normals = numbers_ == 6;
+    if (!layout.colors.empty()) facts_.colors = Channels::bytes;
+    facts_.file.degrees = layout.degrees;
+    is_unnamed_ = layout.unnamed;
+    is_by_content_ = layout.unnamed && !request_.last_are_normals;
+  }
+
+  /// That of the line, which is the first of data. The commas of a geometry separate none of its fields.
+  char data_separator() const {
+    if (!wkt_) return separator_of(lines_.line());
+    return header_.find_first_of(",;\t") == std::string_view::npos ? ';' : separator_of(header_);
+  }
+
+  // Points.
+
+  void make_room(CloudBlock& block) const {
+    block.count = 0;
+    for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(points_at_once);
+    clear_colors(block);
+  }
+
+  void append(const Numbers& value, CloudBlock& block) {
+    if (is_by_content_) look_at_last({value[3], value[4], value[5]});
+    for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
+    ++block.count;
+  }
+
+  bool has_no_direction(const Numbers& value) const {
+    return numbers_ == 6 && !is_by_content_ && value[3] == 0 && value[4] == 0 && value[5] == 0;
+  }
+
+  /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
+  void read_plain_lines(CloudBlock& block) {
+    Numbers value{};
+    while (block.count < points_at_once) {
+      const char* const behind = read_plain_line(value);
+      if (behind == nullptr) return;
+      append(value, block);
+      lines_.pass_line(behind);
+    }
+  }
+
+  /// Where the next line ends, when it is plain and a point; else null.
+  const char* read_plain_line(Numbers& value) {
+    const char* at = lines_.rest().data();
+    const char* const end = at + lines_.rest().size();
+    const auto skip_blanks = [&](char but) {
+      while (at != end && is_blank(*at) && *at != but) ++at;
+    };
+    const char kept = separator_ == blanks ? '\0' : separator_;  // a tab may be the separator
+    skip_blanks('\0');
+    for (std::size_t column = 0; column < width_; ++column) {
+      if (column > 0) {
+        const char* const field_end = at;
+        skip_blanks(kept);
+        if (separator_ == blanks) {
+          if (at == field_end) return nullptr;
+        } else {
+          if (at == end || *at != separator_) return nullptr;
+          ++at;
+          skip_blanks(kept);
+        }
+      }
+      if (role_[column] < numbers_) {
+        const ParsedNumber number = parse_number(at, end);
+        if (number.fault != NumberFault::none) return nullptr;
+        value[role_[column]] = number.value;
+        at = number.end;
+      } else {
+        const char* const field = at;
+        while (at != end && !is_blank(*at) && *at != separator_ && *at != '\n' && *at != '"' && *at != '#') ++at;
+        if (at == field) return nullptr;
+        if (role_[column] == height) take_height({field, static_cast<std::size_t>(at - field)});
+      }
+    }
+    skip_blanks('\0');
+    if (at != end && *at != '\n') return nullptr;
+    return has_no_direction(value) ? nullptr : at;
+  }
+
+  /// The points of the current line, if it counts.
+  void take_line(CloudBlock& block) {
+    selection_.attempt([&] {
+      const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
+      const auto take = [this](std::size_t count) { take_width(count); };
+      current_ = &block;
+      if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
+        wkt_ ? read_geometries(block) : read_point(block);
+    });
+  }
+
+  void read_point(CloudBlock& block) {
+    Fields fields(lines_.line(), separator_);
+    Numbers value{};
+    std::array<std::string_view, 3> color;
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      const std::uint8_t role = count < role_.size() ? role_[count] : nothing;
+      if (role < numbers_) {
+        value[role] = read_number(fields);
+        continue;
+      }
+      const std::string_view field = without_quotes(fields.take());
+      if (role >= first_color && role < height) color[role - first_color] = field;
+      if (role == height) take_height(field);
+    }
+    take_width(count);
+    if (has_no_direction(value)) bad_input(here(), "a normal of length 0", "one of another length" + selection_.hint());
+    if (facts_.colors) colors_.take(color, lines_.number(), block);
+    append(value, block);
+  }
+
+  /// A field that is no number is no height. That two differ is enough.
+  void take_height(std::string_view field) {
+    const ParsedNumber number = parse_whole_number(field);
+    if (number.fault == NumberFault::none) facts_.file.heights.take(number.value);
+    if (facts_.file.heights.differ()) std::replace(role_.begin(), role_.end(), height, nothing);
+  }
+
+  void take_width(std::size_t count) {
+    if (width_ == 0) width_ = count;
+    if (width_ > role_.size()) role_.resize(width_, nothing);
+    if (count != width_)
+      bad_input(here(), counted(count, "column") + " (" + in_quotes(lines_.line()) + ")",
+                std::to_string(width_) + " as in line " + std::to_string(first_line_));
+  }
+
+  /// The geometries of the current line, in its field of well-known text.
+  void read_geometries(CloudBlock& block) {
+    Fields fields(lines_.line(), separator_);
+    std::string_view text;
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      const std::string_view field = without_quotes(fields.take());
+      if (count == *wkt_) text = field;
+    }
+    take_width(count);
+    std::vector<Point> points;
+    WktGeometries geometries(text, request_.vertices);
+    try {
+      while (geometries.next(points)) continue;
+    } catch (const WktFault& fault) {
+      bad_input(here(), fault.found, fault.expected);
+    }
+    if (points.empty()) bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + selection_.hint());
+    std::optional<Crs>& crs = facts_.file.crs;
+    if (crs && geometries.crs() && crs->code != geometries.crs()->code)
+      bad_input(here(), geometries.crs()->text(), crs->text() + " as in lines before");
+    if (geometries.crs()) crs = geometries.crs();
+    facts_.file.heights.take(geometries.heights());
+    const std::size_t size = std::max(block.column[CloudBlock::x].size(), block.count + points.size());
+    for (const std::size_t axis : {CloudBlock::x, CloudBlock::y}) block.column[axis].resize(size);
+    for (const Point& p : points) append({p.x, p.y}, block);
+  }
+
+  /// `where`, for messages, is empty for what is read of a point.
+  double read_number(Fields& fields, std::string_view where = {}) {
+    const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
+    const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
+    if (whole_field) {
+      if (where.empty() && request_.in_space) all_whole_ = all_whole_ && std::trunc(number.value) == number.value;
+      return number.value;
+    }
+    const std::string_view field = without_quotes(fields.take());
+    if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
+    comma_.refuse_point(field, here());
+    const ParsedNumber whole = parse_whole_number(field);
+    if (whole.fault != NumberFault::none)
+      bad_input(here(), in_quotes(field),
+                expected_instead(whole.fault) + std::string(where) +
+                    (is_missing(field) || !where.empty() ? selection_.hint() : hint(whole.fault)));
+    return whole.value;
+  }
+
+  /// A sign is either: numbers with a point before this one leave it no number.
+  double read_decimal_comma(std::string_view field) {
+    const double value = comma_.read(field, here());
+    if (!comma_.is_used()) {
+      comma_.begin(field, lines_.number(), all_whole_ && is_whole(*current_), here(), facts_.file.remarks);
+      is_plain_ = false;
+    }
+    return value;
+  }
+
+  bool is_whole(const CloudBlock& block) const {
+    for (std::size_t k = 0; k < numbers_; ++k)
+      for (std::size_t i = 0; i < block.count; ++i)
+        if (const double value = block.column[k][i]; std::trunc(value) != value) return false;
+    return true;
+  }
+
+  /// The first point has text where a number should be: others of its columns may be meant.
+  std::string hint(NumberFault fault) const {
+    if (request_.in_space || fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
+    if (split(lines_.line(), separator_).size() <= 2) return "";
+    return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
+  }
+
+  // The end.
+
+  void look_at_last(const std::array<double, 3>& channels) {
+    no_direction_ = no_direction_ || channels == std::array<double, 3>{};
+    for (const double channel : channels) {
+      all_channels_ = all_channels_ && channel >= 0 && channel <= greatest_channel && std::trunc(channel) == channel;
+      greatest_ = std::max(greatest_, channel);
+    }
+  }
+
+  void end() {
+    ended_ = true;
+    if (is_unnamed_) settle_last();
+    if (facts_.colors && !facts_.last_are_colors) colors_.settle(false, facts_);
+  }
+
+  /// Whole numbers up to 255, or to 65535, are colours where one is greater than 1.
+  void settle_last() {
+    facts_.last_are_colors = is_by_content_ && all_channels_ && greatest_ > 1;
+    facts_.last_have_no_direction = is_by_content_ && !facts_.last_are_colors && no_direction_;
+    if (facts_.last_are_colors) facts_.colors = greatest_ > 255 ? Channels::wide : Channels::bytes;
+    facts_.file.remarks.push_back(
+        facts_.last_are_colors
+            ? "columns 4 to 6 are read as colours, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)"
+            : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)");
+  }
+
+  Content content_;
+  const std::string& name_;
+  CloudRequest request_;
+  Lines lines_ = Lines({});
+  std::size_t taken_ = 0;  // of the text, which lines_ are of
+  bool has_line_ = false, ended_ = false, any_points_ = false;
+  char separator_ = blanks;
+  std::size_t numbers_ = 0;                        // of a point
+  std::vector<std::uint8_t> role_ = {};            // of each column
+  std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
+  std::size_t first_line_ = 0;                     // the line that says how many columns there are
+  std::size_t width_ = 0;                          // how many; 0: not known yet
+  std::string header_ = {};                        // empty without one
+  std::size_t first_point_ = 0;                    // its line
+  bool is_plain_ = false;                          // most lines may be
+  CloudBlock* current_ = nullptr;                  // which is being filled
+  bool all_whole_ = true;                          // the numbers without a comma, but for those of the block
+  DecimalComma comma_ = {};
+  LineSelection selection_;
+  TextColors colors_ = TextColors(greatest_channel);
+  bool is_unnamed_ = false, is_by_content_ = false;  // nothing says what the last three are, and they show it
+  bool all_channels_ = true;                         // they are whole numbers of a channel so far
+  bool no_direction_ = false;                        // one of them is no normal
+  double greatest_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request) {
+  return std::make_unique<TableCloud>(std::move(content), request);
+}
+
+}  // namespace rbpa::app

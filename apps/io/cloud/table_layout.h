@@ -1,0 +1,35 @@
+// What: which columns of a table are which, by its first line and by what is asked for.
+// Law:  a first line without a number in any column that counts is a header; where its names are known, such as lat and lon,
+//       they say which columns are x and y, or that there is one of geometries in well-known text.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/cloud/cloud.h"
+#include "io/text/lines.h"
+
+namespace rbpa::app {
+
+struct TableLayout {
+  bool header = false;                    ///< the first line is one
+  std::size_t width = 0;                  ///< its fields
+  std::vector<std::size_t> numbers = {};  ///< the columns of x, y; or of x, y, z and, if it has six, of the normal
+  std::vector<std::size_t> colors = {};   ///< none, or those of red, green and blue
+  std::optional<std::size_t> wkt = std::nullopt;  ///< that of geometries, in place of x and y
+  std::optional<std::size_t> height = std::nullopt;
+  bool degrees = false;  ///< x is a longitude and y a latitude
+  bool unnamed = false;  ///< nothing says what the last three of six are
+};
+
+/// Of the current line, which is the first with content. Adds what there is to remark. Throws BadInput naming the line, and
+/// WrongUsage when two columns turn out to be one.
+TableLayout lay_out_table(const Lines& lines, const std::string& name, const CloudRequest& request,
+                          std::vector<std::string>& remarks);
+
+/// Whether a column is asked for by its name, which a header has to have.
+bool is_by_name(const std::optional<std::vector<Column>>& columns);
+
+}  // namespace rbpa::app

@@ -1,0 +1,108 @@
+// What: points and polygons in the words of the mesh formats, for the files that write them.
+// Law:  the bytes depend on the mesh alone; coordinates read back to the same doubles.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "io/bytes/number.h"
+#include "io/bytes/output_file.h"
+
+namespace rbpa::app {
+
+// A `Mesh` below has points() and faces(), how many; point(i), three coordinates; face(f), a range of corners, each
+// std::uint32_t from 0.
+
+/// "1.5 2 0" behind `before`, and the end of the line.
+inline void write_position(OutputFile& file, std::string_view before, const std::array<double, 3>& p) {
+  char* at = file.room(before.size() + 3 * (number_room + 1));
+  at = std::copy(before.begin(), before.end(), at);
+  for (const double coordinate : p) {
+    at = put_number(at, coordinate);
+    *at++ = ' ';
+  }
+  at[-1] = '\n';
+  file.written(at);
+}
+
+inline void write_obj_vertex(OutputFile& file, const std::array<double, 3>& p) { write_position(file, "v ", p); }
+
+/// " 4 5 6" and the end of the line.
+inline void write_corners(OutputFile& file, std::span<const std::uint32_t> corners, std::uint32_t first_index) {
+  constexpr std::size_t at_once = 64;
+  do {
+    const auto some = corners.first(std::min(at_once, corners.size()));
+    corners = corners.subspan(some.size());
+    char* at = file.room(at_once * (number_room + 1) + 1);
+    for (const std::uint32_t corner : some) {
+      *at++ = ' ';
+      at = put_number(at, std::uint64_t{corner} + first_index);
+    }
+    if (corners.empty()) *at++ = '\n';
+    file.written(at);
+  } while (!corners.empty());
+}
+
+template <typename Mesh>
+void write_off(OutputFile& file, const Mesh& mesh) {
+  file.write("OFF\n");
+  file.write_number(std::uint64_t{mesh.points()});
+  file.write(" ");
+  file.write_number(std::uint64_t{mesh.faces()});
+  file.write(" 0\n");
+  for (std::size_t i = 0; i < mesh.points(); ++i) write_position(file, "", mesh.point(i));
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    file.write_number(std::uint64_t{mesh.face(f).size()});
+    write_corners(file, mesh.face(f), 0);
+  }
+}
+
+template <typename Mesh>
+void write_obj(OutputFile& file, const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.points(); ++i) write_obj_vertex(file, mesh.point(i));
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    file.write("f");
+    write_corners(file, mesh.face(f), 1);
+  }
+}
+
+/// Binary little-endian. A mesh may have more of each vertex: properties(), the lines of the header, each with its end,
+/// and write_properties(file, i); and of each face: face_properties() and write_face_properties(file, f). The length of a face is a byte, which every reader knows, unless one is too long for that.
+template <typename Mesh>
+void write_ply(OutputFile& file, const Mesh& mesh) {
+  bool long_faces = false;
+  for (std::size_t f = 0; f < mesh.faces() && !long_faces; ++f)
+    long_faces = mesh.face(f).size() > std::numeric_limits<std::uint8_t>::max();
+  file.write("ply\nformat binary_little_endian 1.0\nelement vertex ");
+  file.write_number(std::uint64_t{mesh.points()});
+  file.write("\nproperty double x\nproperty double y\nproperty double z\n");
+  if constexpr (requires { mesh.properties(); }) file.write(mesh.properties());
+  file.write("element face ");
+  file.write_number(std::uint64_t{mesh.faces()});
+  file.write(long_faces ? "\nproperty list uint int vertex_indices\n" : "\nproperty list uchar int vertex_indices\n");
+  if constexpr (requires { mesh.face_properties(); }) file.write(mesh.face_properties());
+  file.write("end_header\n");
+  for (std::size_t i = 0; i < mesh.points(); ++i) {
+    const std::array<double, 3> p = mesh.point(i);
+    file.write_binary(std::span<const double>(p));
+    if constexpr (requires { mesh.properties(); }) mesh.write_properties(file, i);
+  }
+  for (std::size_t f = 0; f < mesh.faces(); ++f) {
+    const std::span<const std::uint32_t> corners = mesh.face(f);
+    const std::uint32_t length[] = {static_cast<std::uint32_t>(corners.size())};
+    const std::uint8_t short_length[] = {static_cast<std::uint8_t>(corners.size())};
+    if (long_faces) {
+      file.write_binary(std::span<const std::uint32_t>(length));
+    } else {
+      file.write_binary(std::span<const std::uint8_t>(short_length));
+    }
+    file.write_binary(corners);
+    if constexpr (requires { mesh.face_properties(); }) mesh.write_face_properties(file, f);
+  }
+}
+
+}  // namespace rbpa::app

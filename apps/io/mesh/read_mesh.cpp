@@ -1,0 +1,49 @@
+#include "io/mesh/read_mesh.h"
+
+#include <limits>
+
+#include "io/bytes/gunzip.h"
+#include "io/bytes/input_bytes.h"
+#include "io/cloud/cloud.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+MeshFile parse(Format format, std::string_view bytes, const std::string& name) {
+  switch (format) {
+    case Format::off:
+      return read_off_mesh(bytes, name);
+    case Format::ply:
+      return read_ply_mesh(bytes, name);
+    case Format::obj:
+      return read_obj_mesh(bytes, name);
+    default:
+      break;
+  }
+  return read_stl_mesh(bytes, name);
+}
+
+}  // namespace
+
+MeshFile read_mesh(const MeshSource& source) {
+  InputBytes input(source.path, "a mesh file");
+  if (is_gzip(input.bytes()))
+    input.gunzip(source.format == Format::stl ? Claim{claimed_stl_size} : claim_of(source.format));
+  return mesh_in(input.bytes(), input.name(), source.format);
+}
+
+MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format) {
+  // A mesh without faces may be meant; no bytes at all come from a command that failed before.
+  if (bytes.empty()) bad_input(name, "an empty file", "a mesh");
+  MeshFile mesh = parse(format, bytes, name);
+  // A halfedge mesh numbers its elements with int, and a soup its corners with 32 bits.
+  constexpr std::size_t most = std::numeric_limits<int>::max() / 2;
+  if (mesh.positions.size() > most || mesh.soup.corners.size() > most)
+    bad_input(name, counted(mesh.positions.size(), "point") + " and " + counted(mesh.soup.corners.size(), "corner"),
+              "at most " + std::to_string(most) + " of each");
+  mesh.soup.points = mesh.positions.size();
+  return mesh;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "io/bytes/number.h"
+#include "io/bytes/scalar.h"
+#include "io/bytes/unpack_limit.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/mesh/equal_positions.h"
+#include "io/mesh/read_mesh.h"
+#include "io/text/vertex_lines.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Gives equal corners one number.
+class Corners {
+ public:
+  explicit Corners(MeshFile& mesh, std::size_t places = 0) : mesh_(mesh), places_(places) {}
+
+  std::uint32_t number(Position p, std::optional<std::size_t> line) {
+    for (double& coordinate : p) coordinate += 0.0;  // −0 becomes +0
+    const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
+    mesh_.positions.push_back(p);
+    const std::uint32_t first = places_.first_at(mesh_.positions, next);
+    if (first != next)
+      mesh_.positions.pop_back();
+    else if (line)
+      mesh_.point_lines.push_back(*line);
+    return first;
+  }
+
+ private:
+  MeshFile& mesh_;
+  EqualPositions places_;
+};
+
+constexpr std::size_t header_size = 84, facet_size = 50;
+
+std::size_t announced_facets(std::string_view bytes) {
+  return load<std::uint32_t>(bytes.data() + header_size - 4, std::endian::little);
+}
+
+bool is_word(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+bool is_binary(std::string_view bytes) {
+  if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
+  Lines lines(bytes);
+  if (!lines.next_with_content()) return false;
+  std::string_view rest = lines.line();
+  return !is_word(take_word(rest), "solid") || bytes.find('\0') != std::string_view::npos;
+}
+
+MeshFile read_binary(std::string_view bytes, const std::string& name) {
+  if (bytes.size() < header_size)
+    bad_input(name, counted(bytes.size(), "byte"),
+              "'solid' or the " + std::to_string(header_size) + " bytes before binary facets");
+  const std::size_t facets = announced_facets(bytes);
+  if (bytes.size() != header_size + facet_size * facets)
+    bad_input(name, counted(bytes.size(), "byte"),
+              std::to_string(header_size + facet_size * facets) + " for the " + counted(facets, "facet") +
+                  " that byte 80 announces");
+  MeshFile mesh;
+  Corners corners(mesh, facets / 2);  // as a closed surface has
+  mesh.reserve_faces(facets);
+  for (std::size_t f = 0; f < facets; ++f) {
+    if (f % 16384 == 0) stop_if_interrupted();
+    const char* at = bytes.data() + header_size + facet_size * f + 3 * sizeof(float);  // behind the normal
+    std::array<std::uint32_t, 3> cycle{};
+    for (std::uint32_t& corner : cycle) {
+      Position p{};
+      for (double& coordinate : p) {
+        coordinate = static_cast<double>(load<float>(at, std::endian::little));
+        at += sizeof(float);
+        if (!std::isfinite(coordinate))
+          bad_input(name + ": facet " + std::to_string(f), in_quotes(ShortestText(coordinate)), "a finite number");
+      }
+      corner = corners.number(p, std::nullopt);
+    }
+    mesh.soup.add_face(cycle);
+  }
+  return mesh;
+}
+
+class AsciiReader {
+ public:
+  AsciiReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+  MeshFile read() {
+    while (lines_.next_with_content()) {
+      if (!begins_with("solid")) refuse("solid");
+      for (std::size_t facet = 0; !next_ends_solid(); ++facet) {
+        if (facet % 16384 == 0) stop_if_interrupted();
+        read_facet();
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Goes to the next line: the first of a facet, or the end of a solid.
+  bool next_ends_solid() {
+    next("facet or endsolid");
+    if (begins_with("endsolid")) return true;
+    if (!begins_with("facet")) refuse("facet or endsolid");
+    return false;
+  }
+
+  void read_facet() {
+    mesh_.face_lines.push_back(lines_.number());
+    next_begins_with("outer loop");
+    std::array<std::uint32_t, 3> cycle{};
+    for (std::uint32_t& corner : cycle) {
+      next_begins_with("vertex");
+      std::string_view rest = lines_.line();
+      take_word(rest);
+      corner = corners_.number(take_position(rest, lines_, name_), lines_.number());
+    }
+    next_begins_with("endloop");
+    next_begins_with("endfacet");
+    mesh_.soup.add_face(cycle);
+  }
+
+  void next(const std::string& expected) {
+    if (!lines_.next_with_content()) bad_input(name_, "the end of the file", expected);
+  }
+  void next_begins_with(const std::string& words) {
+    next(words);
+    if (!begins_with(words)) refuse(words);
+  }
+  bool begins_with(std::string_view words) const {
+    std::string_view rest = lines_.line();
+    while (!words.empty())
+      if (!is_word(take_word(rest), take_word(words))) return false;
+    return true;
+  }
+  [[noreturn]] void refuse(const std::string& expected) const {
+    bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), expected);
+  }
+
+  Lines lines_;
+  const std::string& name_;
+  MeshFile mesh_ = {};
+  Corners corners_{mesh_};
+};
+
+}  // namespace
+
+double claimed_stl_size(std::string_view first, const std::string&) {
+  if (!is_binary(first) || first.size() < header_size) return any_size;
+  return static_cast<double>(header_size + facet_size * announced_facets(first));
+}
+
+MeshFile read_stl_mesh(std::string_view bytes, const std::string& name) {
+  return is_binary(bytes) ? read_binary(bytes, name) : AsciiReader(bytes, name).read();
+}
+
+}  // namespace rbpa::app

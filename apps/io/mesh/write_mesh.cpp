@@ -1,0 +1,128 @@
+#include "io/mesh/write_mesh.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "io/bytes/npy.h"
+#include "io/failure.h"
+#include "io/mesh/polygon_files.h"
+
+namespace rbpa::app {
+namespace {
+
+struct SoupPolygons {
+  std::span<const std::array<double, 3>> positions;
+  const meshops::PolygonSoup& soup;
+
+  std::size_t points() const { return positions.size(); }
+  std::size_t faces() const { return soup.faces(); }
+  const std::array<double, 3>& point(std::size_t i) const { return positions[i]; }
+  std::span<const std::uint32_t> face(std::size_t f) const { return soup.face(f); }
+};
+
+}  // namespace
+
+void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
+                const meshops::PolygonSoup& soup) {
+  const SoupPolygons mesh{positions, soup};
+  switch (format) {
+    case Format::off:
+      return write_off(file, mesh);
+    case Format::ply:
+      return write_ply(file, mesh);
+    case Format::obj:
+      return write_obj(file, mesh);
+    default:
+      break;
+  }
+}
+
+namespace {
+
+/// The mesh, as the formats see it.
+struct SurfacePolygons {
+  const SpaceMesh& mesh;
+
+  std::size_t points() const { return mesh.vertices.size(); }
+  std::size_t faces() const { return mesh.triangles.size(); }
+  std::array<double, 3> point(std::size_t i) const {
+    return {mesh.vertices[i].x, mesh.vertices[i].y, mesh.vertices[i].z};
+  }
+  std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
+
+  std::string properties() const {
+    std::string lines;
+    if (!mesh.normals.empty()) lines += "property double nx\nproperty double ny\nproperty double nz\n";
+    if (!mesh.colors.empty()) lines += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    return lines;
+  }
+  void write_properties(OutputFile& file, std::size_t i) const {
+    if (!mesh.normals.empty()) {
+      const double normal[] = {mesh.normals[i].x, mesh.normals[i].y, mesh.normals[i].z};
+      file.write_binary(std::span<const double>(normal));
+    }
+    if (!mesh.colors.empty()) file.write_binary(std::span<const std::uint8_t>(mesh.colors[i]));
+  }
+};
+
+std::array<float, 3> unit_normal(const Point3& a, const Point3& b, const Point3& c) {
+  const double u[] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[] = {c.x - a.x, c.y - a.y, c.z - a.z};
+  const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const double length = std::hypot(n[0], n[1], n[2]);
+  // Zeros mean to readers: work it out from the corners.
+  if (!(length > 0) || !std::isfinite(length)) return {};
+  return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
+}
+
+void write_stl(OutputFile& file, const SpaceMesh& mesh) {
+  constexpr double most = std::numeric_limits<float>::max();
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle) {
+      const Point3& p = mesh.vertices[corner];
+      for (const double x : {p.x, p.y, p.z})
+        if (std::abs(x) > most)
+          bad_input(file.name(), "the coordinate " + std::string(ShortestText(x)),
+                    "one that single precision of STL holds, or another format");
+    }
+  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
+    bad_input(file.name(), counted(mesh.triangles.size(), "triangle"), "fewer than 2^32 in an STL file");
+  std::string header = "triangles in space, binary STL";  // must not begin with "solid", which is ASCII
+  header.resize(80, ' ');
+  file.write(header);
+  const std::uint32_t count[] = {static_cast<std::uint32_t>(mesh.triangles.size())};
+  file.write_binary(std::span<const std::uint32_t>(count));
+  for (const auto& triangle : mesh.triangles) {
+    const Point3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
+    const std::array<float, 3> normal = unit_normal(a, b, c);
+    file.write_binary(std::span<const float>(normal));
+    for (const Point3* p : {&a, &b, &c}) {
+      const float position[] = {static_cast<float>(p->x), static_cast<float>(p->y), static_cast<float>(p->z)};
+      file.write_binary(std::span<const float>(position));
+    }
+    file.write({"\0\0", 2});
+  }
+}
+
+}  // namespace
+
+void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {
+  switch (format) {
+    case Format::off:
+      return write_off(file, SurfacePolygons{mesh});
+    case Format::obj:
+      return write_obj(file, SurfacePolygons{mesh});
+    case Format::ply:
+      return write_ply(file, SurfacePolygons{mesh});
+    case Format::stl:
+      return write_stl(file, mesh);
+    case Format::npy:
+      file.write(npy_header("<u4", mesh.triangles.size(), ", 3"));
+      for (const auto& triangle : mesh.triangles) file.write_binary(std::span<const std::uint32_t>(triangle));
+      return;
+    default:
+      break;
+  }
+}
+
+}  // namespace rbpa::app

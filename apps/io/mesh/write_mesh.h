@@ -1,0 +1,37 @@
+// What: polygons in space as a mesh file, and surfaces, with normals and colours.
+// Law:  what read_mesh() makes of the file is the same points, to the last bit (but for STL), and the same faces.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "io/bytes/output_file.h"
+#include "io/formats.h"
+#include "meshops/topology/polygon_soup.h"
+#include "rbpa/base/point3.h"
+
+namespace rbpa::app {
+
+/// The formats, for messages and help: those that hold doubles and shared points, so not STL.
+constexpr std::string_view written_mesh_formats = "off, ply, obj";
+constexpr bool can_write_mesh(Format format) { return format != Format::stl; }
+
+/// OFF, PLY (binary little-endian) or OBJ. Requires: can_write_mesh(format); a position for every point of `soup`.
+void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
+                const meshops::PolygonSoup& soup);
+
+/// Normals and colours: none, or one of each vertex.
+struct SpaceMesh {
+  std::span<const Point3> vertices;
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+  std::span<const Point3> normals = {};
+  std::span<const std::array<std::uint8_t, 3>> colors = {};
+};
+
+/// OFF, OBJ; PLY (binary little-endian) with normals as double and colours as uchar; STL (binary, single precision); or
+/// the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is written, when a
+/// coordinate is too large for STL. Requires: not a picture format.
+void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
+
+}  // namespace rbpa::app

@@ -1,0 +1,65 @@
+// What: triangles in the plane, and edges and points beside them, as files.
+// Law:  the bytes depend on the mesh alone; coordinates read back to the same doubles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/bytes/output_file.h"
+#include "io/formats.h"
+#include "rbpa/base/point.h"
+
+namespace rbpa::app {
+
+using Triangle = std::array<std::uint32_t, 3>;
+using Edge = std::array<std::uint32_t, 2>;
+
+/// A number of each feature.
+struct FeatureNumbers {
+  std::string name;
+  std::span<const double> values;
+};
+
+/// What triangles are parts of: a number for each, and more numbers by that.
+struct TriangleFeatures {
+  std::vector<std::uint32_t> of_triangle;
+  std::vector<FeatureNumbers> numbers;
+};
+
+/// All as indices into vertices.
+struct TriangleMesh {
+  std::span<const Point> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const Edge> edges = {};            ///< in no triangle
+  std::span<const std::uint32_t> points = {};  ///< in neither
+  const TriangleFeatures* features = nullptr;  ///< where there are neither edges nor points
+};
+
+/// The mesh without the vertices that nothing uses; the others keep their order, and so do triangles, edges and points.
+class CompactMesh {
+ public:
+  explicit CompactMesh(const TriangleMesh& mesh);
+  TriangleMesh mesh() const { return {vertices_, triangles_, edges_, points_}; }
+
+ private:
+  std::vector<Point> vertices_;
+  std::vector<Triangle> triangles_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> points_;
+};
+
+/// OFF, PLY (binary little-endian, coordinates as double) or OBJ with z = 0, or indices alone as an .npy array of uint32:
+/// triangles with shape (n, 3), edges with shape (n, 2) or points with shape (n); or VTU (write_vtu.h). PLY has the feature of each triangle, where there are
+/// features, as a property of faces. OBJ, as lines f, l
+/// and p, and VTU have all three; OFF and PLY leave edges and points out. Requires: not a picture format.
+void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
+
+/// Appended raw data, little-endian: cells are the triangles, then the edges, then the points. Of features
+/// the number, as cell data `feature`, and what they have of numbers, as cell data under their own names; where a name comes
+/// twice, or is `feature`, with _2 and so on behind it.
+void write_vtu(OutputFile& file, const TriangleMesh& mesh);
+
+}  // namespace rbpa::app

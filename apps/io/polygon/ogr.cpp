@@ -1,0 +1,281 @@
+#include "io/polygon/ogr.h"
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+/// While it lives GDAL knows its drivers and says nothing by itself.
+class Gdal {
+ public:
+  Gdal() {
+    static_cast<void>(drivers_are_known());
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~Gdal() { CPLPopErrorHandler(); }
+  Gdal(const Gdal&) = delete;
+  Gdal& operator=(const Gdal&) = delete;
+
+  /// Whether anything failed since it was made.
+  bool has_failed() const { return CPLGetLastErrorType() >= CE_Failure; }
+  /// What GDAL says about it.
+  std::string reason() const {
+    const std::string text = CPLGetLastErrorMsg();
+    return text.empty() ? "nothing that GDAL knows" : text;
+  }
+
+ private:
+  static bool drivers_are_known() {
+    static const bool known = (GDALAllRegister(), true);
+    return known;
+  }
+};
+
+class OgrReader {
+ public:
+  OgrReader(const std::string& source, bool vertices) : source_(source), vertices_(vertices) {}
+
+  PointFile read(const std::optional<std::string>& layer_name) {
+    constexpr unsigned how = GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
+    const GDALDatasetUniquePtr dataset(GDALDataset::Open(source_.c_str(), how));
+    if (!dataset) bad_input(source_, shown(gdal_.reason()), "a vector file that GDAL reads");
+    OGRLayer& layer = find_layer(*dataset, layer_name);
+    take_crs(layer);
+    layer.ResetReading();
+    while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+      if (features_++ % 1024 == 0) stop_if_interrupted();
+      const OGRGeometry* geometry = feature->GetGeometryRef();
+      geometry == nullptr ? static_cast<void>(++without_geometry_) : take(*geometry);
+    }
+    // What is half read is no answer.
+    if (gdal_.has_failed()) bad_input(source_, shown(gdal_.reason()), "a whole vector file");
+    constexpr int if_known = 0;
+    const GIntBig announced = layer.GetFeatureCount(if_known);
+    if (announced >= 0 && static_cast<std::size_t>(announced) != features_)
+      bad_input(source_, counted(features_, "feature"), std::to_string(announced) + " as the file says");
+    if (without_geometry_ > 0) file_.remarks.push_back(counted(without_geometry_, "feature") + " without a geometry");
+    return std::move(file_);
+  }
+
+ private:
+  OGRLayer& find_layer(GDALDataset& dataset, const std::optional<std::string>& name) const {
+    std::string names;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+      if (name ? *name == layer->GetName() : dataset.GetLayerCount() == 1) return *layer;
+      names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+    }
+    bad_input(source_, names.empty() ? "no layer" : "the layers " + names,
+              name ? "one called " + in_quotes(*name) : "--layer with the name of one");
+  }
+
+  void take_crs(const OGRLayer& layer) {
+    const OGRSpatialReference* system = const_cast<OGRLayer&>(layer).GetSpatialRef();  // which changes nothing
+    if (system == nullptr || system->IsEmpty()) return;
+    const char* authority = system->GetAuthorityName(nullptr);
+    const char* code = system->GetAuthorityCode(nullptr);
+    file_.degrees = system->IsGeographic() != 0;
+    if (authority != nullptr && code != nullptr)
+      file_.crs = Crs{.authority = authority, .code = code, .degrees = file_.degrees};
+    else
+      file_.remarks.push_back("the system of coordinates, " + in_quotes(system->GetName()) +
+                              ", has no code and is not carried over (--crs says one)");
+  }
+
+  void take(const OGRPoint& p) {
+    if (p.IsEmpty()) return;
+    const Point point{p.getX(), p.getY()};
+    if (!is_finite(point))
+      bad_input(source_ + ": feature " + std::to_string(features_), "a coordinate that is not finite", "numbers");
+    file_.points.push_back(point);
+  }
+
+  void take(const OGRSimpleCurve& line, bool ring) {
+    int count = line.getNumPoints();
+    const bool closes = count > 1 && line.getX(0) == line.getX(count - 1) && line.getY(0) == line.getY(count - 1);
+    if (ring && closes) --count;
+    for (int i = 0; i < count; ++i) take(OGRPoint(line.getX(i), line.getY(i)));
+  }
+
+  void take(const OGRGeometry& geometry) {
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    const bool is_collection = OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0;
+    if (type == wkbPoint) return take(*geometry.toPoint());
+    if (is_collection) {
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part);
+      return;
+    }
+    if (!vertices_)
+      bad_input(source_ + ": feature " + std::to_string(features_), geometry.getGeometryName(),
+                "POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)");
+    if (OGR_GT_IsSubClassOf(type, wkbLineString)) return take(*geometry.toSimpleCurve(), false);
+    if (OGR_GT_IsSubClassOf(type, wkbPolygon) == 0)
+      bad_input(source_ + ": feature " + std::to_string(features_), geometry.getGeometryName(),
+                "points, lines or polygons (ogr2ogr -nlt CONVERT_TO_LINEAR makes them)");
+    for (const OGRLinearRing* ring : *geometry.toPolygon()) take(*ring, true);
+  }
+
+  Gdal gdal_;
+  const std::string& source_;
+  bool vertices_;
+  PointFile file_ = {};
+  std::size_t features_ = 0, without_geometry_ = 0;
+};
+
+}  // namespace
+
+bool has_gdal() { return true; }
+
+PointFile read_ogr_points(const std::string& source, const std::optional<std::string>& layer, bool vertices) {
+  return OgrReader(source, vertices).read(layer);
+}
+
+namespace {
+
+const char* driver_of(Format format) {
+  if (format == Format::gpkg) return "GPKG";
+  return format == Format::fgb ? "FlatGeobuf" : "ESRI Shapefile";
+}
+
+/// A set of files that GDAL writes into memory: whole files are what is written to a disk.
+class OgrWriter {
+ public:
+  OgrWriter(Format format, const Shape& shape) : format_(format), shape_(shape), path_(path_of(format)) {
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(format));
+    if (driver == nullptr) fail(std::string("this GDAL has no driver ") + driver_of(format));
+    dataset_.reset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (!dataset_) fail(gdal_.reason());
+    // One for all features: a database would make one of each.
+    in_transaction_ = dataset_->TestCapability(ODsCTransactions) != 0 && dataset_->StartTransaction() == OGRERR_NONE;
+    if (!shape.crs) return;
+    system_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x is a longitude, whatever EPSG says
+    if (system_.SetFromUserInput(shape.crs->text().c_str()) != OGRERR_NONE)
+      fail("--crs " + shape.crs->text() + ": " + gdal_.reason());
+  }
+  ~OgrWriter() {
+    dataset_.reset();
+    for (const std::string& ending : ogr_endings(format_)) VSIUnlink(with(ending).c_str());
+  }
+  OgrWriter(const OgrWriter&) = delete;
+  OgrWriter& operator=(const OgrWriter&) = delete;
+
+  void write_polygons() {
+    OGRLayer& layer = create_layer("polygons", wkbPolygon);
+    for (const char* name : {"number", "holes", "points"}) add_field(layer, name, OFTInteger64);
+    for (const char* name : {"area", "perimeter"}) add_field(layer, name, OFTReal);
+    const std::vector<std::size_t> points = points_in_polygons(shape_);
+    for (std::size_t i = 0; i < shape_.polygons.size(); ++i) {
+      const Polygon& polygon = shape_.polygons[i];
+      OGRFeature feature(layer.GetLayerDefn());
+      set(feature, "number", i + 1);
+      set(feature, "holes", polygon.holes.size());
+      set(feature, "points", points[i]);
+      if (std::isfinite(polygon.area)) feature.SetField("area", polygon.area);
+      if (std::isfinite(polygon.perimeter)) feature.SetField("perimeter", polygon.perimeter);
+      OGRPolygon geometry;
+      add_ring(geometry, polygon.shell);
+      for (const Ring& hole : polygon.holes) add_ring(geometry, hole);
+      add(layer, feature, geometry, i);
+    }
+  }
+
+  void write_isolated() {
+    OGRLayer& layer = create_layer("isolated", wkbPoint);
+    add_field(layer, "index", OFTInteger64);
+    for (std::size_t i = 0; i < shape_.points.size(); ++i) {
+      if (shape_.polygon_of[i]) continue;
+      OGRFeature feature(layer.GetLayerDefn());
+      set(feature, "index", i);
+      const OGRPoint geometry(shape_.points[i].x, shape_.points[i].y);
+      add(layer, feature, geometry, i);
+    }
+  }
+
+  std::vector<OgrFile> files() {
+    if (in_transaction_ && dataset_->CommitTransaction() != OGRERR_NONE) fail(gdal_.reason());
+    dataset_.reset();  // writes what is left
+    if (gdal_.has_failed()) fail(gdal_.reason());
+    std::vector<OgrFile> files;
+    for (const std::string& ending : ogr_endings(format_)) {
+      vsi_l_offset size = 0;
+      const GByte* bytes = VSIGetMemFileBuffer(with(ending).c_str(), &size, 0);
+      if (bytes != nullptr) files.push_back({ending, {reinterpret_cast<const char*>(bytes), size}});
+    }
+    return files;
+  }
+
+ private:
+  /// A name of its own among the files in memory of this process.
+  static std::string path_of(Format format) {
+    static int count = 0;
+    return "/vsimem/rbpa-" + std::to_string(getpid()) + "-" + std::to_string(++count) + "." +
+           ogr_endings(format).front();
+  }
+  std::string with(const std::string& ending) const { return path_.substr(0, path_.rfind('.') + 1) + ending; }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Failure(std::string("cannot write ") + driver_of(format_) + ": " + why);
+  }
+
+  OGRLayer& create_layer(const char* name, OGRwkbGeometryType type) {
+    OGRLayer* layer = dataset_->CreateLayer(name, shape_.crs ? &system_ : nullptr, type, nullptr);
+    if (layer == nullptr) fail(gdal_.reason());
+    return *layer;
+  }
+  void add_field(OGRLayer& layer, const char* name, OGRFieldType type) const {
+    OGRFieldDefn field(name, type);
+    if (layer.CreateField(&field) != OGRERR_NONE) fail(gdal_.reason());
+  }
+  static void set(OGRFeature& feature, const char* name, std::size_t value) {
+    feature.SetField(name, static_cast<GIntBig>(value));
+  }
+  void add_ring(OGRPolygon& polygon, const Ring& ring) const {
+    auto line = std::make_unique<OGRLinearRing>();
+    for (const std::uint32_t i : ring.points) line->addPoint(shape_.points[i].x, shape_.points[i].y);
+    line->addPoint(shape_.points[ring.points.front()].x, shape_.points[ring.points.front()].y);
+    polygon.addRingDirectly(line.release());
+  }
+  void add(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& geometry, std::size_t index) const {
+    if (index % 1024 == 0) stop_if_interrupted();
+    feature.SetGeometry(&geometry);
+    if (layer.CreateFeature(&feature) != OGRERR_NONE) fail(gdal_.reason());
+  }
+
+  Gdal gdal_;
+  Format format_;
+  const Shape& shape_;
+  std::string path_;
+  OGRSpatialReference system_;
+  GDALDatasetUniquePtr dataset_;
+  bool in_transaction_ = false;
+};
+
+}  // namespace
+
+std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape) {
+  OgrWriter writer(format, shape);
+  writer.write_polygons();
+  if (format == Format::gpkg) writer.write_isolated();
+  return writer.files();
+}
+
+std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape) {
+  OgrWriter writer(format, shape);
+  writer.write_isolated();
+  return writer.files();
+}
+
+}  // namespace rbpa::app

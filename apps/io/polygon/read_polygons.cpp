@@ -1,0 +1,81 @@
+#include "io/polygon/read_polygons.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/bytes/gunzip.h"
+#include "io/bytes/input_bytes.h"
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/polygon/geojson.h"
+#include "io/polygon/wkt.h"
+#include "io/text/lines.h"
+
+namespace rbpa::app {
+namespace {
+
+PolygonFile parse(std::string_view bytes, const std::string& name, Format format) {
+  switch (format) {
+    case Format::geojson:
+      return read_geojson_polygons(bytes, name);
+    case Format::wkt:
+      return read_wkt_polygons(bytes, name);
+    default:
+      break;
+  }
+  return read_poly_polygons(bytes, name);
+}
+
+}  // namespace
+
+PolygonFile read_polygons(const std::string& path, Format format) {
+  InputBytes input(path, "a file of polygons");
+  if (is_gzip(input.bytes())) input.gunzip({});
+  if (input.bytes().empty()) bad_input(input.name(), "an empty file", "polygons");
+  return parse(input.bytes(), input.name(), format);
+}
+
+namespace {
+
+/// The words of a line; those behind the third are in the last.
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view separators = " \t,;";
+  std::vector<std::string_view> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(separators), line.size()));
+    if (line.empty()) return words;
+    const std::size_t size = std::min(line.find_first_of(separators), line.size());
+    words.push_back(line.substr(0, size));
+    line.remove_prefix(size);
+  }
+}
+
+}  // namespace
+
+std::vector<SizeAt> read_sizes(const std::string& path) {
+  InputBytes input(path, "a file of sizes");
+  if (is_gzip(input.bytes())) input.gunzip({});
+  std::vector<SizeAt> sizes;
+  Lines lines(input.bytes());
+  for (bool is_first = true; lines.next_with_content(); is_first = false) {
+    const std::vector<std::string_view> words = words_of(lines.line());
+    const std::string where = at_line(input.name(), lines.number());
+    if (words.size() != 3) bad_input(where, counted(words.size(), "value"), "three: x, y and size");
+    std::array<double, 3> value{};
+    bool is_header = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ParsedNumber number = parse_whole_number(words[i]);
+      is_header = is_header || (is_first && number.fault == NumberFault::not_a_number);
+      if (number.fault != NumberFault::none && !is_header)
+        bad_input(where, in_quotes(words[i]), expected_instead(number.fault));
+      value[i] = number.value;
+    }
+    if (is_header) continue;
+    if (!(value[2] > 0)) bad_input(where, "the size " + std::string(words[2]), "one above 0");
+    sizes.push_back({{value[0], value[1]}, value[2]});
+  }
+  if (sizes.empty()) bad_input(input.name(), "no size", "lines of x, y and size");
+  return sizes;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,110 @@
+// What: a shape as files of geographic information systems: its polygons, and the points that are in none.
+// Law:  the bytes depend on polygons and points alone; coordinates read back to the same doubles; points are in the order
+//       of the input.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/bytes/output_file.h"
+#include "io/crs.h"
+#include "rbpa/base/point.h"
+#include "rbpa/shape.h"
+
+namespace rbpa::app {
+
+struct Shape {
+  std::span<const Point> points;
+  std::span<const Polygon> polygons;
+  /// For each point the index of the polygon that it is in, if any.
+  std::span<const std::optional<std::uint32_t>> polygon_of;
+  std::optional<Crs> crs = std::nullopt;  ///< where it is known
+  bool degrees = false;                   ///< the points are longitudes and latitudes, whatever is known of the crs
+};
+
+/// How many points are in each polygon: each point counts in one.
+std::vector<std::size_t> points_in_polygons(const Shape& shape);
+
+/// The member "crs" and a comma, as the draft of 2008 has it; "" for WGS 84, which GeoJSON means by itself, and where
+/// nothing is known.
+std::string crs_member(const std::optional<Crs>& crs);
+
+/// Why readers may take the coordinates for something else, if they may.
+std::optional<std::string> geojson_caution(const Shape& shape);
+
+/// What is known of a polygon beside its rings.
+struct PolygonFacts {
+  double area = 0;
+  double perimeter = 0;
+  std::uint64_t holes = 0;
+  std::uint64_t points = 0;  ///< in it and in none before it
+};
+
+/// Who takes polygons ring by ring.
+class PolygonSink {
+ public:
+  PolygonSink() = default;
+  virtual ~PolygonSink() = default;
+  PolygonSink(const PolygonSink&) = delete;
+  PolygonSink& operator=(const PolygonSink&) = delete;
+
+  /// Its rings follow: the shell, then the holes, whose first points are not repeated; then end().
+  virtual void begin(const PolygonFacts& facts) = 0;
+  virtual void ring(std::span<const Point> points) = 0;
+  virtual void end() = 0;
+  /// That were all polygons.
+  virtual void finish() = 0;
+};
+
+/// GeoJSON (RFC 7946): a FeatureCollection with one Feature for each polygon, whose properties are "number", from 1,
+/// "area", "perimeter", "holes", how many, and "points". An area beyond the range of double is null. A system other than
+/// WGS 84 is a member "crs".
+class GeojsonWriter final : public PolygonSink {
+ public:
+  GeojsonWriter(OutputFile& file, const std::optional<Crs>& crs);
+  void begin(const PolygonFacts& facts) override;
+  void ring(std::span<const Point> points) override;
+  void end() override;
+  void finish() override;
+
+ private:
+  OutputFile& file_;
+  std::uint64_t number_ = 0;
+  bool any_ring_ = false;
+};
+
+/// Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
+class WktWriter final : public PolygonSink {
+ public:
+  explicit WktWriter(OutputFile& file) : file_(file) {}
+  void begin(const PolygonFacts& facts) override;
+  void ring(std::span<const Point> points) override;
+  void end() override;
+  void finish() override;
+
+ private:
+  OutputFile& file_;
+  bool any_ = false, any_ring_ = false;
+};
+
+/// GeoJSON (RFC 7946): a FeatureCollection with one Feature for each polygon, whose properties are "number", from 1,
+/// "area", "perimeter", "holes", how many, and "points", how many are in it and in none before it. An area beyond the
+/// range of double is null. A system other than WGS 84 is a member "crs".
+void write_geojson(OutputFile& file, const Shape& shape);
+
+/// Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
+void write_wkt(OutputFile& file, const Shape& shape);
+
+/// CSV: x,y,polygon for every point, polygons numbered from 1 as in GeoJSON; nothing where it is in none.
+void write_points_csv(OutputFile& file, const Shape& shape);
+
+/// The points in no polygon, with their indices in the input from 0: CSV x,y,index; a GeoJSON FeatureCollection of Points
+/// with "index"; or one MULTIPOINT.
+void write_isolated_csv(OutputFile& file, const Shape& shape);
+void write_isolated_geojson(OutputFile& file, const Shape& shape);
+void write_isolated_wkt(OutputFile& file, const Shape& shape);
+
+}  // namespace rbpa::app

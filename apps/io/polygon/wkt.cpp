@@ -1,0 +1,252 @@
+#include "io/polygon/wkt.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/text/lines.h"
+
+namespace rbpa::app {
+namespace {
+
+/// A kind of geometry, and how many brackets are around its positions.
+struct Kind {
+  std::string_view name;
+  int depth;
+  bool rings = false;
+};
+constexpr Kind kinds[] = {{"POINT", 1},
+                          {"MULTIPOINT", 1},
+                          {"LINESTRING", 1},
+                          {"MULTILINESTRING", 2},
+                          {"TRIANGLE", 2, true},
+                          {"POLYGON", 2, true},
+                          {"MULTIPOLYGON", 3, true},
+                          {"TIN", 3, true},
+                          {"POLYHEDRALSURFACE", 3, true}};
+
+/// Collections may be in collections; nobody needs more of them than this.
+constexpr int deepest = 32;
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+std::string in_capitals(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+bool is_dimension(std::string_view word) { return word == "Z" || word == "M" || word == "ZM"; }
+
+}  // namespace
+
+void WktGeometries::skip_space() {
+  while (!text_.empty() && is_space(text_.front())) text_.remove_prefix(1);
+}
+
+std::string_view WktGeometries::take_word() {
+  skip_space();
+  std::size_t size = 0;
+  while (size < text_.size() && std::isalpha(static_cast<unsigned char>(text_[size])) != 0) ++size;
+  const std::string_view word = text_.substr(0, size);
+  text_.remove_prefix(size);
+  return word;
+}
+
+bool WktGeometries::take_sign(char sign) {
+  skip_space();
+  if (text_.empty() || text_.front() != sign) return false;
+  text_.remove_prefix(1);
+  return true;
+}
+
+void WktGeometries::expect_sign(char sign) {
+  if (!take_sign(sign)) refuse(in_quotes({&sign, 1}));
+}
+
+void WktGeometries::refuse(const std::string& expected) const {
+  const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
+  throw WktFault{text_.data(), text_.empty() ? "the end of the text" : in_quotes(text_.substr(0, end)), expected};
+}
+
+void WktGeometries::take_srid() {
+  const std::string_view before = text_;
+  if (in_capitals(take_word()) != "SRID" || !take_sign('=')) {
+    text_ = before;
+    return;
+  }
+  skip_space();
+  const std::size_t digits = std::min(text_.find_first_not_of("0123456789"), text_.size());
+  if (digits == 0 || digits > 9) refuse("the number of a coordinate reference system");
+  const std::string code(text_.substr(0, digits));
+  text_.remove_prefix(digits);
+  expect_sign(';');
+  if (code.find_first_not_of('0') == std::string::npos) return;  // unknown
+  const std::optional<Crs> crs = crs_of_name("EPSG:" + code);
+  if (crs_ && crs_->code != crs->code)
+    throw WktFault{before.data(), "SRID=" + code, "one system for all points, SRID=" + crs_->code};
+  crs_ = crs;
+}
+
+bool WktGeometries::next(std::vector<Point>& points) {
+  do skip_space();
+  while (take_sign(';'));  // some write one behind each
+  if (text_.empty()) return false;
+  take_srid();
+  take_geometry(points, 0);
+  if (polygons_ != nullptr) ++polygons_->features;
+  return true;
+}
+
+void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
+  skip_space();
+  const std::string_view begin = text_;
+  std::string name = in_capitals(take_word());
+  measured_ = false;
+  // "POINT Z (", "POINTZ(" and "POINT(" are all in use.
+  const auto is_known = [&](std::string_view word) {
+    return word == "GEOMETRYCOLLECTION" ||
+           std::any_of(std::begin(kinds), std::end(kinds), [&](const Kind& kind) { return kind.name == word; });
+  };
+  for (const std::string_view dimension : {"ZM", "Z", "M"})
+    if (!is_known(name) && name.ends_with(dimension)) {
+      name.resize(name.size() - dimension.size());
+      measured_ = dimension == "M";
+    }
+  if (!is_known(name)) {
+    text_ = begin;
+    refuse("a geometry, such as 'POINT (1 2)'");
+  }
+  const std::string_view behind_name = text_;
+  std::string word = in_capitals(take_word());
+  if (is_dimension(word)) {
+    measured_ = word == "M";
+    word = in_capitals(take_word());
+  }
+  if (word == "EMPTY") return;
+  if (!word.empty()) {
+    text_ = behind_name;
+    refuse("'(' or EMPTY");
+  }
+  if (name == "GEOMETRYCOLLECTION") {
+    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " collections in each other");
+    expect_sign('(');
+    do take_geometry(points, depth + 1);
+    while (take_sign(','));
+    return expect_sign(')');
+  }
+  const Kind& kind = *std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
+  if (polygons_ != nullptr && !kind.rings) throw WktFault{begin.data(), name, "POLYGON or MULTIPOLYGON"};
+  if (name == "POINT") {
+    expect_sign('(');
+    take_position(points);
+    return expect_sign(')');
+  }
+  if (name == "MULTIPOINT") return take_list(points);
+  if (!vertices_)
+    throw WktFault{begin.data(), name, "POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)"};
+  const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
+  take_lists(points, kind.depth, kind.rings);
+  if (polygons_ != nullptr && polygons_->polygons.size() > before)
+    polygons_->geometries.push_back({before, polygons_->features});
+}
+
+/// As many brackets around each other as the kind has; the innermost are lines, or rings, which end where they begin.
+void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
+  if (brackets == 1) return rings ? take_ring(points) : take_list(points);
+  if (take_empty()) return;
+  if (brackets == 2 && polygons_ != nullptr) polygons_->polygons.emplace_back();
+  expect_sign('(');
+  do take_lists(points, brackets - 1, rings);
+  while (take_sign(','));
+  expect_sign(')');
+}
+
+void WktGeometries::take_ring(std::vector<Point>& points) {
+  const std::size_t first = points.size();
+  take_list(points);
+  if (points.size() > first + 1 && points.back() == points[first]) points.pop_back();
+  if (polygons_ == nullptr) return;
+  Polygon& polygon = polygons_->polygons.back();
+  Ring& ring = polygon.shell.points.empty() ? polygon.shell : polygon.holes.emplace_back();
+  for (std::size_t i = first; i < points.size(); ++i) ring.points.push_back(static_cast<std::uint32_t>(i));
+}
+
+bool WktGeometries::take_empty() {
+  skip_space();
+  if (in_capitals(text_.substr(0, 5)) != "EMPTY") return false;
+  text_.remove_prefix(5);
+  return true;
+}
+
+/// "(1 2, 3 4)" or "((1 2), (3 4))" or "EMPTY"; the second is how MULTIPOINT is meant to be, the first how it is written.
+void WktGeometries::take_list(std::vector<Point>& points) {
+  if (take_empty()) return;
+  expect_sign('(');
+  do {
+    if (take_empty()) continue;
+    if (take_sign('(')) {
+      take_position(points);
+      expect_sign(')');
+    } else {
+      take_position(points);
+    }
+  } while (take_sign(','));
+  expect_sign(')');
+}
+
+/// Two to four numbers, of which the first two count.
+void WktGeometries::take_position(std::vector<Point>& points) {
+  double coordinate[2] = {0, 0};
+  for (int i = 0; i < 4; ++i) {
+    skip_space();
+    if (i >= 2 && (text_.empty() || text_.front() == ',' || text_.front() == ')')) break;
+    const ParsedNumber number = parse_number(text_.data(), text_.data() + text_.size());
+    if (number.fault != NumberFault::none) {
+      // Found is the word alone.
+      const std::size_t size = std::min(text_.find_first_of(" \t\r\n,()"), text_.size());
+      if (size > 0) throw WktFault{text_.data(), in_quotes(text_.substr(0, size)), expected_instead(number.fault)};
+      refuse("a number");
+    }
+    if (i < 2) coordinate[i] = number.value;
+    if (i == 2 && !measured_) heights_.take(number.value);
+    text_.remove_prefix(static_cast<std::size_t>(number.end - text_.data()));
+    if (!text_.empty() && !is_space(text_.front()) && text_.front() != ',' && text_.front() != ')')
+      refuse("a blank, ',' or ')' behind a number");
+  }
+  points.push_back({coordinate[0], coordinate[1]});
+}
+
+namespace {
+
+PointFile read_all(WktGeometries& geometries, std::string_view text, const std::string& name) {
+  PointFile file;
+  try {
+    for (std::size_t i = 0; geometries.next(file.points); ++i)
+      if (i % 16384 == 0) stop_if_interrupted();
+  } catch (const WktFault& fault) {
+    const std::size_t before = count_line_ends(text.substr(0, static_cast<std::size_t>(fault.at - text.data())));
+    bad_input(at_line(name, before + 1), fault.found, fault.expected);
+  }
+  file.crs = geometries.crs();
+  file.heights = geometries.heights();
+  return file;
+}
+
+}  // namespace
+
+PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices) {
+  WktGeometries geometries(text, vertices);
+  return read_all(geometries, text, name);
+}
+
+PolygonFile read_wkt_polygons(std::string_view text, const std::string& name) {
+  PolygonFile file;
+  WktGeometries geometries(text, file);
+  file.vertices = read_all(geometries, text, name);
+  return file;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,169 @@
+#include "io/text/columns.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <iterator>
+#include <string>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/text/lines.h"
+
+namespace rbpa::app {
+namespace {
+
+Column parse_column(std::string_view text) {
+  // What is a number is no name: -1 and 1.5 are mistakes.
+  const NumberFault fault = parse_whole_number(text).fault;
+  if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
+    return {.number = 0, .name = std::string(text)};
+  Column column;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), column.number);
+  if (error != std::errc() || end != text.data() + text.size() || column.number == 0)
+    throw WrongUsage("--columns: found " + in_quotes(text) + ", expected a column number from 1 or a column name");
+  return column;
+}
+
+}  // namespace
+
+void refuse_one_column(std::string_view columns) {
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", which is one column, expected two");
+}
+
+void refuse_repeated_column(std::string_view columns) {
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", of which two are one column, expected different ones");
+}
+
+std::vector<Column> parse_columns(const std::string& text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view x = trimmed(std::string_view(text).substr(0, comma));
+  const std::string_view y = trimmed(std::string_view(text).substr(std::min(comma + 1, text.size())));
+  if (x.empty() || y.empty() || y.find(',') != std::string_view::npos)
+    throw WrongUsage("--columns: found " + in_quotes(text) + ", expected X,Y (two column numbers or names)");
+  std::vector<Column> columns = {parse_column(x), parse_column(y)};
+  if (columns[0] == columns[1]) refuse_one_column(text);
+  return columns;
+}
+
+std::vector<Column> parse_space_columns(const std::string& text) {
+  const auto refuse = [&] {
+    throw WrongUsage("--columns: found " + in_quotes(text) +
+                     ", expected X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
+  };
+  std::vector<Column> columns;
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', first), text.size());
+    const std::string_view word = trimmed(std::string_view(text).substr(first, comma - first));
+    if (word.empty()) refuse();
+    columns.push_back(parse_column(word));
+    first = comma + 1;
+  }
+  if (columns.size() != 3 && columns.size() != 6) refuse();
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
+        columns.begin() + static_cast<std::ptrdiff_t>(i))
+      refuse_repeated_column(text);
+  return columns;
+}
+
+namespace {
+
+/// Names that go together. Letters and digits count, small; what is in brackets, a unit, does not.
+struct Names {
+  std::vector<std::string_view> x, y;
+  bool degrees = false;
+};
+const std::vector<Names>& known_names() {
+  static const std::vector<Names> known = {
+      {{"lon", "lng", "long", "longitude", "decimallongitude", "longitudedeg", "londeg"},
+       {"lat", "latitude", "decimallatitude", "latitudedeg", "latdeg"},
+       true},
+      {{"x", "xcoord", "xcoordinate", "coordx", "coordinatex", "xcoor", "pointx", "posx", "positionx", "utmx"},
+       {"y", "ycoord", "ycoordinate", "coordy", "coordinatey", "ycoor", "pointy", "posy", "positiony", "utmy"}},
+      {{"easting", "eastings", "east", "e", "utmeasting", "rechtswert", "ostwert"},
+       {"northing", "northings", "north", "n", "utmnorthing", "hochwert", "nordwert"}}};
+  return known;
+}
+constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", "coordz",    "coordinatez", "zcoor",
+                                             "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
+constexpr std::string_view normal_names[3][4] = {
+    {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
+constexpr std::string_view color_names[3][4] = {
+    {"r", "red", "colorr", "colourr"}, {"g", "green", "colorg", "colourg"}, {"b", "blue", "colorb", "colourb"}};
+constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
+                                          "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
+
+std::string folded(std::string_view name) {
+  std::string result;
+  for (const char c : name.substr(0, std::min(name.find_first_of("(["), name.size())))
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// The first column that has one of the names.
+template <typename Known>
+std::optional<std::size_t> find_first(const std::vector<std::string>& header, const Known& names) {
+  const auto found = std::find_first_of(header.begin(), header.end(), std::begin(names), std::end(names));
+  if (found == header.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+std::vector<std::string> all_folded(const std::vector<std::string_view>& header) {
+  std::vector<std::string> names;
+  for (const std::string_view name : header) names.push_back(folded(name));
+  return names;
+}
+
+bool is_one_of(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), folded(name)) != names.end();
+}
+
+}  // namespace
+
+std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header) {
+  const std::vector<std::string> names = all_folded(header);
+  std::optional<NamedColumns> best;
+  const auto first_of = [](const NamedColumns& found) { return std::min(found.x, found.y); };
+  for (const Names& known : known_names()) {
+    const std::optional<std::size_t> x = find_first(names, known.x), y = find_first(names, known.y);
+    if (!x || !y) continue;
+    const NamedColumns found{*x, *y, known.degrees};
+    if (!best || first_of(found) < first_of(*best)) best = found;
+  }
+  return best;
+}
+
+std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>& header) {
+  const std::vector<std::string> names = all_folded(header);
+  const std::optional<NamedColumns> plane = find_coordinates(header);
+  const std::optional<std::size_t> z = find_first(names, height_names);
+  if (!plane || !z) return {};
+  std::vector<std::size_t> places = {plane->x, plane->y, *z};
+  for (const auto& axis : normal_names)
+    if (const std::optional<std::size_t> n = find_first(names, axis)) places.push_back(*n);
+  if (places.size() < 6) places.resize(3);
+  return places;
+}
+
+std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>& header) {
+  const std::vector<std::string> names = all_folded(header);
+  std::vector<std::size_t> places;
+  for (const auto& channel : color_names)
+    if (const std::optional<std::size_t> place = find_first(names, channel)) places.push_back(*place);
+  return places.size() == 3 ? places : std::vector<std::size_t>();
+}
+
+std::optional<std::size_t> find_height(const std::vector<std::string_view>& header) {
+  return find_first(all_folded(header), height_names);
+}
+
+bool is_longitude(std::string_view name) { return is_one_of(known_names().front().x, name); }
+bool is_latitude(std::string_view name) { return is_one_of(known_names().front().y, name); }
+
+std::optional<std::size_t> find_wkt(const std::vector<std::string_view>& header) {
+  return find_first(all_folded(header), wkt_names);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,274 @@
+#include "io/text/condition.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+using Step = Condition::Step;
+using Instructions = std::vector<Condition::Instruction>;
+
+constexpr std::pair<std::string_view, Step> comparisons[] = {
+    {"==", Step::equal},      {"=", Step::equal},          {"!=", Step::not_equal}, {"<>", Step::not_equal},
+    {"<=", Step::less_equal}, {">=", Step::greater_equal}, {"<", Step::less},       {">", Step::greater}};
+
+/// Letters beyond ASCII are letters.
+bool is_of_word(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) != 0 || c == '_' || c == '.' || byte >= 0x80;
+}
+
+bool is_quote(char c) { return c == '"' || c == '\''; }
+
+std::string_view unquoted(std::string_view word) {
+  return word.size() > 2 && is_quote(word.front()) ? word.substr(1, word.size() - 2) : word;
+}
+
+/// Recursive descent, a function for each rule of the grammar.
+class Parser {
+ public:
+  Parser(const std::string& text, const FieldNames& names, Instructions& result, std::vector<std::string>& fields,
+         std::vector<Condition::Text>& texts)
+      : rest_(text), names_(names), result_(result), fields_(fields), texts_(texts) {}
+
+  void parse() {
+    take();
+    take_alternatives(0);
+    if (!word_.empty()) refuse("and, or, or the end");
+  }
+
+ private:
+  static constexpr int deepest = 100;  // brackets in brackets
+
+  /// Goes to the next word: a name, perhaps in quotes, a number or a sign.
+  void take() {
+    while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front())) != 0) rest_.remove_prefix(1);
+    std::size_t size = 0;
+    if (!rest_.empty() && is_quote(rest_.front())) size = std::min(rest_.find(rest_.front(), 1), rest_.size() - 1) + 1;
+    while ((size == 0 || !is_quote(rest_.front())) && size < rest_.size() && is_of_word(rest_[size])) {
+      ++size;
+      const bool exponent =
+          (rest_[size - 1] == 'e' || rest_[size - 1] == 'E') && (is_digit(rest_.front()) || rest_.front() == '.');
+      if (exponent && size < rest_.size() && (rest_[size] == '-' || rest_[size] == '+')) ++size;
+    }
+    if (size == 0 && !rest_.empty()) {
+      constexpr std::string_view pairs[] = {"==", "!=", "<>", "<=", ">=", "&&", "||"};
+      const std::string_view two = rest_.substr(0, 2);
+      size = std::find(std::begin(pairs), std::end(pairs), two) == std::end(pairs) ? 1 : 2;
+    }
+    word_ = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+  }
+
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+  bool is(std::string_view word, std::string_view sign = "") const {
+    if (!sign.empty() && word_ == sign) return true;
+    return std::equal(word_.begin(), word_.end(), word.begin(), word.end(),
+                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+  }
+
+  bool take_if(std::string_view word, std::string_view sign = "") {
+    if (!is(word, sign)) return false;
+    take();
+    return true;
+  }
+
+  [[noreturn]] void refuse(const std::string& expected) const {
+    throw WrongUsage("--where: found " + (word_.empty() ? "the end" : in_quotes(word_)) + ", expected " + expected);
+  }
+
+  void take_alternatives(int depth) {
+    take_conjunction(depth);
+    while (take_if("or", "||")) {
+      take_conjunction(depth);
+      result_.push_back({Step::either});
+    }
+  }
+
+  void take_conjunction(int depth) {
+    take_term(depth);
+    while (take_if("and", "&&")) {
+      take_term(depth);
+      result_.push_back({Step::both});
+    }
+  }
+
+  void take_term(int depth) {
+    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " brackets in each other");
+    if (take_if("not", "!")) {
+      take_term(depth + 1);
+      result_.push_back({Step::negation});
+    } else if (take_if("(")) {
+      take_alternatives(depth + 1);
+      if (!take_if(")")) refuse("')'");
+    } else {
+      take_comparison();
+    }
+  }
+
+  /// Whether the next word is a text in quotes of either kind.
+  bool is_text() const {
+    return names_.texts && word_.size() > 1 && is_quote(word_.front()) && word_.back() == word_.front();
+  }
+
+  /// Appends whether the field is the text that is next.
+  void take_text(const std::string& field) {
+    result_.push_back({Step::text, 0, texts_.size()});
+    texts_.push_back({field, std::string(word_.substr(1, word_.size() - 2))});
+    take();
+  }
+
+  /// What is to be compared with a text is no number.
+  std::string name_of(const Condition::Instruction& left, std::size_t known) {
+    if (left.step != Step::field) refuse("a number or " + names_.described);
+    std::string name = fields_[left.field];
+    if (fields_.size() > known) fields_.pop_back();
+    return name;
+  }
+
+  void take_texts(const std::string& field, bool negated) {
+    for (bool first = true;; first = false) {
+      if (!is_text()) refuse("a text in quotes, as before");
+      take_text(field);
+      if (!first) result_.push_back({Step::either});
+      if (!take_if(",")) break;
+    }
+    if (!take_if(")")) refuse("',' or ')'");
+    if (negated) result_.push_back({Step::negation});
+  }
+
+  void take_comparison() {
+    const std::size_t known = fields_.size();
+    Condition::Instruction left = take_operand();
+    if (is("in") || is("not")) return take_list(left, known, take_if("not"));
+    std::optional<Step> step = take_sign();
+    if (step && is_text()) {
+      if (*step != Step::equal && *step != Step::not_equal) refuse("a number (a text is compared with == and !=)");
+      take_text(name_of(left, known));
+      if (*step == Step::not_equal) result_.push_back({Step::negation});
+      return;
+    }
+    result_.push_back(left);
+    if (!step) return;
+    // 0 < z < 10 is 0 < z and z < 10.
+    for (bool first = true; step; first = false, step = take_sign()) {
+      if (!first) result_.push_back(left);
+      left = take_operand();
+      result_.push_back(left);
+      result_.push_back({*step});
+      if (!first) result_.push_back({Step::both});
+    }
+  }
+
+  void take_list(const Condition::Instruction& left, std::size_t known, bool negated) {
+    if (!take_if("in")) refuse("in");
+    if (!take_if("(")) refuse("'('");
+    if (is_text()) return take_texts(name_of(left, known), negated);
+    bool first = true;
+    do {
+      result_.push_back(left);
+      result_.push_back(take_operand());
+      result_.push_back({Step::equal});
+      if (!first) result_.push_back({Step::either});
+      first = false;
+    } while (take_if(","));
+    if (!take_if(")")) refuse("',' or ')'");
+    if (negated) result_.push_back({Step::negation});
+  }
+
+  std::optional<Step> take_sign() {
+    for (const auto& [sign, step] : comparisons)
+      if (take_if(sign)) return step;
+    return std::nullopt;
+  }
+
+  Condition::Instruction take_operand() {
+    const bool negative = take_if("-");
+    const ParsedNumber number = parse_whole_number(word_);
+    if (number.fault == NumberFault::none) {
+      take();
+      return {Step::number, negative ? -number.value : number.value};
+    }
+    if (negative) refuse("a number");
+    const bool keyword = is("and") || is("or") || is("not") || is("in");
+    if (keyword || !names_.are(word_)) refuse("a number or " + names_.described);
+    const std::string name(unquoted(word_));
+    take();
+    const auto known = std::find(fields_.begin(), fields_.end(), name);
+    const auto index = static_cast<std::size_t>(known - fields_.begin());
+    if (known == fields_.end()) fields_.push_back(name);
+    return {Step::field, 0, index};
+  }
+
+  std::string_view rest_;
+  std::string_view word_;  // the next one, empty at the end
+  const FieldNames& names_;
+  Instructions& result_;
+  std::vector<std::string>& fields_;
+  std::vector<Condition::Text>& texts_;
+};
+
+double evaluated(Step step, double a, double b) {
+  switch (step) {
+    case Step::equal:
+      return a == b ? 1 : 0;
+    case Step::not_equal:
+      return a != b ? 1 : 0;
+    case Step::less:
+      return a < b ? 1 : 0;
+    case Step::less_equal:
+      return a <= b ? 1 : 0;
+    case Step::greater:
+      return a > b ? 1 : 0;
+    case Step::greater_equal:
+      return a >= b ? 1 : 0;
+    case Step::both:
+      return a != 0 && b != 0 ? 1 : 0;
+    default:
+      return a != 0 || b != 0 ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+FieldNames names_of_columns() {
+  const auto are = [](std::string_view word) {
+    if (word.empty()) return false;
+    return is_of_word(word.front()) || (word.size() > 2 && word.front() == '"' && word.back() == '"');
+  };
+  return {are, "the name of a column (in double quotes where it is no word)", true};
+}
+
+Condition::Condition(const std::string& text, const FieldNames& names) {
+  Parser(text, names, instructions_, fields_, texts_).parse();
+}
+
+bool Decision::operator()(std::span<const double> values) {
+  stack_.clear();
+  for (const Condition::Instruction& instruction : instructions_) {
+    if (instruction.step == Step::number) {
+      stack_.push_back(instruction.number);
+    } else if (instruction.step == Step::field) {
+      stack_.push_back(values[instruction.field]);
+    } else if (instruction.step == Step::text) {
+      stack_.push_back(values[first_text_ + instruction.field]);
+    } else if (instruction.step == Step::negation) {
+      stack_.back() = stack_.back() == 0 ? 1 : 0;
+    } else {
+      const double right = stack_.back();
+      stack_.pop_back();
+      stack_.back() = evaluated(instruction.step, stack_.back(), right);
+    }
+  }
+  return stack_.back() != 0;
+}
+
+}  // namespace rbpa::app

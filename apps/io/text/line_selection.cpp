@@ -1,0 +1,29 @@
+#include "io/text/line_selection.h"
+
+#include "io/text/fields.h"
+
+namespace rbpa::app {
+
+void LineSelection::find_columns(const std::vector<std::string_view>& names, const Lines& lines,
+                                 const std::string& name) {
+  if (!where_) return;
+  if (names.empty()) bad_input(name, "no header line", "one with the names that --where asks for");
+  for (const std::string& field : where_->fields()) columns_.push_back(find_column(names, field, lines, name));
+  for (const Condition::Text& text : where_->texts())
+    text_columns_.push_back(find_column(names, text.field, lines, name));
+  values_.resize(columns_.size() + text_columns_.size());
+  holds_.emplace(*where_);
+}
+
+void LineSelection::tell(bool any_points, const std::string& name, std::vector<std::string>& remarks) const {
+  if (holds_)
+    remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
+                      " are as --where asks");
+  if (skipped_ == 0) return;
+  if (!any_points && deselected_ == 0)
+    bad_input(name, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
+  remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
+                    " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
+}
+
+}  // namespace rbpa::app

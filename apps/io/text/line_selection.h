@@ -1,0 +1,89 @@
+// What: which lines of a table count: those that are as `--where` asks and, where others are left out, are what is read.
+// Law:  every line with content is taken, deselected, or left out and counted.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/text/condition.h"
+#include "io/text/fields.h"
+
+namespace rbpa::app {
+
+constexpr std::string_view of_where =
+    " in a column that --where asks for (== \"...\" compares a text)";  ///< behind what a number is expected to be
+
+class LineSelection {
+ public:
+  LineSelection(std::optional<Condition> where, bool skip_invalid)
+      : where_(std::move(where)), skip_invalid_(skip_invalid) {}
+
+  bool has_condition() const { return where_.has_value(); }
+
+  /// The columns of the condition, by the header of the file `name`, in the current line. `names` are its fields; none
+  /// where there is no header, which is refused. Throws BadInput.
+  void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
+
+  /// Whether a line is as the condition asks. Of its fields read(fields) makes the numbers that are asked for, and
+  /// take_width(n) judges how many there are.
+  template <typename Read, typename TakeWidth>
+  bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
+    if (!where_) return true;
+    std::size_t count = 0;
+    for (; !fields.at_end(); ++count) {
+      if (std::find(text_columns_.begin(), text_columns_.end(), count) != text_columns_.end())
+        compare_texts(count, without_quotes(Fields(fields).take()));
+      if (std::find(columns_.begin(), columns_.end(), count) == columns_.end()) {
+        fields.take();
+        continue;
+      }
+      const double value = read(fields);
+      for (std::size_t i = 0; i < columns_.size(); ++i)  // which may have been named in two ways
+        if (columns_[i] == count) values_[i] = value;
+    }
+    take_width(count);
+    const bool counts = (*holds_)(values_);
+    ++(counts ? selected_ : deselected_);
+    return counts;
+  }
+
+  /// Takes a line; one that take() refuses is left out, or the refusal stands.
+  template <typename Take>
+  void attempt(const Take& take) {
+    try {
+      take();
+    } catch (const BadInput& refusal) {
+      if (!skip_invalid_) throw;
+      if (skipped_++ == 0) first_skipped_ = refusal.what();
+    }
+  }
+
+  /// For messages about a line that would be left out.
+  std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are no point)"; }
+
+  /// What was selected, and what was left out. Throws BadInput when that is all there was.
+  void tell(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
+
+ private:
+  void compare_texts(std::size_t column, std::string_view found) {
+    for (std::size_t i = 0; i < text_columns_.size(); ++i)
+      if (text_columns_[i] == column) values_[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
+  }
+
+  std::optional<Condition> where_;
+  bool skip_invalid_;
+  std::vector<std::size_t> columns_ = {};       // of the condition's fields
+  std::vector<std::size_t> text_columns_ = {};  // of its texts
+  std::vector<double> values_ = {};
+  std::optional<Decision> holds_ = std::nullopt;
+  std::size_t selected_ = 0, deselected_ = 0, skipped_ = 0;
+  std::string first_skipped_ = {};
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,101 @@
+// What: a text as its lines, and a line as its words.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+inline std::string_view trimmed(std::string_view text) {
+  const char* first = text.data();
+  const char* last = first + text.size();
+  while (first != last && is_blank(*first)) ++first;
+  while (first != last && is_blank(last[-1])) --last;
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
+/// How often a line ends in `text`. Throws Cancelled.
+inline std::size_t count_line_ends(std::string_view text) {
+  constexpr std::size_t block_size = 240;  // so that a count fits into a byte, and many lie in one register
+  std::size_t count = 0;
+  for (std::size_t blocks = 0; !text.empty(); ++blocks) {
+    if (blocks % 65536 == 0) stop_if_interrupted();
+    const std::string_view block = text.substr(0, block_size);
+    std::uint8_t ends = 0;
+    for (const char c : block) ends = static_cast<std::uint8_t>(ends + (c == '\n' ? 1 : 0));
+    count += ends;
+    text.remove_prefix(block.size());
+  }
+  return count;
+}
+
+/// The lines of a text one after the other, without their ends (LF or CRLF) and without blanks around them.
+class Lines {
+ public:
+  /// `before` lines were there before `text`.
+  explicit Lines(std::string_view text, std::size_t before = 0)
+      : at_(text.data()), end_(text.data() + text.size()), number_(before) {}
+
+  /// Goes to the next line; false when there is none. Throws Cancelled.
+  bool next() {
+    if (at_ == end_) return false;
+    const auto left = static_cast<std::size_t>(end_ - at_);
+    const char* stop = static_cast<const char*>(std::memchr(at_, '\n', left));
+    if (stop == nullptr) stop = end_;
+    line_ = trimmed({at_, static_cast<std::size_t>(stop - at_)});
+    at_ = stop == end_ ? end_ : stop + 1;
+    if (++number_ % 65536 == 0) stop_if_interrupted();  // also where line after line is passed over
+    return true;
+  }
+  /// next(), passing over blank lines and lines that begin with '#'.
+  bool next_with_content() {
+    while (next())
+      if (!line_.empty() && line_.front() != '#') return true;
+    return false;
+  }
+
+  /// The next line was read elsewhere, up to `behind` its last character: goes to the line after its end.
+  void pass_line(const char* behind) {
+    at_ = behind == end_ ? end_ : behind + 1;
+    ++number_;
+  }
+
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }                                         ///< of the line, from 1
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< behind the line
+
+ private:
+  const char* at_;
+  const char* end_;
+  std::string_view line_;
+  std::size_t number_;
+};
+
+/// Takes the first word from the front of `text`; empty when there is none left.
+inline std::string_view take_word(std::string_view& text) {
+  std::size_t first = 0;
+  while (first < text.size() && is_blank(text[first])) ++first;
+  std::size_t last = first;
+  while (last < text.size() && !is_blank(text[last])) ++last;
+  const std::string_view word = text.substr(first, last - first);
+  text.remove_prefix(last);
+  return word;
+}
+
+/// Where in `first`, of which `lines` reads, so many lines with content end; each that is not there takes two bytes more.
+inline double end_of_lines(std::string_view first, Lines lines, double count) {
+  std::size_t end = first.size() - lines.rest().size();
+  for (; count > 0 && lines.next_with_content(); --count) {
+    if (lines.rest().empty() && first.back() != '\n') break;  // it may go on
+    end = first.size() - lines.rest().size();
+  }
+  return static_cast<double>(end) + 2 * count;
+}
+
+}  // namespace rbpa::app
