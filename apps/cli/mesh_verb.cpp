@@ -34,7 +34,7 @@ Complex parse_complex(const MeshArguments& arguments, const Method& method) {
 }
 
 /// A complex as arrays, and as the mesh that they are from where the method makes one.
-struct Made {
+struct ComputedComplex {
   Complex kind;
   std::optional<Hierarchy> hierarchy = std::nullopt;
   Triangulation arrays = {};  ///< with a mesh, without neighbours
@@ -46,11 +46,11 @@ struct Made {
 };
 
 /// `connected`: pictures or counts are made of it.
-Made make(const ComplexRun& run, Complex kind, bool connected) {
+ComputedComplex make(const ComplexRun& run, Complex kind, bool connected) {
   const ComplexRequest& request = run.request;
   if (!request.method.makes_mesh())
     return {.kind = kind, .arrays = build_arrays(run.points, run.alpha, kind, connected, request.options)};
-  Made made{.kind = kind, .hierarchy = build(run.points, run.alpha, request.method, request.options)};
+  ComputedComplex made{.kind = kind, .hierarchy = build(run.points, run.alpha, request.method, request.options)};
   const SolidAlphaComplex& complex = made.hierarchy->complex;
   made.arrays.triangles = triangles(complex);
   made.arrays.isolated = complex.isolated;
@@ -59,8 +59,8 @@ Made make(const ComplexRun& run, Complex kind, bool connected) {
   return made;
 }
 
-void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const ComplexRun& run, const Made& made,
-                   bool compacted) {
+void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const ComplexRun& run,
+                   const ComputedComplex& made, bool compacted) {
   const ProgressLine line("rbpa", run.request.shows_writing, "writing");
   const TriangleMesh whole{run.points, made.arrays.triangles, made.arrays.edges, made.arrays.points};
   std::optional<CompactMesh> compact;
@@ -83,7 +83,7 @@ void write_targets(OutputSet& outputs, const std::vector<Target>& targets, const
   }
 }
 
-std::string said(const Made& made) {
+std::string said(const ComputedComplex& made) {
   const Triangulation& arrays = made.arrays;
   std::string text = counted(arrays.triangles.size(), "triangle");
   if (made.kind == Complex::solid) return text + ", " + std::to_string(arrays.isolated.size()) + " isolated";
@@ -104,7 +104,7 @@ void run_mesh(const MeshArguments& arguments) {
       std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
 
   ComplexRun run = begin_run(std::move(request));
-  const Made made = make(run, kind, any_picture || arguments.stats);
+  const ComputedComplex made = make(run, kind, any_picture || arguments.stats);
   run.stats.build_seconds = run.watch.lap();
 
   OutputSet outputs;

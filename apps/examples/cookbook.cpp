@@ -112,7 +112,7 @@ std::vector<Vertex> shortest_path(const Mesh& mesh, Vertex from, Vertex to) {
   return path;
 }
 
-// A loop around each hole but one, and two for each handle; short ones, when told the lengths of the edges.
+// A loop around each hole but one, and two for each handle; short ones, given the lengths of the edges.
 std::vector<Loop> short_loops(const Mesh& mesh) {
   std::vector<double> lengths(mesh.n_edges(), 0);
   for_each_edge(mesh, [&](Edge e) {

@@ -18,7 +18,7 @@ std::string short_number(double value);
 std::string short_duration(double seconds);
 
 /// One line on standard error, rewritten a few times a second, and gone with this object. It goes on by itself, also
-/// while the program waits for a disk or is in a library that tells nothing.
+/// while the program waits for a disk or is in a library that reports nothing.
 class ProgressLine {
  public:
   /// What the line says after so many seconds.

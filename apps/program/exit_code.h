@@ -1,4 +1,4 @@
-// What: what a program of ours tells its caller at the end.
+// What: what a program of ours returns to its caller at the end.
 #pragma once
 
 #include <functional>

@@ -255,7 +255,7 @@ void bind_topology(py::class_<Mesh>& mesh) {
           "operators\n"
           "have changed it.")
       .def("report", &report, arg("point_of_vertex") = py::none(),
-           "A Report. `point_of_vertex` tells which vertices stand on one point, as those of a pinch do.")
+           "A Report. `point_of_vertex` is the point of each vertex; those of a pinch share one.")
       .def("homology", &homology, arg("lengths") = py::none(),
            "(generators, cut_graph): loops of halfedges that generate the first homology, a list of int32 arrays, and "
            "the\n"

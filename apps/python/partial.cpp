@@ -101,14 +101,14 @@ py::tuple partial_of(const Doubles& points, const LongIndices& indices, const py
   const auto input = points_of(points);
   const Region region = region_of(bounds);
   const std::span<const std::uint64_t> numbers(indices.data(), static_cast<std::size_t>(indices.size()));
-  struct Made {
+  struct SettledRegion {
     Settled settled;
     OwnedItems owned;
   };
-  Made made = watched(input.size(), py::none(), [&](Watch& watch) {
+  SettledRegion made = watched(input.size(), py::none(), [&](Watch& watch) {
     auto [partial, owned] = partial_and_items(region, {.points = input, .indices = numbers}, alpha,
                                               {.threads = threads, .progress = watch.progress()});
-    return Made{settle(std::move(partial)), std::move(owned)};
+    return SettledRegion{settle(std::move(partial)), std::move(owned)};
   });
   const py::tuple settled = as_tuple(made.settled);
   return py::make_tuple(settled[0], settled[1], rows<std::int64_t>(std::move(made.owned.triangles)),

@@ -1,4 +1,4 @@
-// What: a long computation without Python's lock: other threads of Python run on, Ctrl-C ends it, progress is told.
+// What: a long computation without Python's lock: other threads of Python run on, Ctrl-C ends it, progress is reported.
 // How:  the work has a thread of its own where it may take long. The calling one sleeps, and looks every few hundredths of
 //       a second: only there may signals be asked for, which Python allows its main thread alone, and only from there is
 //       the caller's function called, which so may touch anything that belongs to that thread.
@@ -18,7 +18,7 @@ namespace rbpa::python {
 
 namespace py = pybind11;
 
-/// What the work and the thread that waits for it tell each other.
+/// What the work and the thread that waits for it exchange.
 class Watch {
  public:
   /// For the library's hooks. Good while the watch is.

@@ -8,7 +8,7 @@ namespace rbpa::app {
 
 /// Bytes that the program takes before it has a point, with its libraries.
 constexpr std::uint64_t program_bytes = std::uint64_t{24} << 20U;
-/// A tile in work takes at most so many a point: read, triangulated, told apart, and what is made of it.
+/// A tile in work takes at most so many a point: read, triangulated, sorted, and what is made of it.
 constexpr std::uint64_t bytes_of_tile_point = 330;
 /// The least --memory.
 constexpr std::uint64_t least_memory = std::uint64_t{64} << 20U;

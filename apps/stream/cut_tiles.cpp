@@ -104,9 +104,9 @@ class Cutter {
 /// Writing all that waits takes time.
 constexpr std::chrono::seconds time_between_saves(10);
 
-std::uint64_t bytes_of(const Question& question) {
+std::uint64_t bytes_of(const RunKey& run_key) {
   std::uint64_t bytes = 0;
-  for (const InputFile& file : question.inputs) bytes += file.size;
+  for (const InputFile& file : run_key.inputs) bytes += file.size;
   return bytes;
 }
 
@@ -266,11 +266,11 @@ class SmallerCutter {
 }  // namespace
 
 void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest) {
-  PassProgress progress(request.shows_progress, "2/4 cutting", bytes_of(manifest.question));
+  PassProgress progress(request.shows_progress, "2/4 cutting", bytes_of(manifest.run_key));
   Cutter cutter(manifest.tree, request.alpha, scratch, budget.waiting);
   if (manifest.files_done > 0) cutter.resume(manifest.tiles);
   std::uint64_t before = 0;
-  for (std::size_t file = 0; file < manifest.files_done; ++file) before += manifest.question.inputs[file].size;
+  for (std::size_t file = 0; file < manifest.files_done; ++file) before += manifest.run_key.inputs[file].size;
   InputBlocks input(request.sources, manifest.files_done, manifest.next_index);
   using Clock = std::chrono::steady_clock;
   Clock::time_point saved = Clock::now();
@@ -295,7 +295,7 @@ void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch
 
 void cut_again(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest,
                std::uint32_t tile) {
-  PassProgress progress(request.shows_progress, "cutting a tile again", bytes_of(manifest.question));
+  PassProgress progress(request.shows_progress, "cutting a tile again", bytes_of(manifest.run_key));
   Cutter cutter(manifest.tree, request.alpha, scratch, budget.waiting);
   cutter.want_only(tile);
   InputBlocks input(request.sources, 0, 0);

@@ -80,24 +80,24 @@ std::vector<TileSummary> tiles_of(const Json& json) {
   return tiles;
 }
 
-Json json_of(const Question& question) {
+Json json_of(const RunKey& run_key) {
   Json inputs = Json::array();
-  for (const InputFile& file : question.inputs) inputs.push_back({json_text(file.path), file.size, file.changed});
+  for (const InputFile& file : run_key.inputs) inputs.push_back({json_text(file.path), file.size, file.changed});
   Json targets = Json::array();
-  for (const std::string& path : question.targets) targets.push_back(json_text(path));
+  for (const std::string& path : run_key.targets) targets.push_back(json_text(path));
   return {{"inputs", inputs},
-          {"options", json_text(question.options)},
-          {"alpha", question.alpha},
-          {"memory", question.memory},
-          {"tile_size", question.tile_size},
-          {"keep_tiles", question.keep_tiles},
-          {"tasks", question.tasks},
+          {"options", json_text(run_key.options)},
+          {"alpha", run_key.alpha},
+          {"memory", run_key.memory},
+          {"tile_size", run_key.tile_size},
+          {"keep_tiles", run_key.keep_tiles},
+          {"tasks", run_key.tasks},
           {"targets", targets}};
 }
 
 /// Throws WrongUsage "--resume: found X, expected Y as the run in FOLDER has".
-void require_same(const Json& before, const Question& question, const std::string& folder) {
-  const Json now = json_of(question);
+void require_same(const Json& before, const RunKey& run_key, const std::string& folder) {
+  const Json now = json_of(run_key);
   if (before == now) return;
   const std::string run = " of the run in " + folder;
   const Json &old_inputs = before.at("inputs"), &inputs = now.at("inputs");
@@ -122,13 +122,13 @@ void require_same(const Json& before, const Question& question, const std::strin
 
 }  // namespace
 
-Question question_of(const StreamRequest& request) {
-  Question question{.options = request.options,
-                    .alpha = request.alpha,
-                    .memory = request.memory,
-                    .tile_size = request.tile_size.value_or(0),
-                    .keep_tiles = request.keep_tiles,
-                    .tasks = request.tasks};
+RunKey run_key_of(const StreamRequest& request) {
+  RunKey run_key{.options = request.options,
+                 .alpha = request.alpha,
+                 .memory = request.memory,
+                 .tile_size = request.tile_size.value_or(0),
+                 .keep_tiles = request.keep_tiles,
+                 .tasks = request.tasks};
   for (const PointSource& source : request.sources) {
     struct stat status {};
     if (stat(source.path.c_str(), &status) != 0)
@@ -136,17 +136,17 @@ Question question_of(const StreamRequest& request) {
     if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))  // a folder is refused where it is read
       bad_input(source.path, "a pipe, a socket or a device", "a file, which can be read twice");
     constexpr std::int64_t second = 1'000'000'000;
-    question.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),
-                               status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});
+    run_key.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),
+                              status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});
   }
-  for (const StreamTarget& target : request.targets) question.targets.push_back(absolute(target.path));
-  return question;
+  for (const StreamTarget& target : request.targets) run_key.targets.push_back(absolute(target.path));
+  return run_key;
 }
 
 std::uint64_t id_of(const Manifest& manifest) {
   // FNV-1a.
   std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : json_of(manifest.question).dump() + json_of(manifest.tree).dump())
+  for (const char c : json_of(manifest.run_key).dump() + json_of(manifest.tree).dump())
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return hash;
 }
@@ -154,7 +154,7 @@ std::uint64_t id_of(const Manifest& manifest) {
 void save(const Manifest& manifest, const Scratch& scratch) {
   Json json = {{"format", "scratch of rbpa stream"},
                {"version", version},
-               {"question", json_of(manifest.question)},
+               {"question", json_of(manifest.run_key)},
                {"workers", manifest.workers},
                {"pass", static_cast<int>(manifest.pass)}};
   if (manifest.pass != Manifest::Pass::count) {
@@ -170,13 +170,13 @@ void save(const Manifest& manifest, const Scratch& scratch) {
   replace_checked(scratch.manifest(), json.dump());
 }
 
-Manifest load_manifest(const Scratch& scratch, const Question& question) {
+Manifest load_manifest(const Scratch& scratch, const RunKey& run_key) {
   const std::string text = checked_content(scratch.manifest());
   try {
     const Json json = Json::parse(text);
     if (json.at("version") != version) throw std::runtime_error("another version");
-    require_same(json.at("question"), question, scratch.folder());
-    Manifest manifest{.question = question, .workers = json.at("workers")};
+    require_same(json.at("question"), run_key, scratch.folder());
+    Manifest manifest{.run_key = run_key, .workers = json.at("workers")};
     const int pass = json.at("pass");
     require(0 <= pass && pass <= static_cast<int>(Manifest::Pass::compute), "an unknown pass");
     require(manifest.workers > 0, "no workers");
@@ -192,7 +192,7 @@ Manifest load_manifest(const Scratch& scratch, const Question& question) {
     manifest.files_done = json.at("files_done");
     manifest.next_index = json.at("next_index");
     manifest.tiles = tiles_of(json.at("tiles"));
-    require(manifest.files_done <= question.inputs.size(), "more files than there are");
+    require(manifest.files_done <= run_key.inputs.size(), "more files than there are");
     require(manifest.next_index <= manifest.points, "more points than there are");
     const bool has_tiles = manifest.pass == Manifest::Pass::compute || manifest.files_done > 0;
     require(manifest.tiles.size() == (has_tiles ? manifest.tree.tiles() : 0), "files of other tiles");

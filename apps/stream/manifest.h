@@ -25,7 +25,7 @@ struct InputFile {
 };
 
 /// What must be the same when a run goes on.
-struct Question {
+struct RunKey {
   std::vector<InputFile> inputs = {};
   std::string options = {};  ///< how they are read
   double alpha = 0;
@@ -34,13 +34,13 @@ struct Question {
   std::vector<std::string> targets = {};
 };
 
-/// The question of a request, by the files that are there. Throws BadInput when one is not.
-Question question_of(const StreamRequest& request);
+/// The run_key of a request, by the files that are there. Throws BadInput when one is not.
+RunKey run_key_of(const StreamRequest& request);
 
 struct Manifest {
   enum class Pass { count, cut, compute };
 
-  Question question = {};
+  RunKey run_key = {};
   unsigned workers = 1;
   Pass pass = Pass::count;
 
@@ -63,6 +63,6 @@ std::uint64_t id_of(const Manifest& manifest);
 void save(const Manifest& manifest, const Scratch& scratch);
 
 /// The manifest of a run that asked the same. Throws WrongUsage saying what is different, BadInput when it is none.
-Manifest load_manifest(const Scratch& scratch, const Question& question);
+Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

@@ -29,7 +29,7 @@ using Pass = Manifest::Pass;
 class Run {
  public:
   Run(const StreamRequest& request, OutputSet& outputs)
-      : request_(request), outputs_(outputs), question_(question_of(request)), scratch_(request) {}
+      : request_(request), outputs_(outputs), question_(run_key_of(request)), scratch_(request) {}
 
   StreamResult run(const std::function<void(const StreamResult&)>& before_names) {
     prepare();
@@ -45,9 +45,9 @@ class Run {
     return result_;
   }
 
-  StreamResult run_tasks(const std::function<void(const Scratch&, const Manifest&)>& hand_over) {
+  StreamResult run_tasks(const std::function<void(const Scratch&, const Manifest&)>& write_work) {
     if (prepare()) repair();
-    hand_over(scratch_, manifest_);
+    write_work(scratch_, manifest_);
     result_.counts.points = manifest_.points;
     result_.tiles = manifest_.tiles.size();
     return result_;
@@ -74,7 +74,7 @@ class Run {
   }
 
   void begin() {
-    manifest_.question = question_;
+    manifest_.run_key = question_;
     budget_ = divide(request_.memory, request_.tasks ? 1 : request_.threads);
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
@@ -184,7 +184,7 @@ class Run {
 
   const StreamRequest& request_;
   OutputSet& outputs_;
-  Question question_;
+  RunKey question_;
   Scratch scratch_;
   Budget budget_ = {};
   Manifest manifest_ = {};
@@ -198,9 +198,9 @@ class Run {
 }  // namespace
 
 StreamResult prepare_tasks(const StreamRequest& request,
-                           const std::function<void(const Scratch&, const Manifest&)>& hand_over) {
+                           const std::function<void(const Scratch&, const Manifest&)>& write_work) {
   OutputSet none;
-  return Run(request, none).run_tasks(hand_over);
+  return Run(request, none).run_tasks(write_work);
 }
 
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,

@@ -32,10 +32,10 @@ struct StreamResult {
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
 
-/// Counts and cuts into the scratch, which is named and stays; hand_over() says there what is to be done with the tiles. Of the
+/// Counts and cuts into the scratch, which is named and stays; write_work() writes there what is to be done with the tiles. Of the
 /// result points, tiles and seconds are known. A scratch that was cut before is looked through, and tiles that are damaged
 /// are made again. Throws as run_stream() does.
 StreamResult prepare_tasks(const StreamRequest& request,
-                           const std::function<void(const Scratch&, const Manifest&)>& hand_over);
+                           const std::function<void(const Scratch&, const Manifest&)>& write_work);
 
 }  // namespace rbpa::app

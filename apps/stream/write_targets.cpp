@@ -27,7 +27,7 @@ class Adding final : public PolygonSink {
   void end() override { to_.end(); }
   void finish() override { to_.finish(); }
 
-  void tell(StreamResult& result) const {
+  void report_to(StreamResult& result) const {
     result.polygons = polygons_;
     const PolygonTotals totals = sums_.totals();
     result.holes = totals.holes;
@@ -51,7 +51,7 @@ void write_rows(OutputFile& file, const std::string& path, const TriangleRows& r
 void write_polygons(PolygonSink& writer, const PolygonLog& polygons, std::uint64_t sort_bytes, StreamResult& result) {
   Adding adding(writer);
   polygons.sorted(sort_bytes, adding);
-  adding.tell(result);
+  adding.report_to(result);
 }
 
 void write_polygons(OutputFile& file, StreamFormat format, const PointsFacts& facts, const PolygonLog& polygons,

@@ -19,7 +19,7 @@ RunFacts facts_of(const Manifest& manifest) {
   char id[17];
   std::snprintf(id, sizeof id, "%016llx", static_cast<unsigned long long>(id_of(manifest)));
   return {.id = id,
-          .alpha = manifest.question.alpha,
+          .alpha = manifest.run_key.alpha,
           .points = manifest.points,
           .tiles = manifest.tiles.size(),
           .of_points = {manifest.least, manifest.greatest, manifest.crs, manifest.degrees}};

@@ -49,22 +49,22 @@ set(allowed
     rbpa/plane/predicate"
 
   # Programs: folders of ours first, then what each uses of the libraries.
-  "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon io/text picture program report stream tasks triangulation"
+  "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon picture program report stream tasks triangulation"
   "examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa"
-  "io: meshops/core rbpa/base"
+  "io: rbpa/base"
   "io/bytes: meshops/core io"
-  "io/text: io io/bytes"
-  "io/polygon: rbpa rbpa/base io io/bytes io/text"
   "io/cloud: rbpa/base io io/bytes io/polygon io/text"
   "io/mesh: meshops/core meshops/topology rbpa/base io io/bytes io/cloud io/text"
-  "meshtopo: meshops/core meshops/topology rbpa io io/bytes io/mesh io/text program"
-  "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh io/text"
-  "program: rbpa/base io io/bytes io/text"
+  "io/polygon: rbpa rbpa/base io io/bytes io/text"
+  "io/text: io io/bytes"
+  "meshtopo: meshops/core meshops/topology rbpa io io/bytes io/mesh program"
+  "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh"
+  "program: rbpa/base io io/bytes"
   "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base"
   "report: rbpa io io/bytes io/text"
-  "stream: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon io/text"
-  "tasks: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon io/text stream"
-  "triangulation: meshops/core rbpa rbpa/base io io/bytes io/mesh io/text")
+  "stream: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon"
+  "tasks: rbpa rbpa/base io io/bytes stream"
+  "triangulation: meshops/core rbpa rbpa/base io")
 set(arrows "")
 foreach(line ${allowed})
   string(REGEX MATCHALL "[^: \n]+" folders "${line}")

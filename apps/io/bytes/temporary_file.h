@@ -4,7 +4,7 @@
 //
 // Its writer holds an advisory lock (flock) on it as long as it lives, and the system lets go of the lock when the
 // process ends in whatever way. So whoever gets the lock knows that the writer is dead. The number of the process in the
-// name cannot tell that: numbers are used again, each container and each host counts its own, and another host may be
+// name does not show that: numbers are used again, each container and each host counts its own, and another host may be
 // writing into the folder over the network, where Linux passes the lock on to the server. Where there are no locks
 // nothing is removed; where they do not reach other hosts, the worst is that a writer there finds its file gone at the
 // end, and says so. (A file without a name, O_TMPFILE, would vanish by itself, but it cannot take the place of a file

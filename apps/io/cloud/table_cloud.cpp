@@ -46,7 +46,7 @@ class TableCloud final : public Cloud {
     return block.count > 0;
   }
 
-  void finish() override { selection_.tell(any_points_, name_, facts_.file.remarks); }
+  void finish() override { selection_.add_remarks(any_points_, name_, facts_.file.remarks); }
 
   std::uint64_t bytes_read() const override { return content_.bytes_read(); }
 

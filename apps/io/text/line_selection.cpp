@@ -15,7 +15,7 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
   holds_.emplace(*where_);
 }
 
-void LineSelection::tell(bool any_points, const std::string& name, std::vector<std::string>& remarks) const {
+void LineSelection::add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const {
   if (holds_)
     remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
                       " are as --where asks");

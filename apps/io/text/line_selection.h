@@ -68,7 +68,7 @@ class LineSelection {
   std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are no point)"; }
 
   /// What was selected, and what was left out. Throws BadInput when that is all there was.
-  void tell(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
+  void add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
 
  private:
   void compare_texts(std::size_t column, std::string_view found) {

@@ -198,7 +198,7 @@ TEST_CASE("files of tiles that were changed or cut off are made again") {
   }
 }
 
-TEST_CASE("another question is not what the run in the scratch was about") {
+TEST_CASE("another run_key is not what the run in the scratch was about") {
   const Folder folder;
   make_input(folder, 1000);
   const std::string same = "a.f64xy b.f64xy --alpha 3 -o t.npy --scratch s --keep-tiles -q";

@@ -48,17 +48,17 @@ TEST_CASE("names in Latin-1 are names: of inputs, targets, scratch, tasks, tiles
     CHECK(folder.content(triangles) == plain.content("t.npy"));
     CHECK(folder.content(polygons) == plain.content("p.wkt"));
   };
-  const std::string question = "stream 'p" + e + ".xy' --alpha 90 --tile-size 60 -q ";
+  const std::string run_key = "stream 'p" + e + ".xy' --alpha 90 --tile-size 60 -q ";
   const std::string targets = "-o 't" + e + ".npy' -o 'p" + e + ".wkt' ";
-  CHECK(folder.rbpa(question + targets + "--stats 's" + e + ".json'").code == 0);
+  CHECK(folder.rbpa(run_key + targets + "--stats 's" + e + ".json'").code == 0);
   check("t" + e + ".npy", "p" + e + ".wkt");
   CHECK(folder.has("s" + e + ".json"));
 
   const std::string scratch = "--scratch 's" + e + "' --keep-tiles ";
-  CHECK(folder.rbpa(question + targets + scratch).code == 0);
-  CHECK(folder.rbpa(question + targets + scratch + "--resume").code == 0);
+  CHECK(folder.rbpa(run_key + targets + scratch).code == 0);
+  CHECK(folder.rbpa(run_key + targets + scratch + "--resume").code == 0);
   check("t" + e + ".npy", "p" + e + ".wkt");
-  const Outcome other = folder.rbpa(question + "-o 'q" + e + ".npy' " + scratch + "--resume");
+  const Outcome other = folder.rbpa(run_key + "-o 'q" + e + ".npy' " + scratch + "--resume");
   CHECK(other.code == 2);
   CHECK(other.err.find("--resume: found 1 target") != std::string::npos);
   folder.file("q" + e + "%E9.xy", points());
@@ -67,10 +67,10 @@ TEST_CASE("names in Latin-1 are names: of inputs, targets, scratch, tasks, tiles
   CHECK(name.code == 2);
   CHECK(name.err.find("--resume: found the input ") != std::string::npos);
 
-  CHECK(folder.rbpa(question + "--tasks 'T" + e + "' -o 'u" + e + ".npy' -o 'u" + e + ".wkt'").code == 0);
+  CHECK(folder.rbpa(run_key + "--tasks 'T" + e + "' -o 'u" + e + ".npy' -o 'u" + e + ".wkt'").code == 0);
   CHECK(folder.run("make", "-s -j2 -f 'T" + e + "/Makefile'").code == 0);
   check("u" + e + ".npy", "u" + e + ".wkt");
-  CHECK(folder.rbpa(question + "--tasks 'V" + e + "' -o 'v" + e + ".npy' -o 'v" + e + ".wkt'").code == 0);
+  CHECK(folder.rbpa(run_key + "--tasks 'V" + e + "' -o 'v" + e + ".npy' -o 'v" + e + ".wkt'").code == 0);
   CHECK(folder.run("sh", "-e 'V" + e + "/1-tiles.txt'").code == 0);
   CHECK(folder.rbpa("merge 'V" + e + "'/partials/1-*.partial -o 'w" + e + ".npy' -o 'w" + e + ".wkt' -q").code == 0);
   check("w" + e + ".npy", "w" + e + ".wkt");

@@ -136,8 +136,8 @@ TEST_CASE("partials and tiles of another run") {
   make_run(folder);
   folder.file("q.xy", points(52));
   const std::string first = "T/partials/1-000000.partial ";
-  const auto run = [&](const std::string& question, const std::string& tasks) {
-    REQUIRE(folder.rbpa("stream " + question + " -o t.npy -o p.wkt -q --tasks " + tasks).code == 0);
+  const auto run = [&](const std::string& run_key, const std::string& tasks) {
+    REQUIRE(folder.rbpa("stream " + run_key + " -o t.npy -o p.wkt -q --tasks " + tasks).code == 0);
     run_tiles(folder, tasks);
   };
   run("p.xy --alpha 80 --tile-size 60", "A");
@@ -147,7 +147,7 @@ TEST_CASE("partials and tiles of another run") {
   has(said(folder, "merge " + first + "Q/partials/1-000001.partial -o a.partial", 3), "found a partial of run ");
   run("p.xy --alpha 90 --tile-size 50", "S");
   has(said(folder, "merge " + first + "S/partials/1-000001.partial -o a.partial", 3), "found a partial of run ");
-  // The same question once more is the same run.
+  // The same run_key once more is the same run.
   run("p.xy --alpha 90 --tile-size 60", "R");
   CHECK(folder.rbpa("merge " + first + "R/partials/1-000001.partial -o a.partial -q").code == 0);
 

@@ -27,7 +27,7 @@ void make_input(const Folder& folder) {
   folder.file("p.f64xy", {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
 }
 
-constexpr const char* question = "p.f64xy --alpha 1.5 --tile-size 400";
+constexpr const char* run_key = "p.f64xy --alpha 1.5 --tile-size 400";
 
 struct Made {
   std::string triangles, polygons;
@@ -46,7 +46,7 @@ const Made& expected() {
 
 /// What the program prints: a line for each way to run the tasks.
 std::vector<std::string> ways(const Folder& folder, const std::string& more) {
-  const Outcome outcome = folder.rbpa("stream " + std::string(question) + " " + more);
+  const Outcome outcome = folder.rbpa("stream " + std::string(run_key) + " " + more);
   CHECK(outcome.err.find(" tasks in 3 lists -> ") != std::string::npos);
   REQUIRE(outcome.code == 0);
   std::vector<std::string> lines;
