@@ -29,7 +29,7 @@ using Pass = Manifest::Pass;
 class Run {
  public:
   Run(const StreamRequest& request, OutputSet& outputs)
-      : request_(request), outputs_(outputs), question_(run_key_of(request)), scratch_(request) {}
+      : request_(request), outputs_(outputs), run_key_(run_key_of(request)), scratch_(request) {}
 
   StreamResult run(const std::function<void(const StreamResult&)>& before_names) {
     prepare();
@@ -74,11 +74,11 @@ class Run {
   }
 
   void begin() {
-    manifest_.run_key = question_;
+    manifest_.run_key = run_key_;
     budget_ = divide(request_.memory, request_.tasks ? 1 : request_.threads);
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
-    manifest_ = load_manifest(scratch_, question_);
+    manifest_ = load_manifest(scratch_, run_key_);
     // Tiles are as large as memory allows for so many at a time.
     budget_ = divide(request_.memory, manifest_.workers);
     budget_.workers = std::min(budget_.workers, std::max(request_.threads, 1U));
@@ -101,7 +101,7 @@ class Run {
 
   void count() {
     std::uint64_t bytes = 0;
-    for (const InputFile& file : question_.inputs) bytes += file.size;
+    for (const InputFile& file : run_key_.inputs) bytes += file.size;
     CellCounts counts(budget_.cells);
     PackedSample sample;
     {
@@ -184,7 +184,7 @@ class Run {
 
   const StreamRequest& request_;
   OutputSet& outputs_;
-  RunKey question_;
+  RunKey run_key_;
   Scratch scratch_;
   Budget budget_ = {};
   Manifest manifest_ = {};
