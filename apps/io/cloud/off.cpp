@@ -92,12 +92,15 @@ class OffCloud final : public Cloud {
     block.count = std::min(points_at_once, header_.vertices - first_);
     for (std::size_t k = 0; k < numbers; ++k) block.column[k].resize(block.count);
     clear_colors(block);
+    double* target[CloudBlock::color] = {};
+    for (std::size_t k = 0; k < numbers; ++k) target[k] = block.column[k].data();
+    const std::string& name = content_.name();
     for (std::size_t i = 0; i < block.count; ++i) {
       if (!lines_.next_with_content())
         bad_input(content_.name(), counted(first_ + i, "vertex line"),
                   announced(header_, header_.vertices, "vertex line"));
       std::string_view rest = lines_.line();
-      for (std::size_t k = 0; k < numbers; ++k) block.column[k][i] = take_coordinate(rest, lines_, content_.name());
+      for (std::size_t k = 0; k < numbers; ++k) target[k][i] = take_coordinate(rest, lines_, name);
       if (facts_.colors) colors_.take(rest.substr(0, rest.find('#')), lines_.number(), block);
       if (!in_space_ && !facts_.file.heights.differ()) take_height(rest);
     }

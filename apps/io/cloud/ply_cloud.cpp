@@ -143,25 +143,25 @@ class PlyCloud final : public Cloud {
 
   /// What is behind the last property that counts is not looked at.
   void read_text(CloudBlock& block) {
-    std::vector<bool> counts(vertex_.properties.size(), false);
-    for (const auto& [column, property] : columns_) counts[property] = true;
-    for (const std::size_t property : asked_) counts[property] = true;
-    while (!counts.back()) counts.pop_back();
-    std::vector<double> value(counts.size());
-    text_->pass(vertex_, first_, first_ + block.count, [&](std::size_t i, std::string_view& rest) {
-      for (std::size_t k = 0; k < counts.size(); ++k) {
-        if (counts[k])
-          value[k] = take_coordinate(rest, text_->lines(), content_.name());
+    std::vector<double*> target(vertex_.properties.size(), nullptr);  // where the numbers of a property go
+    for (std::size_t k = 0; k < asked_.size(); ++k) target[asked_[k]] = fields_[k].data();
+    for (const auto& [column, property] : columns_) target[property] = block.column[column].data();
+    while (target.back() == nullptr) target.pop_back();
+    const std::size_t size = target.size(), first = first_;
+    const std::string& name = content_.name();
+    text_->pass(vertex_, first, first + block.count, [&](std::size_t i, std::string_view& rest) {
+      for (std::size_t k = 0; k < size; ++k) {
+        if (target[k] != nullptr)
+          target[k][i - first] = take_coordinate(rest, text_->lines(), name);
         else
           text_->pass_words(vertex_.properties[k], rest);
       }
-      for (const auto& [column, property] : columns_) {
-        if (column >= CloudBlock::color) require_channel(value[property]);
-        block.column[column][i - first_] = value[property];
-      }
-      for (std::size_t k = 0; k < asked_.size(); ++k) fields_[k][i - first_] = value[asked_[k]];
+      for (std::size_t k = CloudBlock::color; facts_.colors && k < CloudBlock::columns; ++k)
+        require_channel(block.column[k][i - first]);
       if (looks_at_heights()) take_height();
     });
+    for (std::size_t k = 0; k < asked_.size(); ++k)  // which may be a column as well
+      std::copy_n(target[asked_[k]], block.count, fields_[k].data());
   }
 
   void require_channel(double number) const {

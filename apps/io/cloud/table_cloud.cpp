@@ -184,30 +184,33 @@ class TableCloud final : public Cloud {
     const auto skip_blanks = [&](char but) {
       while (at != end && is_blank(*at) && *at != but) ++at;
     };
-    const char kept = separator_ == blanks ? '\0' : separator_;  // a tab may be the separator
+    const char separator = separator_;
+    const std::size_t width = width_, numbers = numbers_;
+    const std::uint8_t* const role = role_.data();
+    const char kept = separator == blanks ? '\0' : separator;  // a tab may be the separator
     skip_blanks('\0');
-    for (std::size_t column = 0; column < width_; ++column) {
+    for (std::size_t column = 0; column < width; ++column) {
       if (column > 0) {
         const char* const field_end = at;
         skip_blanks(kept);
-        if (separator_ == blanks) {
+        if (separator == blanks) {
           if (at == field_end) return nullptr;
         } else {
-          if (at == end || *at != separator_) return nullptr;
+          if (at == end || *at != separator) return nullptr;
           ++at;
           skip_blanks(kept);
         }
       }
-      if (role_[column] < numbers_) {
+      if (role[column] < numbers) {
         const ParsedNumber number = parse_number(at, end);
         if (number.fault != NumberFault::none) return nullptr;
-        value[role_[column]] = number.value;
+        value[role[column]] = number.value;
         at = number.end;
       } else {
         const char* const field = at;
-        while (at != end && !is_blank(*at) && *at != separator_ && *at != '\n' && *at != '"' && *at != '#') ++at;
+        while (at != end && !is_blank(*at) && *at != separator && *at != '\n' && *at != '"' && *at != '#') ++at;
         if (at == field) return nullptr;
-        if (role_[column] == height) take_height({field, static_cast<std::size_t>(at - field)});
+        if (role[column] == height) take_height({field, static_cast<std::size_t>(at - field)});
       }
     }
     skip_blanks('\0');
