@@ -15,10 +15,10 @@ if [ $# -gt 0 ]; then
   echo "demo.sh: found '$1', expected no arguments (see apps/demo.sh --help)" >&2
   exit 2
 fi
-bash tests/install_packages.sh g++ cmake make ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
+bash tests/install_packages.sh g++ cmake ninja-build ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
   libeigen3-dev libnanoflann-dev zlib1g-dev nlohmann-json3-dev
 # What is compiled here is not compiled again by tests/run.sh: the same folder, flags and cache.
-export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache} CCACHE_DEPEND=1 CCACHE_DIR=${CCACHE_DIR-$PWD/build/ccache}
+. tests/build_environment.sh
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)"
 mkdir -p rbpa-demo

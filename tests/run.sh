@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
-packages=(g++ cmake make ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libnanoflann-dev doctest-dev libcli11-dev libpng-dev
+packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libnanoflann-dev doctest-dev libcli11-dev libpng-dev
           zlib1g-dev nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
           clang-tidy-14 pybind11-dev python3-dev python3-numpy python3-pytest mypy python3-scipy python3-shapely
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
@@ -13,9 +13,7 @@ packages=(g++ cmake make ccache libopenmesh-dev libboost-graph-dev libhwy-dev li
 [ "$preset" = nightly ] && packages+=(chromium)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
-# The libraries are compiled for their own tests and again as parts of users' projects (tests/consumer).
-export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache} CCACHE_DEPEND=1
-export CCACHE_DIR=${CCACHE_DIR-$PWD/build/ccache}
+. tests/build_environment.sh
 build() {
   cmake --preset "$1"
   cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}"
