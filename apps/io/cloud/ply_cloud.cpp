@@ -146,18 +146,20 @@ class PlyCloud final : public Cloud {
     std::vector<double*> target(vertex_.properties.size(), nullptr);  // where the numbers of a property go
     for (std::size_t k = 0; k < asked_.size(); ++k) target[asked_[k]] = fields_[k].data();
     for (const auto& [column, property] : columns_) target[property] = block.column[column].data();
+    std::vector<char> is_channel(target.size(), 0);
+    for (const auto& [column, property] : columns_) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
     while (target.back() == nullptr) target.pop_back();
     const std::size_t size = target.size(), first = first_;
     const std::string& name = content_.name();
     text_->pass(vertex_, first, first + block.count, [&](std::size_t i, std::string_view& rest) {
       for (std::size_t k = 0; k < size; ++k) {
-        if (target[k] != nullptr)
-          target[k][i - first] = take_coordinate(rest, text_->lines(), name);
-        else
+        if (target[k] == nullptr) {
           text_->pass_words(vertex_.properties[k], rest);
+          continue;
+        }
+        target[k][i - first] = take_coordinate(rest, text_->lines(), name);
+        if (is_channel[k] != 0) require_channel(target[k][i - first]);
       }
-      for (std::size_t k = CloudBlock::color; facts_.colors && k < CloudBlock::columns; ++k)
-        require_channel(block.column[k][i - first]);
       if (looks_at_heights()) take_height();
     });
     for (std::size_t k = 0; k < asked_.size(); ++k)  // which may be a column as well
