@@ -225,14 +225,15 @@ TEST_CASE("a progress callback that returns false cancels at once") {
 }
 
 TEST_CASE("progress is called as often where a triangle takes long") {
-  const auto is_called_often = [](const Points& points, double alpha, auto compute) {
+  using Compute = SolidAlphaComplex (*)(std::span<const rbpa::Point>, double, const rbpa::Options&);
+  const auto is_called_often = [](const Points& points, double alpha, Compute compute) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     int calls = 0;
-    compute(points, alpha, rbpa::Options{.threads = 1, .progress = [&](const rbpa::Progress&) {
-                                           ++calls;
-                                           return true;
-                                         }});
+    compute(points, alpha, {.threads = 1, .progress = [&](const rbpa::Progress&) {
+                              ++calls;
+                              return true;
+                            }});
     const std::chrono::duration<double> passed = Clock::now() - start;
     CAPTURE(passed.count());
     CAPTURE(calls);

@@ -13,6 +13,7 @@
 #include "meshops/topology/build_mesh.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/plane/filtration/growth.h"
+#include "rbpa/plane/mesh/linked_faces.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/pictures.h"
@@ -105,7 +106,8 @@ TEST_SUITE("filtration") {
       std::vector<std::uint32_t> order(complex.mesh.n_faces());
       std::iota(order.begin(), order.end(), 0);
       random.shuffle(order);
-      rbpa::Growth growth(complex);
+      const rbpa::LinkedFaces faces = rbpa::linked_faces(complex.mesh);
+      rbpa::Growth growth(faces, complex.mesh.n_vertices(), complex.input_index);
       meshops::PolygonSoup so_far;
       for (const std::uint32_t face : order) {
         growth.add(face);
