@@ -4,7 +4,8 @@
 //         decisions are exact.
 // Why:    whoever walks through it from an edge sees what that edge sees, and nothing else. Long edges that lie close hide
 //         nearly everything that is near from each other, and a search by boxes meets all of that (docs/fill.md, section 2).
-// Cost:   n log n to build, for a front of n edges; a triangle more or less costs the triangles that it crosses, and their flips.
+// Cost:   n log n to build, for a front of n edges; a triangle more or less costs the triangles that it crosses, and their flips;
+//         a corner that goes k log k for k triangles around it.
 //         A look costs the triangles that are seen.
 // Source: Chew, Constrained Delaunay triangulations (1989); Lee, Preparata, Euclidean shortest paths in the presence of
 //         rectilinear barriers (1984), for the funnel.
@@ -17,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "meshops/patch/site.h"
@@ -73,6 +75,20 @@ class Unfilled {
     Side beyond;
     bool is_new = false;  // what is beyond was made for this rim
   };
+  /// Of a star around a corner that is taken out, a corner of its rim, those beside it, and how often it was offered as an ear.
+  struct Ray {
+    Rim rim;
+    std::uint32_t last, next;
+    std::uint32_t offers = 0;
+  };
+  /// An offer that is the last for its corner stands; the least rise comes first.
+  struct Ear {
+    double rise;
+    std::uint32_t at, offer;
+    friend bool operator<(const Ear& one, const Ear& other) {
+      return std::pair(other.rise, other.at) < std::pair(one.rise, one.at);
+    }
+  };
   /// A side that is looked through, from the triangle before it: what is seen is right of the way from the edge's beginning to
   /// one site, and left of that from its end to another.
   struct Gate {
@@ -89,6 +105,7 @@ class Unfilled {
   void link(Side side, Side beyond);
   std::uint32_t add(Site a, Site b, Site c);
   void remove(std::uint32_t triangle);
+  void forget_removed();
   void split(const FrontEdge& edge, Site site);
   void cross(Side side, Site apex);
   Side cut_ears(std::vector<Rim>& rim, bool is_right);
@@ -96,7 +113,11 @@ class Unfilled {
   void bound(Side beyond, Site from, Site to);
   void flip_all();
   void flip(Side side);
+  bool is_inner(Side at) const;
   void take_out(Side at);
+  void offer_ear(std::uint32_t i, Site inner);
+  std::uint32_t first_ear();
+  Side cut_ear(std::uint32_t i);
 
   const std::vector<Point>& places_;
   std::vector<Site> corner_;           // of side 3 t + k the corner across
@@ -109,6 +130,9 @@ class Unfilled {
   std::vector<std::uint32_t> crossed_;
   std::vector<std::array<std::uint32_t, 3>> waiting_;
   std::vector<Side> queue_;
+  // While a corner is taken out:
+  std::vector<Ray> star_;
+  std::vector<Ear> ears_;  // a heap
   // While one looks:
   mutable FrontEdge eye_ = {};
   mutable std::vector<Site> found_, seen_;    // in the last box; and free ones outside of it

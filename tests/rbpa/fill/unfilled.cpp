@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -62,7 +63,37 @@ struct Listed {
       if (is_empty(edge, places[other.from])) sites.insert(other.from);
     return sites;
   }
+  std::set<Site> sites() const {
+    std::set<Site> sites;
+    for (const FrontEdge& edge : edges) sites.insert(edge.from);
+    return sites;
+  }
+  /// The edges as rings: which, where one passes a site twice, is all the same.
+  std::vector<std::vector<Site>> rings() const {
+    std::multimap<Site, Site> next;
+    for (const FrontEdge& edge : edges) next.emplace(edge.from, edge.to);
+    std::vector<std::vector<Site>> rings;
+    while (!next.empty()) {
+      rings.emplace_back();
+      for (auto at = next.begin(); at != next.end(); at = next.find(rings.back().back())) {
+        if (rings.back().empty()) rings.back().push_back(at->first);
+        rings.back().push_back(at->second);
+        next.erase(at);
+      }
+      rings.back().pop_back();  // the first again
+    }
+    return rings;
+  }
 };
+
+std::set<std::array<Site, 3>> triangles_of(const Unfilled& unfilled) {
+  std::set<std::array<Site, 3>> triangles;
+  for (std::array<Site, 3> corners : unfilled.triangles()) {
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles.insert(corners);
+  }
+  return triangles;
+}
 
 /// A star on a grid, so that many points are on one line.
 Points star(rbpa_test::Random& random, int corners) {
@@ -145,6 +176,87 @@ TEST_CASE("from every edge exactly the sites are seen that make empty triangles,
   CHECK(emptied > 20);
   CHECK(placed > 20);
   CHECK(taken_out > 10);
+}
+
+TEST_CASE("whatever was filled and emptied, the triangulation is the same as one that is built anew") {
+  rbpa_test::Random random(12);
+  int one = 0, more = 0;
+  for (int turn = 0; turn < 40; ++turn) {
+    // No four places on one circle, nearly surely: so there is one triangulation.
+    const auto near = [&](double x, double y) {
+      constexpr double unit = 1 << 14, jitter = 1 << 10;
+      return Point{std::round(unit * x + random.between(-jitter, jitter)),
+                   std::round(unit * y + random.between(-jitter, jitter))};
+    };
+    Listed front;
+    for (int i = 0; i < 8; ++i) {
+      const double angle = 3.14159265358979323846 * i / 4;
+      front.places.push_back(near(40 * std::cos(angle), 40 * std::sin(angle)));
+      front.edges.push_back({static_cast<Site>(i), static_cast<Site>((i + 1) % 8)});
+    }
+    Unfilled unfilled(front.places, front.rings(), {});
+    std::vector<std::array<Site, 3>> filled;
+    for (int step = 0; step < 200; ++step) {
+      const std::size_t sites = front.sites().size();
+      if (step % 40 < 20 && !front.edges.empty()) {
+        const FrontEdge edge = front.edges[random.below(front.edges.size())];
+        const std::set<Site> free = front.free_sites(edge);
+        Site apex = *std::next(free.begin(), static_cast<std::ptrdiff_t>(random.below(free.size())));
+        const Point &a = front.places[edge.from], &b = front.places[edge.to];
+        const Point place =
+            near(((a.x + b.x) / 2 - (b.y - a.y) / 4) / (1 << 14), ((a.y + b.y) / 2 + (b.x - a.x) / 4) / (1 << 14));
+        if (random.chance(0.8) && front.is_empty(edge, place)) {
+          apex = static_cast<Site>(front.places.size());
+          front.places.push_back(place);
+        }
+        unfilled.fill(edge, apex);
+        filled.push_back({edge.from, edge.to, apex});
+        for (std::size_t i = 0; i < 3; ++i) front.toggle(filled.back()[(i + 1) % 3], filled.back()[i]);
+      } else if (!filled.empty()) {  // any that has a side on the front
+        std::swap(filled[random.below(filled.size())], filled.back());
+        const std::array<Site, 3> t = filled.back();
+        std::array<bool, 3> is_front;
+        for (std::size_t i = 0; i < 3; ++i) is_front[i] = !front.is_listed({t[(i + 1) % 3], t[i]});
+        if (is_front == std::array{true, true, true}) continue;
+        filled.pop_back();
+        for (std::size_t i = 0; i < 3; ++i) front.toggle(t[i], t[(i + 1) % 3]);
+        unfilled.empty(t, is_front);
+        const std::size_t gone = sites - front.sites().size();
+        one += gone == 1;
+        more += gone == 3;
+      }
+      if (front.edges.empty()) continue;
+      REQUIRE(triangles_of(unfilled) == triangles_of(Unfilled(front.places, front.rings(), {})));
+    }
+  }
+  CHECK(one > 100);
+  CHECK(more > 20);
+}
+
+TEST_CASE("a site among thousands that see it is placed and goes again") {
+  // Of a circle of places on no circle, a site in the middle has nearly all others as neighbours.
+  constexpr int corners = 20000;
+  Listed front;
+  rbpa_test::Random random(13);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * 3.14159265358979323846 * i / corners;
+    const double radius = i % 2 == 1 ? 1 << 28 : random.between(1 << 26, (1 << 26) + 8);
+    front.places.push_back({std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
+    front.edges.push_back({static_cast<Site>(i), static_cast<Site>((i + 1) % corners)});
+  }
+  Unfilled unfilled(front.places, front.rings(), {});
+  const auto before = triangles_of(unfilled);
+  for (int turn = 0; turn < 3; ++turn) {
+    FrontEdge edge{};
+    do edge = front.edges[random.below(corners)];
+    while (!unfilled.is_free(edge, Point{0, 0}, 0));
+    front.places.push_back({0, 0});
+    const auto middle = static_cast<Site>(front.places.size() - 1);
+    unfilled.fill(edge, middle);
+    CHECK(triangles_of(unfilled) != before);
+    unfilled.empty({edge.from, edge.to, middle}, {true, false, false});
+    CHECK(triangles_of(unfilled) == before);
+  }
 }
 
 TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles are passed for each that is made") {
