@@ -32,6 +32,7 @@ void Unfilled::link(Side side, Side beyond) {
 }
 
 std::uint32_t Unfilled::add(Site a, Site b, Site c) {
+  ++passed_;
   auto t = static_cast<std::uint32_t>(stamp_.size());
   if (unused_.empty()) {
     stamp_.push_back(0);
@@ -87,7 +88,7 @@ void Unfilled::bound(Side beyond, Site from, Site to) {
 
 /// A new site in the triangle around it; or, on a side, in both.
 void Unfilled::split(const FrontEdge& edge, Site site) {
-  const std::optional<Side> around = this->around(edge, places_[site]);
+  const std::optional<Side> around = this->around(edge, places_[site], unlimited);
   meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
   const Side first = *around - *around % 3;
   std::vector<std::array<std::uint32_t, 3>> rim;  // from, to, beyond
@@ -184,6 +185,7 @@ void Unfilled::flip_all() {
 }
 
 void Unfilled::flip(Side side) {
+  ++passed_;
   const Side other = across_[side], t = side - side % 3, o = other - other % 3;
   const Site a = from(side), b = to(side), p = corner_[side], q = corner_[other];
   const Side beyond_pa = across_[before(side)], beyond_bp = across_[after(side)];

@@ -31,6 +31,7 @@ namespace rbpa {
 class Unfilled {
  public:
   using Site = meshops::Site;
+  static constexpr std::size_t unlimited = ~std::size_t{0};
 
   /// Of a front of rings, each as its sites: what is not filled lies on the left. Keeps a reference to the places, which may
   /// become more.
@@ -38,15 +39,16 @@ class Unfilled {
   Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
            const std::function<bool()>& go_on);
 
-  /// Looks from an edge of the front, for what follows.
-  void look_from(const FrontEdge& edge) const;
+  /// Looks from an edge of the front, for what follows, and through as many triangles at most: that beside the edge is always seen.
+  void look_from(const FrontEdge& edge, std::size_t most = unlimited) const;
   /// The sites in a box that make an empty triangle with that edge, but those that were found before; in any order.
   /// Requires: the box holds the edge and the boxes before; nothing was filled or emptied since look_from().
   std::span<const Site> free_sites(const Box& box) const;
   /// Whether the triangle of an edge of the front and a site is empty.
   bool is_free(const FrontEdge& edge, Site site) const;
-  /// Whether that of an edge and a new point is empty, and every edge of the front is as far from the point as that.
-  bool is_free(const FrontEdge& edge, const Point& apex, double clearance) const;
+  /// Whether that of an edge and a new point is empty, and every edge of the front is as far from the point as that; not where
+  /// more triangles would be passed on the way.
+  bool is_free(const FrontEdge& edge, const Point& apex, double clearance, std::size_t most = unlimited) const;
 
   /// An empty triangle on an edge of the front is filled. An apex that is no site of the front yet becomes one.
   void fill(const FrontEdge& edge, Site apex);
@@ -54,7 +56,7 @@ class Unfilled {
   /// filled either.
   void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
 
-  /// How many triangles were passed so far by looks and on the way to points.
+  /// How many triangles were passed so far by looks and on the way to points, and how many came or were flipped: what it all costs.
   std::size_t passed() const { return passed_; }
   /// The triangles, counter-clockwise, in any order.
   std::vector<std::array<Site, 3>> triangles() const;
@@ -99,7 +101,7 @@ class Unfilled {
   int turn(Site a, Site b, Site c) const;
   int turn(Site a, Site b, const Point& p) const;
   Side at(const FrontEdge& edge) const;
-  std::optional<Side> around(const FrontEdge& edge, const Point& apex) const;
+  std::optional<Side> around(const FrontEdge& edge, const Point& apex, std::size_t most) const;
   bool is_clear(Side around, const Point& p, double clearance) const;
 
   void link(Side side, Side beyond);
@@ -139,7 +141,7 @@ class Unfilled {
   mutable std::vector<Gate> gates_, closed_;  // to be looked through; and those outside of the box
   mutable std::vector<Side> stack_;
   mutable std::vector<std::size_t> stamp_;  // of each triangle the look that came by last
-  mutable std::size_t of_look_ = 0, looks_ = 0, passed_ = 0;
+  mutable std::size_t most_ = 0, of_look_ = 0, looks_ = 0, passed_ = 0;
 };
 
 }  // namespace rbpa

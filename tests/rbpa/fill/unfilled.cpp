@@ -251,18 +251,20 @@ TEST_CASE("a site among thousands that see it is placed and goes again") {
     do edge = front.edges[random.below(corners)];
     while (!unfilled.is_free(edge, Point{0, 0}, 0));
     front.places.push_back({0, 0});
+    const std::size_t work = unfilled.passed();
     const auto middle = static_cast<Site>(front.places.size() - 1);
     unfilled.fill(edge, middle);
     CHECK(triangles_of(unfilled) != before);
     unfilled.empty({edge.from, edge.to, middle}, {true, false, false});
     CHECK(triangles_of(unfilled) == before);
+    CHECK(unfilled.passed() - work < 5 * std::size_t{corners});
   }
 }
 
 TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles are passed for each that is made") {
   constexpr int teeth = 2000;
   constexpr double width = 1.0 / teeth;
-  Points comb = {{0, -1}, {1, -1}, {1, 0}}, saw = comb, star;
+  Points comb = {{0, -1}, {1, -1}, {1, 0}}, saw = comb;
   for (int i = teeth; i > 0; --i) {
     for (const Point& p :
          Points{{(i - 0.5) * width, 0}, {(i - 0.5) * width, 1}, {(i - 1) * width, 1}, {(i - 1) * width, 0}})
@@ -271,20 +273,35 @@ TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles ar
     saw.push_back({(i - 1) * width, 0});
   }
   comb.pop_back();
-  for (int i = 0; i < 2 * teeth; ++i) {
-    const double angle = 3.14159265358979323846 * i / teeth, radius = i % 2 == 1 ? 1 : 1e-4;
-    star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  const auto passed = [](const Points& points, double size) {
+  const auto star = [&](double inner) {
+    Points star;
+    for (int i = 0; i < 2 * teeth; ++i) {
+      const double angle = 3.14159265358979323846 * i / teeth, radius = i % 2 == 1 ? 1 : inner;
+      star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return star;
+  };
+  // Teeth as wide as the last places of their coordinates allow.
+  Points narrow = {{0, 0}};
+  for (int i = 1; i <= 20; ++i)
+    for (const Point& p : Points{{i * 0x1p-49, 0}, {i * 0x1p-49 + 0x1p-80, 5}, {i * 0x1p-49 + 0x1p-79, 0}})
+      narrow.push_back(p);
+  narrow.push_back({narrow.back().x, 6});
+  narrow.push_back({0, 6});
+  const auto passed = [](const Points& points, const rbpa::FillOptions& options) {
     std::vector<rbpa::Polygon> polygons(1);
     for (std::uint32_t i = 0; i < points.size(); ++i) polygons[0].shell.points.push_back(i);
-    const rbpa::Filling filling = rbpa::fill(points, polygons, {.size = size});
+    const rbpa::Filling filling = rbpa::fill(points, polygons, options);
     CHECK(rbpa_test::wrong_with_filling(filling, points, polygons, false) == "");
     return filling.passed / filling.triangles.size();
   };
-  CHECK(passed(saw, 10) < 400);
-  CHECK(passed(comb, 0.05) < 100);
-  CHECK(passed(star, 10) < 400);
+  // Ordinary ones take thirty.
+  CHECK(passed({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {.size = 0.02}) < 40);
+  CHECK(passed(saw, {.size = 10}) < 500);
+  CHECK(passed(comb, {.size = 0.05}) < 500);
+  CHECK(passed(star(1e-4), {.size = 10}) < 500);
+  CHECK(passed(star(0.5), {.size = 10}) < 500);
+  CHECK(passed(narrow, {.size = 1, .grade = 0.05}) < 500);
 }
 
 TEST_SUITE_END();
