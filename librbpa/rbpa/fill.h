@@ -76,7 +76,7 @@ struct Filling {
   std::vector<Polygon> polygons;
   /// How often the front had to retreat.
   std::size_t retreats = 0;
-  /// How many triangles of what was not filled yet were passed on the way to points: the work of the front.
+  /// How many triangles of what was not filled yet were passed on the way to points, or made: the work of the front.
   std::size_t passed = 0;
 
   operator TriangleArrays() const { return {triangles, neighbors}; }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "meshops/core/contract.h"
@@ -7,6 +9,19 @@
 
 // How triangles come and go.
 namespace rbpa {
+namespace {
+
+/// How far below the plane through the triangle, lifted to the paraboloid, the point on the paraboloid is. While a corner rises from
+/// there, triangles around it are replaced in this order by those of the triangulation without it. Rounded: that costs flips at most.
+double rise(const Point& a, const Point& b, const Point& c, const Point& p) {
+  const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, cx = c.x - p.x, cy = c.y - p.y;
+  const double bc = bx * cy - by * cx, ca = cx * ay - cy * ax, ab = ax * by - ay * bx;
+  const double depth = (ax * ax + ay * ay) * bc + (bx * bx + by * by) * ca + (cx * cx + cy * cy) * ab;
+  const double result = depth / (ab + bc + ca);
+  return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 void Unfilled::link(Side side, Side beyond) {
   across_[side] = beyond;
@@ -17,6 +32,7 @@ void Unfilled::link(Side side, Side beyond) {
 }
 
 std::uint32_t Unfilled::add(Site a, Site b, Site c) {
+  ++passed_;
   auto t = static_cast<std::uint32_t>(stamp_.size());
   if (unused_.empty()) {
     stamp_.push_back(0);
@@ -39,6 +55,11 @@ void Unfilled::remove(std::uint32_t triangle) {
   unused_.push_back(triangle);
 }
 
+/// Before their numbers are given again.
+void Unfilled::forget_removed() {
+  std::erase_if(queue_, [&](Side side) { return corner_[side - side % 3] == none; });
+}
+
 void Unfilled::fill(const FrontEdge& edge, Site apex) {
   if (apex >= next_) {
     split(edge, apex);
@@ -47,6 +68,7 @@ void Unfilled::fill(const FrontEdge& edge, Site apex) {
   const auto [a, b] = edge;
   cross(at(edge), apex);
   for (const std::uint32_t t : crossed_) remove(t);
+  forget_removed();
   waiting_.clear();
   border_.erase(key_of(a, b));
   const Side left = cut_ears(left_, false), right = cut_ears(right_, true);
@@ -66,7 +88,7 @@ void Unfilled::bound(Side beyond, Site from, Site to) {
 
 /// A new site in the triangle around it; or, on a side, in both.
 void Unfilled::split(const FrontEdge& edge, Site site) {
-  const std::optional<Side> around = this->around(edge, places_[site]);
+  const std::optional<Side> around = this->around(edge, places_[site], unlimited);
   meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
   const Side first = *around - *around % 3;
   std::vector<std::array<std::uint32_t, 3>> rim;  // from, to, beyond
@@ -84,7 +106,10 @@ void Unfilled::split(const FrontEdge& edge, Site site) {
   for (const std::uint32_t t : taken)
     if (t != none) remove(t);
   std::vector<Side> bases;
-  for (const auto& [from, to, beyond] : rim) bases.push_back(3 * add(site, from, to));
+  for (const auto& [from, to, beyond] : rim) {
+    bases.push_back(3 * add(site, from, to));
+    for (Side k = bases.back(); k < bases.back() + 3; ++k) queue_.push_back(k);
+  }
   for (std::size_t i = 0; i < rim.size(); ++i) {
     link(bases[i], rim[i][2]);
     for (std::size_t j = 0; j < rim.size(); ++j)
@@ -160,6 +185,7 @@ void Unfilled::flip_all() {
 }
 
 void Unfilled::flip(Side side) {
+  ++passed_;
   const Side other = across_[side], t = side - side % 3, o = other - other % 3;
   const Site a = from(side), b = to(side), p = corner_[side], q = corner_[other];
   const Side beyond_pa = across_[before(side)], beyond_bp = across_[after(side)];
@@ -190,54 +216,82 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
     border_.erase(partner);
   }
   for (Side i = 0; i < 3; ++i) queue_.push_back(t + i);
-  for (Side i = 0; i < 3; ++i)
-    if (!is_front[i] && !is_front[(i + 2) % 3]) {
-      // Around the corner: if nothing of the front is met, no edge of it ends there any more.
-      Side side = t + (i + 1) % 3;
-      do side = across_[side] == none ? none : before(across_[side]);
-      while (side != none && side != t + (i + 1) % 3);
-      if (side != none) {
-        take_out(t + i);
-        break;
-      }
-    }
+  for (Side i = 0; i < 3; ++i) {
+    if (is_front[i] || is_front[(i + 2) % 3]) continue;
+    // Where another corner was taken out before, this one is across from a side of a triangle that came.
+    const auto at = std::find_if(queue_.begin(), queue_.end(), [&](Side side) { return corner_[side] == corners[i]; });
+    if (is_inner(*at)) take_out(*at);
+  }
   flip_all();
 }
 
-/// Takes out an inner corner, that across from a side: what was around it is cut into triangles by ears.
+/// Whether no edge of the front ends any more in the corner across from a side: around it none is met.
+bool Unfilled::is_inner(Side at) const {
+  Side side = after(at);
+  do side = across_[side] == none ? none : before(across_[side]);
+  while (side != none && side != after(at));
+  return side != none;
+}
+
+/// Takes out an inner corner, that across from a side: what was around it is cut into triangles by ears, the flattest first.
 void Unfilled::take_out(Side at) {
-  std::vector<Rim> rim;  // counter-clockwise; what is beyond the edge that leads to each
-  queue_.clear();
+  const Site inner = corner_[at];
+  star_.clear();
   Side side = at;
   do {
-    rim.push_back({to(side), across_[side]});
+    const auto i = static_cast<std::uint32_t>(star_.size());
+    star_.push_back({.rim = {to(side), across_[side]}, .last = i - 1, .next = i + 1});
     remove(side / 3);
-    side = across_[after(side)];  // the edge from the corner to the end of this one, seen from the next triangle
-    side = after(side);
+    side = after(across_[after(side)]);  // the edge from the corner to the end of this one, seen from the next triangle
   } while (side != at);
-  const auto is_ear = [&](std::size_t i) {
-    const std::size_t n = rim.size();
-    const Site a = rim[(i + n - 1) % n].site, b = rim[i].site, c = rim[(i + 1) % n].site;
-    return turn(a, b, c) > 0 && std::none_of(rim.begin(), rim.end(), [&](const Rim& other) {
-             return other.site != a && other.site != b && other.site != c &&
-                    holds(places_[a], places_[b], places_[c], places_[other.site]);
-           });
-  };
-  while (rim.size() >= 3) {
-    const std::size_t n = rim.size();
-    std::size_t i = 0;
-    while (i < n && !is_ear(i)) ++i;
-    meshops::require(i < n, "fill: a star has no ear");
-    const std::size_t last = (i + n - 1) % n, next = (i + 1) % n;
-    const Side ear = 3 * add(rim[last].site, rim[i].site, rim[next].site);
-    link(ear + 2, rim[i].beyond);
-    link(ear, rim[next].beyond);
-    if (n == 3) link(ear + 1, rim[last].beyond);
-    for (Side k = ear; k < ear + 3; ++k) queue_.push_back(k);
-    rim[next].beyond = ear + 1;
-    rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(i));
-    if (n == 3) break;
+  forget_removed();
+  star_.front().last = static_cast<std::uint32_t>(star_.size() - 1);
+  star_.back().next = 0;
+  ears_.clear();
+  for (std::uint32_t i = 0; i < star_.size(); ++i) offer_ear(i, inner);
+  std::uint32_t i = 0;
+  for (std::size_t left = star_.size(); left > 3; --left) {
+    i = first_ear();
+    cut_ear(i);
+    offer_ear(star_[i].last, inner);
+    i = star_[i].next;
+    offer_ear(i, inner);
   }
+  const Side rest = cut_ear(i);
+  link(rest + 1, star_[star_[i].last].rim.beyond);
+}
+
+/// Corner i of a star is an ear if it turns left there and the inner corner does not lie within. What is left then still lies around
+/// that or beside it. Of any triangulation of a star of four corners or more, two triangles at least have two sides of its rim,
+/// and the inner corner lies in one of them at most: so there is always an ear.
+void Unfilled::offer_ear(std::uint32_t i, Site inner) {
+  const Site a = star_[star_[i].last].rim.site, b = star_[i].rim.site, c = star_[star_[i].next].rim.site;
+  ++star_[i].offers;
+  if (turn(a, b, c) <= 0 || turn(inner, a, c) < 0) return;
+  ears_.push_back({rise(places_[a], places_[b], places_[c], places_[inner]), i, star_[i].offers});
+  std::push_heap(ears_.begin(), ears_.end());
+}
+
+std::uint32_t Unfilled::first_ear() {
+  for (;;) {
+    meshops::require(!ears_.empty(), "fill: a star has no ear");
+    const Ear ear = ears_.front();
+    std::pop_heap(ears_.begin(), ears_.end());
+    ears_.pop_back();
+    if (ear.offer == star_[ear.at].offers) return ear.at;
+  }
+}
+
+Unfilled::Side Unfilled::cut_ear(std::uint32_t i) {
+  const auto [rim, last, next, offers] = star_[i];
+  const Side ear = 3 * add(star_[last].rim.site, rim.site, star_[next].rim.site);
+  link(ear, star_[next].rim.beyond);
+  link(ear + 2, rim.beyond);
+  for (Side k = ear; k < ear + 3; ++k) queue_.push_back(k);
+  star_[last].next = next;
+  star_[next].last = last;
+  star_[next].rim.beyond = ear + 1;
+  return ear;
 }
 
 }  // namespace rbpa

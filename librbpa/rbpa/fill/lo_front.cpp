@@ -22,8 +22,9 @@ constexpr double bad = 0.25;
 /// its own corners: these are tried first, and from then on each look is so many times as wide as the last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
-/// A triangle stays if one of its edges has lost so many: else one after the other could be put there and taken away.
-constexpr int most_uncovered = 1000;
+/// So many triangles of what is not filled may be passed or made for each of the front's own, all in all: an ordinary front takes
+/// thirty. Where it has been more, a look goes through a few at most, and the front does not retreat.
+constexpr std::size_t most_work = 200, few = 64;
 
 /// Of a pair of sites.
 std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
@@ -115,14 +116,18 @@ std::optional<Point> LoFront::placed(const Task& task, double share, double want
   const Point apex = apex_at(task, share);
   if (!is_finite(apex)) return std::nullopt;
   const double least = std::max(wanted * task.side, least_clearance_);
-  return unfilled_.is_free({task.from, task.to}, apex, least) ? std::optional(apex) : std::nullopt;
+  return unfilled_.is_free({task.from, task.to}, apex, least, most_passed()) ? std::optional(apex) : std::nullopt;
 }
+
+bool LoFront::is_late() const { return unfilled_.passed() > most_work * (given_faces_ + kept_); }
+
+std::size_t LoFront::most_passed() const { return is_late() ? few : Unfilled::unlimited; }
 
 meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   places_.resize(front.sites());
   Task task = task_of(front.from_site(h), front.to_site(h));
   const bool again = retreated_from_.contains(key_of(task.from, task.to));
-  unfilled_.look_from({task.from, task.to});
+  unfilled_.look_from({task.from, task.to}, most_passed());
   look_around(task, task.side);
   // Where the front has been before, it rather closes than that it does the same again.
   if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
@@ -148,7 +153,7 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   }
   // What is as far as that is no nearer from behind.
   const bool is_far = looks >= near_looks;
-  if (!is_far && best->quality < bad && !again && retreats_left_ > 0) {
+  if (!is_far && best->quality < bad && !again && retreats_left_ > 0 && !is_late()) {
     if (const auto face = behind(front, h)) {
       retreated_from_.insert(key_of(task.from, task.to));
       --retreats_left_;
@@ -164,13 +169,7 @@ std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) con
   const meshops::Connectivity& mesh = front.mesh();
   for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {
     const meshops::Face face = mesh.face_handle(mesh.opposite_halfedge_handle(at));
-    if (static_cast<std::size_t>(face.idx()) < given_faces_) continue;
-    const auto is_settled = [&](Halfedge side) {
-      const auto times = uncovered_.find(key_of(front.from_site(side), front.to_site(side)));
-      return times != uncovered_.end() && times->second >= most_uncovered;
-    };
-    const Halfedge side = mesh.halfedge_handle(face), next = mesh.next_halfedge_handle(side);
-    if (!is_settled(side) && !is_settled(next) && !is_settled(mesh.next_halfedge_handle(next))) return face;
+    if (static_cast<std::size_t>(face.idx()) >= given_faces_) return face;
   }
   return std::nullopt;
 }
@@ -178,6 +177,7 @@ std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) con
 void LoFront::attached(const Front& front, const meshops::InsertedTriangle& triangle) {
   places_.resize(front.sites());
   const meshops::Connectivity& mesh = front.mesh();
+  ++kept_;
   // Beyond one side at least, which was of the front, there is a triangle.
   const auto base = std::find_if(triangle.side.begin(), triangle.side.end(),
                                  [&](Halfedge side) { return !mesh.is_boundary(mesh.opposite_halfedge_handle(side)); });
@@ -186,10 +186,8 @@ void LoFront::attached(const Front& front, const meshops::InsertedTriangle& tria
 
 void LoFront::detached(const meshops::DetachedTriangle& triangle) {
   std::array<bool, 3> is_front;
-  for (std::size_t i = 0; i < 3; ++i) {
-    is_front[i] = triangle.side[i].is_valid();
-    if (is_front[i]) ++uncovered_[key_of(triangle.corners[i], triangle.corners[(i + 1) % 3])];
-  }
+  for (std::size_t i = 0; i < 3; ++i) is_front[i] = triangle.side[i].is_valid();
+  --kept_;
   unfilled_.empty(triangle.corners, is_front);
 }
 

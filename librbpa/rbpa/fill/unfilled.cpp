@@ -24,10 +24,6 @@ bool meets(const Box& box, const Point& p, const Point& q) {
          std::min(p.y, q.y) <= box.high.y;
 }
 
-/// So many triangles a look goes through at most; and a way to a new point. More are in sight only where the front is
-/// much finer than the edge.
-constexpr std::size_t most_passed = 64;
-
 }  // namespace
 
 Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
@@ -67,10 +63,11 @@ Unfilled::Side Unfilled::at(const FrontEdge& edge) const {
   return found->second;
 }
 
-void Unfilled::look_from(const FrontEdge& edge) const {
+void Unfilled::look_from(const FrontEdge& edge, std::size_t most) const {
   const Side first = at(edge);
   const Site apex = corner_[first];
   eye_ = edge;
+  most_ = most;
   of_look_ = 0;
   seen_ = {apex};
   // Nothing lies right of the way to the end or left of that back, as nothing lies right of the edge.
@@ -83,7 +80,7 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   const Point at_a = places_[a], at_b = places_[b];
   gates_.swap(closed_);
   closed_.clear();
-  for (std::size_t i = 0; i < gates_.size() && of_look_ < most_passed; ++i) {
+  for (std::size_t i = 0; i < gates_.size() && of_look_ < most_; ++i) {
     const auto [gate, left, right] = gates_[i];
     const Side beyond = across_[gate];
     if (beyond == none) continue;
@@ -105,7 +102,7 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
     if (is_left && (!is_right || quick_orientation(at_a, p, places_[to(beyond)]) < 0))
       gates_.push_back({after(beyond), is_right ? d : left, right});
   }
-  if (of_look_ >= most_passed) {
+  if (of_look_ >= most_) {
     closed_.clear();
     found_.swap(seen_);
     seen_.clear();
@@ -133,11 +130,11 @@ bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
 }
 
 /// The triangle around a point, by its side towards an edge with which the point makes an empty triangle.
-std::optional<Unfilled::Side> Unfilled::around(const FrontEdge& edge, const Point& p) const {
+std::optional<Unfilled::Side> Unfilled::around(const FrontEdge& edge, const Point& p, std::size_t most) const {
   const Point &a = places_[edge.from], &b = places_[edge.to];
   if (quick_orientation(a, b, p) <= 0) return std::nullopt;
   std::size_t passed = 0;
-  for (Side side = at(edge); side != none && passed++ < most_passed;) {
+  for (Side side = at(edge); side != none && passed++ < most;) {
     ++passed_;
     const Point& d = places_[corner_[side]];
     if (holds(a, b, p, d)) return std::nullopt;
@@ -150,8 +147,8 @@ std::optional<Unfilled::Side> Unfilled::around(const FrontEdge& edge, const Poin
   return std::nullopt;
 }
 
-bool Unfilled::is_free(const FrontEdge& edge, const Point& apex, double clearance) const {
-  const std::optional<Side> side = around(edge, apex);
+bool Unfilled::is_free(const FrontEdge& edge, const Point& apex, double clearance, std::size_t most) const {
+  const std::optional<Side> side = around(edge, apex, most);
   return side && is_clear(*side, apex, clearance);
 }
 

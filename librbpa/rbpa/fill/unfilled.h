@@ -4,7 +4,8 @@
 //         decisions are exact.
 // Why:    whoever walks through it from an edge sees what that edge sees, and nothing else. Long edges that lie close hide
 //         nearly everything that is near from each other, and a search by boxes meets all of that (docs/fill.md, section 2).
-// Cost:   n log n to build, for a front of n edges; a triangle more or less costs the triangles that it crosses, and their flips.
+// Cost:   n log n to build, for a front of n edges; a triangle more or less costs the triangles that it crosses, and their flips;
+//         a corner that goes k log k for k triangles around it.
 //         A look costs the triangles that are seen.
 // Source: Chew, Constrained Delaunay triangulations (1989); Lee, Preparata, Euclidean shortest paths in the presence of
 //         rectilinear barriers (1984), for the funnel.
@@ -17,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "meshops/patch/site.h"
@@ -29,6 +31,7 @@ namespace rbpa {
 class Unfilled {
  public:
   using Site = meshops::Site;
+  static constexpr std::size_t unlimited = ~std::size_t{0};
 
   /// Of a front of rings, each as its sites: what is not filled lies on the left. Keeps a reference to the places, which may
   /// become more.
@@ -36,15 +39,16 @@ class Unfilled {
   Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
            const std::function<bool()>& go_on);
 
-  /// Looks from an edge of the front, for what follows.
-  void look_from(const FrontEdge& edge) const;
+  /// Looks from an edge of the front, for what follows, and through as many triangles at most: that beside the edge is always seen.
+  void look_from(const FrontEdge& edge, std::size_t most = unlimited) const;
   /// The sites in a box that make an empty triangle with that edge, but those that were found before; in any order.
   /// Requires: the box holds the edge and the boxes before; nothing was filled or emptied since look_from().
   std::span<const Site> free_sites(const Box& box) const;
   /// Whether the triangle of an edge of the front and a site is empty.
   bool is_free(const FrontEdge& edge, Site site) const;
-  /// Whether that of an edge and a new point is empty, and every edge of the front is as far from the point as that.
-  bool is_free(const FrontEdge& edge, const Point& apex, double clearance) const;
+  /// Whether that of an edge and a new point is empty, and every edge of the front is as far from the point as that; not where
+  /// more triangles would be passed on the way.
+  bool is_free(const FrontEdge& edge, const Point& apex, double clearance, std::size_t most = unlimited) const;
 
   /// An empty triangle on an edge of the front is filled. An apex that is no site of the front yet becomes one.
   void fill(const FrontEdge& edge, Site apex);
@@ -52,7 +56,7 @@ class Unfilled {
   /// filled either.
   void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
 
-  /// How many triangles were passed so far by looks and on the way to points.
+  /// How many triangles were passed so far by looks and on the way to points, and how many came or were flipped: what it all costs.
   std::size_t passed() const { return passed_; }
   /// The triangles, counter-clockwise, in any order.
   std::vector<std::array<Site, 3>> triangles() const;
@@ -73,6 +77,20 @@ class Unfilled {
     Side beyond;
     bool is_new = false;  // what is beyond was made for this rim
   };
+  /// Of a star around a corner that is taken out, a corner of its rim, those beside it, and how often it was offered as an ear.
+  struct Ray {
+    Rim rim;
+    std::uint32_t last, next;
+    std::uint32_t offers = 0;
+  };
+  /// An offer that is the last for its corner stands; the least rise comes first.
+  struct Ear {
+    double rise;
+    std::uint32_t at, offer;
+    friend bool operator<(const Ear& one, const Ear& other) {
+      return std::pair(other.rise, other.at) < std::pair(one.rise, one.at);
+    }
+  };
   /// A side that is looked through, from the triangle before it: what is seen is right of the way from the edge's beginning to
   /// one site, and left of that from its end to another.
   struct Gate {
@@ -83,12 +101,13 @@ class Unfilled {
   int turn(Site a, Site b, Site c) const;
   int turn(Site a, Site b, const Point& p) const;
   Side at(const FrontEdge& edge) const;
-  std::optional<Side> around(const FrontEdge& edge, const Point& apex) const;
+  std::optional<Side> around(const FrontEdge& edge, const Point& apex, std::size_t most) const;
   bool is_clear(Side around, const Point& p, double clearance) const;
 
   void link(Side side, Side beyond);
   std::uint32_t add(Site a, Site b, Site c);
   void remove(std::uint32_t triangle);
+  void forget_removed();
   void split(const FrontEdge& edge, Site site);
   void cross(Side side, Site apex);
   Side cut_ears(std::vector<Rim>& rim, bool is_right);
@@ -96,7 +115,11 @@ class Unfilled {
   void bound(Side beyond, Site from, Site to);
   void flip_all();
   void flip(Side side);
+  bool is_inner(Side at) const;
   void take_out(Side at);
+  void offer_ear(std::uint32_t i, Site inner);
+  std::uint32_t first_ear();
+  Side cut_ear(std::uint32_t i);
 
   const std::vector<Point>& places_;
   std::vector<Site> corner_;           // of side 3 t + k the corner across
@@ -109,13 +132,16 @@ class Unfilled {
   std::vector<std::uint32_t> crossed_;
   std::vector<std::array<std::uint32_t, 3>> waiting_;
   std::vector<Side> queue_;
+  // While a corner is taken out:
+  std::vector<Ray> star_;
+  std::vector<Ear> ears_;  // a heap
   // While one looks:
   mutable FrontEdge eye_ = {};
   mutable std::vector<Site> found_, seen_;    // in the last box; and free ones outside of it
   mutable std::vector<Gate> gates_, closed_;  // to be looked through; and those outside of the box
   mutable std::vector<Side> stack_;
   mutable std::vector<std::size_t> stamp_;  // of each triangle the look that came by last
-  mutable std::size_t of_look_ = 0, looks_ = 0, passed_ = 0;
+  mutable std::size_t most_ = 0, of_look_ = 0, looks_ = 0, passed_ = 0;
 };
 
 }  // namespace rbpa
