@@ -194,7 +194,8 @@ void check_fill(const Folder& folder, const std::string& path, const PolygonFile
 }
 
 PolygonFile read(const std::string& path) {
-  return rbpa::app::read_polygons(path, *rbpa::app::find_format(Use::polygons, rbpa::app::input_ending(path)));
+  return rbpa::app::read_polygons(path,
+                                  *rbpa::app::find_format(rbpa::app::Use::polygons, rbpa::app::input_ending(path)));
 }
 
 /// Without new points, and with few inside.
