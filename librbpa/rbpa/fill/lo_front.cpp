@@ -24,7 +24,7 @@ constexpr int near_looks = 8;
 constexpr double far_step = 16;
 /// So many triangles of what is not filled may be passed or made for each of the front's own, all in all: an ordinary front takes
 /// thirty. Where it has been more, a look goes through a few at most, and the front does not retreat.
-constexpr std::size_t most_work = 200, few = 64;
+constexpr std::size_t most_work = 200, few_passed = 64;
 
 /// Of a pair of sites.
 std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
@@ -121,7 +121,7 @@ std::optional<Point> LoFront::placed(const Task& task, double share, double want
 
 bool LoFront::is_late() const { return unfilled_.passed() > most_work * (given_faces_ + kept_); }
 
-std::size_t LoFront::most_passed() const { return is_late() ? few : Unfilled::unlimited; }
+std::size_t LoFront::most_passed() const { return is_late() ? few_passed : Unfilled::unlimited; }
 
 meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   places_.resize(front.sites());
