@@ -100,6 +100,7 @@ endforeach()
 # Headers that users see, and programs, which are users too, know nothing of the inside of librbpa: it is not installed, hidden in
 # a shared library, exact under the flags of this project only. What docs/drawings draws is there.
 file(STRINGS ${ROOT}/librbpa/CMakeLists.txt lines REGEX "rbpa/[a-z0-9_/]+\\.h")
+list(FILTER lines EXCLUDE REGEX ">")  # old paths
 string(REGEX MATCHALL "rbpa/[a-z0-9_/]+\\.h" installed "${lines}")
 list(LENGTH installed count)
 file(GLOB root_headers RELATIVE ${ROOT}/librbpa ${ROOT}/librbpa/rbpa/*.h)
