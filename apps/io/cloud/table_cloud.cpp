@@ -383,9 +383,10 @@ class TableCloud final : public Cloud {
   DecimalComma comma_ = {};
   LineSelection selection_;
   TextColors colors_ = TextColors(greatest_channel);
-  bool is_unnamed_ = false, is_by_content_ = false;  // nothing says what the last three are, and they show it
-  bool all_channels_ = true;                         // they are whole numbers of a channel so far
-  bool no_direction_ = false;                        // one of them is no normal
+  bool is_unnamed_ = false,
+       is_by_content_ = false;  // the last three columns have no names; their values show what they are
+  bool all_channels_ = true;    // they are whole numbers of a channel so far
+  bool no_direction_ = false;   // one of them is no normal
   double greatest_ = 0;
 };
 

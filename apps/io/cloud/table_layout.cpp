@@ -127,7 +127,7 @@ void choose_in_space(const FieldTexts& fields, const Lines& lines, const std::st
         refuse_repeated_column(fields[layout.numbers[i]]);  // under two names, or by name and by number
 }
 
-/// Of names that are not known only the number of columns says what they are.
+/// Where names are not known, the number of columns decides what they are.
 void find_by_space_header(const FieldTexts& fields, const Lines& lines, const std::string& name, TableLayout& layout,
                           std::vector<std::string>& remarks) {
   layout.numbers = find_space_columns(fields);

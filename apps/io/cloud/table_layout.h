@@ -21,7 +21,7 @@ struct TableLayout {
   std::optional<std::size_t> wkt = std::nullopt;  ///< that of geometries, in place of x and y
   std::optional<std::size_t> height = std::nullopt;
   bool degrees = false;  ///< x is a longitude and y a latitude
-  bool unnamed = false;  ///< nothing says what the last three of six are
+  bool unnamed = false;  ///< six columns without names: the last three may be normals or colours
 };
 
 /// Of the current line, which is the first with content. Adds what there is to remark. Throws BadInput naming the line, and

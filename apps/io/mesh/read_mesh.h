@@ -1,5 +1,5 @@
 // What: a mesh from a file of any format we read: where its points are, and the cycles of its faces.
-// Law:  points and faces keep the order of the file; nothing is judged but whether the file says what it means.
+// Law:  points and faces keep the order of the file; the reader checks that the file is well formed, and judges no mesh.
 #pragma once
 
 #include <array>

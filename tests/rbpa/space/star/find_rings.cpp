@@ -74,7 +74,7 @@ TEST_CASE("around a point, the free region tells what rolling about every edge t
   CHECK(rolled < sites / 4);  // otherwise nothing has been compared
 }
 
-TEST_CASE("points that another one sees in one direction, at almost one distance, are told apart") {
+TEST_CASE("points that another one sees in one direction, at almost one distance, hide no triangle") {
   // The least and the greatest depth of one's cap on the other's circle differ by the root of what is rounded.
   const Points3 points = {{0x1.8bdd177148d58p-4, 0x1.23717c3b551a6p-2, 0x1.774e661651e3ap-1},
                           {0x1.7e8a57ef5b78bp-1, 0x1.f3c6ffc0772f7p-1, 0x1.cdc9a87ca6b8p-6},
