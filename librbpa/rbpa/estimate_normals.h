@@ -1,4 +1,5 @@
-// What:   normals for points in space that have none: of the plane that fits the nearest points, all turned to one side.
+// What:   estimates normals for points in space: each is that of the plane that fits the nearest points, and all are turned
+//         to one side of the surface.
 // Law:    a function of the set of points, and of no order or thread; multiplying all points by a power of two changes nothing.
 //         Equal points have equal normals. An estimate, in rounded numbers; when it is wrong: docs/surface.md, section 3.
 // Cost:   O(n log n); at most about 25 neighbors + 100 bytes a point.
@@ -39,7 +40,7 @@ struct NormalOptions {
 /// Where the nearest points are on a line within the precision of double, the normal is the direction across the line that is
 /// nearest to the z axis, or to the y axis if the line is parallel to z; for a single point it is +z.
 /// Requires: finite points, fewer than 2^32 − 1; at least 2 neighbors.
-/// Throws:   InvalidInput naming what is not; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options = {});
 
 }  // namespace rbpa

@@ -33,7 +33,7 @@ class MESHOPS_API WaitingEdges {
   }
   /// Active halfedges, in the order of the queue; for a front that has none yet.
   void queue_all(std::vector<Halfedge>&& active);
-  /// The halfedge waits no longer: somebody has it in hand, or its edge has gone.
+  /// The halfedge waits no longer: it was popped, or its edge was deleted.
   void release(Halfedge h) { set_state(h, State::neither); }
   /// The same of an active one that is not deferred. Returns: whether it was one.
   bool release_queued(Halfedge h) {

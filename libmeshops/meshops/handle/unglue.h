@@ -44,9 +44,9 @@ MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 /// Cost:     that of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 
-/// Takes a glue() back: the edge and the vertices that it marked deleted live again, with their own properties.
+/// Undoes a glue(): the edge and the vertices that it marked deleted live again, with their own properties.
 /// Requires: the glued edge is inner and ends at the vertices that glue() left it with; what glue() marked deleted
-///           still is. All of this is checked: a sound mesh stays sound whatever the effect says. The mesh has status of
+///           still is. All of this is checked: a sound mesh stays sound whatever the effect contains. The mesh has status of
 ///           every kind.
 /// Throws:   ContractViolation, mesh untouched.
 /// Cost:     that of unglue_case().

@@ -80,9 +80,9 @@ class MESHOPS_API SiteVertices {
   /// any site, and are marked deleted meanwhile where the mesh can.
   void release(Vertex v);
 
-  // For who lays many triangles at once, and lists their fans at the end.
+  // For callers that lay many triangles at once, and list their fans at the end.
   /// A further vertex on a site: its handle, for a vertex and a listing that come with list_announced().
-  /// Requires: no further vertex was taken.
+  /// Requires: no further vertex was used.
   Vertex announce(Site s) {
     further_.push_back({s, none});
     return vertex(static_cast<int>(further_.size()) - 1);
