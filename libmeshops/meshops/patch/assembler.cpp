@@ -10,7 +10,7 @@ namespace meshops {
 namespace {
 
 constexpr std::size_t edges_at_a_time = 16;  // at the rim
-constexpr std::size_t ahead = 8;             // as many sides before, memory is asked for
+constexpr std::size_t ahead = 8;             // memory is prefetched this many sides before
 
 std::size_t index(int side) { return static_cast<std::size_t>(side); }
 

@@ -4,7 +4,7 @@
 //         exactly. For every edge of the front there is such a triangle (docs/fill.md, section 3), so that none is ever
 //         frozen, and the run ends.
 // Cost:   a look at what is seen from an edge for each triangle, and what was filled in vain. All in all about 200 triangles of what
-//         is not filled are passed or made for each of the boundary's edges and of the result's: ordinary fronts take thirty.
+//         is not filled are passed or made for each of the boundary's edges and of the result's: ordinary fronts need thirty.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
 //         generation method revisited (1994).
 #pragma once
@@ -54,12 +54,12 @@ class LoFront {
   /// The apex for an edge; or the triangle behind it goes, if none makes a good one.
   meshops::Proposal propose(const Front& front, Halfedge h);
 
-  /// To be told what has become of the front.
+  /// Updates the unfilled region after a change of the front.
   void attached(const Front& front, const meshops::InsertedTriangle& triangle);
   void detached(const meshops::DetachedTriangle& triangle);
 
  private:
-  /// An edge that wants an apex, and what is around it.
+  /// An edge that needs an apex, and the candidates for it.
   struct Task {
     Point a, b;
     Site from, to;

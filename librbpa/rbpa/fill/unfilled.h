@@ -77,7 +77,7 @@ class Unfilled {
     Side beyond;
     bool is_new = false;  // what is beyond was made for this rim
   };
-  /// Of a star around a corner that is taken out, a corner of its rim, those beside it, and how often it was offered as an ear.
+  /// In the star of a corner that is removed: a corner of its rim, those beside it, and how often it was offered as an ear.
   struct Ray {
     Rim rim;
     std::uint32_t last, next;

@@ -32,7 +32,7 @@ inline Triangle from_least(std::span<const std::uint32_t> names, const std::arra
 /// Calls visit(Triangle) for each triangle of a patch, in order.
 template <typename Visit>
 void for_each_triangle(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
-  constexpr std::size_t ahead = 32;  // names are asked for that long before
+  constexpr std::size_t ahead = 32;  // names are prefetched this many triangles before
   const std::size_t count = patch.triangles.size();
   for (std::size_t t = 0; t < count; ++t) {
     for (const meshops::Site corner : patch.triangles[std::min(t + ahead, count - 1)])

@@ -18,7 +18,7 @@ namespace rbpa {
 std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
                                                          const Triangulation& delaunay);
 
-/// Takes the triangles of circumradius > alpha out, and out of the neighbours.
+/// Removes the triangles of circumradius > alpha, also from the neighbours.
 void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay);
 
 }  // namespace rbpa

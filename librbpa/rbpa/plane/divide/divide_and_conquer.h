@@ -23,7 +23,7 @@ using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoi
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
 /// all points are on a line. Puts the places in another order.
 /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
-/// Requires: distinct points, no more than rbpa() takes, whose predicates `Real` can decide: double where they fit
+/// Requires: distinct points, no more than rbpa() accepts, whose predicates `Real` can decide: double where they fit
 ///           (fits_double()), long double wherever they are.
 template <typename Real>
 meshops::Patch divide_and_conquer(

@@ -85,7 +85,7 @@ class Enumeration {
   struct Near {
     alignas(64) float x[max_near + near_padding], y[max_near + near_padding];
     std::int32_t label[max_near + near_padding];
-    std::size_t point, place;  ///< which of the tile, and which of those taken
+    std::size_t point, place;  ///< its number in the tile, and among those chosen
     Bits near;                 ///< who is within reach, among all around
     std::size_t count, next;
   };

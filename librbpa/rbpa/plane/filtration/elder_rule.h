@@ -46,7 +46,7 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
     if (components.find(v) == v) pair(first[v], std::optional<double>());
 }
 
-/// Edges descending: taking an edge away joins the gaps on its sides. A gap fills up with the last of its triangles; of
+/// Edges descending: removing an edge joins the gaps on its sides. A gap fills up with the last of its triangles; of
 /// two that are separate above this alpha the one that fills up first is a hole from here to there.
 /// Calls pair(birth, last face's arrival) for each hole, which dies as that face comes.
 /// Requires: the edges of `cells` are sorted by alpha.

@@ -46,7 +46,7 @@ class Sites {
   std::vector<Duplicate> duplicates() const;
   /// No two are farther apart than this.
   long double diameter_bound() const;
-  /// The radius alpha, or none where it is known to be above every circumradius.
+  /// The radius alpha, or none where it is certainly above every circumradius.
   Radius reachable(double alpha) const {
     const Radius radius = Radius::of(alpha);
     return beyond_.empty() && window_.scaled(radius).is_infinite() ? Radius() : radius;

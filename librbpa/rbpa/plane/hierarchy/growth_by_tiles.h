@@ -30,7 +30,7 @@ class GrowthByTiles {
   /// The front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
 
-  /// Puts the triangles of a level into the mesh, levels being taken in ascending order from 0 on.
+  /// Puts the triangles of a level into the mesh, called for levels in ascending order from 0 on.
   /// Returns: how many sites have one of them.
   std::size_t grow(int level, meshops::Front& front);
 

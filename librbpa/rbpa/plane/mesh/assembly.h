@@ -22,7 +22,7 @@ namespace rbpa {
 
 class Assembly {
  public:
-  /// Keeps references; the complex is empty yet. Asks `progress`, if any, while points are sorted. Throws Cancelled.
+  /// Keeps references; the complex is empty yet. Calls `progress`, if any, while points are sorted. Throws Cancelled.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads,
            const std::function<bool(const Progress&)>& progress = {})
       : sites_(input, threads, asking(progress, input.size())), threads_(threads), complex_(begin(complex)) {}

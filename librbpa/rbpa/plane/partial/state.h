@@ -28,7 +28,7 @@ struct Chain {
   std::vector<Corner> path;
 };
 
-/// Of holes that were taken out of a component.
+/// The sums of holes that were removed from a component.
 struct HoleSums {
   std::uint64_t holes = 0;
   std::vector<ComponentName> names = {};  // ascending, none twice

@@ -88,7 +88,8 @@ class ApexSearch {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t max_candidates = 64;
   static constexpr float max_reach = 4;  // the whole tile, from any point of it
-  // Measured: as many points looked at take as long as a window, what is done with an apex in it, and an exact decision.
+  // Measured: the number of points that can be scanned in the time of a search window, of an apex in it, and of an exact
+  // decision.
   static constexpr std::size_t work_of_window = 64, work_of_apex = 192, work_of_candidate = 16;
 
   /// What rounding can do to the numbers of an edge in a box so wide.
@@ -184,7 +185,7 @@ class ApexSearch {
     return decide(edge);
   }
 
-  /// Where vectors are emulated, MinOfLanes() does not know more than the largest finite number.
+  /// Where vectors are emulated, MinOfLanes() returns no more than the largest finite number.
   static HWY_INLINE float least_lane(V v) {
     const float least = hn::GetLane(hn::MinOfLanes(D(), v));
     return least < std::numeric_limits<float>::max() ? least : infinity;
@@ -204,7 +205,7 @@ class ApexSearch {
     return winner;
   }
 
-  /// From near to far, as far as it takes.
+  /// From near to far, as far as necessary.
   HWY_NOINLINE Index search(std::size_t edge) {
     const float dx = edges_.bx[edge] - edges_.ax[edge], dy = edges_.by[edge] - edges_.ay[edge];
     const float length = std::sqrt(dx * dx + dy * dy);

@@ -1,4 +1,4 @@
-// What: sixteen edges of a front, and what is known of each while a ball rolls over it.
+// What: sixteen edges of a front, and for each the state of its pivot.
 // Why:  as arrays, so that a register holds the same number of many edges.
 #pragma once
 
@@ -14,13 +14,13 @@ struct EdgeBatch {
   static constexpr std::size_t rows_at_once = 3,
                                row_length = 16;  ///< rows of cells, and points of one, at a first look
 
-  /// The edges, and how large a circle is worth a look at first: that of a triangle at the edge. One more of each, so that
-  /// a loop may write before it looks.
+  /// The edges, and the radius to try first: that of a triangle at the edge. One more of each, so that a loop may write
+  /// before it tests.
   alignas(64) std::int32_t a[size + 1], b[size + 1];
   alignas(64) float expected[size + 1];
 
   alignas(64) float ax[size], ay[size], bx[size], by[size];
-  /// The cells to look at, their extent, and whether all points there are known but for those of unknown cells.
+  /// The cells to look at, their extent, and whether the tile has all points there but for those of unknown cells.
   alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size], is_inside[size];
   alignas(64) float extent[size];
   /// Whether these are at most three rows of at most sixteen points; the points of each row, and which are ends of the edge.

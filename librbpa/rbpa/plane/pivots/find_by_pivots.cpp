@@ -74,7 +74,7 @@ class TileFront {
     return apexes_.work() > max_work * (front_.triangles() + in_advance);
   }
 
-  /// The nearest point, where it is known.
+  /// The nearest point, where the tile's points determine it.
   Index nearest(Index v) const {
     constexpr float farthest = 2, slack = 0x1p-18f;
     const float x = at_.x[v], y = at_.y[v];
@@ -110,7 +110,7 @@ class TileFront {
     while (queued_ != 0 && !has_given_up()) {
       wave_.swap(queue_);
       const std::size_t length = std::exchange(queued_, 0);
-      // Taken at distances: neighbours on the front often lead to the same triangle.
+      // With a stride: neighbours on the front often lead to the same triangle.
       const std::size_t stride = (length + EdgeBatch::size - 1) / EdgeBatch::size;
       std::size_t size = 0;
       EdgeBatch& edges = apexes_.edges();

@@ -83,7 +83,7 @@ class Predicates {
 
   /// The side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically largest of
   /// the four is lifted most: if that is q, it leaves the circle; if it is a corner, the side depends on where the lift
-  /// of that corner tilts the circle. Three points of a circle are not on a line, so that there is no next to ask.
+  /// of that corner tilts the circle. Three points of a circle are not on a line, so that the sign is never zero.
   static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
     if (a < q && b < q && p < q) return -1;
     if (b < a && p < a) return orientation(q, b, p);

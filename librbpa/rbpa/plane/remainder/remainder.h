@@ -1,4 +1,5 @@
-// What:   what is missing when the patches of all tiles are there: found at once, from the points that matter for it.
+// What:   the triangles that the patches of all tiles lack: found in one triangulation, of the sites that are not settled
+//         and their neighbours.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
 // How:    a star is settled when every triangle of the complex around its site is in some patch. What is missing has no
 //         settled corner, and is in the Delaunay triangulation of those sites and their neighbours.

@@ -23,7 +23,7 @@ struct TileCoordinates {
   std::vector<std::int32_t> start, unknown;  ///< as the tile's; behind the last, three rows that are empty
   int columns = 0, rows = 0;
   float x0 = 0, y0 = 0, cell = 0, per_cell = 0;
-  /// Where all points are known, but for those of unknown cells; infinite where there is nothing beyond.
+  /// The box in which the tile has all points, but for those of unknown cells; infinite where there is nothing beyond.
   float x_low = 0, x_high = 0, y_low = 0, y_high = 0;
   /// Points in a box of at most this extent have differences whose products, and sums of two, are exact in single
   /// precision. 0 where the points are not on a lattice.

@@ -25,7 +25,7 @@ struct ExtractionWorkspace {
       ending;  // of each point: the side that leaves it in an outline; one of the rim that ends there
   std::vector<CircumradiusFilter> within;  // of each triangle, alpha
   std::vector<std::uint8_t> star;          // of each point, its status
-  // Lists of the result, before their length is known.
+  // Lists of the result, before their length is determined.
   std::vector<std::uint32_t> settled, ghost_corners;
   std::vector<TilePatch::SharedStar> shared;
   std::vector<TilePatch::Neighbors> unsettled_neighbors;

@@ -1,4 +1,4 @@
-// What: what is common to those who find the triangles of a tile, by pivots (pivots/) or by enumeration (enumeration/).
+// What: the common part of the finders of a tile's triangles, by pivots (pivots/) or by enumeration (enumeration/).
 // Law:  a finder replaces `found` by a patch of the complex and what is settled by it, a function of the tile and alpha
 //       alone. It returns false where it can decide nothing or would be too slow; what is in `found` is of no use then.
 #pragma once

@@ -1,5 +1,5 @@
-// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and where nothing is
-//       known.
+// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and the cells whose
+//       points it lacks.
 // Law:  plain data. What is computed from a tile depends on nothing else, so tiles can be run in any order, by any
 //       thread, or be sent elsewhere.
 #pragma once
