@@ -1,4 +1,4 @@
-// What: how the memory that a run may take is divided.
+// What: how the memory of a run is divided.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 namespace rbpa::app {
 
-/// Bytes that the program takes before it has a point, with its libraries.
+/// Bytes of the program with its libraries, before it has a point.
 constexpr std::uint64_t program_bytes = std::uint64_t{24} << 20U;
-/// A tile in work takes at most so many a point: read, triangulated, sorted, and what is made of it.
+/// The most bytes per point of a tile in work: its input, triangulation, sorting and result.
 constexpr std::uint64_t bytes_of_tile_point = 330;
 /// The least --memory.
 constexpr std::uint64_t least_memory = std::uint64_t{64} << 20U;

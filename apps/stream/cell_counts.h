@@ -42,7 +42,7 @@ class CellCounts {
 
   std::size_t most_;
   std::size_t used_ = 0;
-  std::vector<Cell> table_;  // open addressing, at most half of it taken; count 0: free
+  std::vector<Cell> table_;  // open addressing, at most half of it used; count 0: free
   int exponent_ = 0;         // of the side
   std::uint64_t points_ = 0;
   Point least_ = {}, greatest_ = {};

@@ -32,8 +32,9 @@ struct NormalOptions {
 /// For each point, the unit normal of the plane that fits it and its nearest others with the least sum of squared distances.
 /// Equal distances are ordered by the points' coordinates.
 ///
-/// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree of
-/// the edges' doubts. The first is turned outward: the extreme point in the first of the directions +z, −z, +y, −y, +x, −x
+/// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree
+/// whose weights measure how uncertain the side is across an edge. The first is turned outward: the extreme point in the
+/// first of the directions +z, −z, +y, −y, +x, −x
 /// that is within 60 degrees of its plane's normal. So where no step errs (docs/surface.md, section 3) each component of a
 /// closed surface has normals that point outward, also one inside another; and a plane that is not too steep, upward.
 ///

@@ -36,7 +36,7 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-/// A run of one of our programs, and what it says of itself.
+/// A run of one of our programs, and the statistics it writes.
 struct Told {
   WatchedRun run;
   Json stats;
@@ -85,7 +85,7 @@ class StreamBench {
     std::fflush(stdout);
   }
 
-  /// Says what is needed before it is written.
+  /// Checks the disk for what will be written.
   void require_room() const {
     constexpr double of_input = 16, of_tile = 10, of_row = 12, rows = 2;
     double bytes = points() * (of_input + of_tile) + static_cast<double>(few_) * of_input;

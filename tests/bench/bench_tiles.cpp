@@ -1,4 +1,4 @@
-// How much tiles tell: the figures of docs/tiles.md, section 6, as a Markdown table.
+// How much of the complex tiles decide: the figures of docs/tiles.md, section 6, as a Markdown table.
 //   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
 #include <cstdio>
 #include <limits>

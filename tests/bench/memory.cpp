@@ -51,7 +51,7 @@ std::optional<double> peak_bytes(const std::function<void()>& prepare, const std
       prepare();
       if (const std::optional<double> bytes = rise_of_peak(work))
         told = write(ends[1], &*bytes, sizeof(double)) == sizeof(double);
-    } catch (...) {  // nothing is told
+    } catch (...) {  // nothing is reported
     }
     _exit(told ? 0 : 1);
   }

@@ -41,7 +41,7 @@ Ended wait_for_shell(const std::string& command, const std::filesystem::path& sa
   return ended;
 }
 
-/// What it said on standard error: its time, and the last line for those who ask why it failed.
+/// Its standard error: its time, and the last line, as the reason for a failure.
 struct Said {
   std::optional<double> seconds;
   std::string last_line;

@@ -46,7 +46,7 @@ WarmRun compute_warm(const std::string& file, double alpha, unsigned threads, bo
       constexpr int runs = 3;
       for (int i = 0; i < runs; ++i) run = timed(points, alpha, threads, with_polygons);
       told = write(ends[1], &run, sizeof run) == sizeof run;
-    } catch (...) {  // nothing is told
+    } catch (...) {  // nothing is reported
     }
     _exit(told ? 0 : 1);
   }

@@ -204,7 +204,7 @@ TEST_CASE("random sets on small grids: integer translations and powers of two ke
 }
 
 TEST_CASE("random sets on small grids: turned and mirrored sets are right as well") {
-  // The perturbation follows the coordinates, so cocircular points may be cut otherwise: the oracle says how.
+  // The perturbation follows the coordinates, so cocircular points may be cut otherwise: the oracle determines how.
   for_random_sets(5, [](const Points& points, double alpha, Random& random) {
     constexpr Map maps[] = {{0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}, {-1, 0, 0, 1}, {0, 1, 1, 0}};
     check_against_cgal(image(points, maps[random.below(std::size(maps))]), alpha);

@@ -129,7 +129,7 @@ PolygonSoup random_faces(Random& random) {
   return soup;
 }
 
-/// Without the faces that CGAL does not take: degenerate and repeated ones.
+/// Without the faces that CGAL does not accept: degenerate and repeated ones.
 PolygonSoup with_whole_faces(const PolygonSoup& soup) {
   std::vector<bool> bad(soup.faces(), false);
   for (const meshops::SoupDefect& defect : meshops::find_defects(soup))
@@ -153,7 +153,7 @@ void for_each_random_soup(Check check) {
     }
 }
 
-/// What is known of the mesh files beforehand: V, F, curves, genus, all of one piece.
+/// The published facts about the mesh files: V, F, curves, genus, all of one piece.
 struct Known {
   std::size_t vertices, faces, curves;
   long genus;
