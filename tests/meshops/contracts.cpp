@@ -1,4 +1,4 @@
-// Handles that name nothing, and effects that no operator returned, given to every function that takes them: a contract
+// Handles that name nothing, and effects that no operator returned, given to every function that has such arguments: a contract
 // violation that names the function, and not a bit of the mesh is changed.
 #include "meshops/core/contract.h"
 
@@ -152,7 +152,7 @@ TEST_SUITE("contracts") {
                              {"graph view:", [](TestMesh& m, Face f) { out_edges(f, DualGraph(m)); }}});
   }
 
-  TEST_CASE("on_same_curve and BoundaryCurve want boundary halfedges") {
+  TEST_CASE("on_same_curve and BoundaryCurve require boundary halfedges") {
     Annulus annulus;
     const Halfedge inner = annulus.mesh.opposite_halfedge_handle(annulus.boundary);
     check_refused(annulus.mesh, "not a boundary halfedge",
@@ -164,7 +164,7 @@ TEST_SUITE("contracts") {
     CHECK_THROWS_AS(out_edges(Vertex(0), BoundaryGraph(closed)), ContractViolation);
   }
 
-  TEST_CASE("who needs status to delete says who it is") {
+  TEST_CASE("operators that need status to delete name themselves without it") {
     OpenMesh::PolyMesh_ArrayKernelT<> mesh;
     const auto b = separate_triangles(mesh, 2);
     const auto said = [](auto operate) -> std::string {
@@ -190,7 +190,7 @@ TEST_SUITE("contracts") {
     for (const auto& [who, what] : all) CHECK_MESSAGE(what.starts_with(who + ": the mesh needs "), what);
   }
 
-  TEST_CASE("a tracker that is told of what did not happen says so and counts nothing") {
+  TEST_CASE("a tracker that is notified of what did not happen refuses it and counts nothing") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     TopologyTracker tracker(mesh);

@@ -159,7 +159,7 @@ TEST_CASE("sets that were once wrong stay right") {
   }
 }
 
-TEST_CASE("random sets on small grids: the complex is what its definition says") {
+TEST_CASE("random sets on small grids: the complex is that of the definition") {
   for_random_sets(1, [](const Points& points, double alpha, Random&) { check_against_brute_force(points, alpha); });
 }
 
@@ -220,7 +220,7 @@ TEST_CASE("random sets on small grids: a smaller alpha gives a subset") {
   });
 }
 
-TEST_CASE("every subset of a small grid: the complex is what its definition says") {
+TEST_CASE("every subset of a small grid: the complex is that of the definition") {
   for_subsets(even, [](const Points& points) {
     for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
       INFO("alpha ", literal(alpha));

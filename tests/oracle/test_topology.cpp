@@ -171,7 +171,7 @@ const std::map<std::string, Known>& known_meshes() {
   return known;
 }
 
-TEST_CASE("meshes from files: the known numbers, and every piece as CGAL has it") {
+TEST_CASE("meshes from files: the published numbers, and every piece as CGAL has it") {
   std::map<std::string, MeshFile> files;
   for (const auto& folder : {further_data(), bundled_data()})
     for (const MeshFile& file : mesh_files(folder)) files.insert_or_assign(file.name, file);
@@ -219,7 +219,7 @@ TEST_CASE("meshes from files, damaged: repaired they have the pieces that CGAL's
     }
 }
 
-TEST_CASE("a soup has no defects exactly when CGAL takes it for a mesh") {
+TEST_CASE("a soup has no defects exactly when CGAL accepts it as a mesh") {
   std::size_t taken = 0;
   for_each_random_soup([&](const PolygonSoup& soup) {
     CHECK(meshops::find_defects(soup).empty() == cgal_takes(soup));

@@ -23,7 +23,7 @@ class Placement {
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;
-  std::vector<Vertex> of_fan_;     // of each hole, the vertex between it and the next; invalid where it is not determined yet
+  std::vector<Vertex> of_fan_;     // of each hole, the vertex between it and the next; invalid where not determined yet
   std::vector<Halfedge> of_side_;  // behind those that stand for no side
 };
 

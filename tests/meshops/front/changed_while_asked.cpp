@@ -1,4 +1,4 @@
-// Who changes a front while the engine asks or tells him is refused; and what was true of a front when a Fit was made is
+// Changing a front during a call by the engine is refused; and what was true of a front when a Fit was made is
 // checked when it is inserted.
 #include <doctest/doctest.h>
 
@@ -60,7 +60,7 @@ std::string said(When when, const Change& change) {
   meddling.change = change;
   const std::string words = refusal([&] { advance(front, meddling, meddling); });
   check_sound(mesh);
-  // The engine is left in order: who is no longer asked may change the front.
+  // The engine is left in order: after the call the front may be changed.
   CHECK_NOTHROW(front.create(6, 7, 8));
   return words;
 }
@@ -68,7 +68,7 @@ std::string said(When when, const Change& change) {
 }  // namespace
 
 TEST_SUITE("changed while asked") {
-  TEST_CASE("a policy that changes the front while it is asked is refused, whatever the question and the change") {
+  TEST_CASE("a policy that changes the front during a call is refused, whatever the call and the change") {
     const std::vector<Change> changes = {[](Front& f) { f.create(4, 5, 6); },
                                          [](Front& f) { f.attach(Halfedge(1), 5); },
                                          [](Front& f) { f.insert(f.fit(4, 5, 6)); },

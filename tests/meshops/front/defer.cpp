@@ -1,4 +1,4 @@
-// Edges that are asked about later: when the front has changed, and not before; and never so that a run does not end.
+// Edges that are deferred: their turn comes when the front has changed, and not before; and never so that a run does not end.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -73,14 +73,14 @@ TEST_SUITE("defer") {
     CHECK(events.frozen_at == of_second + of_first);
     CHECK(front.faces() == 2);
     check_sound(mesh);
-    // Asked again on the next level.
+    // Proposed for again on the next level.
     CHECK(front.next_level().reactivated == 6);
     policy.faces = 0;
     advance(front, policy, events);
     CHECK(front.faces() == 3);
   }
 
-  TEST_CASE("an edge that was deferred takes what it could not take before") {
+  TEST_CASE("an edge that was deferred gets the apex that was refused before") {
     Waiting policy;
     policy.faces = 2;
     Events events;
@@ -94,8 +94,8 @@ TEST_SUITE("defer") {
     check_sound(mesh);
   }
 
-  TEST_CASE("whoever is attached to by a neighbour is not asked about again") {
-    // The edge 0→2 waits; 2→1 takes the site 0... by way of a new triangle around it.
+  TEST_CASE("an edge to which a neighbour's triangle is attached is not proposed for again") {
+    // The edge 0→2 waits; 2→1 gets the site 0... by way of a new triangle around it.
     struct Around {
       std::map<std::pair<Site, Site>, Site> apex = {{{1, 0}, 3}, {{3, 0}, 2}};
       Sides asked;
@@ -140,7 +140,7 @@ TEST_SUITE("defer") {
     CHECK(front.frozen().size() == 3);
   }
 
-  TEST_CASE("an edge that is twice in the queue is asked about once before a change") {
+  TEST_CASE("an edge that is twice in the queue is proposed for once before a change") {
     struct Twice : FrontVisitor {
       bool done = false;
       void deferred(const Front& front, Halfedge h) {
@@ -160,7 +160,7 @@ TEST_SUITE("defer") {
     CHECK(policy.asked == of_first + Sides{{1, 0}});
   }
 
-  TEST_CASE("an edge that a visitor wakes when the last are frozen is asked about, and frozen in the end") {
+  TEST_CASE("an edge that a visitor wakes when the last are frozen is proposed for, and frozen in the end") {
     struct Waking : FrontVisitor {
       std::size_t wakes = 3;
       void frozen(const Front& front, Halfedge h) {
@@ -180,7 +180,7 @@ TEST_SUITE("defer") {
       for (const Halfedge h : curve) CHECK(front.is_frozen(h));
   }
 
-  TEST_CASE("a throw leaves what is deferred as it is: popped last, or asked about when it would have been") {
+  TEST_CASE("a throw leaves deferred edges as they are: popped last, or proposed for when they would have been") {
     const auto thrown_at = [](std::size_t question, auto then) {
       struct Throwing : Waiting {
         std::size_t left = 0;

@@ -72,7 +72,7 @@ void begin(Front& front) {
 }  // namespace
 
 TEST_SUITE("life of a front") {
-  TEST_CASE("every entry of a finished front says that it is finished, and leaves the mesh alone") {
+  TEST_CASE("every entry of a finished front reports that it is finished, and leaves the mesh alone") {
     for (const auto& [name, entry] : entries()) {
       CAPTURE(name);
       TestMesh mesh;
@@ -93,7 +93,7 @@ TEST_SUITE("life of a front") {
     }
   }
 
-  TEST_CASE("every entry of a front whose mesh others changed says what there is and what was expected") {
+  TEST_CASE("every entry of a front whose mesh others changed reports what was found and what was expected") {
     for (const auto& [name, entry] : entries()) {
       CAPTURE(name);
       TestMesh mesh;
@@ -165,7 +165,7 @@ TEST_SUITE("life of a front") {
         return true;
       }
     };
-    struct Gluing : Growing {  // an apex that is there, so that glues() is asked
+    struct Gluing : Growing {  // an existing apex, so that glues() is called
       std::optional<Site> propose(const Front& front, Halfedge h) {
         return front.to_site(front.mesh().next_halfedge_handle(h));
       }
@@ -225,7 +225,7 @@ TEST_SUITE("life of a front") {
           "Front: the mesh was changed by others: an edge of the front is marked deleted");
   }
 
-  TEST_CASE("a vertex that waits for a triangle, marked deleted by others, is not taken") {
+  TEST_CASE("a vertex that waits for a triangle, marked deleted by others, is not used") {
     TestMesh mesh;
     Front front(mesh, 3);
     const Face placed = front.create(0, 1, 3).face;  // a site of its own number, but not of the first vertices

@@ -1,4 +1,4 @@
-// The order in which edges are asked about.
+// The order in which edges are processed.
 #include "meshops/front/order.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Attaches new sites until there are forty, and notes the key of each edge it is asked about.
+/// Attaches new sites until there are forty, and records the key of each edge it is called for.
 struct Noting {
   std::vector<Site> asked_from;
   std::optional<std::array<Site, 3>> seed(const Front& front) {

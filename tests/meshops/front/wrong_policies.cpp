@@ -1,4 +1,4 @@
-// Policies that answer what cannot be: the front stays sound, the run ends, and the visitor is told.
+// Policies that return impossible proposals: the front stays sound, the run ends, and the visitor is notified.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace {
 using Seed = std::array<Site, 3>;
 constexpr auto minus_one = static_cast<Site>(-1);
 
-/// Says what it is told to say: one seed, and to every edge the same kind of answer.
+/// Returns what it was constructed with: one seed, and for every edge the same kind of proposal.
 struct Saying {
   std::optional<Seed> first;
   std::function<Proposal(const Front&, Halfedge)> answer;
@@ -26,7 +26,7 @@ struct Saying {
   Proposal propose(const Front& front, Halfedge h) const { return answer(front, h); }
 };
 
-/// What was told.
+/// The events received.
 struct Told : FrontVisitor {
   std::vector<RefusalKind> refused_for;
   std::vector<RefusalKind> seeds_refused_for;
@@ -94,7 +94,7 @@ TEST_SUITE("wrong policies") {
     check_seed({3, 3, 3}, RefusalKind::corner_repeated);
   }
 
-  TEST_CASE("after a refused seed the policy is asked for another, until it says the same again") {
+  TEST_CASE("after a refused seed the policy is called for another, until it returns the same again") {
     struct Trying {
       std::vector<Seed> seeds = {{0, 1, 1}, {0, 1, 99}, {0, 1, 2}, {2, 0, 1}, {0, 1, 2}, {0, 1, 2}, {3, 4, 5}};
       std::size_t next = 0;
@@ -112,7 +112,7 @@ TEST_SUITE("wrong policies") {
   }
 
   TEST_CASE("a policy without geometry in space makes no edge with three faces, and ends") {
-    // Each edge takes any point, over and over, and each point triple is a seed.
+    // Each edge gets any point, over and over, and each point triple is a seed.
     struct Careless {
       std::mt19937 random{7};
       std::size_t seeds = 0, points;
@@ -223,8 +223,8 @@ TEST_SUITE("wrong policies") {
     }
   }
 
-  TEST_CASE("a triangle goes again when the policy says so, and the edge is asked about once more") {
-    // Lo's backtracking: the edge 1→0 takes 3, then sends its own triangle away, and takes 4.
+  TEST_CASE("a triangle is detached when the policy returns that, and the edge is proposed for once more") {
+    // Lo's backtracking: the edge 1→0 gets the apex 3, then detaches its own triangle, and gets 4.
     struct Backtracking {
       std::optional<Face> to_go;
       bool gone = false;

@@ -18,7 +18,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Points and links, and nothing else: OpenMesh's meshes want three coordinates for their normals.
+/// Points and links, and nothing else: OpenMesh's meshes require three coordinates for their normals.
 template <typename Vector>
 struct PointTraits : OpenMesh::DefaultTraits {
   using Point = Vector;
@@ -116,7 +116,7 @@ TEST_SUITE("split hooks") {
     CHECK(mesh.point(v) != TestMesh::Point(1, 1, 1));
   }
 
-  TEST_CASE("any callable is a hook, and is told what was done") {
+  TEST_CASE("any callable is a hook, and receives what was done") {
     TestMesh mesh;
     triangle(mesh);
     Vertex told;

@@ -55,7 +55,7 @@ std::map<Ends, std::vector<std::size_t>> edges_of(const Repair& r, bool given_en
   return edges;
 }
 
-/// The steps say all that is different between the given soup and the repaired one, and nothing else.
+/// The steps list all that is different between the given soup and the repaired one, and nothing else.
 void check_accounted(const PolygonSoup& s, const Repair& r) {
   std::map<Kind, std::vector<RepairStep>> of;
   for (const RepairStep& step : r.steps) of[step.kind].push_back(step);
@@ -133,7 +133,7 @@ TEST_SUITE("repair") {
                                                        "corner dropped: point 2, face 0"});
   }
 
-  TEST_CASE("faces that are none are dropped, and nothing else is said of them") {
+  TEST_CASE("faces that are none are dropped, and no other step names them") {
     const Repair r =
         repair(soup(4, {{}, {0, 1}, {0, 0, 1, 1}, {0, 1, 2}, {0, 1, 2, 1}, {2, 1, 0}, {1, 2, 9}, {0, 1, 1, 2}}));
     CHECK(told(r) == Lines{"face dropped: face 0", "face dropped: points 0 1, face 1",

@@ -49,7 +49,7 @@ TEST_SUITE("soup_defects") {
           std::vector<SoupDefect>{{Kind::corner_out_of_range, {1, 0, 3}, {1}}});
     CHECK(told(soup(3, {{0, 1, 2}, {1, 0, 3}})) == Lines{"corner out of range: points 1 0 3, face 1"});
     CHECK(told(soup(0, {{0}})) == Lines{"corner out of range: point 0, face 0"});
-    // It is the only thing told of a face.
+    // It is the only defect reported of a face.
     CHECK(told(soup(3, {{0, 0, 4294967295U}})) == Lines{"corner out of range: points 0 0 4294967295, face 0"});
   }
 
@@ -142,7 +142,7 @@ TEST_SUITE("soup_defects") {
     for (const int times : seen) CHECK(times > 100);
   }
 
-  TEST_CASE("the edge told of a component that is not orientable is one of its edges of two faces") {
+  TEST_CASE("the edge reported for a component that is not orientable is one of its edges of two faces") {
     std::mt19937 random(2);
     for (int round = 0; round < 500; ++round) {
       const PolygonSoup s = broken_surface(random);

@@ -106,7 +106,7 @@ TEST_CASE("polygons are covered once by counter-clockwise triangles that meet in
   CHECK(retreats > 0);  // else nothing was seen of them
 }
 
-TEST_CASE("where there is room, edges are as long as is wanted and angles are not small") {
+TEST_CASE("where there is room, edges have about the target length and angles are not small") {
   for (std::size_t number = 0; number < 200; ++number) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     const Asked ask = asked(polygon, number);

@@ -89,7 +89,7 @@ std::size_t check(const Points& points, double alpha, std::size_t leaf_capacity)
   return 0;
 }
 
-/// A run of paper::hrbpa() by itself, with all that it tells.
+/// A run of paper::hrbpa() by itself, with all that it reports.
 struct Told {
   double least_radius = 0;
   std::vector<rbpa::paper::Level> levels;
@@ -198,7 +198,7 @@ TEST_CASE("where exponents are extreme triangles and levels are those of the sam
   });
 }
 
-TEST_CASE("levels are told in ascending order, each the complex of its radius, and the last is alpha's") {
+TEST_CASE("levels come in ascending order, each the complex of its radius, and the last is alpha's") {
   Random random(103);
   const Points points = distinct(clusters(12, 7), random);
   for (const double alpha : {1e-4, 3.0, infinity}) {

@@ -29,7 +29,7 @@ namespace {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The same, but for who has no say in what is glued.
+/// The same without glues(): sites decide what is glued.
 struct BySites {
   BallPivoting policy;
   std::optional<BallPivoting::Triangle> seed(const meshops::Front& front) { return policy.seed(front); }
@@ -234,7 +234,7 @@ TEST_CASE("ball pivoting on the engine is the surface: triangles, gluing, and a 
   CHECK(triangles > 3000);
   CHECK(boundary > 1000);
   CHECK(fans > 100);
-  CHECK(by_sites_differs > 20);  // sites do not tell what is glued
+  CHECK(by_sites_differs > 20);  // sites do not determine what is glued
   CHECK(refused_by_sites > 20);
 }
 

@@ -231,7 +231,7 @@ TEST_CASE("shuffled points have the same holes, of the same lengths to the last 
     random.shuffle(order);
     Points3 shuffled;
     for (const std::uint32_t i : order) shuffled.push_back(points[i]);
-    // Lengths, and what is said of each side.
+    // Lengths, and the facts of each side.
     using Said = std::tuple<Triangle, std::uint32_t, RimCause, Triangle>;
     const auto holes_of = [&](const Points3& of, const auto& name) {
       std::multiset<std::pair<double, std::set<Said>>> all;

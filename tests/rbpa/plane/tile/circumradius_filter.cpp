@@ -68,7 +68,7 @@ struct Counts {
   std::size_t inside = 0, outside = 0, uncertain = 0;
 };
 
-/// What is told of all triangles, checked. The front and the coordinates are used again, as they are from tile to tile.
+/// The filter's result for all triangles, checked. The front and the coordinates are used again, as they are from tile to tile.
 class Checked {
  public:
   Counts operator()(const Sample& sample, double alpha) {
@@ -104,7 +104,7 @@ class Checked {
 
 }  // namespace
 
-TEST_CASE("what single precision tells of a radius is true, on every kind of vector unit") {
+TEST_CASE("what single precision decides of a radius is true, on every kind of vector unit") {
   struct Kind {
     double corner, size, reach, pitch;
   };
@@ -146,7 +146,7 @@ TEST_CASE("little is left to exact arithmetic") {
     CHECK(counts.outside > 100);
     CHECK(counts.uncertain < 10);
   }
-  // Nothing is outside a radius beyond all that can be told apart.
+  // Nothing is outside a radius beyond all that can be distinguished.
   CHECK(check(made, 1e12).outside == 0);
 }
 
