@@ -40,8 +40,7 @@ std::string scratch_content(const std::string& path);
 void replace_content(const std::string& path, std::string_view bytes);
 
 /// The same with a checksum behind, which checked_content() verifies and removes. Throws BadInput naming the file when it
-/// is wrong;
-/// empty when there is no file.
+/// is wrong; empty when there is no file.
 void replace_checked(const std::string& path, std::string_view text);
 std::string checked_content(const std::string& path);
 

@@ -34,9 +34,9 @@ struct NormalOptions {
 ///
 /// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree
 /// whose weights measure how uncertain the side is across an edge. The first is turned outward: the extreme point in the
-/// first of the directions +z, −z, +y, −y, +x, −x
-/// that is within 60 degrees of its plane's normal. So where no step errs (docs/surface.md, section 3) each component of a
-/// closed surface has normals that point outward, also one inside another; and a plane that is not too steep, upward.
+/// first of the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So where no step errs
+/// (docs/surface.md, section 3) each component of a closed surface has normals that point outward, also one inside another;
+/// and a plane that is not too steep, upward.
 ///
 /// Where the nearest points are on a line within the precision of double, the normal is the direction across the line that is
 /// nearest to the z axis, or to the y axis if the line is parallel to z; for a single point it is +z.

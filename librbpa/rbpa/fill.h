@@ -86,13 +86,11 @@ struct Filling {
 
 /// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, touch in single points and
 /// repeat a point in a row, and polygons may lie in holes of others. Each group is a valid multipolygon. Of equal points
-/// the first is used. A point
-/// at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that is cut is the double nearest
-/// to where it should be.
+/// the first is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that
+/// is cut is the double nearest to where it should be.
 /// Throws: InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
 ///         (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; sizes at which
-///         more than 500 million triangles would be made, by the estimate.
-///         Cancelled.
+///         more than 500 million triangles would be made, by the estimate. Cancelled.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 
 }  // namespace rbpa

@@ -52,8 +52,7 @@ struct HierarchyOptions {
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Less
   /// often while points are sorted before the first triangle, while triangles that tiles leave over are inserted, and while
   /// the mesh is finished: intervals are up to about 0.1 s per million points there, or 0.5 s on sets where tiles find no
-  /// triangle.
-  /// Empty: never called.
+  /// triangle. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
   /// Called with each level of Hierarchy::levels when it has ended, before the next one begins; its time is in no level's.
   /// An exception that it throws ends the run. Empty: never called.

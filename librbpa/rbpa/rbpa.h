@@ -24,8 +24,7 @@ struct Options {
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Less
   /// often while points are sorted before the first triangle, while triangles that tiles leave over are inserted, and while
   /// the mesh is finished: intervals are up to about 0.1 s per million points there, or 0.5 s on sets where tiles find no
-  /// triangle.
-  /// Empty: never called.
+  /// triangle. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 

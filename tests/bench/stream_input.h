@@ -23,8 +23,7 @@ struct Wanted {
 };
 
 /// Files in `folder`, which is made; those of an earlier run are used again where they are the same. They are on the disk
-/// when this
-/// returns. Throws std::runtime_error.
+/// when this returns. Throws std::runtime_error.
 PointFiles write_files(const Wanted& wanted, const std::string& folder);
 
 /// Advises the system to keep nothing of the files in memory. Returns: the share of them that stays all the same.

@@ -1,8 +1,7 @@
 // What:   the advancing-front engine.
 // Law:    when it returns, every boundary halfedge is frozen: the policy proposed nothing for it, or a triangle that was
 //         refused. Whatever a policy returns, the mesh is sound; and on a given number of sites the engine terminates,
-//         unless
-//         the policy detaches triangles again and again, or returns ever new seeds that are refused.
+//         unless the policy detaches triangles again and again, or returns ever new seeds that are refused.
 // Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, and one more each time that it
 //         was deferred; and what an order costs.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,

@@ -151,11 +151,10 @@ class MESHOPS_API Front {
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
   /// The same for a caller that decides which sides are glued, where sites do not decide it: surfaces in space touch along
-  /// edges, and have
-  /// slits. Of the boundary halfedges between the sites of a side, the first is glued for which glues(halfedge, apex) is
-  /// true, the apex being the third corner; without any it is a new edge. It must not change the front. The only
-  /// requirements on the triangle itself are that it does not exist yet, and that its corners are distinct, and exist or
-  /// are the next new ones.
+  /// edges, and have slits. Of the boundary halfedges between the sites of a side, the first is glued for which
+  /// glues(halfedge, apex) is true, the apex being the third corner; without any it is a new edge. It must not change the
+  /// front. The only requirements on the triangle itself are that it does not exist yet, and that its corners are distinct,
+  /// and exist or are the next new ones.
   /// Cost: the numbers of fans at the corners, and of the edges at one.
   template <typename Glues>
   Fit fit(Site a, Site b, Site c, Glues glues) const {

@@ -15,8 +15,7 @@ struct Progress {
 };
 
 /// For the work before the first triangle or after the last: calls `progress`, and throws Cancelled if that returns false;
-/// empty where `progress` is. Keeps
-/// a reference.
+/// empty where `progress` is. Keeps a reference.
 inline std::function<void()> asking(const std::function<bool(const Progress&)>& progress, std::size_t points,
                                     std::size_t triangles = 0) {
   if (!progress) return {};

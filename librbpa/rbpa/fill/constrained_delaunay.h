@@ -4,8 +4,7 @@
 //         that there is one such triangulation: a function of the polygons as a set. All decisions are exact.
 // How:    the Delaunay triangulation of the points; then the edges that it lacks, one after the other in a random order.
 //         The triangles that an edge crosses are removed, each of the two cavities is triangulated by a scan along its rim,
-//         and flips
-//         make that Delaunay again.
+//         and flips make that Delaunay again.
 // Cost:   n log n, and for an edge that crosses m triangles m log m and flips: about m in practice, m² at worst. That the
 //         order is random keeps the sum of all m small: the same every time, as the generator has a fixed seed.
 // Source: Lawson, Software for C1 surface interpolation (1977); Chew, Constrained Delaunay triangulations (1989); Anglada, An

@@ -1,6 +1,6 @@
 // What: the visitor of every run: now and then calls the caller's progress function, which may cancel it. In the debug
-//       build, validates the mesh
-//       after every triangle while it is small, and each time it has grown by a sixteenth when it is large.
+//       build, validates the mesh after every triangle while it is small, and each time it has grown by a sixteenth when it
+//       is large.
 #pragma once
 
 #include <algorithm>

@@ -207,8 +207,7 @@ class PatchExtraction {
   }
 
   /// Distinguishes holes from other sides at which nothing of the patch lies. Most often a single one of them ends at a
-  /// site, and
-  /// if that is a hole, it is the next of the one that begins there.
+  /// site, and if that is a hole, it is the next of the one that begins there.
   void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;
