@@ -106,7 +106,7 @@ bool is_fold(const Mesh& mesh, Edge e) {
   return (normal(mesh.halfedge_handle(e, 0)) % normal(mesh.halfedge_handle(e, 1))).sqrnorm() != 0;
 }
 
-/// The regions by definition: faces that hang together across edges that are no crease.
+/// The regions by definition: faces that are connected across edges that are no crease.
 template <typename IsCrease>
 std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease) {
   meshops::DisjointSets sets(mesh.n_faces());

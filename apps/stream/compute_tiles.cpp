@@ -112,7 +112,7 @@ class Computation {
     return next_++;
   }
 
-  /// Whoever has the next tile, and those that follow it, commits them all; others go on with further tiles meanwhile.
+  /// The thread that has the next tile commits it and those that follow; others go on with further tiles meanwhile.
   /// Returns false when a run has failed.
   bool hand_in(std::size_t position, PartialAndItems made) {
     // The result of a small tile is small against the memory in which a tile is computed.

@@ -1,4 +1,4 @@
-// What: how many of everything a triangulation in arrays has, as a space.
+// What: the counts of a triangulation in arrays, as a topological space.
 // Law:  of a solid complex, the result of count() for its mesh (rbpa/topology.h).
 #pragma once
 

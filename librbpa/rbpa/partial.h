@@ -3,7 +3,7 @@
 // Law:  partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
 //       commutative: bytes (bytes.h) depend on which regions were merged, not on the order. When the whole plane is merged,
 //       finish() returns what rbpa(), count() and polygons() compute of all points.
-// Cost: that of triangulate(); merging is n log n in the rims. Only the rims, and polygons not yet taken, are kept.
+// Cost: that of triangulate(); merging is n log n in the rims. Only the rims, and polygons not yet removed, are kept.
 // Source: docs/partial.md.
 #pragma once
 
@@ -44,7 +44,7 @@ struct RimSize {
   std::uint64_t components = 0;  ///< solid components with such triangles
   std::uint64_t chains = 0;      ///< paths of boundary edges that go on in other regions
   std::uint64_t corners = 0;     ///< of chains, and of rings whose component is open
-  std::uint64_t polygons = 0;    ///< finished, and not taken
+  std::uint64_t polygons = 0;    ///< finished, and not removed
   friend bool operator==(const RimSize&, const RimSize&) = default;
 };
 
@@ -128,7 +128,7 @@ RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_co
 
 struct WholeComplex {
   PartialCounts counts;
-  std::vector<CornerPolygon> polygons;  ///< in order, those not taken
+  std::vector<CornerPolygon> polygons;  ///< in order, those not removed
 };
 
 /// Throws: InvalidInput that names what is missing, unless all of the plane is merged and nothing is open.

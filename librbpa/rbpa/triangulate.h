@@ -64,7 +64,7 @@ struct Triangulation {
 
 /// Requires and throws: as rbpa().
 /// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbours or
-///           boundary 120 (docs/performance.md); the full complex takes what the Delaunay triangulation does with neighbours.
+///           boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with neighbours.
 RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
                                    const TriangulationOptions& options = {});
 

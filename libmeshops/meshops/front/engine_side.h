@@ -40,7 +40,7 @@ class EngineSide {
     front_.require_intact();
     return front_.waiting_.release_queued(h);
   }
-  /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or taken away.
+  /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or detached.
   void defer(Halfedge h) const { front_.waiting_.defer(h, front_.revision()); }
   /// Queues those that have waited for it. Returns: whether there were any.
   bool wake_deferred() const { return front_.waiting_.wake_deferred(front_.revision()); }

@@ -44,8 +44,8 @@ struct LevelTransfer {
   std::size_t reactivated = 0;  ///< frozen halfedges that are active again
 };
 
-/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or takes some
-/// out (garbage_collection(), add_face()); after finish() only mesh(), edges(), faces(), sites(), frozen() and level() may
+/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or removes
+/// some (garbage_collection(), add_face()); after finish() only mesh(), edges(), faces(), sites(), frozen() and level() may
 /// be called. Both are checked by every other member. Throws ContractViolation, which names the cause.
 class MESHOPS_API Front {
  public:
@@ -171,7 +171,7 @@ class MESHOPS_API Front {
 
   /// Why detach() would refuse: there is no such face, it is no triangle, or none of its sides is on the boundary.
   std::optional<Refusal> detach_blocker(Face f) const;
-  /// Takes out a triangle at the front, which is marked deleted as are the edges that no other has; sides that it was
+  /// Detaches a triangle at the front, which is marked deleted as are the edges that no other has; sides that it was
   /// glued by become boundary halfedges, and active. The inverse of attach() and create(), up to handles.
   /// Requires: detach_blocker() is empty; the mesh has status of every kind. Throws ContractViolation, mesh untouched.
   /// Cost:     constant, plus the degree of a corner at which a fan falls in two.

@@ -37,7 +37,7 @@ class Proposal {
     proposal.triangles_ = std::move(triangles);
     return proposal;
   }
-  /// The edge stays active, and its turn comes again when no other edge waits and a triangle has been inserted or taken away
+  /// The edge stays active, and its turn comes again when no other edge waits and a triangle has been inserted or detached
   /// since. Without such a change, and without another seed, it is frozen.
   static Proposal defer() {
     Proposal proposal(std::nullopt);
@@ -87,7 +87,8 @@ concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& fr
 ///   key(front, h)      of a boundary halfedge that has become active: the least comes first, of equal ones the oldest. It
 ///                      is called once each time, and must not change the front.
 /// Without it the order is first in, first out. A member with this name, or the name `glues`, that has another form is an
-/// error when compiling, and not passed over; so is one that `requires` takes out: put it into a class derived of the policy.
+/// error when compiling, and not passed over; so is one that a `requires` clause disables: put it into a class derived of
+/// the policy.
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;
@@ -95,8 +96,8 @@ concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& f
 
 /// Keys may depend on the neighbours on the curve, as angles between edges do. A policy that declares it,
 ///   static constexpr bool rekeys_neighbours = true;
-/// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or taken away, if
-/// they are active. Their age stays: where no triangle is taken away, keys that stay the same make the same run.
+/// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or detached, if
+/// they are active. Their age stays: where no triangle is detached, keys that stay the same make the same run.
 template <typename P>
 concept RekeyingFrontPolicy = OrderedFrontPolicy<P> && requires {
   requires std::bool_constant<P::rekeys_neighbours>::value;

@@ -67,7 +67,7 @@ class Run {
     std::optional<std::array<Site, 3>> refused;
     for (;;) {
       const std::optional<std::array<Site, 3>> seed = engine_.ask([&] { return policy_.seed(seen()); });
-      // A policy that proposes the same again knows no other.
+      // A policy that proposes the same again has no other.
       if (!seed || seed == refused) return false;
       const Fit fit = this->fit((*seed)[0], (*seed)[1], (*seed)[2]);
       if (!fit.refusal) {

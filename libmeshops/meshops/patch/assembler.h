@@ -1,9 +1,9 @@
 // What:   makes a mesh of patches: gluing in bulk.
 // Law:    the mesh is that which Front::create() makes of the same triangles, up to handles.
 // How:    patches are placed one after another, which settles what depends on others, and filled in, which is nearly all
-//         and can be done beside. Three phases, each of a type: PatchAssembler takes patches, join() makes
+//         and can be done beside. Three phases, each of a type: PatchAssembler lays patches, join() makes
 //         AssembledPatches of it, and these are a mesh, or a Front to be advanced.
-// Cost:   linear; about as much as the mesh takes to be written.
+// Cost:   linear; about the time to write the mesh.
 // Source: docs/front.md, section 5.
 #pragma once
 

@@ -76,7 +76,7 @@ class MESHOPS_API SiteVertices {
   /// An isolated vertex for another fan on the site, which lists it. It has the properties of the first vertex there,
   /// if that has faces. Throws ContractViolation where others marked it deleted.
   Vertex take(Site s);
-  /// Takes back a vertex that is isolated again. The last on its site waits for the next triangle there; others serve
+  /// Releases a vertex that is isolated again. The last on its site waits for the next triangle there; others serve
   /// any site, and are marked deleted meanwhile where the mesh can.
   void release(Vertex v);
 

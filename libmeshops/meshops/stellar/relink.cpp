@@ -9,7 +9,7 @@
 namespace meshops::detail {
 namespace {
 
-/// `heir` takes the place of h in its loop, and in the record of its face. `before` and `after` are the neighbours
+/// `heir` replaces h in its loop, and in the record of its face. `before` and `after` are the neighbours
 /// there.
 void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(h);

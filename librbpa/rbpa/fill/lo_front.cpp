@@ -10,7 +10,7 @@
 namespace rbpa {
 namespace {
 
-/// A front point this near to the ideal one, in sides of the triangle, takes its place.
+/// A front point this near to the ideal one, in sides of the triangle, replaces it.
 constexpr double near_enough = 0.75;
 /// A new point is so far from the front, in sides of the triangle; where there is no room for that, at least the second.
 constexpr double clearance = 0.5, tight_clearance = 0.35;
@@ -83,7 +83,7 @@ void LoFront::look_around(Task& task, double reach) const {
                 box.high.y >= bounds_.high.y;
 }
 
-/// The nearest point of the front that can take the place of the ideal apex.
+/// The nearest point of the front that can replace the ideal apex.
 std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   std::optional<std::pair<double, Site>> nearest;
   for (const Site s : task.candidates)

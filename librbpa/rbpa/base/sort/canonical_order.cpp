@@ -41,7 +41,7 @@ Triangle corners_of(std::size_t first, std::uint64_t key) {
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
 }
 
-/// All bits if b comes before a, or none: which is a toss of a coin, so that nothing may branch. (Of a choice between two
+/// All bits if b comes before a, or none: which is unpredictable, so that nothing may branch. (Of a choice between two
 /// values the compiler makes a branch where the next one depends on it.)
 template <typename R>
 std::uint64_t all_if_behind(const R& a, const R& b) {

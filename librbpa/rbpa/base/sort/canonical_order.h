@@ -59,7 +59,7 @@ class CanonicalOrder {
     std::vector<Block> blocks_;  // all that were begun
   };
 
-  /// Calls write(Writer&) with a writer that nobody else has meanwhile. From as many threads at a time as were announced.
+  /// Calls write(Writer&) with a writer that no other thread has meanwhile. From as many threads at a time as were announced.
   template <typename Write>
   void with_writer(Write write) {
     Writer* const writer = take();

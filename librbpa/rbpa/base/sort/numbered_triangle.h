@@ -18,8 +18,8 @@ struct NumberedTriangle {
   std::uint32_t number;
 };
 
-/// The names of a triangle's corners, turned so that the least comes first. Which is the least is a toss of a coin, so
-/// that nothing branches.
+/// The names of a triangle's corners, turned so that the least comes first. Which is the least cannot be predicted, so that
+/// nothing branches.
 inline Triangle from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
   const std::uint32_t a = names[corner[0]], b = names[corner[1]], c = names[corner[2]];
   const std::uint32_t b_first = (b < a) & (b < c), c_first = (c < a) & (c < b);

@@ -1,4 +1,4 @@
-// What:   what of the alpha complex is in no triangle, from the Delaunay triangulation.
+// What:   the edges of the alpha complex that are in no triangle, from the Delaunay triangulation.
 // Source: Edelsbrunner, Kirkpatrick, Seidel (1983); design: an edge is in the complex when a triangle at it is, or when its
 //         diametral circle is empty and of a radius ≤ alpha.
 #pragma once

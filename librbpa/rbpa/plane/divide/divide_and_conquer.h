@@ -1,4 +1,4 @@
-// What:   the Delaunay triangulation of points, by dividing them in two and merging what each half gives: a finder
+// What:   the Delaunay triangulation of points, by dividing them in two and merging the halves: a finder
 //         (tile/finder.h) on a tile that has no ghosts, and beyond which there is nothing.
 // Law:    the triangles are those of the symbolic perturbation (docs/predicates.md), a function of the set of points
 //         alone; no point set is bad.
@@ -16,7 +16,7 @@
 
 namespace rbpa {
 
-/// What becomes of a triangle: 0 when it is kept; else what the patch stores for the triangles beside it. Called in any thread,
+/// The fate of a triangle: 0 when it is kept; else what the patch stores for the triangles beside it. Called in any thread,
 /// several at a time.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 

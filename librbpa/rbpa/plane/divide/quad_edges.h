@@ -17,8 +17,8 @@ class QuadEdges {
   using Edge = std::uint32_t;
   using Corner = std::uint32_t;
 
-  /// Edges that are not in use, of which none is another list's: who has a list of their own may add and remove beside
-  /// others.
+  /// Edges that are not in use, which no other list has: threads with lists of their own may add and remove at the same
+  /// time.
   struct Unused {
     Edge first, last;
   };

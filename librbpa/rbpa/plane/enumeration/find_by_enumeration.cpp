@@ -27,7 +27,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// A few points at a time, in steps: who is near, which pairs of those are within alpha with the point, which of these
-/// triples have nobody in their circle. A step's result is a list whose next entry is always written and counted if it is
+/// triples have no point in their circle. A step's result is a list whose next entry is always written and counted if it is
 /// one: nothing foretells it.
 class Enumeration {
  public:

@@ -1,4 +1,4 @@
-// What:   who is born, and who dies, while the cells of a triangulation come in ascending order: births and deaths of
+// What:   the elder rule, while the cells of a triangulation are added in ascending order: births and deaths of
 //         components and holes, each with a cell in which it was from its birth, or will be to its death.
 // Law:    of two that meet the younger dies; of two that came at the same alpha the one of the greater number.
 // Cost:   near-linear.
@@ -18,7 +18,7 @@
 
 namespace rbpa {
 
-/// A cell and when it comes.
+/// A cell and the alpha at which it is added.
 struct Arrival {
   double alpha;
   std::uint32_t cell;  ///< a vertex, or a face

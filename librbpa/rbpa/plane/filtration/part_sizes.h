@@ -1,4 +1,4 @@
-// What:   the sizes of the parts of something that grows, and how much the largest of them hold.
+// What:   the sizes of the components of a growing complex, and the sum of the k largest.
 // Cost:   the logarithm of the greatest size, each call.
 // Source: Fenwick, A new data structure for cumulative frequency tables (1994).
 #pragma once

@@ -31,7 +31,7 @@ class Sites {
   const Window& window() const { return window_; }
   /// The points beyond the window, as they are; the first is the site behind those of the grid.
   std::span<const Point> beyond() const { return beyond_; }
-  /// Where these lie, as the points in the window see it.
+  /// Where these lie, in the scale of the window.
   const HiddenPoints& hidden() const { return hidden_; }
 
   /// The point as it was given.

@@ -1,4 +1,4 @@
-// What: what every run has in common: points to sites and an empty mesh, and a mesh on sites to a complex.
+// What: the beginning and the end of every run: points to sites and an empty mesh, and a mesh on sites to a complex.
 #pragma once
 
 #include <bit>

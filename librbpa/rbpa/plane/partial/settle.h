@@ -1,4 +1,4 @@
-// What: brings a state into canonical form: what has no open rim becomes polygons, the rest is numbered.
+// What: brings a state into canonical form: components without an open rim become polygons, the rest is numbered.
 // Why:  a region by itself and two that are merged end in the same way, so that the form depends on the regions only.
 #pragma once
 

@@ -1,6 +1,6 @@
 // What: which point does a ball that rolls over a→b to its left touch first? For sixteen edges at a time, on the points
 //       of a tile. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  the answer is the Delaunay apex of the edge among all points, or none where the tile's points do not decide it.
+// Law:  the result is the Delaunay apex of the edge among all points, or none where the tile's points do not decide it.
 // How:  the circle through a, b and p has its centre k half-chords left of the chord's middle, and
 //       the least k wins. Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
 #if defined(RBPA_PIVOTS_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -50,7 +50,7 @@ class ApexSearch {
 
   EdgeBatch& edges() { return edges_; }
 
-  /// What edges have cost that needed more than a first look, in points looked at.
+  /// The cost of edges that needed more than the first window, in points scanned.
   std::size_t work() const { return work_; }
 
   /// Finds the apexes of the first `size` edges, at least one.
@@ -150,7 +150,7 @@ class ApexSearch {
     return ends;
   }
 
-  /// Among the points of at most three short rows; none: look again. Every point has a bit:
+  /// Among the points of at most three short rows; none: search again. Every point has a bit:
   ///     47 … 32  third row    31 … 16  second row    15 … 0  first row, its first point last
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
@@ -191,14 +191,14 @@ class ApexSearch {
     return least < std::numeric_limits<float>::max() ? least : infinity;
   }
 
-  /// What the bounds left undecided.
+  /// Decides exactly what the bounds left undecided.
   HWY_NOINLINE Index decide(std::size_t edge) const {
     const auto a = static_cast<std::size_t>(edges_.a[edge]), b = static_cast<std::size_t>(edges_.b[edge]);
     return error_cross_[edge] == 0 ? exact_.winner_on_lattice(a, b, candidates_)
                                    : exact_.winner(a, b, candidates_, none);
   }
 
-  /// Where the first look finds more than three short rows.
+  /// Where the first window has more than three short rows.
   Index among_more(std::size_t edge) {
     const auto [winner, high] = among(edge, {edges_.c0[edge], edges_.c1[edge], edges_.r0[edge], edges_.r1[edge], true});
     edges_.high[edge] = high;
@@ -234,7 +234,7 @@ class ApexSearch {
     Index point;
     float high;  // infinity when there is none
   };
-  /// Loops end where none can foresee; within them nothing branches.
+  /// The ends of loops are unpredictable; within them nothing branches.
   HWY_NOINLINE Winner among(std::size_t edge, const Cells& cells) {
     const D d;
     constexpr std::size_t N = lanes;

@@ -178,7 +178,7 @@ bool is_along_curves(const Tile& tile) {
   constexpr double max_occupancy = 2.5;   // of a point, as a multiple of the mean of cells; more in spots
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbours = 0, squares = 0;
-  // Without a branch, as none could be foreseen. What follows a row's last cell is not its neighbour, but not far either.
+  // Without a branch, as all would be unpredictable. What follows a row's last cell is not its neighbour, but not far either.
   const auto has_points = [&](std::size_t c) { return std::uint64_t{tile.start[c] < tile.start[c + 1]}; };
   for (std::size_t c = 0; c + columns < cells; ++c) {
     const std::uint64_t count = std::uint64_t{tile.start[c + 1]} - tile.start[c], here = has_points(c);

@@ -19,8 +19,8 @@ struct PivotWorkspace {
   std::vector<float> circumradius;         // of each triangle
 };
 
-/// False where points lie along curves: their triangles reach across the void, where a search from near to far sees nothing
-/// for long.
+/// False where points lie along curves: their triangles reach across empty regions, where a search from near to far takes
+/// long.
 bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
                     TilePatch& found);
 

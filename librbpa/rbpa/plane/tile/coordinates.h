@@ -1,7 +1,7 @@
 // What: a tile's points in single precision, relative to one of them, scaled so that the tile is within −1 … 1.
 // Law:  every coordinate is within `rounding` of the true one; on a lattice it is exact.
-// Why:  sixteen fit a vector register, and nothing can overflow. What is decided with them is decided with bounds that
-//       count the rounding; docs/tiles.md derives them.
+// Why:  sixteen fit a vector register, and nothing can overflow. Decisions with them use bounds that count the rounding;
+//       docs/tiles.md derives them.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace rbpa {
 
 struct TileCoordinates {
   static constexpr float unit_roundoff = 0x1p-24f;
-  static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and what is lost before
+  static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and the error before
   static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
 
   double scale = 1;  ///< a power of two

@@ -89,7 +89,7 @@ class PatchExtraction {
   }
 
   /// The tile owns triangles whose least corner is its own. Of few, the corners must be compared: these come by
-  /// themselves, as none could be foreseen among the others.
+  /// themselves, as branches among the others would be unpredictable.
   void find_owned() {
     const std::size_t triangles = front_.triangles();
     std::uint16_t* const owned = room_for(workspace_.owned, triangles);

@@ -1,6 +1,6 @@
 // What: the patch of a tile out of the triangles found on it, and the status of the stars around its points.
-// Cost: linear in the points and triangles of the tile. As a tile's points come in no order that could be foreseen, lists
-//       are written without branches: the next entry always, and counted if it is one.
+// Cost: linear in the points and triangles of the tile. As the order of a tile's points is unpredictable, lists are written
+//       without branches: the next entry always, and counted if it is one.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct ExtractionWorkspace {
   std::vector<int> outer;
 };
 
-/// Replaces `result` by what follows from the triangles on the front: those within alpha that the tile owns, and what is settled.
+/// Replaces `result` by the triangles on the front within alpha that the tile owns, and the sites that are settled.
 /// Requires the tile's coordinates.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);

@@ -19,7 +19,7 @@ struct TilePatch {
   meshops::Outline outline;
   std::vector<std::uint32_t> settled;  ///< sites whose stars are settled
 
-  // What settles more stars when all tiles are done (remainder/remainder.h).
+  // Data that settle more stars when all tiles are done (remainder/remainder.h).
   struct SharedStar {
     std::uint32_t site, elsewhere;
   };
