@@ -142,12 +142,12 @@ TEST_SUITE("life of a front") {
     struct Growing {
       TestMesh& mesh;
       int at;  // which of the questions changes the mesh
-      int asked = 0;
+      int calls = 0;
       void change(int what) {
-        if (what == at && ++asked == 3) mesh.garbage_collection();
+        if (what == at && ++calls == 3) mesh.garbage_collection();
       }
       std::optional<std::array<Site, 3>> seed(const Front& front) {
-        if (at == 0) asked = 2;
+        if (at == 0) calls = 2;
         change(0);
         return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
       }
@@ -160,7 +160,7 @@ TEST_SUITE("life of a front") {
         return 0;
       }
       bool glues(const Front&, Halfedge, Site) {
-        asked = 2;
+        calls = 2;
         change(3);
         return true;
       }
@@ -194,8 +194,8 @@ TEST_SUITE("life of a front") {
       visitor.mesh = &mesh;
       visitor.in = at;
       const auto run = [&](auto policy) { advance(front, policy, visitor); };
-      const std::string said = refusal([&] { at == 3 ? run(Gluing{{mesh, at}}) : run(Growing{mesh, at}); });
-      CHECK(said.starts_with("Front: the mesh was changed by others: it has "));
+      const std::string message = refusal([&] { at == 3 ? run(Gluing{{mesh, at}}) : run(Growing{mesh, at}); });
+      CHECK(message.starts_with("Front: the mesh was changed by others: it has "));
     }
     TestMesh mesh;
     Front front(mesh, 9);

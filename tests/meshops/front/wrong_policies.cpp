@@ -27,7 +27,7 @@ struct Saying {
 };
 
 /// The events received.
-struct Told : FrontVisitor {
+struct Received : FrontVisitor {
   std::vector<RefusalKind> refused_for;
   std::vector<RefusalKind> seeds_refused_for;
   std::size_t frozen_edges = 0;
@@ -46,11 +46,11 @@ struct Told : FrontVisitor {
 void check_answer(const std::function<Proposal(const Front&, Halfedge)>& answer, RefusalKind expected) {
   TestMesh mesh;
   Front front(mesh, 8);
-  Told told;
+  Received received;
   Saying policy{Seed{0, 1, 2}, answer};
-  advance(front, policy, told);
-  CHECK(told.refused_for == std::vector(3, expected));
-  CHECK(told.frozen_edges == 3);
+  advance(front, policy, received);
+  CHECK(received.refused_for == std::vector(3, expected));
+  CHECK(received.frozen_edges == 3);
   CHECK(front.faces() == 1);
   check_sound(mesh);
 }
@@ -58,10 +58,10 @@ void check_answer(const std::function<Proposal(const Front&, Halfedge)>& answer,
 void check_seed(const Seed& seed, RefusalKind expected) {
   TestMesh mesh;
   Front front(mesh, 8);
-  Told told;
+  Received received;
   Saying policy{seed, [](const Front&, Halfedge) { return std::nullopt; }};
-  advance(front, policy, told);
-  CHECK(told.seeds_refused_for == std::vector{expected});
+  advance(front, policy, received);
+  CHECK(received.seeds_refused_for == std::vector{expected});
   CHECK(front.faces() == 0);
   CHECK(front.sites() == 8);
   check_sound(mesh);
@@ -103,10 +103,10 @@ TEST_SUITE("wrong policies") {
     } policy;
     TestMesh mesh;
     Front front(mesh, 8);
-    Told told;
-    advance(front, policy, told);
-    CHECK(told.seeds_refused_for == std::vector{RefusalKind::corner_repeated, RefusalKind::no_such_site,
-                                                RefusalKind::side_taken, RefusalKind::side_taken});
+    Received received;
+    advance(front, policy, received);
+    CHECK(received.seeds_refused_for == std::vector{RefusalKind::corner_repeated, RefusalKind::no_such_site,
+                                                    RefusalKind::side_taken, RefusalKind::side_taken});
     CHECK(policy.next == 6);
     CHECK(front.faces() == 1);
   }
@@ -128,13 +128,13 @@ TEST_SUITE("wrong policies") {
       policy.points = points;
       TestMesh mesh;
       Front front(mesh, points);
-      Told told;
+      Received received;
       for (int level = 0; level < 5; ++level) {
-        advance(front, policy, told);
+        advance(front, policy, received);
         check_sound(mesh);
         front.next_level();
       }
-      CHECK(!told.refused_for.empty());
+      CHECK(!received.refused_for.empty());
       std::set<std::pair<Site, Site>> sides;
       std::size_t faces = 0;
       for (const auto f : mesh.faces()) {
@@ -187,12 +187,12 @@ TEST_SUITE("wrong policies") {
     for (const bool ordered : {false, true}) {
       CAPTURE(ordered);
       struct Tired {
-        std::size_t asked = 0, until;
+        std::size_t calls = 0, until;
         std::optional<Seed> seed(const Front& front) {
           return front.faces() == 0 ? std::optional(Seed{0, 1, 2}) : std::nullopt;
         }
         std::optional<Site> propose(const Front& front, Halfedge) {
-          if (asked++ == until) throw std::runtime_error("tired");
+          if (calls++ == until) throw std::runtime_error("tired");
           return front.sites() < 30 ? std::optional(static_cast<Site>(front.sites())) : std::nullopt;
         }
       };
@@ -203,7 +203,7 @@ TEST_SUITE("wrong policies") {
         for (policy.until = 0; policy.until < 20; ++policy.until) {
           TestMesh mesh;
           Front front(mesh, 3);
-          policy.asked = 0;
+          policy.calls = 0;
           CHECK_THROWS_AS(advance(front, policy), std::runtime_error);
           check_sound(mesh);
           std::size_t active = 0, boundary = 0;

@@ -119,17 +119,17 @@ TEST_SUITE("split hooks") {
   TEST_CASE("any callable is a hook, and receives what was done") {
     TestMesh mesh;
     triangle(mesh);
-    Vertex told;
+    Vertex added;
     const auto hook = [&](TestMesh& m, const SplitEffect& effect) {
       CHECK(&m == &mesh);
-      told = effect.added.vertex;
-      m.set_point(told, {1, 2, 3});
+      added = effect.added.vertex;
+      m.set_point(added, {1, 2, 3});
     };
-    CHECK(split_face(mesh, Face(0), hook).added.vertex == told);
-    CHECK(mesh.point(told) == TestMesh::Point(1, 2, 3));
-    CHECK(split_edge(mesh, Halfedge(0), hook, Keep::manifold).added.vertex == told);
-    CHECK(split_edge(mesh, Edge(1), hook).added.vertex == told);
-    CHECK(split_vertex(mesh, Halfedge(0), std::nullopt, hook, Keep::manifold).added.vertex == told);
+    CHECK(split_face(mesh, Face(0), hook).added.vertex == added);
+    CHECK(mesh.point(added) == TestMesh::Point(1, 2, 3));
+    CHECK(split_edge(mesh, Halfedge(0), hook, Keep::manifold).added.vertex == added);
+    CHECK(split_edge(mesh, Edge(1), hook).added.vertex == added);
+    CHECK(split_vertex(mesh, Halfedge(0), std::nullopt, hook, Keep::manifold).added.vertex == added);
     check_sound(mesh);
     int calls = 0;
     Connectivity& links = mesh;

@@ -232,15 +232,15 @@ TEST_CASE("dust, and a plate with many holes: every sort can be cancelled") {
     CAPTURE(alpha);
     const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
     const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true});
-    std::size_t asked = 0;
+    std::size_t calls = 0;
     const auto count_asks = [&](const PolygonFilter& filter) {
-      asked = 0;
-      const auto go_on = [&] { return ++asked > 0; };
+      calls = 0;
+      const auto go_on = [&] { return ++calls > 0; };
       const std::vector<Polygon> made = rbpa::polygons(points, arrays, filter, go_on);
-      const std::size_t of_arrays = asked;
-      asked = 0;
+      const std::size_t of_arrays = calls;
+      calls = 0;
       CHECK(rbpa::polygons(complex, filter, go_on) == made);
-      CHECK(2 * asked > of_arrays);
+      CHECK(2 * calls > of_arrays);
       return of_arrays;
     };
     const auto edges = static_cast<double>(arrays.boundary.size());

@@ -81,17 +81,17 @@ class Checked {
     Counts counts;
     for (std::size_t i = 0; i < sample.triangles.size(); ++i) {
       const Corners& t = sample.triangles[i];
-      const CircumradiusFilter told = filtered_[i + 1];
-      (told == CircumradiusFilter::inside    ? counts.inside
-       : told == CircumradiusFilter::outside ? counts.outside
-                                             : counts.uncertain) += 1;
-      if (told == CircumradiusFilter::uncertain) continue;
+      const CircumradiusFilter decided = filtered_[i + 1];
+      (decided == CircumradiusFilter::inside    ? counts.inside
+       : decided == CircumradiusFilter::outside ? counts.outside
+                                                : counts.uncertain) += 1;
+      if (decided == CircumradiusFilter::uncertain) continue;
       const bool is_within = P::compare_circumradius(sample.tile.points[t[0]], sample.tile.points[t[1]],
                                                      sample.tile.points[t[2]], alpha) <= 0;
-      if ((told == CircumradiusFilter::inside) == is_within) continue;
+      if ((decided == CircumradiusFilter::inside) == is_within) continue;
       CAPTURE(circumradius(sample.tile, t));
       CAPTURE(alpha);
-      FAIL_CHECK("triangle " << i << " is said to be within alpha: " << (told == CircumradiusFilter::inside));
+      FAIL_CHECK("triangle " << i << " is said to be within alpha: " << (decided == CircumradiusFilter::inside));
     }
     return counts;
   }
