@@ -1,4 +1,4 @@
-// Which polygons fill() takes, by GEOS: those that are valid, also where they touch; their area, their boundary.
+// Which polygons fill() accepts, by GEOS: those that are valid, also where they touch; their area, their boundary.
 //   --count=N     so many random polygons; more, until a quarter of so many touch
 //   --largest=N   of point files those with at most so many points
 #include <doctest/doctest.h>

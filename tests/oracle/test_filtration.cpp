@@ -31,7 +31,7 @@ struct Set {
   Points points;
 };
 
-/// Generated, bundled and random sets of the asked size whose squared radii are far from the ends of double.
+/// Generated, bundled and random sets of the given size whose squared radii are far from the ends of double.
 std::vector<Set> sets() {
   std::vector<Set> all;
   const auto add = [&](std::string name, Points points) {

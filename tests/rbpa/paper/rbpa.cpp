@@ -131,7 +131,7 @@ TEST_CASE("a visitor that throws leaves a sound mesh and a front from which the 
   }
 }
 
-TEST_CASE("progress grows, is asked in stretches without a triangle, and false or an exception ends the run") {
+TEST_CASE("progress grows, is called in stretches without a triangle, and false or an exception ends the run") {
   // Nearly all points are isolated: there is little but searches for seeds.
   Points sparse;
   for (int i = 0; i < 40000; ++i) sparse.push_back({100.0 * (i % 200), 100.0 * (i / 200)});

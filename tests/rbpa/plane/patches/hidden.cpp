@@ -1,4 +1,4 @@
-// Tiles beside points that are not in the grid: what they tell is true of all points.
+// Tiles beside points that are not in the grid: their results are true of all points.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Counts {
   std::size_t triangles = 0, known = 0;
 };
 
-/// Hides some points, and lets tiles of the others tell what they know.
+/// Hides some points, and computes the tiles of the others.
 Counts check_hidden(const Points& points, const Points& hidden, const Radius& radius) {
   const PointGrid grid(points);
   const auto& all = grid.levels()[0];
@@ -62,7 +62,7 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
 
 }  // namespace
 
-TEST_CASE("a tile tells no triangle whose circle holds a hidden point, and knows no site that has one beside it") {
+TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settles no site that has one beside it") {
   Random random(1);
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);

@@ -31,7 +31,7 @@ TEST_SUITE_BEGIN("remainder");
 
 namespace {
 
-/// What each tile tells, in any order; of some tiles nothing.
+/// The patch of each tile, in any order; of some tiles nothing.
 std::vector<TilePatch> tell(const PointGrid& grid, const Radius& radius, std::uint32_t max_points, double share_told,
                             Random& random) {
   std::vector<TilePatch> told;
@@ -167,7 +167,7 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: a few points
   }
 }
 
-TEST_CASE("tiles and remainder are the complex, each triangle once: when some tiles tell nothing") {
+TEST_CASE("tiles and remainder are the complex, each triangle once: when some tiles find nothing") {
   Random random(3);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
