@@ -264,7 +264,7 @@ class StreamBench {
                 stream_.run.seconds);
     std::printf(
         "The reader is that of `rbpa stream`, in one thread. Before each reading, and before the run, the system "
-        "was asked to forget the files.\n\n");
+        "dropped the files from its cache.\n\n");
     const Json& memory = memory_runs_[0].stats;
     if (few_ == arguments_.points)
       std::printf("In memory there are %s triangles%s.\n\n",

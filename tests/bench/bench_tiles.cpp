@@ -69,7 +69,8 @@ void report(std::size_t count) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
   std::printf(
-      "| points | number | α | triangles | tiles | told by tiles, %% | left over | settled points, %% | of tiles, 2048 "
+      "| points | number | α | triangles | tiles | found on tiles, %% | left over | settled points, %% | of tiles, "
+      "2048 "
       "| "
       "1024 |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})

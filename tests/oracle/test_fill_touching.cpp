@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "rbpa/fill.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "rbpa/validity.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 #include "support/read_points.h"

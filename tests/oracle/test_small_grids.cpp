@@ -10,11 +10,11 @@
 #include <exception>
 #include <iterator>
 
-#include "oracle/arguments.h"
 #include "oracle/brute_force.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
 #include "rbpa/paper.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/levels.h"
 #include "support/random.h"

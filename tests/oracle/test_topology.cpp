@@ -13,9 +13,9 @@
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
-#include "oracle/arguments.h"
 #include "oracle/cgal_topology.h"
 #include "oracle/read_off.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 

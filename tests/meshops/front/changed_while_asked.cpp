@@ -67,7 +67,7 @@ std::string refusal_message(When when, const Change& change) {
 
 }  // namespace
 
-TEST_SUITE("changed while asked") {
+TEST_SUITE("changed while the policy proposes") {
   TEST_CASE("a policy that changes the front during a call is refused, whatever the call and the change") {
     const std::vector<Change> changes = {[](Front& f) { f.create(4, 5, 6); },
                                          [](Front& f) { f.attach(Halfedge(1), 5); },

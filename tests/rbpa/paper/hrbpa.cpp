@@ -121,8 +121,8 @@ TEST_CASE("HRBPA ends in the complex of every kind of set, and its levels are th
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
-    if (points.size() > 100) points.resize(100);
-    if (some.size() > 100) some.resize(100);
+    if (points.size() > 60) points.resize(60);
+    if (some.size() > 60) some.resize(60);
     CAPTURE(set.name);
     for (const std::size_t k : {1u, 6u, 32u}) levels += check(points, infinity, k);
     for (const double alpha : set.alphas) levels += check(points, alpha, 4);

@@ -63,8 +63,8 @@ TEST_CASE("Theorem 1: RBPA finds the solid alpha complex of every kind of set") 
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
-    if (points.size() > 250) points.resize(250);
-    if (some.size() > 250) some.resize(250);
+    if (points.size() > 150) points.resize(150);
+    if (some.size() > 150) some.resize(150);
     CAPTURE(set.name);
     for (const Points& part : {points, some}) {
       for (const double alpha : usual_alphas(part)) triangles += check(part, alpha);

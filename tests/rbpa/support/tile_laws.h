@@ -25,12 +25,13 @@ struct SiteSet {
 };
 
 /// The patch of each tile.
-std::vector<rbpa::TilePatch> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius, std::uint32_t max_points);
+std::vector<rbpa::TilePatch> patches_of(const rbpa::PointGrid& grid, const rbpa::Radius& radius,
+                                        std::uint32_t max_points);
 
 bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 
 /// Triangles are of the complex and found once, sides and outlines are right, and nothing is missing at settled sites.
-std::string wrong_with(const std::vector<rbpa::TilePatch>& told, const std::vector<Triangle>& complex);
+std::string wrong_with(const std::vector<rbpa::TilePatch>& patches, const std::vector<Triangle>& complex);
 
 /// The same of every vector unit that this processor has, and that all find the same.
 std::string wrong_on(const Points& input, std::uint32_t max_points,

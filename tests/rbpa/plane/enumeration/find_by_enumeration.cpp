@@ -166,16 +166,16 @@ TEST_CASE("a tile that enumerates lists every pair within a diameter, one of whi
   for (const Tile& tile : tiles_of(sites.grid, 300)) {
     Workspace workspace;
     REQUIRE(is_enumerated(tile, radius, workspace));
-    std::set<std::array<std::uint32_t, 2>> told(workspace.own.near_rim.begin(), workspace.own.near_rim.end());
+    std::set<std::array<std::uint32_t, 2>> near_rim(workspace.own.near_rim.begin(), workspace.own.near_rim.end());
     for (std::size_t v = 0; v < tile.points.size(); ++v)
       for (std::size_t u = 0; u < tile.points.size(); ++u) {
         if (!tile.owned[v] || tile.owned[u] || !radius.spans<double>(tile.points[v], tile.points[u])) continue;
-        CHECK(told.contains({tile.site[v], tile.site[u]}));
+        CHECK(near_rim.contains({tile.site[v], tile.site[u]}));
         ++pairs;
         // Its site may turn out not to be settled: the points near it are listed then as well.
         for (std::size_t w = 0; w < tile.points.size(); ++w)
           if (w != v && tile.owned[w] && radius.spans<double>(tile.points[v], tile.points[w]))
-            CHECK(told.contains({tile.site[w], tile.site[v]}));
+            CHECK(near_rim.contains({tile.site[w], tile.site[v]}));
       }
   }
   CHECK(pairs > 100);
@@ -187,7 +187,7 @@ TEST_CASE("where alpha is small a tile settles all of its sites but those beside
     CAPTURE(alpha);
     const Radius radius(alpha * mean_spacing(sites.points));
     std::size_t known = 0, shared = 0;
-    for (const auto& tile : tell(sites.grid, radius, 2048)) {
+    for (const auto& tile : patches_of(sites.grid, radius, 2048)) {
       known += tile.settled.size();
       shared += tile.shared.size();
     }

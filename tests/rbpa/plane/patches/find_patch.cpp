@@ -120,10 +120,10 @@ TEST_CASE("a tile finds the same whatever the workspace and the result were used
     for (const Block& block : blocks) {
       cutter.cut(block, tile);
       FinderWorkspace fresh;
-      TilePatch told;
-      find_patch(tile, Radius(), fresh, told);
+      TilePatch found;
+      find_patch(tile, Radius(), fresh, found);
       find_patch(tile, Radius(), used, again);
-      CHECK(same(told, again));
+      CHECK(same(found, again));
     }
   }
   find_patch(Tile(), Radius(), used, again);
@@ -143,7 +143,7 @@ TEST_CASE("tiles along streets give up and find nothing, at every vector unit") 
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     const OneTarget only(target);
     std::size_t triangles = 0;
-    for (const TilePatch& tile : tell(grid, Radius(), 2048)) triangles += tile.patch.triangles.size();
+    for (const TilePatch& tile : patches_of(grid, Radius(), 2048)) triangles += tile.patch.triangles.size();
     CHECK(triangles < streets.size() / 8);
   }
 }
@@ -159,9 +159,9 @@ TEST_CASE("a tile that has all points settles most sites and finds most triangle
       const OneTarget only(target);
       for (const std::uint32_t most : {300u, 2048u}) {
         std::size_t triangles = 0, known = 0;
-        const auto told = tell(sites.grid, Radius(), most);
-        CHECK(wrong_with(told, sites.delaunay) == "");
-        for (const TilePatch& tile : told) {
+        const auto patches = patches_of(sites.grid, Radius(), most);
+        CHECK(wrong_with(patches, sites.delaunay) == "");
+        for (const TilePatch& tile : patches) {
           triangles += tile.patch.triangles.size();
           known += tile.settled.size();
         }
@@ -177,7 +177,7 @@ TEST_CASE("a tile that has all points settles most sites and finds most triangle
             if (!radius.admits<double>(sites.points[t[0]], sites.points[t[1]], sites.points[t[2]]))
               sides.insert({t[i], t[(i + 1) % 3]});
         std::size_t nothing = 0, open = 0;
-        for (const TilePatch& tile : tell(sites.grid, radius, most))
+        for (const TilePatch& tile : patches_of(sites.grid, radius, most))
           for (std::size_t t = 0; t < tile.patch.triangles.size(); ++t)
             for (std::size_t i = 0; i < 3; ++i) {
               const auto from = static_cast<std::uint32_t>(tile.patch.triangles[t][i]),

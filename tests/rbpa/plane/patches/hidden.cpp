@@ -39,7 +39,7 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
     if (radius.admits<double>(together[t[0]], together[t[1]], together[t[2]])) complex.insert(t);
 
   Counts counts;
-  std::set<Triangle> told;
+  std::set<Triangle> found;
   std::vector<std::uint32_t> known;
   rbpa::Cutter cutter(grid, places);
   rbpa::Tile tile;
@@ -48,14 +48,15 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
   for (const rbpa::Block& block : rbpa::blocks(grid, 200)) {
     cutter.cut(block, tile);
     find_patch(tile, radius, workspace, triangles);
-    for (const auto& t : triangles.patch.triangles) told.insert(canonical({{{t[0], t[1], t[2]}}})[0]);
+    for (const auto& t : triangles.patch.triangles) found.insert(canonical({{{t[0], t[1], t[2]}}})[0]);
     known.insert(known.end(), triangles.settled.begin(), triangles.settled.end());
   }
-  for (const Triangle& t : told) CHECK(complex.contains(t));
+  for (const Triangle& t : found) CHECK(complex.contains(t));
   const std::set<std::uint32_t> complete(known.begin(), known.end());
   for (const Triangle& t : complex)
-    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t s) { return complete.contains(s); })) CHECK(told.contains(t));
-  counts.triangles = told.size();
+    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t s) { return complete.contains(s); }))
+      CHECK(found.contains(t));
+  counts.triangles = found.size();
   counts.known = known.size();
   return counts;
 }
