@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <utility>
 
 #include "rbpa/base/error.h"
 
@@ -11,6 +12,8 @@ namespace {
 // Set in one thread and asked in any: beyond what sig_atomic_t promises.
 std::atomic<bool> signal_came = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else no handler may set it");
+
+thread_local const std::function<bool()>* goes_on = nullptr;  // of an Interruption
 
 }  // namespace
 
@@ -29,7 +32,10 @@ void catch_interrupts() {
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
-bool interrupted() { return signal_came; }
+Interruption::Interruption(std::function<bool()> go_on) : go_on_(std::move(go_on)) { goes_on = &go_on_; }
+Interruption::~Interruption() { goes_on = nullptr; }
+
+bool interrupted() { return signal_came || (goes_on != nullptr && !(*goes_on)()); }
 
 std::function<bool()> until_interrupted() {
   return [] { return !interrupted(); };

@@ -9,13 +9,25 @@ namespace rbpa::app {
 /// be, is an error of write().
 void catch_interrupts();
 
+/// While it lives its thread is interrupted as well once `go_on` is false: for a program that catches signals by itself.
+class Interruption {
+ public:
+  explicit Interruption(std::function<bool()> go_on);
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+ private:
+  std::function<bool()> go_on_;
+};
+
 /// In any thread.
 bool interrupted();
 
 /// For a computation to ask whether to go on: false once a signal has come.
 std::function<bool()> until_interrupted();
 
-/// Throws Cancelled once a signal has come. Cost: a load.
+/// Throws Cancelled once a signal has come. Cost: two loads.
 void stop_if_interrupted();
 
 }  // namespace rbpa::app

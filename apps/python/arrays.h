@@ -21,6 +21,7 @@ namespace py = pybind11;
 
 using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int32_t, py::array::c_style>;
+using Begins = py::array_t<std::int64_t, py::array::c_style>;
 using Triple = std::array<std::uint32_t, 3>;
 
 /// Contiguous points, an array of n × 2. The array must outlive the span.
@@ -66,21 +67,30 @@ class Kept {
   py::capsule owner_;
 };
 
-/// An item of a vector is a row of `columns` numbers.
+/// The numbers of a vector, in rows of `columns` or, where that is 0, in a line.
 template <typename Number, typename Item>
-py::array rows(std::vector<Item> items) {
-  constexpr std::size_t columns = sizeof(Item) / sizeof(Number);
+py::array_t<Number, py::array::c_style> array_of(std::vector<Item> items, std::size_t columns) {
   const Kept kept(std::move(items));
-  return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size()), py::ssize_t(columns)},
-                                    {py::ssize_t(sizeof(Item)), py::ssize_t(sizeof(Number))}, true);
+  std::vector<py::ssize_t> shape = {py::ssize_t(kept->size())}, strides = {py::ssize_t(sizeof(Item))};
+  if (columns > 0) {
+    shape.push_back(py::ssize_t(columns));
+    strides.push_back(py::ssize_t(sizeof(Number)));
+  }
+  py::array array = kept.template view<Number>(kept->data(), std::move(shape), std::move(strides), true);
+  return py::reinterpret_steal<py::array_t<Number, py::array::c_style>>(array.release());
+}
+
+/// An item of a vector is a row of numbers.
+template <typename Number, typename Item>
+auto rows(std::vector<Item> items) {
+  return array_of<Number>(std::move(items), sizeof(Item) / sizeof(Number));
 }
 
 /// An item of a vector is a number.
 template <typename Number, typename Item>
-py::array line(std::vector<Item> items) {
+auto line(std::vector<Item> items) {
   static_assert(sizeof(Number) == sizeof(Item));
-  const Kept kept(std::move(items));
-  return kept.template view<Number>(kept->data(), {py::ssize_t(kept->size())}, {py::ssize_t(sizeof(Item))}, true);
+  return array_of<Number>(std::move(items), 0);
 }
 
 }  // namespace rbpa::python

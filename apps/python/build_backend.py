@@ -71,7 +71,7 @@ def configure(folder: pathlib.Path) -> None:
         raise SystemExit("rbpa: cannot be built: there is no " + ", no ".join(found))
     say("looking for what it is built with")
     run("see above for what is missing", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release", "-DRBPA_BUILD_PYTHON=ON",
-        "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}")  # fmt: skip
+        "-DRBPA_COMPILE_TOGETHER=ON", "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}")  # fmt: skip
 
 
 def run(advice: str, *arguments: str) -> None:

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "python/arrays.h"
 #include "python/module.h"
@@ -79,7 +80,8 @@ py::dict filtration_steps(const Doubles& points, unsigned threads, const py::obj
 using Interval = std::array<double, 2>;
 
 /// Births and deaths of components, and of holes; without a death, infinity.
-py::tuple persistence_intervals(const Doubles& points, bool full, unsigned threads, const py::object& progress) {
+std::tuple<Doubles, Doubles> persistence_intervals(const Doubles& points, bool full, unsigned threads,
+                                                   const py::object& progress) {
   const auto input = points_of(points);
   auto intervals = watched(input.size(), progress, [&](Watch& watch) {
     const Triangulation delaunay = delaunay_of(input, threads, watch);
@@ -90,7 +92,7 @@ py::tuple persistence_intervals(const Doubles& points, bool full, unsigned threa
       of_dimension[static_cast<std::size_t>(pair.dimension)].push_back({pair.birth, pair.death.value_or(infinity)});
     return of_dimension;
   });
-  return py::make_tuple(rows<double>(std::move(intervals[0])), rows<double>(std::move(intervals[1])));
+  return {rows<double>(std::move(intervals[0])), rows<double>(std::move(intervals[1]))};
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class ArrayLocator {
         neighbors_(std::move(neighbors)),
         locator_(make()) {}
 
-  py::array find(const Doubles& queries) const {
+  Indices find(const Doubles& queries) const {
     const auto input = points_of(queries);
     return line<std::int32_t>(watched(input.size(), py::none(), [&](Watch& watch) {
       return locator_.find(input, {.go_on = watch.until_stopped()});

@@ -1,6 +1,6 @@
 #include "python/mesh.h"
 
-#include <limits>
+#include <tuple>
 
 #include "meshops/core/live.h"
 #include "meshops/core/validate.h"
@@ -48,56 +48,56 @@ Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) 
   return handle;
 }
 
-template <typename Handle, typename ForEach>
-py::array live_handles(const Mesh& mesh, ForEach for_each) {
-  std::vector<Handle> all;
-  for_each(mesh.seen(), [&](Handle h) { all.push_back(h); });
-  return line<std::int32_t>(numbers(all));
+// What has no state is a pointer to a function below: those of one signature are compiled once.
+using Count = std::size_t (*)(const Mesh&);
+
+template <typename ForEach>
+Count counted(ForEach) {
+  return [](const Mesh& m) {
+    std::size_t count = 0;
+    ForEach{}(m.seen(), [&](auto) { ++count; });
+    return count;
+  };
+}
+
+template <typename ForEach>
+auto listed(ForEach) {
+  return +[](const Mesh& m) {
+    std::vector<std::uint32_t> all;
+    ForEach{}(m.seen(), [&](auto handle) { all.push_back(static_cast<std::uint32_t>(handle.idx())); });
+    return line<std::int32_t>(std::move(all));
+  };
 }
 
 void bind_elements(py::class_<Mesh>& mesh) {
-  const auto counted = [](auto for_each) {
-    return [for_each](const Mesh& m) {
-      std::size_t count = 0;
-      for_each(m.seen(), [&](auto) { ++count; });
-      return count;
-    };
-  };
-  const auto vertices = [](const auto& m, auto visit) { meshops::for_each_vertex(m, visit); };
-  const auto halfedges = [](const auto& m, auto visit) { meshops::for_each_halfedge(m, visit); };
-  const auto edges = [](const auto& m, auto visit) { meshops::for_each_edge(m, visit); };
-  const auto faces = [](const auto& m, auto visit) { meshops::for_each_face(m, visit); };
+  constexpr auto vertices = [](const auto& m, auto visit) { meshops::for_each_vertex(m, visit); };
+  constexpr auto halfedges = [](const auto& m, auto visit) { meshops::for_each_halfedge(m, visit); };
+  constexpr auto edges = [](const auto& m, auto visit) { meshops::for_each_edge(m, visit); };
+  constexpr auto faces = [](const auto& m, auto visit) { meshops::for_each_face(m, visit); };
+  const Count vertex_bound = [](const Mesh& m) { return m.seen().n_vertices(); };
+  const Count edge_bound = [](const Mesh& m) { return m.seen().n_edges(); };
+  const Count face_bound = [](const Mesh& m) { return m.seen().n_faces(); };
   mesh.def_property_readonly("n_vertices", counted(vertices), "Vertices that are not deleted, isolated ones included.")
       .def_property_readonly("n_edges", counted(edges), "Edges that are not deleted.")
       .def_property_readonly("n_faces", counted(faces), "Faces that are not deleted.")
-      .def_property_readonly(
-          "vertex_bound", [](const Mesh& m) { return m.seen().n_vertices(); },
-          "Above all numbers of vertices, deleted ones included: as long are arrays by vertex.")
-      .def_property_readonly(
-          "edge_bound", [](const Mesh& m) { return m.seen().n_edges(); },
-          "Above all numbers of edges, deleted ones included: as long are arrays by edge.")
-      .def_property_readonly(
-          "face_bound", [](const Mesh& m) { return m.seen().n_faces(); },
-          "Above all numbers of faces, deleted ones included: as long are arrays by face.")
-      .def(
-          "vertices", [=](const Mesh& m) { return live_handles<Vertex>(m, vertices); },
-          "The vertices that are not deleted, ascending: an int32 array.")
-      .def(
-          "halfedges", [=](const Mesh& m) { return live_handles<Halfedge>(m, halfedges); },
-          "The halfedges that are not deleted, ascending: an int32 array. Those of edge e are 2 e and 2 e + 1.")
-      .def(
-          "edges", [=](const Mesh& m) { return live_handles<Edge>(m, edges); },
-          "The edges that are not deleted, ascending: an int32 array.")
-      .def(
-          "faces", [=](const Mesh& m) { return live_handles<Face>(m, faces); },
-          "The faces that are not deleted, ascending: an int32 array.");
+      .def_property_readonly("vertex_bound", vertex_bound,
+                             "Above all numbers of vertices, deleted ones included: as long are arrays by vertex.")
+      .def_property_readonly("edge_bound", edge_bound,
+                             "Above all numbers of edges, deleted ones included: as long are arrays by edge.")
+      .def_property_readonly("face_bound", face_bound,
+                             "Above all numbers of faces, deleted ones included: as long are arrays by face.")
+      .def("vertices", listed(vertices), "The vertices that are not deleted, ascending: an int32 array.")
+      .def("halfedges", listed(halfedges),
+           "The halfedges that are not deleted, ascending: an int32 array. Those of edge e are 2 e and 2 e + 1.")
+      .def("edges", listed(edges), "The edges that are not deleted, ascending: an int32 array.")
+      .def("faces", listed(faces), "The faces that are not deleted, ascending: an int32 array.");
 }
 
 void bind_navigation(py::class_<Mesh>& mesh) {
   using py::arg;
-  const auto of = [&](const char* name, auto from, const char* what) {
+  const auto of = [&]<typename From>(const char* name, From, const char* what) {
     mesh.def(
-        name, [from](const Mesh& m, Halfedge h) { return from(m.seen(), live(m.seen(), h, "halfedge")); },
+        name, +[](const Mesh& m, Halfedge h) { return From{}(m.seen(), live(m.seen(), h, "halfedge")); },
         arg("halfedge"), what);
   };
   of(
@@ -116,21 +116,21 @@ void bind_navigation(py::class_<Mesh>& mesh) {
   of(
       "edge", [](const auto& m, Halfedge h) { return m.edge_handle(h); }, "Its edge.");
   of(
-      "face", [](const auto& m, Halfedge h) { return m.face_handle(h); },
+      "face", [](const auto& m, Halfedge h) { return maybe(m.face_handle(h)); },
       "The face on its left, or None on the boundary.");
   of(
       "is_boundary", [](const auto& m, Halfedge h) { return m.is_boundary(h); }, "Whether it has no face on its left.");
   mesh.def(
           "halfedge_of_vertex",
-          [](const Mesh& m, Vertex v) { return m.seen().halfedge_handle(live(m.seen(), v, "vertex")); }, arg("vertex"),
-          "A halfedge that starts there, on the boundary if it can be; None where there is none.")
+          [](const Mesh& m, Vertex v) { return maybe(m.seen().halfedge_handle(live(m.seen(), v, "vertex"))); },
+          arg("vertex"), "A halfedge that starts there, on the boundary if it can be; None where there is none.")
       .def(
           "halfedge_of_face", [](const Mesh& m, Face f) { return m.seen().halfedge_handle(live(m.seen(), f, "face")); },
           arg("face"), "The first side of the face.")
       .def(
           "find_halfedge",
           [](const Mesh& m, Vertex a, Vertex b) {
-            return Halfedge(m.seen().find_halfedge(live(m.seen(), a, "vertex"), live(m.seen(), b, "vertex")));
+            return maybe(Halfedge(m.seen().find_halfedge(live(m.seen(), a, "vertex"), live(m.seen(), b, "vertex"))));
           },
           arg("start"), arg("end"), "A halfedge from one vertex to the other, or None.")
       .def(
@@ -138,7 +138,7 @@ void bind_navigation(py::class_<Mesh>& mesh) {
           [](const Mesh& m) {
             meshops::PolygonSoup soup = meshops::soup_of(m.seen());
             std::vector<std::int64_t> begin(soup.begin.begin(), soup.begin.end());
-            return py::make_tuple(line<std::int32_t>(std::move(soup.corners)), line<std::int64_t>(std::move(begin)));
+            return std::make_tuple(line<std::int32_t>(std::move(soup.corners)), line<std::int64_t>(std::move(begin)));
           },
           "(corners, begin): the corners of all faces that are not deleted, one face after the other, and where each "
           "begins.")
@@ -213,7 +213,7 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
   return mesh;
 }
 
-py::tuple homology(Mesh& mesh, const std::optional<Doubles>& lengths) {
+std::tuple<std::vector<Indices>, Indices> homology(Mesh& mesh, const std::optional<Doubles>& lengths) {
   std::vector<double> given;
   if (lengths) given.assign(lengths->data(), lengths->data() + lengths->size());
   const Mesh::Look look(mesh);
@@ -221,9 +221,9 @@ py::tuple homology(Mesh& mesh, const std::optional<Doubles>& lengths) {
     return lengths ? meshops::homology(mesh.seen(), given, watch.until_stopped())
                    : meshops::homology(mesh.seen(), watch.until_stopped());
   });
-  py::list loops;
-  for (const meshops::Loop& loop : found.generators) loops.append(line<std::int32_t>(numbers(loop)));
-  return py::make_tuple(loops, line<std::int32_t>(numbers(found.cut_graph)));
+  std::vector<Indices> loops;
+  for (const meshops::Loop& loop : found.generators) loops.push_back(line<std::int32_t>(numbers(loop)));
+  return {std::move(loops), line<std::int32_t>(numbers(found.cut_graph))};
 }
 
 meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::uint32_t>>& point_of_vertex) {
@@ -238,9 +238,9 @@ void bind_topology(py::class_<Mesh>& mesh) {
   mesh.def(
           "boundary_curves",
           [](const Mesh& m) {
-            py::list curves;
+            std::vector<Indices> curves;
             for (const meshops::BoundaryCurve& curve : meshops::boundary_curves(m.seen()))
-              curves.append(line<std::int32_t>(numbers(std::vector<Halfedge>(curve.begin(), curve.end()))));
+              curves.push_back(line<std::int32_t>(numbers(std::vector<Halfedge>(curve.begin(), curve.end()))));
             return curves;
           },
           "The boundary curves: an int32 array of halfedges each, with the mesh on their right.")

@@ -6,6 +6,7 @@
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "meshops/core/connectivity.h"
@@ -61,6 +62,12 @@ class Mesh {
   MeshKernel kernel_;
   int looking_ = 0;
 };
+
+/// A handle that names something, or None: of which a user's type checker knows.
+template <typename Handle>
+std::optional<Handle> maybe(Handle handle) {
+  return handle.is_valid() ? std::optional<Handle>(handle) : std::nullopt;
+}
 
 void bind_mesh_operators(pybind11::module_& module, pybind11::class_<Mesh>& mesh);
 

@@ -20,6 +20,25 @@
 #include "meshops/stellar/weld_face.h"
 #include "python/mesh.h"
 
+namespace pybind11::detail {
+
+template <>
+struct type_caster<meshops::Keep> {
+  PYBIND11_TYPE_CASTER(meshops::Keep, const_name("str"));
+
+  bool load(handle source, bool convert) {
+    make_caster<std::string> text;
+    if (!text.load(source, convert)) return false;
+    const auto& keep = cast_op<const std::string&>(text);
+    value = keep == "manifold" ? meshops::Keep::manifold : meshops::Keep::simplicial;
+    if (keep != "manifold" && keep != "simplicial")
+      throw meshops::ContractViolation("keep: found '" + keep + "', expected 'simplicial' or 'manifold'");
+    return true;
+  }
+};
+
+}  // namespace pybind11::detail
+
 namespace rbpa::python {
 namespace {
 
@@ -31,12 +50,6 @@ using meshops::Keep;
 using meshops::Vertex;
 using py::arg;
 using Reason = std::optional<std::string>;
-
-Keep keep_of(const std::string& keep) {
-  if (keep == "simplicial") return Keep::simplicial;
-  if (keep == "manifold") return Keep::manifold;
-  throw meshops::ContractViolation("keep: found '" + keep + "', expected 'simplicial' or 'manifold'");
-}
 
 void bind_delta(py::module_& module) {
   using meshops::Delta;
@@ -89,8 +102,12 @@ void bind_handle_effects(py::module_& module) {
       .def_property_readonly("what", &case_of<meshops::UnglueEffect>, "The case of glue() that was undone.")
       .def_readonly("first", &meshops::UnglueEffect::first)
       .def_readonly("second", &meshops::UnglueEffect::second)
-      .def_readonly("new_start", &meshops::UnglueEffect::new_start, "A second vertex where `first` starts, or None.")
-      .def_readonly("new_end", &meshops::UnglueEffect::new_end, "A second vertex where `first` ends, or None.");
+      .def_property_readonly(
+          "new_start", [](const meshops::UnglueEffect& e) { return maybe(e.new_start); },
+          "A second vertex where `first` starts, or None.")
+      .def_property_readonly(
+          "new_end", [](const meshops::UnglueEffect& e) { return maybe(e.new_end); },
+          "A second vertex where `first` ends, or None.");
   bind_effect<meshops::CloseCurveEffect>(module, "CloseCurveEffect",
                                          "What close_curve() did; open_curve(face) undoes it.")
       .def_readonly("face", &meshops::CloseCurveEffect::face);
@@ -153,152 +170,112 @@ void bind_stellar_effects(py::module_& module) {
       .def_readonly("faces", &meshops::TriangulateFaceEffect::faces);
 }
 
-/// An operator on one element, and its blocker.
-template <typename Element, typename Operator, typename Blocker>
-void bind_pair(py::class_<Mesh>& mesh, const std::string& name, const char* element, Operator apply, Blocker blocker,
-               const char* what) {
+/// An operator on what is `Given`, in Python under these names, and its blocker. Neither has a state: as pointers to functions
+/// those of one signature are compiled once.
+template <typename... Given, typename Operator, typename Blocker, typename... Arguments>
+void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Blocker, const char* what,
+                   const Arguments&... arguments) {
   mesh.def(
-      name.c_str(), [apply](Mesh& m, Element e) { return apply(m.changed(), e); }, arg(element), what);
-  mesh.def((name + "_blocker").c_str(), [blocker](const Mesh& m, Element e) -> Reason { return blocker(m.seen(), e); },
-           arg(element), ("Why " + name + "() would refuse, or None.").c_str());
-}
-
-/// The same with what must be kept.
-template <typename Element, typename Operator, typename Blocker>
-void bind_keeping(py::class_<Mesh>& mesh, const std::string& name, const char* element, Operator apply, Blocker blocker,
-                  const char* what) {
-  mesh.def(
-      name.c_str(),
-      [apply](Mesh& m, Element e, const std::string& keep) { return apply(m.changed(), e, keep_of(keep)); },
-      arg(element), py::kw_only(), arg("keep") = "simplicial", what);
+      name.c_str(), +[](Mesh& m, Given... given) { return Operator{}(m.changed(), given...); }, arguments..., what);
   mesh.def((name + "_blocker").c_str(),
-           [blocker](const Mesh& m, Element e, const std::string& keep) -> Reason {
-             return blocker(m.seen(), e, keep_of(keep));
-           },
-           arg(element), py::kw_only(), arg("keep") = "simplicial",
+           +[](const Mesh& m, Given... given) -> Reason { return Blocker{}(m.seen(), given...); }, arguments...,
            ("Why " + name + "() would refuse, or None.").c_str());
 }
 
-/// An operator on two halfedges, and its blocker.
-template <typename Operator, typename Blocker>
-void bind_two(py::class_<Mesh>& mesh, const std::string& name, Operator apply, Blocker blocker, const char* what) {
-  mesh.def(
-      name.c_str(), [apply](Mesh& m, Halfedge a, Halfedge b) { return apply(m.changed(), a, b); }, arg("first"),
-      arg("second"), what);
-  mesh.def((name + "_blocker").c_str(),
-           [blocker](const Mesh& m, Halfedge a, Halfedge b) -> Reason { return blocker(m.seen(), a, b); }, arg("first"),
-           arg("second"), ("Why " + name + "() would refuse, or None.").c_str());
-}
-
-// Operators and blockers have overloads: each is named by a function of its own.
-#define RBPA_CALL(function) [](auto& on, const auto&... given) { return meshops::function(on, given...); }
+// Operators and blockers have overloads: each pair is named by functions of its own.
+#define RBPA_OPERATOR(name) \
+#name, [](auto& on, const auto&... given) { return meshops::name(on, given...); }, \
+      [](auto& on, const auto&... given) { return meshops::name##_blocker(on, given...); }
 
 void bind_handle_operators(py::class_<Mesh>& mesh) {
+  const arg halfedge("halfedge"), face("face"), first("first"), second("second");
   mesh.def(
       "create_triangle", [](Mesh& m) { return meshops::create_triangle(m.changed()); },
       "Adds a triangle of three new vertices. Returns its first inner halfedge.");
-  bind_pair<Face>(mesh, "destroy_triangle", "face", RBPA_CALL(destroy_triangle), RBPA_CALL(destroy_triangle_blocker),
-                  "Takes out a triangle that is a component of its own. Returns the Delta.");
-  bind_pair<Face>(
-      mesh, "remove_triangle", "face", RBPA_CALL(remove_triangle), RBPA_CALL(remove_triangle_blocker),
+  bind_operator<Face>(mesh, RBPA_OPERATOR(destroy_triangle),
+                      "Takes out a triangle that is a component of its own. Returns the Delta.", face);
+  bind_operator<Face>(
+      mesh, RBPA_OPERATOR(remove_triangle),
       "Takes a triangle out of any mesh; where the rest would touch itself in a corner, each fan gets a vertex.\n"
-      "Returns the Delta.");
-  bind_two(
-      mesh, "glue", RBPA_CALL(glue), RBPA_CALL(glue_blocker),
-      "Glues two boundary halfedges head to tail: joins components, splits a curve, makes a handle, zips, closes.");
-  bind_pair<Halfedge>(mesh, "unglue", "halfedge", RBPA_CALL(unglue), RBPA_CALL(unglue_blocker),
-                      "Parts an inner edge: the inverse of glue().");
+      "Returns the Delta.",
+      face);
+  bind_operator<Halfedge, Halfedge>(
+      mesh, RBPA_OPERATOR(glue),
+      "Glues two boundary halfedges head to tail: joins components, splits a curve, makes a handle, zips, closes.",
+      first, second);
+  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(unglue), "Parts an inner edge: the inverse of glue().", halfedge);
   mesh.def(
       "unglue", [](Mesh& m, const meshops::GlueEffect& effect) { return meshops::unglue(m.changed(), effect); },
       arg("effect"), "Takes a glue() back: every record is as it was.");
-  bind_pair<Halfedge>(mesh, "close_curve", "halfedge", RBPA_CALL(close_curve), RBPA_CALL(close_curve_blocker),
-                      "Fills the boundary curve through a halfedge with one face.");
-  bind_pair<Face>(mesh, "open_curve", "face", RBPA_CALL(open_curve), RBPA_CALL(open_curve_blocker),
-                  "Takes a face out, and leaves a boundary curve: the inverse of close_curve().");
-  bind_two(mesh, "zip_curves", RBPA_CALL(zip_curves), RBPA_CALL(zip_curves_blocker),
-           "Sews two boundary curves of equal length together, edge by edge, from these halfedges on.");
+  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(close_curve),
+                          "Fills the boundary curve through a halfedge with one face.", halfedge);
+  bind_operator<Face>(mesh, RBPA_OPERATOR(open_curve),
+                      "Takes a face out, and leaves a boundary curve: the inverse of close_curve().", face);
+  bind_operator<Halfedge, Halfedge>(
+      mesh, RBPA_OPERATOR(zip_curves),
+      "Sews two boundary curves of equal length together, edge by edge, from these halfedges on.", first, second);
 }
 
-void bind_splits(py::class_<Mesh>& mesh) {
-  bind_keeping<Halfedge>(mesh, "split_edge", "halfedge", RBPA_CALL(split_edge), RBPA_CALL(split_edge_blocker),
-                         "Puts a vertex on the edge of a halfedge, joined to the apex of each triangle beside it.");
-  bind_pair<Face>(mesh, "split_face", "face", RBPA_CALL(split_face), RBPA_CALL(split_face_blocker),
-                  "Puts a vertex into a triangle, joined to its corners.");
+void bind_stellar_operators(py::class_<Mesh>& mesh) {
   using Side = std::optional<Halfedge>;
-  mesh.def(
-      "split_vertex",
-      [](Mesh& m, Side left, Side right, const std::string& keep) {
-        return meshops::split_vertex(m.changed(), left, right, keep_of(keep));
-      },
-      arg("left"), arg("right"), py::kw_only(), arg("keep") = "simplicial",
+  const arg halfedge("halfedge"), face("face"), vertex("vertex");
+  const py::kw_only by_name;
+  const py::arg_v keep = arg("keep") = "simplicial";
+  bind_operator<Halfedge, Keep>(
+      mesh, RBPA_OPERATOR(split_edge),
+      "Puts a vertex on the edge of a halfedge, joined to the apex of each triangle beside it.", halfedge, by_name,
+      keep);
+  bind_operator<Face>(mesh, RBPA_OPERATOR(split_face), "Puts a vertex into a triangle, joined to its corners.", face);
+  bind_operator<Side, Side, Keep>(
+      mesh, RBPA_OPERATOR(split_vertex),
       "Splits the vertex that both halfedges leave: a new one takes over the edges between them, counter-clockwise. "
       "One may\n"
-      "be None: from or to the boundary.");
-  mesh.def(
-      "split_vertex_blocker",
-      [](const Mesh& m, Side left, Side right, const std::string& keep) -> Reason {
-        return meshops::split_vertex_blocker(m.seen(), left, right, keep_of(keep));
-      },
-      arg("left"), arg("right"), py::kw_only(), arg("keep") = "simplicial",
-      "Why split_vertex() would refuse, or None.");
-}
-
-void bind_welds(py::class_<Mesh>& mesh) {
-  bind_keeping<Halfedge>(mesh, "weld_edge", "halfedge", RBPA_CALL(weld_edge), RBPA_CALL(weld_edge_blocker),
-                         "Takes the vertex where a halfedge starts out of its edge: the inverse of split_edge().");
-  bind_keeping<Vertex>(mesh, "weld_face", "vertex", RBPA_CALL(weld_face), RBPA_CALL(weld_face_blocker),
-                       "Takes an inner vertex of degree three out: the inverse of split_face().");
-  bind_keeping<Halfedge>(mesh, "collapse", "halfedge", RBPA_CALL(collapse), RBPA_CALL(collapse_blocker),
-                         "The vertex where a halfedge starts vanishes into the one where it ends.");
-  bind_keeping<Vertex>(mesh, "remove_vertex", "vertex", RBPA_CALL(remove_vertex), RBPA_CALL(remove_vertex_blocker),
-                       "Collapses the first halfedge of a vertex that can be.");
-  bind_keeping<Edge>(mesh, "flip", "edge", RBPA_CALL(flip), RBPA_CALL(flip_blocker),
-                     "Turns an edge counter-clockwise inside its two triangles.");
+      "be None: from or to the boundary.",
+      arg("left"), arg("right"), by_name, keep);
+  bind_operator<Halfedge, Keep>(
+      mesh, RBPA_OPERATOR(weld_edge),
+      "Takes the vertex where a halfedge starts out of its edge: the inverse of split_edge().", halfedge, by_name,
+      keep);
+  bind_operator<Vertex, Keep>(mesh, RBPA_OPERATOR(weld_face),
+                              "Takes an inner vertex of degree three out: the inverse of split_face().", vertex,
+                              by_name, keep);
+  bind_operator<Halfedge, Keep>(mesh, RBPA_OPERATOR(collapse),
+                                "The vertex where a halfedge starts vanishes into the one where it ends.", halfedge,
+                                by_name, keep);
+  bind_operator<Vertex, Keep>(mesh, RBPA_OPERATOR(remove_vertex),
+                              "Collapses the first halfedge of a vertex that can be.", vertex, by_name, keep);
+  bind_operator<Edge, Keep>(mesh, RBPA_OPERATOR(flip), "Turns an edge counter-clockwise inside its two triangles.",
+                            arg("edge"), by_name, keep);
   mesh.def(
       "undo", [](Mesh& m, const meshops::FlipEffect& effect) { meshops::undo(m.changed(), effect); }, arg("effect"),
       "Takes a flip back.");
   mesh.def(
       "undo", [](Mesh& m, const meshops::WeldEffect& effect) { meshops::undo(m.changed(), effect); }, arg("effect"),
       "Takes back what took a vertex out: every record is as it was.");
-}
-
-void bind_diagonals(py::class_<Mesh>& mesh) {
-  mesh.def(
-      "insert_diagonal",
-      [](Mesh& m, Halfedge start, Halfedge end, const std::string& keep) {
-        return meshops::insert_diagonal(m.changed(), start, end, keep_of(keep));
-      },
-      arg("start"), arg("end"), py::kw_only(), arg("keep") = "simplicial",
-      "Cuts a face in two, between the corners where these sides of it start.");
-  mesh.def(
-      "insert_diagonal_blocker",
-      [](const Mesh& m, Halfedge start, Halfedge end, const std::string& keep) -> Reason {
-        return meshops::insert_diagonal_blocker(m.seen(), start, end, keep_of(keep));
-      },
-      arg("start"), arg("end"), py::kw_only(), arg("keep") = "simplicial",
-      "Why insert_diagonal() would refuse, or None.");
-  bind_pair<Halfedge>(mesh, "remove_diagonal", "halfedge", RBPA_CALL(remove_diagonal),
-                      RBPA_CALL(remove_diagonal_blocker), "Makes one face of the two beside an edge.");
+  bind_operator<Halfedge, Halfedge, Keep>(mesh, RBPA_OPERATOR(insert_diagonal),
+                                          "Cuts a face in two, between the corners where these sides of it start.",
+                                          arg("start"), arg("end"), by_name, keep);
+  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(remove_diagonal), "Makes one face of the two beside an edge.", halfedge);
   mesh.def(
       "triangulate_face",
-      [](Mesh& m, Face face, const py::function& weight, const std::string& keep) {
+      [](Mesh& m, Face given, const py::function& weight, Keep kept) {
         const auto of = [&](Vertex a, Vertex b, Vertex c) { return double(py::float_(weight(a, b, c))); };
         meshops::Connectivity& mesh_to_change = m.changed();
         const Mesh::Look look(m);  // so that weight() cannot change it
-        return meshops::triangulate_face(mesh_to_change, face, of, keep_of(keep));
+        return meshops::triangulate_face(mesh_to_change, given, of, kept);
       },
-      arg("face"), arg("weight"), py::kw_only(), arg("keep") = "simplicial",
+      face, arg("weight"), by_name, keep,
       "Fills a face with the triangles of least total weight, weight(a, b, c) being a number for three of its "
       "corners.");
   mesh.def(
       "triangulate_face_blocker",
-      [](const Mesh& m, Face face, const std::string& keep) -> Reason {
-        return meshops::triangulate_face_blocker(m.seen(), face, keep_of(keep));
+      [](const Mesh& m, Face given, Keep kept) -> Reason {
+        return meshops::triangulate_face_blocker(m.seen(), given, kept);
       },
-      arg("face"), py::kw_only(), arg("keep") = "simplicial", "Why triangulate_face() would refuse, or None.");
+      face, by_name, keep, "Why triangulate_face() would refuse, or None.");
 }
 
-#undef RBPA_CALL
+#undef RBPA_OPERATOR
 
 }  // namespace
 
@@ -307,9 +284,7 @@ void bind_mesh_operators(py::module_& module, py::class_<Mesh>& mesh) {
   bind_handle_effects(module);
   bind_stellar_effects(module);
   bind_handle_operators(mesh);
-  bind_splits(mesh);
-  bind_welds(mesh);
-  bind_diagonals(mesh);
+  bind_stellar_operators(mesh);
 }
 
 }  // namespace rbpa::python

@@ -32,10 +32,11 @@ PYBIND11_MODULE(_core, module) {
   bind_errors(module);
   rbpa::python::bind_triangulation(module);
   rbpa::python::bind_polygons(module);
+  rbpa::python::bind_points(module);
   rbpa::python::bind_filtration(module);
   rbpa::python::bind_locator(module);
   rbpa::python::bind_partial(module);
+  rbpa::python::bind_soups(module);  // before what returns them, so that signatures name what they are in Python
   rbpa::python::bind_mesh(module);
   rbpa::python::bind_surface(module);
-  rbpa::python::bind_soups(module);
 }

@@ -13,5 +13,6 @@ void bind_soups(pybind11::module_& module);
 void bind_locator(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
 void bind_partial(pybind11::module_& module);
+void bind_points(pybind11::module_& module);
 
 }  // namespace rbpa::python

@@ -2,13 +2,14 @@
 
 #include <pybind11/pybind11.h>
 
-#include <cstring>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "python/arrays.h"
+#include "python/flat_polygons.h"
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/base/error.h"
@@ -19,14 +20,16 @@ namespace {
 
 using LongIndices = py::array_t<std::uint64_t, py::array::c_style>;
 
-Region region_of(const py::tuple& bounds) {
-  if (bounds.size() != 4) throw py::value_error("region: expected (x0, y0, x1, y1)");
-  return {bounds[0].cast<double>(), bounds[1].cast<double>(), bounds[2].cast<double>(), bounds[3].cast<double>()};
+using Bounds = std::tuple<double, double, double, double>;
+
+Region region_of(const Bounds& bounds) {
+  const auto [x0, y0, x1, y1] = bounds;
+  return {x0, y0, x1, y1};
 }
 
-py::tuple halo_of(const py::tuple& bounds, double alpha) {
+Bounds halo_of(const Bounds& bounds, double alpha) {
   const Region halo = rbpa::halo(region_of(bounds), alpha);
-  return py::make_tuple(halo.x0, halo.y0, halo.x1, halo.y1);
+  return {halo.x0, halo.y0, halo.x1, halo.y1};
 }
 
 py::bytes as_bytes(const std::vector<std::uint8_t>& bytes) {
@@ -39,43 +42,16 @@ std::span<const std::uint8_t> span_of(const py::bytes& bytes) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// All rings one after the other, the shell of each polygon before its holes; where rings begin, and which ring is the
-/// first of each polygon; and the ends.
-struct FlatPolygons {
-  std::vector<std::uint64_t> indices;
-  std::vector<Point> coordinates;
-  std::vector<std::int64_t> ring_begin = {0}, polygon_begin = {0};
-  std::vector<double> areas, perimeters;
+py::dict as_arrays(std::span<const CornerPolygon> polygons) {
+  FlatPolygons<std::uint64_t> flat;
   std::vector<std::uint64_t> points;
-
-  void add(const CornerRing& ring) {
-    for (const Corner& corner : ring) {
-      indices.push_back(corner.index);
-      coordinates.push_back(corner.at);
-    }
-    ring_begin.push_back(static_cast<std::int64_t>(indices.size()));
-  }
-  void add(const CornerPolygon& polygon) {
-    add(polygon.shell);
-    for (const CornerRing& hole : polygon.holes) add(hole);
-    polygon_begin.push_back(static_cast<std::int64_t>(ring_begin.size()) - 1);
-    areas.push_back(polygon.area);
-    perimeters.push_back(polygon.perimeter);
+  for (const CornerPolygon& polygon : polygons) {
+    flat.add(polygon);
     points.push_back(polygon.points);
   }
-};
-
-py::dict as_arrays(std::span<const CornerPolygon> polygons) {
-  FlatPolygons flat;
-  for (const CornerPolygon& polygon : polygons) flat.add(polygon);
-  py::dict result;
-  result["indices"] = line<std::int64_t>(std::move(flat.indices));
+  py::dict result = flat.as_arrays();
   result["coordinates"] = rows<double>(std::move(flat.coordinates));
-  result["ring_begin"] = line<std::int64_t>(std::move(flat.ring_begin));
-  result["polygon_begin"] = line<std::int64_t>(std::move(flat.polygon_begin));
-  result["areas"] = line<double>(std::move(flat.areas));
-  result["perimeters"] = line<double>(std::move(flat.perimeters));
-  result["points"] = line<std::int64_t>(std::move(flat.points));
+  result["points"] = line<std::int64_t>(std::move(points));
   return result;
 }
 
@@ -92,12 +68,8 @@ Settled settle(Partial&& partial) {
   return settled;
 }
 
-py::tuple as_tuple(const Settled& settled) {
-  return py::make_tuple(as_bytes(settled.open), as_arrays(settled.polygons));
-}
-
-py::tuple partial_of(const Doubles& points, const LongIndices& indices, const py::tuple& bounds, double alpha,
-                     unsigned threads) {
+std::tuple<py::bytes, py::dict, Begins, Begins> partial_of(const Doubles& points, const LongIndices& indices,
+                                                           const Bounds& bounds, double alpha, unsigned threads) {
   const auto input = points_of(points);
   const Region region = region_of(bounds);
   const std::span<const std::uint64_t> numbers(indices.data(), static_cast<std::size_t>(indices.size()));
@@ -110,20 +82,19 @@ py::tuple partial_of(const Doubles& points, const LongIndices& indices, const py
                                               {.threads = threads, .progress = watch.progress()});
     return SettledRegion{settle(std::move(partial)), std::move(owned)};
   });
-  const py::tuple settled = as_tuple(made.settled);
-  return py::make_tuple(settled[0], settled[1], rows<std::int64_t>(std::move(made.owned.triangles)),
-                        line<std::int64_t>(std::move(made.owned.isolated)));
+  return {as_bytes(made.settled.open), as_arrays(made.settled.polygons),
+          rows<std::int64_t>(std::move(made.owned.triangles)), line<std::int64_t>(std::move(made.owned.isolated))};
 }
 
-py::tuple merge_of(const py::bytes& a, const py::bytes& b) {
+std::tuple<py::bytes, py::dict> merge_of(const py::bytes& a, const py::bytes& b) {
   const auto first = span_of(a), second = span_of(b);
   const Settled settled = watched(first.size() + second.size(), py::none(), [&](Watch&) {
     return settle(merge(partial_from_bytes(first), partial_from_bytes(second)));
   });
-  return as_tuple(settled);
+  return {as_bytes(settled.open), as_arrays(settled.polygons)};
 }
 
-py::tuple finish_of(const py::bytes& bytes) {
+std::tuple<py::dict, py::dict> finish_of(const py::bytes& bytes) {
   const WholeComplex whole = rbpa::finish(partial_from_bytes(span_of(bytes)));
   const PartialCounts& counts = whole.counts;
   py::dict result;
@@ -137,7 +108,7 @@ py::tuple finish_of(const py::bytes& bytes) {
   result["components"] = counts.components;
   result["holes"] = counts.holes();
   result["boundary_curves"] = counts.boundary_curves;
-  return py::make_tuple(result, as_arrays(whole.polygons));
+  return {result, as_arrays(whole.polygons)};
 }
 
 }  // namespace

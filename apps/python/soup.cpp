@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <tuple>
+
 #include "meshops/topology/examine.h"
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
@@ -24,15 +26,17 @@ meshops::PolygonSoup soup_of(const Indices& corners, const Begins& begin, std::s
 
 namespace {
 
-py::tuple repaired(const Indices& corners, const Begins& begin, std::size_t points) {
+std::tuple<Indices, Begins, Indices, Begins, std::vector<meshops::RepairStep>> repaired(const Indices& corners,
+                                                                                        const Begins& begin,
+                                                                                        std::size_t points) {
   const meshops::PolygonSoup soup = soup_of(corners, begin, points);
   meshops::Repair made =
       watched(soup.faces(), py::none(), [&](Watch& watch) { return meshops::repair(soup, watch.until_stopped()); });
   std::vector<std::int64_t> begins(made.soup.begin.begin(), made.soup.begin.end());
   std::vector<std::int64_t> face_was(made.face_was.begin(), made.face_was.end());
-  return py::make_tuple(line<std::int32_t>(std::move(made.soup.corners)), line<std::int64_t>(std::move(begins)),
-                        line<std::int32_t>(std::move(made.stands_on)), line<std::int64_t>(std::move(face_was)),
-                        made.steps);
+  return {line<std::int32_t>(std::move(made.soup.corners)), line<std::int64_t>(std::move(begins)),
+          line<std::int32_t>(std::move(made.stands_on)), line<std::int64_t>(std::move(face_was)),
+          std::move(made.steps)};
 }
 
 std::vector<meshops::SoupDefect> defects(const Indices& corners, const Begins& begin, std::size_t points) {
@@ -65,7 +69,7 @@ void bind_item(py::module_& module, const char* class_name, const char* what) {
 void bind_reports(py::module_& module) {
   using meshops::ComponentReport;
   using meshops::TopologyReport;
-  const auto betti = [](const meshops::BettiNumbers& b) { return py::make_tuple(b[0], b[1], b[2]); };
+  const auto betti = [](const meshops::BettiNumbers& b) { return std::make_tuple(b[0], b[1], b[2]); };
   py::class_<ComponentReport>(module, "ComponentReport", "A piece of surface whose faces hang together through edges.")
       .def_readonly("vertices", &ComponentReport::vertices)
       .def_readonly("edges", &ComponentReport::edges)

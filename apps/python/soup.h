@@ -1,14 +1,10 @@
 // What: faces as Python has them: all corners in one array, and where each face begins.
 #pragma once
 
-#include <cstdint>
-
 #include "meshops/topology/polygon_soup.h"
 #include "python/arrays.h"
 
 namespace rbpa::python {
-
-using Begins = py::array_t<std::int64_t, py::array::c_style>;
 
 /// Throws ContractViolation when the beginnings are not those of faces.
 meshops::PolygonSoup soup_of(const Indices& corners, const Begins& begin, std::size_t points);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "python/arrays.h"
@@ -24,6 +25,7 @@ namespace rbpa::python {
 namespace {
 
 using MaybeDoubles = std::optional<Doubles>;
+using Causes = py::array_t<std::uint8_t, py::array::c_style>;
 
 /// Contiguous points or vectors of space, an array of n × 3. The array must outlive the span.
 std::span<const Point3> points3_of(const Doubles& array, const char* name) {
@@ -53,14 +55,14 @@ struct Input {
   }
 };
 
-py::array estimated(const Doubles& points, std::size_t neighbors, unsigned threads, const py::object& progress) {
+Doubles estimated(const Doubles& points, std::size_t neighbors, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   return rows<double>(watched(input.size(), progress, [&](Watch& watch) {
     return estimate_normals(input, {.neighbors = neighbors, .threads = threads, .progress = watch.progress()});
   }));
 }
 
-py::array chosen_radii(const Doubles& points, unsigned threads, const py::object& progress) {
+Doubles chosen_radii(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   return line<double>(watched(input.size(), progress, [&](Watch& watch) {
     return auto_radii(input, {.threads = threads, .progress = watch.progress()});
@@ -167,8 +169,9 @@ py::dict holes_of(const Doubles& points, const Doubles& normals, const Doubles& 
 }
 
 /// Points, and the number of the cause of each.
-py::tuple unused_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, const Indices& triangles,
-                    const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads) {
+std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii,
+                                      const Indices& triangles, const Indices& neighbors, const Indices& levels,
+                                      const Indices& duplicates, unsigned threads) {
   const Input input(points, normals, radii);
   const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
   const auto found = watched(input.points.size(), py::none(), [&](Watch& watch) {
@@ -181,7 +184,7 @@ py::tuple unused_of(const Doubles& points, const MaybeDoubles& normals, const Do
     indices.push_back(point.index);
     causes.push_back(static_cast<std::uint8_t>(point.cause));
   }
-  return py::make_tuple(line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes)));
+  return {line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes))};
 }
 
 /// Fills an empty mesh: face i is triangle i, glued where the surface is.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -69,11 +70,11 @@ NeighborLists neighbor_lists(std::span<const Triple> triangles, std::size_t poin
   return lists;
 }
 
-py::tuple vertex_neighbors(const Indices& simplices, std::size_t points) {
+std::tuple<Indices, Indices> vertex_neighbors(const Indices& simplices, std::size_t points) {
   const auto triangles = triples_of(simplices, "simplices");
   NeighborLists lists =
       watched(points, py::none(), [&](const Watch& watch) { return neighbor_lists(triangles, points, watch); });
-  return py::make_tuple(line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors)));
+  return {line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors))};
 }
 
 /// Of the bits of contiguous numbers, by which an object notices that its points were changed behind its back.

@@ -1,11 +1,14 @@
 """Long runs: Ctrl-C, progress, other threads, children."""
 
+import atexit
 import math
 import multiprocessing
 import os
+import pathlib
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 
@@ -48,10 +51,14 @@ TRIANGULATION = rbpa.Delaunay(MANY)
 MESH = rbpa.meshops.Mesh(TRIANGULATION.simplices)
 BALL = np.random.default_rng(1).normal(size=(100_000, 3))
 BALL /= np.linalg.norm(BALL, axis=1)[:, None]
+FILE = pathlib.Path(tempfile.gettempdir(), f"rbpa_many_{os.getpid()}.csv")
+atexit.register(FILE.unlink)
+np.savetxt(FILE, MANY, "%.17g", ",")
 LONG_RUNS = {
     "concave_hull": lambda: rbpa.concave_hull(MANY, 0.4 / math.sqrt(len(MANY))),
     "filtered": lambda: DUST.filtered(min_hole_area=math.inf),
     "find_simplex": lambda: TRIANGULATION.find_simplex(np.concatenate([MANY] * 20)),
+    "read_points": lambda: rbpa.read_points(FILE),
     "report": MESH.report,
     "estimate_normals": lambda: rbpa.estimate_normals(BALL),
     "surface": lambda: rbpa.surface(BALL[:30_000], BALL[:30_000], 0.03),

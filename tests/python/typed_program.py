@@ -31,8 +31,20 @@ triangles: npt.NDArray[np.int32] = scanned.triangles
 lengths: float = sum(hole.length for hole in scanned.holes)
 causes: list[str] = scanned.unused_causes + scanned.holes[0].causes
 hull: npt.NDArray[np.int32] = delaunay.convex_hull
+report: rbpa.meshops.Report = mesh.report(mesh.point_of_vertex)
+face: int | None = mesh.face(1)
+loops: list[npt.NDArray[np.int32]] = mesh.homology()[0]
+corners: npt.NDArray[np.int32] = mesh.polygons()[0]
+numbers: tuple[int, int, int] = report.betti
+weighed: list[int] = mesh.triangulate_face(0, lambda a, b, c: 1.0).diagonals
+read: rbpa.PointFile = rbpa.read_points("scan.las", space=True, fields=["intensity"], where="classification == 2")
+colors: npt.NDArray[np.uint8] | None = read.colors
+intensity: npt.NDArray[np.float64] = read.fields["intensity"]
 
 wrong_alpha = rbpa.alpha_shape(points, alpha=[1.0])  # type: ignore[arg-type]
 wrong_name = rbpa.alpha_shape(points, radius=1.0)  # type: ignore[call-arg]
 wrong_radius = rbpa.surface(np.zeros((5, 3)), radius=None)  # type: ignore[arg-type]
 wrong_member = shape.triangles  # type: ignore[attr-defined]
+wrong_face: int = mesh.face(1)  # type: ignore[assignment]
+wrong_weight = mesh.triangulate_face(0, lambda a: 1.0)  # type: ignore[arg-type,misc]
+wrong_handle = mesh.glue("1", 3)  # type: ignore[arg-type]

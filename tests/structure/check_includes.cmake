@@ -60,7 +60,7 @@ set(allowed
   "meshtopo: meshops/core meshops/topology rbpa io io/bytes io/mesh program"
   "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh"
   "program: rbpa/base io io/bytes"
-  "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base"
+  "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base io io/cloud io/polygon"
   "report: rbpa io io/bytes io/text"
   "stream: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon"
   "tasks: rbpa rbpa/base io io/bytes stream"

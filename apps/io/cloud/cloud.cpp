@@ -109,17 +109,33 @@ void load_column(std::vector<double>& column, Scalar type, const char* at, std::
   }
 }
 
+void clear_fields(CloudBlock& block, std::size_t columns) {
+  block.fields.resize(columns);
+  for (std::vector<double>& field : block.fields) field.clear();
+}
+
+void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields) {
+  fields.resize(block.fields.size());
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    fields[k].insert(fields[k].end(), block.fields[k].begin(), block.fields[k].end());
+}
+
 void PointSelection::remark(std::vector<std::string>& remarks) const {
-  remarks.push_back(std::to_string(selected_) + " of " + counted(points_, "point") + " are as --where asks");
+  if (selects_)
+    remarks.push_back(std::to_string(selected_) + " of " + counted(points_, "point") + " are as --where asks");
 }
 
 void PointSelection::select(CloudBlock& block, std::span<const std::vector<double>> fields, std::size_t first,
                             const std::string& name) {
   std::vector<std::uint8_t> kept(block.count);
+  clear_fields(block, columns_);
   for (std::size_t i = 0; i < block.count; ++i) {
     for (std::size_t k = 0; k < fields.size(); ++k) values_[k] = fields[k][i];
     kept[i] = holds() ? 1 : 0;
-    if (kept[i] != 0) continue;
+    if (kept[i] != 0) {
+      append_columns(block);
+      continue;
+    }
     for (std::vector<double>& column : block.column)
       if (!column.empty()) column[i] = 0;  // whatever it was
   }

@@ -41,6 +41,7 @@ struct CloudBlock {
   static constexpr std::size_t x = 0, y = 1, z = 2, normal = 3, color = 6, columns = 9;
   std::size_t count = 0;
   std::array<std::vector<double>, columns> column = {};
+  std::vector<std::vector<double>> fields = {};  ///< of the columns() of CloudRequest::where
 };
 
 /// Points that a reader makes at a time: few enough that their columns stay in the cache.
@@ -84,6 +85,12 @@ class Cloud {
   CloudFacts facts_ = {};
 };
 
+/// Before the fields of a block are appended: `columns` of them, empty.
+void clear_fields(CloudBlock& block, std::size_t columns);
+
+/// Appends those of a block behind those of other blocks.
+void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields);
+
 /// How points of a format are read.
 struct CloudFormat {
   Format format;
@@ -112,7 +119,11 @@ void load_column(std::vector<double>& column, Scalar type, const char* at, std::
 /// The condition of `--where` on one point after the other.
 class PointSelection {
  public:
-  explicit PointSelection(const Condition& condition) : values_(condition.fields().size()), holds_(condition) {}
+  explicit PointSelection(const Condition& condition)
+      : values_(condition.fields().size()),
+        columns_(condition.columns()),
+        selects_(condition.selects()),
+        holds_(condition) {}
 
   /// Where the values of the condition's fields belong, of the point that holds() judges.
   std::span<double> values() { return values_; }
@@ -122,6 +133,11 @@ class PointSelection {
     selected_ += selected ? 1 : 0;
     return selected;
   }
+  std::size_t columns() const { return columns_; }
+  /// Those of the point that was judged last.
+  void append_columns(CloudBlock& block) const {
+    for (std::size_t k = 0; k < columns_; ++k) block.fields[k].push_back(values_[k]);
+  }
   /// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of
   /// each field of the condition.
   void select(CloudBlock& block, std::span<const std::vector<double>> fields, std::size_t first,
@@ -130,6 +146,8 @@ class PointSelection {
 
  private:
   std::vector<double> values_;
+  std::size_t columns_;
+  bool selects_;
   Decision holds_;
   std::size_t points_ = 0, selected_ = 0;
 };

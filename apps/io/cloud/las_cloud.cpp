@@ -107,10 +107,12 @@ class LasCloud final : public Cloud {
     double* const y = block.column[CloudBlock::y].data();
     double* const z = in_space_ ? block.column[CloudBlock::z].data() : nullptr;
     for (std::size_t k = 0; red_ && k < 3; ++k) block.column[CloudBlock::color + k].resize(count);
+    if (selection_) clear_fields(block, selection_->columns());
     std::size_t taken = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const char* const record = records + i * length;
       if (selection_ && !is_selected(record)) continue;
+      if (selection_) selection_->append_columns(block);
       x[taken] = axes_[0](las_value<std::int32_t>(record));
       y[taken] = axes_[1](las_value<std::int32_t>(record + 4));
       if (z != nullptr) z[taken] = axes_[2](las_value<std::int32_t>(record + 8));

@@ -49,12 +49,17 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
 
 PointFile read_plane_points(Cloud& cloud) {
   std::vector<Point> points;
+  std::vector<std::vector<double>> fields;
   points.reserve(cloud.facts().expected);
   CloudBlock block;
-  while (cloud.next(block)) append_points(block, points);
+  while (cloud.next(block)) {
+    append_points(block, points);
+    append_fields(block, fields);
+  }
   cloud.finish();
   PointFile file = std::move(cloud.facts().file);
   file.points = std::move(points);
+  file.fields = std::move(fields);
   return file;
 }
 

@@ -34,6 +34,7 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   CloudBlock block;
   while (cloud.next(block)) {
     append_vectors(block, CloudBlock::x, space.points);
+    append_fields(block, space.fields);
     if (facts.normals) append_vectors(block, CloudBlock::normal, space.normals);
     for (std::size_t i = 0; facts.colors && i < block.count; ++i) {
       const auto channel = [&](std::size_t k) { return static_cast<float>(block.column[CloudBlock::color + k][i]); };
@@ -52,6 +53,7 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   }
   if (facts.file.degrees && !space.points.empty()) facts.file.remarks.push_back(remark_on_degrees(space.points));
   cloud.finish();
+  space.crs = std::move(facts.file.crs);
   space.remarks = std::move(facts.file.remarks);
   return space;
 }

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/cloud/cloud.h"
+#include "io/crs.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::app {
@@ -16,6 +18,8 @@ struct SpacePoints {
   std::vector<Point3> points = {};                       ///< in the order of the file, all finite
   std::vector<Point3> normals = {};                      ///< none, or one each: finite, of any length but 0
   std::vector<std::array<std::uint8_t, 3>> colors = {};  ///< red, green, blue: none, or one each
+  std::vector<std::vector<double>> fields = {};          ///< a column of each that the condition's columns() ask for
+  std::optional<Crs> crs = std::nullopt;                 ///< where the file names one
   std::vector<std::string> remarks = {};                 ///< what was left out or taken so: a sentence each, for people
 };
 

@@ -154,11 +154,13 @@ class TableCloud final : public Cloud {
     block.count = 0;
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(points_at_once);
     clear_colors(block);
+    clear_fields(block, selection_.column_values().size());
   }
 
   void append(const Numbers& value, CloudBlock& block) {
     if (is_by_content_) look_at_last({value[3], value[4], value[5]});
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
+    for (std::size_t k = 0; k < block.fields.size(); ++k) block.fields[k].push_back(selection_.column_values()[k]);
     ++block.count;
   }
 

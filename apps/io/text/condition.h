@@ -27,6 +27,8 @@ class Condition {
  public:
   /// Throws WrongUsage naming what is not understood.
   Condition(const std::string& text, const FieldNames& names);
+  /// The same, and fields that are wanted of each point as well: the first of fields(). Of an empty text all points count.
+  Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns);
 
   enum class Step {
     field,
@@ -51,6 +53,10 @@ class Condition {
   const std::vector<Instruction>& instructions() const { return instructions_; }
   /// As they were written, each once.
   const std::vector<std::string>& fields() const { return fields_; }
+  /// How many of them are wanted of each point.
+  std::size_t columns() const { return columns_; }
+  /// Whether some points may not count.
+  bool selects() const { return selects_; }
   /// Whether a field is a text.
   struct Text {
     std::string field, text;
@@ -61,6 +67,8 @@ class Condition {
   std::vector<Instruction> instructions_;
   std::vector<std::string> fields_;
   std::vector<Text> texts_;
+  std::size_t columns_ = 0;
+  bool selects_ = true;
 };
 
 /// Says of one point after the other whether a condition holds.

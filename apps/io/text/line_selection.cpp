@@ -16,7 +16,7 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
 }
 
 void LineSelection::add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const {
-  if (holds_)
+  if (holds_ && where_->selects())
     remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
                       " are as --where asks");
   if (skipped_ == 0) return;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,6 +26,8 @@ class LineSelection {
       : where_(std::move(where)), skip_invalid_(skip_invalid) {}
 
   bool has_condition() const { return where_.has_value(); }
+  /// Of the condition's columns(), in the line that was judged last.
+  std::span<const double> column_values() const { return {values_.data(), where_ ? where_->columns() : 0}; }
 
   /// The columns of the condition, by the header of the file `name`, in the current line. `names` are its fields; none
   /// where there is no header, which is refused. Throws BadInput.

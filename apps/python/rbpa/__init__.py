@@ -19,6 +19,7 @@ What there is:
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
     estimate_normals(points)             of points in space that have none
+    read_points(path, space=False)       points of LAS, tables, PLY and other files             -> PointFile
     rbpa.meshops                         halfedge meshes that no operator can break, repair
 
 The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
@@ -39,14 +40,13 @@ Errors: ``InvalidInput`` (a ValueError) says which value is not what was expecte
 """
 
 from rbpa import meshops as meshops
-from rbpa._alpha_shape import AlphaShape, alpha_shape
-from rbpa._concave_hull import concave_hull
+from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay
-from rbpa._filtration import Filtration, filtration
-from rbpa._plateau import Plateau
+from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._polygons import Polygon, Polygons
+from rbpa._read_points import PointFile, read_points
 from rbpa._surface import Surface, SurfaceHole, estimate_normals, surface
 
 __all__ = [
@@ -57,6 +57,7 @@ __all__ = [
     "Filtration",
     "InvalidInput",
     "Plateau",
+    "PointFile",
     "Polygon",
     "Polygons",
     "Surface",
@@ -66,12 +67,13 @@ __all__ = [
     "concave_hull",
     "estimate_normals",
     "filtration",
+    "read_points",
     "surface",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
-    *(AlphaShape, Delaunay, Filtration, Plateau, Polygon, Polygons, Surface, SurfaceHole),
-    *(alpha_shape, concave_hull, estimate_normals, filtration, surface),
+    *(AlphaShape, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons, Surface, SurfaceHole),
+    *(alpha_shape, concave_hull, estimate_normals, filtration, read_points, surface),
 ):
     _public.__module__ = __name__

@@ -1,4 +1,4 @@
-"""The solid alpha complex of points in the plane."""
+"""The solid alpha complex of points in the plane, and the outline of it."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Alpha, Floats, Indices, Progress, Unchanged
-from rbpa._input import as_area, as_count, as_points, as_radius, as_share, as_threads, freeze
-from rbpa._plateau import Plateau
+from rbpa._filtration import Plateau
+from rbpa._input import Alpha, Floats, Indices, Progress
+from rbpa._input import as_area, as_count, as_points, as_radius, as_share, as_threads
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
+from rbpa._result import Triangles
 
 
 def alpha_shape(
@@ -103,7 +104,50 @@ def _choose(
     return as_radius(alpha)  # type: ignore[arg-type]  # which refuses other words
 
 
-class AlphaShape(Outlined):
+def concave_hull(
+    points: npt.ArrayLike,
+    alpha: Alpha = "auto",
+    *,
+    allow_holes: bool = False,
+    cover: float = 1.0,
+    components: int = 1,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Polygons:
+    """The outline of points in the plane: the polygons of their alpha shape, holes filled.
+
+    Parameters
+    ----------
+    points, alpha, cover, components, threads, progress
+        As for `alpha_shape`. By default alpha is the least radius at which one polygon holds every point; infinity gives
+        the convex hull.
+    allow_holes : bool
+        Keeps the holes.
+
+    Returns
+    -------
+    Polygons
+        One polygon where alpha is "auto" and all is covered, and none where points are on one line or fewer than three. Else as many as there
+        are pieces at that radius; points in none of them are outside.
+
+    Raises
+    ------
+    InvalidInput, Cancelled
+        As `alpha_shape`.
+
+    Examples
+    --------
+    >>> (outline,) = rbpa.concave_hull([[0, 0], [4, 0], [4, 4], [2, 3], [0, 4]])
+    >>> outline.shell
+    array([0, 1, 2, 3, 4], dtype=int32)
+    >>> outline.area, outline.exterior[0]
+    (14.0, array([0., 0.]))
+    """
+    shape = alpha_shape(points, alpha, cover=cover, components=components, threads=threads, progress=progress)
+    return shape.filtered(min_hole_area=0.0 if allow_holes else math.inf)
+
+
+class AlphaShape(Outlined, Triangles):
     """The solid alpha complex of points: what `alpha_shape` returns. Arrays are read-only.
 
     Attributes
@@ -124,20 +168,12 @@ class AlphaShape(Outlined):
         Points equal to one before them, and that one, which stands for them everywhere.
     """
 
-    points: Floats
     alpha: Optional[float]
-    simplices: Indices
-    neighbors: Indices
     boundary: Indices
     isolated: Indices
-    duplicates: Indices
 
     def __init__(self, points: Floats, alpha: Optional[float], made: dict[str, Any]) -> None:
-        self.points = points
-        self.alpha = alpha
-        self.__dict__.update(made)
-        freeze(*made.values())
-        self._unchanged = Unchanged(points)
+        super().__init__({"alpha": alpha, **made}, points=points)
 
     @cached_property
     def polygons(self) -> Polygons:
@@ -150,16 +186,10 @@ class AlphaShape(Outlined):
         Holes whose ring encloses less than `min_hole_area` are filled, with what lies in them; polygons of less than
         `min_part_area` are dropped.
         """
-        self._unchanged.check(self.points)
+        self._require_unchanged()
         areas = as_area(min_hole_area, "min_hole_area"), as_area(min_part_area, "min_part_area")
         flat = _core.polygons(self.points, self.simplices, self.neighbors, *areas)
         return Polygons(self.points, flat)
-
-    def to_meshio(self) -> Any:
-        """A meshio.Mesh of all points and the triangles. Needs the package meshio."""
-        import meshio
-
-        return meshio.Mesh(self.points, [("triangle", self.simplices)])
 
     def plot(self, ax: Any = None, *, triangles: bool = False, points: bool = True, **style: Any) -> Any:
         """Draws the shape with matplotlib, and returns the axes.
@@ -195,10 +225,3 @@ class AlphaShape(Outlined):
             f"<rbpa.AlphaShape of {len(self.points)} points: alpha {self.alpha}, {len(self.simplices)} triangles, "
             f"{len(self.isolated)} isolated, {len(self.duplicates)} duplicates>"
         )
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name != "polygons"}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        freeze(self.simplices, self.neighbors, self.boundary, self.isolated, self.duplicates)

@@ -10,10 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._input import Floats, Indices, Progress, Unchanged, as_array, as_points, as_threads, freeze
+from rbpa._input import Floats, Indices, Progress, as_array, as_points, as_threads
+from rbpa._result import Triangles, freeze
 
 
-class Delaunay:
+class Delaunay(Triangles):
     """The Delaunay triangulation of points in the plane, with the attributes of scipy.spatial.Delaunay.
 
     What is different from SciPy: points with no triangle (fewer than three, or on one line) give an empty triangulation
@@ -22,13 +23,8 @@ class Delaunay:
 
     Parameters
     ----------
-    points : array_like of shape (n, 2)
-        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
-        is in use; anything else is converted.
-    threads : int, optional
-        At most so many threads work; all processors by default. The result is the same.
-    progress : callable, optional
-        Called as progress(triangles, points) every tenth of a second; returning False ends the run with `Cancelled`.
+    points, threads, progress
+        As for `alpha_shape`.
 
     Attributes
     ----------
@@ -61,23 +57,14 @@ class Delaunay:
     """
 
     ndim = 2
-    points: Floats
-    simplices: Indices
-    neighbors: Indices
     convex_hull: Indices
-    duplicates: Indices
 
-    def __init__(
-        self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None
-    ) -> None:
-        self.points = as_points(points)
-        made = _core.triangulate(self.points, math.inf, as_threads(threads), progress)
-        self.simplices = made["simplices"]
-        self.neighbors = made["neighbors"]
-        self.convex_hull = made["boundary"]
-        self.duplicates = made["duplicates"]
-        freeze(*made.values())
-        self._unchanged = Unchanged(self.points)
+    def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
+        array = as_points(points)
+        made = _core.triangulate(array, math.inf, as_threads(threads), progress)
+        made["convex_hull"] = made.pop("boundary")
+        del made["isolated"]  # there are none
+        super().__init__(made, points=array)
 
     def find_simplex(self, xi: npt.ArrayLike, bruteforce: bool = False, tol: Optional[float] = None) -> Any:
         """The triangle in which each point lies, exactly.
@@ -94,7 +81,7 @@ class Delaunay:
             Sides and corners belong to triangles; of several the first. -1 outside of the convex hull, and where a
             coordinate is not finite.
         """
-        self._unchanged.check(self.points)
+        self._require_unchanged()
         queries = as_array(xi, "xi")
         if queries.ndim == 0 or queries.shape[-1] != 2:
             raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
@@ -154,19 +141,5 @@ class Delaunay:
         bound: Floats = self.points.max(axis=0)
         return bound
 
-    def to_meshio(self) -> Any:
-        """A meshio.Mesh of all points and the triangles. Needs the package meshio."""
-        import meshio
-
-        return meshio.Mesh(self.points, [("triangle", self.simplices)])
-
     def __repr__(self) -> str:
         return f"<rbpa.Delaunay of {self.npoints} points: {self.nsimplex} triangles, {len(self.duplicates)} duplicates>"
-
-    def __getstate__(self) -> dict[str, Any]:
-        cached = ("_locator", "vertex_neighbor_vertices", "vertex_to_simplex", "coplanar")
-        return {name: value for name, value in self.__dict__.items() if name not in cached}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        freeze(self.simplices, self.neighbors, self.convex_hull, self.duplicates)

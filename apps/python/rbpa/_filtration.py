@@ -2,18 +2,42 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._input import Floats, Integers, Progress, Unchanged
-from rbpa._input import as_count, as_numbers, as_points, as_share, as_threads, freeze
-from rbpa._plateau import Plateau
+from rbpa._input import Floats, Integers, Progress
+from rbpa._input import as_count, as_numbers, as_points, as_share, as_threads
 from rbpa._plot import axes_or_current, label_axes
+from rbpa._result import Result
 
-_COLUMNS = ("alpha", "triangles", "solid_components", "components", "holes", "covered", "area")
+
+class Plateau(NamedTuple):
+    """A range of radii, start <= radius < end, over which parts and holes of the shape hardly change."""
+
+    start: float
+    end: Optional[float]
+    """None: it is the last, and has no end."""
+    alpha: float
+    """The radius to choose in it. What follows is of the shape at this radius."""
+    ratio: float
+    """end / start, its persistence; of the last, to half the diagonal of the points' box, at least 1."""
+    triangles: int
+    solid_components: int
+    components: int
+    holes: int
+    covered: int
+    area: float
+    effective_parts: float
+    """How many parts there are, each as heavy as it has points: 2 for two halves, little more than 1 with dust beside it."""
+    hole_share: float
+    """The area of the holes / that of triangles and holes."""
+    kind: str
+    """"structured", with several parts or holes of weight, or "one piece"."""
+    is_long: bool
+    """Its ratio is more than points without any structure reach by chance."""
 
 
 def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> Filtration:
@@ -21,13 +45,8 @@ def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress
 
     Parameters
     ----------
-    points : array_like of shape (n, 2)
-        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
-        is in use; anything else is converted.
-    threads : int, optional
-        At most so many threads work; all processors by default. The result is the same.
-    progress : callable, optional
-        Called as progress(triangles, points) every tenth of a second; returning False ends the run with `Cancelled`.
+    points, threads, progress
+        As for `alpha_shape`.
 
     Returns
     -------
@@ -50,7 +69,7 @@ def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress
     return Filtration(array, _core.filtration(array, as_threads(threads), progress))
 
 
-class Filtration:
+class Filtration(Result):
     """The solid alpha complex at every radius: what `filtration` returns. Arrays are read-only.
 
     All arrays have an entry for each critical radius, a radius at which the complex changes; entry i holds for
@@ -86,9 +105,7 @@ class Filtration:
     distinct: int
 
     def __init__(self, points: Floats, steps: dict[str, Any]) -> None:
-        self.points = points
-        self.__dict__.update(steps)
-        self._unchanged = Unchanged(points)
+        super().__init__(steps, points=points)
 
     def smallest_covering(self, components: Optional[int] = None, *, cover: float = 1.0) -> Optional[float]:
         """The least radius at which a share `cover` of the points is in triangles.
@@ -99,7 +116,7 @@ class Filtration:
         share = as_share(cover, "cover")
         pieces = None if components is None else as_count(components, "components", 1)
         if pieces is not None and share < 1:  # which pieces are large is not in the columns
-            self._unchanged.check(self.points)
+            self._require_unchanged()
             return _core.least_alpha(self.points, share, pieces, as_threads(None), None)
         good = self.covered / max(self.distinct, 1) >= share
         if pieces is not None:
@@ -112,7 +129,7 @@ class Filtration:
         Long and structured ones come first; each has the radius to choose in it. Computed anew with each call; it takes about
         twice the time of `filtration`.
         """
-        self._unchanged.check(self.points)
+        self._require_unchanged()
         return [Plateau(*found) for found in _core.plateaus(self.points, as_threads(None), None)]
 
     @property
@@ -158,7 +175,7 @@ class Filtration:
             raise _core.InvalidInput(f"dimension: found {dimension!r}, expected 0 for components or 1 for holes")
         if complex not in ("solid", "full"):
             raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
-        self._unchanged.check(self.points)
+        self._require_unchanged()
         return _core.persistence(self.points, complex == "full", as_threads(None), None)[dimension]
 
     def plot(self, ax: Any = None) -> Any:
@@ -202,7 +219,3 @@ class Filtration:
     def __repr__(self) -> str:
         radii = f", from {self.alpha[0]} to {self.alpha[-1]}" if len(self.alpha) else ""
         return f"<rbpa.Filtration of {len(self.points)} points: {len(self.alpha)} critical radii{radii}>"
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        freeze(*(state[name] for name in _COLUMNS))

@@ -10,7 +10,7 @@ from typing import Any, Callable, Optional, Union
 import numpy as np
 import numpy.typing as npt
 
-from rbpa._core import InvalidInput, fingerprint
+from rbpa._core import InvalidInput
 
 Floats = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.int32]
@@ -172,20 +172,3 @@ def _work_alone() -> None:
 
 
 os.register_at_fork(after_in_child=_work_alone)
-
-
-class Unchanged:
-    """Notices that points were changed after something was computed of them."""
-
-    def __init__(self, points: Floats) -> None:
-        self._before = fingerprint(points)
-
-    def check(self, points: Floats) -> None:
-        if fingerprint(points) != self._before:
-            raise InvalidInput("points: they were changed after this was computed; compute it anew, or from a copy")
-
-
-def freeze(*arrays: npt.NDArray[Any]) -> None:
-    """Makes arrays read-only again, which pickles forget."""
-    for array in arrays:
-        array.setflags(write=False)

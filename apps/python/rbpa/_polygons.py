@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Iterator, overload
 
 import numpy as np
 
-from rbpa._input import freeze
 from rbpa._plot import axes_or_current, label_axes, outline_width, page_scale
+from rbpa._result import freeze
 
 if TYPE_CHECKING:
     from rbpa._input import Floats, Indices

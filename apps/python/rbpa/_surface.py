@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, Unchanged
-from rbpa._input import as_count, as_numbers, as_points, as_threads, freeze
+from rbpa._input import Floats, Indices, Progress, as_count, as_numbers, as_points, as_threads
+from rbpa._result import Result, freeze
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
@@ -87,11 +87,8 @@ def surface(
         Of the ball, in the units of the points: about one to four times the distance of neighbours. Of several, ascending,
         each closes what the ones before left open; what they made stays. "auto" chooses up to four from the gaps between
         neighbours, with normals="none" the largest of them. `Surface.radii` says which.
-    threads : int, optional
-        At most so many threads work; all processors by default. The result is the same.
-    progress : callable, optional
-        Called as progress(triangles, points) every tenth of a second, in the calling thread, where it takes that long.
-        Returning False ends the run with `Cancelled`, and so does what it raises.
+    threads, progress
+        As for `alpha_shape`.
 
     Returns
     -------
@@ -185,7 +182,7 @@ class SurfaceHole:
         return f"<rbpa.SurfaceHole of {len(self.edges)} edges, length {self.length}: {counts}>"
 
 
-class Surface:
+class Surface(Result):
     """The surface of points in space: what `surface` returns. Arrays are read-only.
 
     Attributes
@@ -219,17 +216,10 @@ class Surface:
     duplicates: Indices
 
     def __init__(self, points: Floats, normals: Optional[Floats], radii: Floats, made: dict[str, Any]) -> None:
-        self.points = points
-        self.normals = normals
-        self.radii = radii.copy()
-        self.__dict__.update(made)
-        freeze(self.radii, *made.values())
-        self._unchanged = [Unchanged(array) for array in (points, normals) if array is not None]
+        super().__init__({"radii": radii.copy(), **made}, points=points, normals=normals)
 
     def _made(self) -> tuple[Floats, Indices, Indices, Indices, Indices]:
-        for unchanged, array in zip(self._unchanged, (self.points, self.normals)):
-            if array is not None:
-                unchanged.check(array)
+        self._require_unchanged()
         return _not_empty(self.radii), self.triangles, self.neighbors, self.levels, self.duplicates
 
     @cached_property
@@ -281,10 +271,3 @@ class Surface:
             f"<rbpa.Surface of {len(self.points)} points: radius {radii}, {len(self.triangles)} triangles, "
             f"{len(self.boundary)} boundary edges, {len(self.duplicates)} duplicates>"
         )
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name not in ("holes", "_unused")}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-        freeze(self.radii, self.triangles, self.neighbors, self.levels, self.boundary, self.duplicates)

@@ -33,6 +33,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._footprint import Footprint, gathered
 from rbpa._input import Floats, as_count, as_points, as_radius, as_threads
+from rbpa._read_points import read_points
 from rbpa._tiles import Bounds, Cells, Tile, cells_of, halved, united
 
 Reader = Callable[[str], npt.ArrayLike]
@@ -61,7 +62,7 @@ def alpha_shape(
     sources
         Files (a path, a pattern such as "tiles/*.npy", or a list of these, which are read in that order), a dask.array of
         shape (n, 2), or a dask.dataframe of two columns. Files are .npy of shape (n, 2), .f64xy (pairs of native float64) or
-        text of two columns; `reader` reads any others. Points are numbered through, in the order of the sources.
+        what `rbpa.read_points` reads, such as LAS and tables; `reader` reads any others. Points are numbered through, in the order of the sources.
     alpha : float
         A finite radius above 0. Infinity is refused, as no part of the points determines a part of the result then: take a
         radius above all that matter, or `rbpa.Delaunay`. `rbpa.alpha_shape` of a sample finds one.
@@ -152,9 +153,7 @@ class _File:
         if self.path.endswith(".f64xy"):
             count = -1 if self.count is None else 2 * self.count
             return np.fromfile(self.path, np.float64, count, offset=16 * self.first).reshape(-1, 2)
-        with open(self.path, encoding="utf-8") as file:
-            separated = "," in file.readline()
-        return as_points(np.loadtxt(self.path, delimiter="," if separated else None, ndmin=2), self.path)
+        return read_points(self.path).points
 
 
 def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:

@@ -1,0 +1,58 @@
+// What: polygons with holes as arrays: all rings one after the other, the shell of each polygon before its holes; where rings
+//       begin, and which ring is the first of each polygon; and the ends.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "python/arrays.h"
+#include "rbpa/partial.h"
+#include "rbpa/shape.h"
+
+namespace rbpa::python {
+
+/// `Index` is that of a point: of 32 bits, or of 64 where the points are elsewhere and their coordinates are kept beside it.
+template <typename Index>
+struct FlatPolygons {
+  std::vector<Index> indices = {};
+  std::vector<Point> coordinates = {};
+  std::vector<std::int64_t> ring_begin = {0}, polygon_begin = {0};
+  std::vector<double> areas = {}, perimeters = {};
+
+  template <typename AnyPolygon>
+  void add(const AnyPolygon& polygon) {
+    add_ring(polygon.shell);
+    for (const auto& hole : polygon.holes) add_ring(hole);
+    polygon_begin.push_back(static_cast<std::int64_t>(ring_begin.size()) - 1);
+    areas.push_back(polygon.area);
+    perimeters.push_back(polygon.perimeter);
+  }
+
+  /// Empties it.
+  py::dict as_arrays() {
+    py::dict result;
+    result["indices"] = line<std::make_signed_t<Index>>(std::move(indices));
+    result["ring_begin"] = line<std::int64_t>(std::move(ring_begin));
+    result["polygon_begin"] = line<std::int64_t>(std::move(polygon_begin));
+    result["areas"] = line<double>(std::move(areas));
+    result["perimeters"] = line<double>(std::move(perimeters));
+    return result;
+  }
+
+ private:
+  void add_ring(const Ring& ring) {
+    indices.insert(indices.end(), ring.points.begin(), ring.points.end());
+    ring_begin.push_back(static_cast<std::int64_t>(indices.size()));
+  }
+  void add_ring(const CornerRing& ring) {
+    for (const Corner& corner : ring) {
+      indices.push_back(corner.index);
+      coordinates.push_back(corner.at);
+    }
+    ring_begin.push_back(static_cast<std::int64_t>(indices.size()));
+  }
+};
+
+}  // namespace rbpa::python

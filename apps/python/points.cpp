@@ -1,0 +1,130 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/polygon/ogr.h"
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+#include "rbpa/base/error.h"
+
+namespace rbpa::python {
+namespace {
+
+using app::Format;
+using MaybeText = std::optional<std::string>;
+
+Format format_of(const std::string& path, const MaybeText& name, bool space) {
+  const app::Use use = space ? app::Use::space : app::Use::points;
+  const std::string_view known = space ? app::space_formats : app::point_formats;
+  const std::optional<Format> found = app::find_format(use, name ? *name : app::input_ending(path));
+  if (found && (*found != Format::ogr || app::has_gdal())) return *found;
+  if (name) app::refuse_name("format", *name, known);
+  app::refuse_input(path, known, "format");
+}
+
+void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
+  if (!fits) throw app::WrongUsage(option + ": found a format " + found + ", expected " + expected);
+}
+
+app::PointSource source_of(const std::string& path, bool space, const std::vector<std::string>& fields,
+                           const MaybeText& where, const MaybeText& columns, const MaybeText& format, bool skip_invalid,
+                           bool vertices) {
+  app::PointSource source{.path = path, .skip_invalid = skip_invalid, .vertices = vertices};
+  source.format = format_of(path, format, space);
+  const bool text = source.format == Format::text;
+  if (columns) {
+    require_format(text, "columns", "with fixed columns", "text");
+    source.columns = space ? app::parse_space_columns(*columns) : app::parse_columns(*columns);
+  }
+  if (skip_invalid)
+    require_format(text || source.format == Format::las, "skip_invalid", "without lines of points", "las or text");
+  if (vertices)
+    require_format(!space && (text || source.format == Format::wkt || source.format == Format::geojson ||
+                              source.format == Format::ogr),
+                   "vertices", "without lines and polygons", "geojson, wkt, or text with a column of it, in the plane");
+  if (where || !fields.empty()) {
+    const std::optional<app::FieldNames> names = app::fields_of(source.format);
+    require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
+                   "las, pcd, ply or text");
+    source.where.emplace(where.value_or(""), *names, fields);
+  }
+  return source;
+}
+
+/// Of a file of the plane or of space all but normals and colours, which are emptied.
+template <typename File>
+py::dict dict_of(File& file, const app::PointSource& source) {
+  py::dict result;
+  result["points"] = rows<double>(std::move(file.points));
+  result["normals"] = py::none();
+  result["colors"] = py::none();
+  py::list fields;
+  file.fields.resize(source.where ? source.where->columns() : 0);  // without a point there are none
+  for (std::vector<double>& field : file.fields) fields.append(line<double>(std::move(field)));
+  result["fields"] = std::move(fields);
+  result["crs"] = file.crs ? py::object(py::str(file.crs->text())) : py::none();
+  py::list remarks;
+  for (const std::string& remark : file.remarks) remarks.append(app::printable(remark));
+  result["remarks"] = std::move(remarks);
+  return result;
+}
+
+template <typename Read>
+auto read_watched(Read read) {
+  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // as far as is known
+  return watched(many, py::none(), [&](Watch& watch) {
+    const app::Interruption interruption(watch.until_stopped());
+    return read();
+  });
+}
+
+py::dict read(const app::PointSource& source, bool space) {
+  if (!space) {
+    app::PointFile file = read_watched([&] { return app::read_points(source); });
+    return dict_of(file, source);
+  }
+  const app::CloudRequest request{
+      .columns = source.columns, .where = source.where, .skip_invalid = source.skip_invalid};
+  app::SpacePoints file = read_watched([&] { return app::read_space_points(source.path, source.format, request); });
+  py::dict result = dict_of(file, source);
+  if (!file.normals.empty()) result["normals"] = rows<double>(std::move(file.normals));
+  if (!file.colors.empty()) result["colors"] = rows<std::uint8_t>(std::move(file.colors));
+  return result;
+}
+
+/// Errors of programs are Python's, with their text.
+py::dict read_points(const py::bytes& path, bool space, const std::vector<std::string>& fields, const MaybeText& where,
+                     const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices) {
+  try {
+    return read(source_of(path, space, fields, where, columns, format, skip_invalid, vertices), space);
+  } catch (const app::BadInput& refusal) {
+    throw InvalidInput(app::printable(refusal.what()));
+  } catch (const app::WrongUsage& refusal) {
+    throw InvalidInput(app::printable(refusal.what()));
+  } catch (const app::Failure& failure) {
+    PyErr_SetString(PyExc_OSError, app::printable(failure.what()).c_str());
+    throw py::error_already_set();
+  }
+}
+
+}  // namespace
+
+void bind_points(py::module_& module) {
+  using py::arg;
+  module.def("read_points", &read_points, arg("path"), arg("space"), arg("fields"), arg("where"), arg("columns"),
+             arg("format"), arg("skip_invalid"), arg("vertices"));
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,164 @@
+"""Points in files are those that the program reads, with its sentences where they are none."""
+
+import gzip
+import os
+import struct
+import subprocess
+
+import numpy as np
+import pytest
+import rbpa
+from sets import DATA, data, uniform
+
+CLASSES = np.array([2, 2, 6, 5, 2], np.uint8)
+PLACES = np.array([[0, 0, 0], [100, 0, 10], [100, 100, 20], [0, 100, 30], [50, 50, 40]], np.int32)
+
+
+def las(path, places=PLACES, classes=CLASSES, claimed=None):
+    """LAS 1.2 with records of format 2, the colour of a record being 256 times its class; a unit of 0.01 from 500000 on."""
+    record = np.dtype([("at", "<i4", 3), ("intensity", "<u2"), ("returns", "u1"), ("class", "u1"), ("angle", "i1"),
+                       ("user", "u1"), ("source", "<u2"), ("color", "<u2", 3)])  # fmt: skip
+    records = np.zeros(len(places), record)
+    records["at"], records["class"], records["intensity"] = places, classes, 7 * np.arange(len(places))
+    records["color"] = 256 * classes.astype(np.uint16)[:, None]
+    header = struct.pack("<4sHH16sBB32s32sHHHIIBHI5I", b"LASF", 0, 0, bytes(16), 1, 2, b"", b"", 1, 2024, 227, 227, 0, 2,
+                         record.itemsize, len(records) if claimed is None else claimed, len(records), 0, 0, 0, 0)  # fmt: skip
+    header += struct.pack("<12d", 0.01, 0.01, 0.01, 500000, 0, 0, *(0.0,) * 6)
+    path.write_bytes(header + records.tobytes())
+    return path
+
+
+def test_las_has_points_of_plane_and_space_and_any_field(tmp_path):
+    path = las(tmp_path / "scan.las")
+    plane = rbpa.read_points(path, fields=["intensity", "Classification"])
+    assert np.array_equal(plane.points, PLACES[:, :2] / 100 + [500000, 0])
+    assert plane.fields["intensity"].tolist() == [0, 7, 14, 21, 28] and np.array_equal(plane.fields["Classification"], CLASSES)
+    assert plane.normals is None and plane.colors is None and plane.crs is None and plane.remarks == []
+    space = rbpa.read_points(str(path), space=True)
+    assert np.array_equal(space.points, PLACES / 100 + [500000, 0, 0]) and space.fields == {}
+    assert space.colors.dtype == np.uint8 and np.array_equal(space.colors[:, 1], CLASSES)
+    assert repr(space) == "<rbpa.PointFile of 5 points of space, with colors>"
+    assert all(array.flags.writeable for array in (plane.points, plane.fields["intensity"], space.colors))
+
+
+@pytest.mark.parametrize("space", [False, True])
+def test_conditions_select_points_with_their_fields(tmp_path, space):
+    read = rbpa.read_points(las(tmp_path / "scan.las"), space=space, fields=["intensity", "z"], where="classification == 2")
+    assert np.array_equal(read.points, (PLACES / 100 + [500000, 0, 0])[CLASSES == 2][:, : 3 if space else 2])
+    assert read.fields["intensity"].tolist() == [0, 7, 28] and read.fields["z"].tolist() == [0, 0.1, 0.4]
+    assert read.remarks[-1] == "3 of 5 points are as --where asks"
+    none = rbpa.read_points(tmp_path / "scan.las", space=space, fields=["intensity"], where="classification == 9")
+    assert none.points.shape == (0, 3 if space else 2) and none.fields["intensity"].shape == (0,)
+
+
+def test_a_long_las_file_is_the_same_packed(tmp_path):
+    places = np.random.default_rng(1).integers(-(2**31), 2**31, (30_000, 3), np.int32)
+    path = las(tmp_path / "scan.las", places, (np.arange(30_000) % 7).astype(np.uint8))
+    read = rbpa.read_points(path, fields=["intensity"], where="classification < 3")
+    assert np.array_equal(read.points[:, 1], places[np.arange(30_000) % 7 < 3][:, 1] / 100)
+    assert read.fields["intensity"].tolist() == [7 * i % 65536 for i in range(30_000) if i % 7 < 3]
+    packed = tmp_path / "scan.las.gz"
+    packed.write_bytes(gzip.compress(path.read_bytes()))
+    again = rbpa.read_points(packed, fields=["intensity"], where="classification < 3")
+    assert np.array_equal(again.points, read.points) and np.array_equal(again.fields["intensity"], read.fields["intensity"])
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in DATA.glob("*.xy")))
+def test_data_in_text_is_what_numpy_reads(name):
+    assert np.array_equal(rbpa.read_points(DATA / name).points, np.atleast_2d(data(name)))
+
+
+def test_other_formats(tmp_path):
+    scan = rbpa.read_points(DATA / "m3_torus.off", space=True).points
+    assert np.array_equal(scan, np.loadtxt(DATA / "m3_torus.off", skiprows=2, max_rows=len(scan)))
+    assert len(rbpa.read_points(DATA / "shape_skimage_horse_fill.png").points) > 10_000
+    points = uniform(5000)
+    np.save(tmp_path / "points.npy", points)
+    assert np.array_equal(rbpa.read_points(tmp_path / "points.npy").points, points)
+    (tmp_path / "a.geojson").write_text('{"type": "MultiPoint", "coordinates": [[1, 2], [3, 4]]}')
+    assert rbpa.read_points(tmp_path / "a.geojson").points.tolist() == [[1, 2], [3, 4]]
+    (tmp_path / "a.wkt").write_text("SRID=28992;LINESTRING (0 0, 1 2)")
+    line = rbpa.read_points(tmp_path / "a.wkt", vertices=True)
+    assert line.points.tolist() == [[0, 0], [1, 2]] and line.crs == "EPSG:28992"
+
+
+@pytest.mark.parametrize("header", ["ply\nformat ascii 1.0\nelement vertex 3\n", "# .PCD v0.7\nVERSION 0.7\n"])
+def test_fields_of_ply_and_pcd(tmp_path, header):
+    names = ["x", "y", "z", "quality"]
+    if header.startswith("ply"):
+        header += "".join(f"property float {name}\n" for name in names) + "end_header\n"
+    else:
+        header += f"FIELDS {' '.join(names)}\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
+    path = tmp_path / ("a.ply" if header.startswith("ply") else "a.pcd")
+    path.write_text(header + "0 0 0 5\n1 0 0 6\n0 1 0 7\n")
+    read = rbpa.read_points(path, space=True, fields=["quality"], where="quality > 5 and x < 1")
+    assert read.points.tolist() == [[0, 1, 0]] and read.fields["quality"].tolist() == [7]
+
+
+def test_a_table_has_columns_of_any_name(tmp_path):
+    path = tmp_path / "trees.csv"
+    path.write_text('lat,lon,"the height",kind\n52,4,1.5,oak\n53,5,NA,elm\n54,NA,3,oak\n55,6,4,ash\n')
+    with pytest.raises(rbpa.InvalidInput, match="trees.csv:3: found 'NA', expected a number"):
+        rbpa.read_points(path, fields=["the height"])
+    read = rbpa.read_points(path, fields=["the height"], skip_invalid=True)
+    assert read.points.tolist() == [[4, 52], [6, 55]] and read.fields["the height"].tolist() == [1.5, 4]
+    assert any("2 lines are left out" in remark for remark in read.remarks)
+    oaks = rbpa.read_points(path, columns="the height,lat", where="kind == 'oak'")
+    assert oaks.points.tolist() == [[1.5, 52], [3, 54]]
+
+
+def test_geometries_of_a_line_have_its_fields(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("wkt;group\nLINESTRING (0 0, 1 0);3\nPOINT (5 5);4\n")
+    read = rbpa.read_points(path, vertices=True, fields=["group"])
+    assert len(read.points) == 3 and read.fields["group"].tolist() == [3, 3, 4]
+
+
+REFUSED = {
+    "cut off": (lambda path: path.write_bytes(las(path).read_bytes()[:-3]), {}, "found 4 whole records of 26 bytes, expected 5"),
+    "no las": (lambda path: path.write_bytes(b"LASF" + bytes(50)), {}, "scan.las: found "),
+    "empty": (lambda path: path.write_bytes(b""), {}, "found an empty file, expected points"),
+    "no such field": (las, {"fields": ["nothing"]}, "fields: found 'nothing', expected a field of LAS: x, y, z"),
+    "not in this format": (las, {"fields": ["nir"]}, "expected one with nir, as fields asks: 8, 10"),
+    "no condition": (las, {"where": "classification =="}, "where: found "),
+    "columns": (las, {"columns": "1,2"}, "columns: found a format with fixed columns, expected text"),
+    "format": (las, {"format": "laz"}, "format: found 'laz', expected one of xy, txt"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_no_file_of_points_is_refused_with_a_sentence(tmp_path, name):
+    write, arguments, said = REFUSED[name]
+    write(tmp_path / "scan.las")
+    with pytest.raises(rbpa.InvalidInput, match=said):
+        rbpa.read_points(tmp_path / "scan.las", **arguments)
+
+
+def test_a_file_that_is_cut_off_is_read_as_far_as_it_goes_if_asked(tmp_path):
+    path = las(tmp_path / "scan.las")
+    path.write_bytes(path.read_bytes()[:-3])
+    read = rbpa.read_points(path, skip_invalid=True, fields=["intensity"])
+    assert len(read.points) == 4 == len(read.fields["intensity"]) and read.remarks
+
+
+def test_what_is_not_there_is_an_error_of_the_system(tmp_path):
+    with pytest.raises(FileNotFoundError, match="nothing.las"):
+        rbpa.read_points(tmp_path / "nothing.las")
+    with pytest.raises(rbpa.InvalidInput, match="found the ending 'laz'.*pdal translate"):
+        (tmp_path / "a.laz").write_bytes(b"LASF")
+        rbpa.read_points(tmp_path / "a.laz")
+
+
+def test_the_program_says_the_same(tmp_path, program):
+    path = las(tmp_path / "scan.las", claimed=9)
+    ran = subprocess.run([program, "mesh", path, "--alpha", "1", "-o", tmp_path / "a.npy"], capture_output=True, text=True)
+    with pytest.raises(rbpa.InvalidInput) as refusal:
+        rbpa.read_points(path)
+    assert ran.stderr == f"rbpa: {refusal.value}\n"
+
+
+def test_a_name_may_be_any_bytes(tmp_path):
+    path = os.fsencode(tmp_path) + b"/\xff.csv"
+    with open(path, "w") as file:
+        file.write("1,2\n")
+    assert rbpa.read_points(os.fsdecode(path)).points.tolist() == [[1, 2]]
