@@ -57,19 +57,9 @@ void require_srid(const Files& files, const std::optional<Crs>& crs) {
 }
 
 void write_shape(OutputFile& file, Format format, const Shape& shape) {
-  switch (format) {
-    case Format::geojson:
-      return write_geojson(file, shape);
-    case Format::ewkt:
-      file.write(srid_of(shape));
-      [[fallthrough]];
-    case Format::wkt:
-      return write_wkt(file, shape);
-    case Format::csv:
-      return write_points_csv(file, shape);
-    default:
-      break;
-  }
+  if (format == Format::csv) return write_points_csv(file, shape);
+  if (format == Format::ewkt) file.write(srid_of(shape));
+  write_polygons(file, format == Format::geojson ? Format::geojson : Format::wkt, shape);
 }
 
 /// All of GDAL's files of a target, those that GDAL has made.
