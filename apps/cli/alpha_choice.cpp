@@ -5,9 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/build.h"
-#include "cli/progress.h"
-#include "cli/text_of.h"
+#include "cli/method.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"

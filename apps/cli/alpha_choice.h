@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/run_options.h"
+#include "cli/run.h"
 #include "rbpa/base/point.h"
 #include "rbpa/covering.h"
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "cli/text_of.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 
@@ -23,73 +23,75 @@ void for_each_line(const Lines& lines, const Write& write) {
   }
 }
 
-void write_count(OutputFile& out, std::size_t count) { out.write_number(static_cast<std::uint64_t>(count)); }
+void write_value(OutputFile& out, std::size_t value) { out.write_number(static_cast<std::uint64_t>(value)); }
+
+void write_value(OutputFile& out, bool value) { out.write(value ? "true" : "false"); }
+
+void write_value(OutputFile& out, std::string_view value) {
+  out.write("\"");
+  out.write(value);
+  out.write("\"");
+}
 
 void write_value(OutputFile& out, double value) {
   if (std::isinf(value))
-    out.write("\"inf\"");
+    write_value(out, std::string_view("inf"));
   else
     out.write_number(value);
 }
 
 void write_value(OutputFile& out, const std::optional<double>& value) {
-  if (value)
-    write_value(out, *value);
-  else
-    out.write("null");
+  value ? write_value(out, *value) : out.write("null");
 }
 
-/// What comes behind the alpha.
-void write_counts(OutputFile& out, const FiltrationStep& step) {
-  const auto item = [&](std::string_view name, std::size_t count) {
-    out.write(", \"");
-    out.write(name);
-    out.write("\": ");
-    write_count(out, count);
-  };
-  item("triangles", step.triangles);
-  item("solid_components", step.solid_components);
-  item("components", step.components);
-  item("holes", step.holes);
-  item("covered", step.covered);
-  out.write(", \"area\": ");
-  write_value(out, step.area);
-}
+/// {"alpha": 1, "to": null}
+class JsonLine {
+ public:
+  explicit JsonLine(OutputFile& out) : out_(out) {}
+
+  template <typename Value>
+  JsonLine& item(std::string_view name, const Value& value) {
+    out_.write(before_);
+    before_ = ", \"";
+    out_.write(name);
+    out_.write("\": ");
+    write_value(out_, value);
+    return *this;
+  }
+  JsonLine& counts(const FiltrationStep& step) {
+    return item("triangles", step.triangles)
+        .item("solid_components", step.solid_components)
+        .item("components", step.components)
+        .item("holes", step.holes)
+        .item("covered", step.covered)
+        .item("area", step.area);
+  }
+  void end() { out_.write("}"); }
+
+ private:
+  OutputFile& out_;
+  std::string_view before_ = "{\"";
+};
 
 void write_line(OutputFile& out, const FiltrationStep& step) {
-  out.write("{\"alpha\": ");
-  write_value(out, step.alpha);
-  write_counts(out, step);
-  out.write("}");
+  JsonLine(out).item("alpha", step.alpha).counts(step).end();
 }
 
 void write_line(OutputFile& out, const PersistencePair& pair) {
-  out.write("{\"dimension\": ");
-  write_count(out, static_cast<std::size_t>(pair.dimension));
-  out.write(", \"birth\": ");
-  write_value(out, pair.birth);
-  out.write(", \"death\": ");
-  write_value(out, pair.death);
-  out.write("}");
+  JsonLine(out)
+      .item("dimension", static_cast<std::size_t>(pair.dimension))
+      .item("birth", pair.birth)
+      .item("death", pair.death)
+      .end();
 }
 
 void write_line(OutputFile& out, const Plateau& plateau) {
-  out.write("{\"alpha\": ");
-  write_value(out, plateau.alpha);
-  out.write(", \"from\": ");
-  write_value(out, plateau.from);
-  out.write(", \"to\": ");
-  write_value(out, plateau.to);
-  out.write(", \"ratio\": ");
-  write_value(out, plateau.ratio);
-  out.write(plateau.kind == PlateauKind::structured ? ", \"kind\": \"structured\"" : ", \"kind\": \"one piece\"");
-  out.write(plateau.is_long ? ", \"long\": true" : ", \"long\": false");
-  out.write(", \"effective_parts\": ");
-  write_value(out, plateau.effective_parts);
-  out.write(", \"hole_share\": ");
-  write_value(out, plateau.hole_share);
-  write_counts(out, plateau.step);
-  out.write("}");
+  const std::string_view kind = plateau.kind == PlateauKind::structured ? "structured" : "one piece";
+  JsonLine line(out);
+  line.item("alpha", plateau.alpha).item("from", plateau.from).item("to", plateau.to).item("ratio", plateau.ratio);
+  line.item("kind", kind).item("long", plateau.is_long);
+  line.item("effective_parts", plateau.effective_parts).item("hole_share", plateau.hole_share);
+  line.counts(plateau.step).end();
 }
 
 template <typename Lines>
@@ -106,11 +108,8 @@ void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
   out.write(lines.empty() ? "]" : "\n  ]");
 }
 
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+/// Digits of numbers in the table.
+constexpr int digits = 4;
 
 /// A share in percent, rounded down: a hundred are all.
 std::string percent(std::size_t count, std::size_t all) {
@@ -132,8 +131,8 @@ std::string row(const std::string& choice, const std::string& alpha, const std::
 
 std::string row(const std::string& choice, double alpha, const std::string& from, const std::string& to,
                 const FiltrationStep& step, std::size_t distinct, const std::string& others = "") {
-  return row(choice, rounded(alpha), from, to, std::to_string(step.solid_components), std::to_string(step.holes),
-             percent(step.covered, distinct), rounded(step.area), others);
+  return row(choice, rounded(alpha, digits), from, to, std::to_string(step.solid_components),
+             std::to_string(step.holes), percent(step.covered, distinct), rounded(step.area, digits), others);
 }
 
 /// The complex at one of its critical radii.
@@ -147,8 +146,8 @@ std::string table_of(const Radii& radii) {
   std::string text = row("choice", "alpha", "from", "to", "parts", "holes", "covered", "area");
   for (std::size_t i = 0; i < radii.plateaus.size(); ++i) {
     const Plateau& plateau = radii.plateaus[i];
-    text += row(i == 0 ? "plateau" : "plateau:" + std::to_string(i + 1), plateau.alpha, rounded(plateau.from),
-                plateau.to ? rounded(*plateau.to) : "inf", plateau.step, all.distinct);
+    text += row(i == 0 ? "plateau" : "plateau:" + std::to_string(i + 1), plateau.alpha, rounded(plateau.from, digits),
+                plateau.to ? rounded(*plateau.to, digits) : "inf", plateau.step, all.distinct);
   }
   const bool every = radii.cover == 1;
   if (radii.least_covering)
@@ -165,8 +164,8 @@ std::string table_of(const Radii& radii) {
 std::optional<Recommendation> recommended(const Radii& radii) {
   if (radii.plateaus.empty()) return std::nullopt;
   const Plateau& best = radii.plateaus.front();
-  const std::string from = rounded(best.from), factor = "a factor of " + rounded(best.ratio);
-  const std::string up_to = best.to ? " up to " + rounded(*best.to) : " from there on";
+  const std::string from = rounded(best.from, digits), factor = "a factor of " + rounded(best.ratio, digits);
+  const std::string up_to = best.to ? " up to " + rounded(*best.to, digits) : " from there on";
   if (!best.is_long && radii.least_connected)
     return Recommendation{"auto", *radii.least_connected,
                           "no range of alpha stands out: the longest over which parts and holes hardly change is " +
@@ -214,9 +213,11 @@ void write_json(OutputFile& out, const AlphaReport& report) {
   write_value(out, report.radii.least_covering);
   out.write(",\n  \"recommended\": ");
   if (const std::optional<Recommendation> best = recommended(report.radii)) {
-    out.write("{\"choice\": \"" + best->choice + "\", \"alpha\": ");
-    write_value(out, best->alpha);
-    out.write(", \"why\": \"" + best->why + "\"}");
+    JsonLine(out)
+        .item("choice", std::string_view(best->choice))
+        .item("alpha", best->alpha)
+        .item("why", std::string_view(best->why))
+        .end();
   } else {
     out.write("null");
   }
@@ -230,7 +231,7 @@ void write_csv(OutputFile& out, const AlphaReport& report) {
   if (report.pairs) {
     out.write("dimension,birth,death\n");
     for_each_line(*report.pairs, [&](const PersistencePair& pair) {
-      write_count(out, static_cast<std::size_t>(pair.dimension));
+      write_value(out, static_cast<std::size_t>(pair.dimension));
       out.write(",");
       out.write_number(pair.birth);
       out.write(",");
@@ -244,7 +245,7 @@ void write_csv(OutputFile& out, const AlphaReport& report) {
     out.write_number(step.alpha);
     for (const std::size_t count : {step.triangles, step.solid_components, step.components, step.holes, step.covered}) {
       out.write(",");
-      write_count(out, count);
+      write_value(out, count);
     }
     out.write(",");
     out.write_number(step.area);

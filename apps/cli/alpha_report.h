@@ -12,7 +12,7 @@
 namespace rbpa::app {
 
 struct AlphaReport {
-  Radii radii = {};
+  const Radii& radii;
   std::optional<std::vector<PersistencePair>> pairs = std::nullopt;
 };
 

@@ -17,36 +17,27 @@ namespace {
 /// A format of GDAL is an unknown ending where there is no GDAL.
 std::optional<Format> find_known(Use use, std::string_view name) {
   const std::optional<Format> format = find_format(use, name);
-  return format && is_ogr(*format) && !has_gdal() ? std::nullopt : format;
+  return format && (is_ogr(*format) || *format == Format::ogr) && !has_gdal() ? std::nullopt : format;
 }
 
-std::vector<Target> targets_of(Use use, std::string_view known_formats, const std::vector<std::string>& paths,
-                               const std::optional<std::string>& format, bool any_report) {
+std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool any_report) {
+  const std::string known_formats = target_formats(use);
   std::optional<Format> otherwise;
-  if (format) {
-    otherwise = find_known(use, *format);
-    if (!otherwise) refuse_name("--output-format", *format, known_formats);
+  if (arguments.output_format) {
+    otherwise = find_known(use, *arguments.output_format);
+    if (!otherwise) refuse_name("--output-format", *arguments.output_format, known_formats);
   }
-  if (paths.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  if (arguments.outputs.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<Target> targets;
-  for (const std::string& path : paths) {
+  for (const std::string& path : arguments.outputs) {
     if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : find_known(use, ending(path));
     if (!known) known = otherwise;
-    if (!known && path == "-")
-      throw WrongUsage("-o -: found no --output-format, expected one of " + std::string(known_formats));
+    if (!known && path == "-") throw WrongUsage("-o -: found no --output-format, expected one of " + known_formats);
     if (!known) refuse_ending(path, known_formats, "--output-format");
     targets.push_back({path, *known});
   }
   return targets;
-}
-
-void require_different_files(const std::vector<Target>& targets, const std::vector<std::string>& reports,
-                             const std::string& points) {
-  std::vector<std::string> files;
-  for (const Target& target : targets) files.push_back(target.path);
-  files.insert(files.end(), reports.begin(), reports.end());
-  require_different(files, points, "points");
 }
 
 /// "m.npy" is "m.edges.npy", whatever its ending was.
@@ -72,8 +63,6 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   }
   return all;
 }
-
-std::string all_shape_formats() { return std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""); }
 
 }  // namespace
 
@@ -103,33 +92,27 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
   return paths;
 }
 
-std::vector<Target> parse_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                  const std::vector<std::string>& reports, const std::string& points, Complex complex) {
-  std::vector<Target> targets = targets_of(Use::triangles, output_formats, paths, format, !reports.empty());
+std::string target_formats(Use use) {
+  if (use == Use::surface) return std::string(surface_formats);
+  if (use == Use::triangles) return std::string(output_formats);
+  return std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : "");
+}
+
+std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
+                                  const std::vector<std::string>& reports, Complex complex) {
+  std::vector<Target> targets = targets_of(use, arguments, !reports.empty());
   if (complex == Complex::full) targets = with_edges_and_points(targets);
-  require_different_files(targets, reports, points);
-  return targets;
-}
-
-std::vector<Target> parse_shape_targets(const std::vector<std::string>& paths, const std::optional<std::string>& format,
-                                        const std::vector<std::string>& reports, const std::string& points) {
-  const std::vector<Target> targets = targets_of(Use::shape, all_shape_formats(), paths, format, !reports.empty());
-  std::vector<std::string> others = reports;
-  for (const Target& target : targets)
-    if (target.format == Format::shp) {
-      if (target.path == "-") throw WrongUsage("-o -: found shp, which is several files, expected the name of one");
-      for (const std::string& path : ogr_paths(target)) others.push_back(path);
-      others.erase(std::find(others.begin() + static_cast<std::ptrdiff_t>(reports.size()), others.end(), target.path));
-    }
-  require_different_files(targets, others, points);
-  return targets;
-}
-
-std::vector<Target> parse_surface_targets(const std::vector<std::string>& paths,
-                                          const std::optional<std::string>& format,
-                                          const std::vector<std::string>& reports, const std::string& points) {
-  const std::vector<Target> targets = targets_of(Use::surface, surface_formats, paths, format, !reports.empty());
-  require_different_files(targets, reports, points);
+  std::vector<std::string> files, others;
+  for (const Target& target : targets) {
+    files.push_back(target.path);
+    if (target.format != Format::shp) continue;
+    if (target.path == "-") throw WrongUsage("-o -: found shp, which is several files, expected the name of one");
+    for (const std::string& path : ogr_paths(target))
+      if (path != target.path) others.push_back(path);
+  }
+  files.insert(files.end(), reports.begin(), reports.end());
+  files.insert(files.end(), others.begin(), others.end());
+  require_different(files, input, "points");
   return targets;
 }
 
@@ -152,6 +135,33 @@ Target parse_isolated(const std::string& path) {
     throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
                      std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""));
   return {path, *format};
+}
+
+Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
+                    const std::string& argument, std::optional<Format> standard) {
+  if (path.empty()) throw WrongUsage(argument + ": found an empty name, expected a path or -");
+  if (!format && path == "-") {
+    if (!standard) throw WrongUsage("-: found no --format, expected one of " + std::string(known));
+    return *standard;
+  }
+  const std::optional<Format> found = find_known(use, format ? std::string_view(*format) : input_ending(path));
+  if (!found && format) refuse_name("--format", *format, known);
+  if (!found) refuse_input(path, known, "--format");
+  return *found;
+}
+
+std::string list_of(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths) text += (text.empty() ? " -> " : ", ") + output_name(path);
+  return text;
+}
+
+std::string text_of_polygons(std::size_t polygons, std::size_t holes) {
+  return counted(polygons, "polygon") + " with " + counted(holes, "hole");
+}
+
+std::string text_of_points(std::size_t points, std::size_t duplicates) {
+  return counted(points, "point") + (duplicates > 0 ? " (" + counted(duplicates, "duplicate") + ")" : "");
 }
 
 }  // namespace rbpa::app

@@ -1,27 +1,23 @@
-#include "cli/fill_verb.h"
-
-#include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
-#include <utility>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "cli/arguments.h"
+#include "cli/progress.h"
+#include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/valid_features.h"
+#include "cli/verbs.h"
 #include "io/bytes/available_memory.h"
 #include "io/bytes/number.h"
-#include "io/bytes/output_file.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 #include "io/mesh/write_triangles.h"
 #include "io/polygon/read_polygons.h"
-#include "io/progress_line.h"
-#include "picture/png.h"
-#include "picture/svg.h"
+#include "picture/picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
 #include "triangulation/counts.h"
@@ -47,22 +43,10 @@ struct FillRequest {
   int width;
 };
 
-Format parse_format(const std::string& path, const std::optional<std::string>& format) {
-  if (path.empty()) throw WrongUsage("POLYGON: found an empty name, expected a path or -");
-  if (format) {
-    const std::optional<Format> known = find_format(Use::polygons, *format);
-    if (!known) refuse_name("--format", *format, polygon_formats);
-    return *known;
-  }
-  if (path == "-") throw WrongUsage("-: found no --format, expected one of " + std::string(polygon_formats));
-  const std::optional<Format> known = find_format(Use::polygons, input_ending(path));
-  if (!known) refuse_input(path, polygon_formats, "--format");
-  return *known;
-}
-
 FillRequest parse(const FillArguments& arguments) {
   FillRequest request{.path = arguments.polygons,
-                      .format = parse_format(arguments.polygons, arguments.format),
+                      .format = parse_format(Use::polygons, arguments.polygons, arguments.format, polygon_formats,
+                                             "POLYGON", std::nullopt),
                       .size = arguments.size == "inf" ? std::numeric_limits<double>::infinity()
                                                       : parse_positive("--size", arguments.size,
                                                                        "inf or a length in units of the polygons"),
@@ -75,8 +59,7 @@ FillRequest parse(const FillArguments& arguments) {
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
     throw WrongUsage("--size inf: found " + std::string(arguments.grade ? "--grade" : "--size-at") +
                      " as well, expected one of them: no point is added");
-  request.targets = parse_targets(arguments.outputs, arguments.output_format, given({arguments.stats}),
-                                  arguments.polygons, Complex::solid);
+  request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
   if (request.size_at) {
     if (*request.size_at == "-" && request.path == "-")
       throw WrongUsage("--size-at -: found POLYGON on standard input as well, expected one of them in a file");
@@ -100,79 +83,39 @@ void require_memory(const std::string& name, double triangles) {
                    " of memory, expected no more than the " + bytes_text(*there) + " there are: larger sizes");
 }
 
-/// A line that counts triangles, and hears Ctrl-C.
-class FillProgress {
- public:
-  explicit FillProgress(bool wanted) : line_("rbpa", wanted, "filling") {}
-
-  /// Before watch() sees the first triangle.
-  void expect(double triangles) {
-    expected_ = triangles;
-    line_.say([triangles](double) { return "about " + short_number(triangles) + " triangles"; });
-  }
-
-  std::function<bool(const Progress&)> watch() {
-    return [this](const Progress& progress) {
-      triangles_ = progress.triangles;
-      if (!begun_ && progress.triangles > 0) {
-        begun_ = true;
-        line_.say([this](double seconds) {
-          const auto done = static_cast<double>(triangles_.load());
-          const std::string text = short_number(done) + " of about " + short_number(expected_) + " triangles";
-          return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
-        });
-      }
-      return !interrupted();
-    };
-  }
-
- private:
-  std::atomic<std::size_t> triangles_ = 0;
-  double expected_ = 0;
-  bool begun_ = false;
-  ProgressLine line_;
-};
-
-std::string name_of(const FillRequest& request) { return request.path == "-" ? "standard input" : request.path; }
-
-PolygonFile read(const FillRequest& request, bool quiet) {
-  std::optional<ProgressLine> line(std::in_place, "rbpa", !quiet && !read_from_terminal(request.path), "reading");
-  PolygonFile file = read_polygons(request.path, request.format);
-  line.reset();
-  for (const std::string& remark : file.vertices.remarks)
-    if (!quiet) say("rbpa", name_of(request) + ": " + remark);
-  return file;
-}
-
-ValidFeatures check(const FillRequest& request, const PolygonFile& file, const FillArguments& arguments) {
-  const std::string name = name_of(request);
-  ValidFeatures valid = valid_features(file, name, arguments.skip_invalid);
+ValidFeatures check(const Run& run, const PolygonFile& file, bool skip_invalid) {
+  ValidFeatures valid = valid_features(file, run.input(), skip_invalid);
   const std::vector<std::string>& why = valid.why_left_out;
-  if (!why.empty() && !arguments.quiet)
-    say("rbpa", name + ": " + counted(why.size(), "feature") + " of " + std::to_string(file.features) +
-                    (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
-                    why.front());
+  if (!why.empty())
+    run.remark(counted(why.size(), "feature") + " of " + std::to_string(file.features) +
+               (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
+               why.front());
   return valid;
 }
 
-Filling make(const FillRequest& request, const PolygonFile& file, const ValidFeatures& valid,
-             std::span<const SizeAt> sizes, const FillArguments& arguments) {
-  FillProgress progress(!arguments.quiet);
-  const std::string name = name_of(request);
+Filling make(const Run& run, const FillRequest& request, const PolygonFile& file, const ValidFeatures& valid,
+             std::span<const SizeAt> sizes, bool keep_boundary) {
+  double expected = 0;
+  TriangleProgress progress(!run.options().quiet, "filling", [&](const Progress& made, double seconds) {
+    const auto done = static_cast<double>(made.triangles);
+    const std::string text = short_number(done) + " of about " + short_number(expected) + " triangles";
+    return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
+  });
   try {
     return fill(file.vertices.points, valid.polygons,
                 {.size = request.size,
                  .grade = request.grade,
                  .sizes = sizes,
-                 .keep_boundary = arguments.keep_boundary,
+                 .keep_boundary = keep_boundary,
                  .groups = valid.groups,
                  .progress = progress.watch(),
                  .estimated = [&](double triangles) {
-                   require_memory(name, triangles);
-                   progress.expect(triangles);
+                   require_memory(run.input(), triangles);
+                   expected = triangles;
+                   progress.say("about " + short_number(triangles) + " triangles");
                  }});
   } catch (const InvalidInput& e) {
-    throw BadInput(name + ": " + e.what());
+    throw BadInput(run.input() + ": " + e.what());
   }
 }
 
@@ -200,41 +143,32 @@ Triangulation arrays_of(const Filling& filling) {
   return arrays;
 }
 
-void write_targets(OutputSet& outputs, const FillRequest& request, const Filling& filling, const Triangulation& arrays,
-                   const TriangleFeatures& features, bool quiet, const std::vector<std::string>& names) {
-  const ProgressLine line("rbpa", !quiet && !written_to_terminal(names), "writing");
-  for (const Target& target : request.targets) {
-    stop_if_interrupted();
-    OutputFile& file = outputs.add(target.path);
-    if (target.format == Format::svg || target.format == Format::png) {
-      const Drawing drawing = drawing_of(filling.points, arrays, Complex::solid);
-      const Scene scene = place(drawing, request.width);
-      target.format == Format::svg ? write_svg(file, scene) : write_png(file, scene);
-    } else {
-      write_triangles(file, target.format, {filling.points, filling.triangles, {}, {}, &features});
-    }
-    file.finish();
-  }
-}
-
 }  // namespace
 
 void run_fill(const FillArguments& arguments) {
   const FillRequest request = parse(arguments);
-  Stopwatch watch;
-  const PolygonFile file = read(request, arguments.quiet);
+  Run run(request.path, arguments.outputs, {.quiet = arguments.quiet});
+  const PolygonFile file = run.read([&] { return read_polygons(request.path, request.format); });
+  run.remark(file.vertices.remarks);
   std::vector<SizeAt> sizes;
   if (request.size_at) sizes = read_sizes(*request.size_at);
-  Stats stats{.points = file.vertices.points.size(), .read_seconds = watch.lap()};
-  const ValidFeatures valid = check(request, file, arguments);
-  const Filling filling = make(request, file, valid, sizes, arguments);
+  Stats stats{.points = file.vertices.points.size(), .read_seconds = run.lap()};
+  const ValidFeatures valid = check(run, file, arguments.skip_invalid);
+  const Filling filling = make(run, request, file, valid, sizes, arguments.keep_boundary);
   const Triangulation arrays = arrays_of(filling);
-  stats.build_seconds = watch.lap();
+  stats.build_seconds = run.lap();
 
-  OutputSet outputs;
-  write_targets(outputs, request, filling, arrays, features_of(filling, valid, file), arguments.quiet,
-                arguments.outputs);
-  stats.write_seconds = watch.lap();
+  const TriangleFeatures features = features_of(filling, valid, file);
+  {
+    const ProgressLine line = run.writing();
+    run.add(request.targets, [&](OutputFile& out, const Target& target) {
+      if (is_picture(target.format))
+        write_picture(out, target.format, drawing_of(filling.points, arrays, Complex::solid), request.width);
+      else
+        write_triangles(out, target.format, {filling.points, filling.triangles, {}, {}, &features});
+    });
+  }
+  stats.write_seconds = run.lap();
   const PolygonTotals totals = total(filling.polygons);
   if (arguments.stats) {
     stats.distinct = filling.points.size();
@@ -248,21 +182,16 @@ void run_fill(const FillArguments& arguments) {
                            .retreats = filling.retreats,
                            .features = file.features,
                            .left_out = valid.why_left_out.size()};
-    OutputFile& report = outputs.add(*arguments.stats);
-    write_stats(report, stats);
-    report.finish();
+    run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
   }
-  outputs.publish();
+  run.publish();
 
   if (filling.triangles.empty()) say("rbpa", "there is no triangle: there is no polygon");
-  if (arguments.quiet) return;
-  char area[32];
-  std::snprintf(area, sizeof area, "%.6g", totals.area);
   const std::string left_out =
       valid.why_left_out.empty() ? "" : counted(valid.why_left_out.size(), "invalid feature") + " left out, ";
-  say("rbpa", counted(filling.polygons.size(), "polygon") + " with " + counted(totals.holes, "hole") + ", " + left_out +
-                  "area " + area + ", " + counted(filling.triangles.size(), "triangle") + " on " +
-                  counted(filling.points.size(), "point") + list_of(request.targets));
+  run.summarize(text_of_polygons(filling.polygons.size(), totals.holes) + ", " + left_out + "area " +
+                rounded(totals.area, 6) + ", " + counted(filling.triangles.size(), "triangle") + " on " +
+                counted(filling.points.size(), "point") + list_of(request.targets));
 }
 
 }  // namespace rbpa::app

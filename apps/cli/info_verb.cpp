@@ -1,16 +1,13 @@
-#include "cli/info_verb.h"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/build.h"
-#include "cli/progress.h"
+#include "cli/run.h"
 #include "cli/stats.h"
-#include "cli/text_of.h"
-#include "io/bytes/output_file.h"
+#include "cli/verbs.h"
+#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/sort.h"
 
@@ -30,8 +27,8 @@ struct Info {
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); none when the area is zero
 };
 
-Info examine(std::vector<Point> points, bool shown) {
-  const ProgressLine line("rbpa", shown, "sorting " + short_number(static_cast<double>(points.size())) + " points");
+Info examine(std::vector<Point> points, const RunOptions& run) {
+  const ProgressLine line = run.line("sorting " + short_number(static_cast<double>(points.size())) + " points");
   Info info{.points = points.size()};
   if (points.empty()) return info;
   sort(points);
@@ -63,9 +60,8 @@ std::string for_people(const Info& info) {
   } else {
     text += "box         none\n";
   }
-  char rounded[32] = "none";
-  if (info.spacing) std::snprintf(rounded, sizeof rounded, "%.4g", *info.spacing);
-  return text + "spacing     " + rounded + "  (square root of box area / distinct points)\n";
+  return text + "spacing     " + (info.spacing ? rounded(*info.spacing, 4) : "none") +
+         "  (square root of box area / distinct points)\n";
 }
 
 std::string as_json(const Info& info) {
@@ -87,28 +83,22 @@ std::string as_json(const Info& info) {
 
 void run_info(const InfoArguments& arguments) {
   const PointSource source = parse_source(arguments);
-  std::vector<std::string> outputs{"-"};
-  if (arguments.stats) outputs.push_back(*arguments.stats);
+  std::vector<std::string> outputs = given({"-", arguments.stats});
   require_different(outputs, arguments.points, "points");
-  Stopwatch watch;
-  PointFile given = read(source, arguments.quiet);
-  Stats stats{.read_seconds = watch.lap()};
-  Info info = examine(std::move(given.points), !arguments.quiet);
-  info.crs = given.crs;
-  info.flattened = given.heights.differ();
+  Run run(arguments.points, outputs, {.quiet = arguments.quiet});
+  PointFile file = run.read_points(source);
+  Stats stats{.read_seconds = run.lap()};
+  Info info = examine(std::move(file.points), run.options());
+  info.crs = file.crs;
+  info.flattened = file.heights.differ();
 
-  OutputSet files;
   if (arguments.stats) {
     stats.points = info.points;
     stats.distinct = info.distinct;
-    OutputFile& file = files.add(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
+    run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
   }
-  OutputFile& out = files.add("-");
-  out.write(arguments.json ? as_json(info) : for_people(info));
-  out.finish();
-  files.publish();
+  run.add("-", [&](OutputFile& out) { out.write(arguments.json ? as_json(info) : for_people(info)); });
+  run.publish();
 }
 
 }  // namespace rbpa::app

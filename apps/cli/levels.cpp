@@ -102,11 +102,7 @@ Format parse_levels(const std::string& path, const Method& method) {
 }
 
 void write_levels(OutputFile& file, Format format, const Hierarchy& hierarchy, const Method& method) {
-  if (format == Format::csv)
-    write_csv(file, hierarchy);
-  else
-    write_json(file, hierarchy, method);
-  file.finish();
+  format == Format::csv ? write_csv(file, hierarchy) : write_json(file, hierarchy, method);
 }
 
 }  // namespace rbpa::app

@@ -1,11 +1,12 @@
-#include "cli/merge_verb.h"
+#include <string>
+#include <utility>
+#include <vector>
 
-#include <algorithm>
-
+#include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/stream_arguments.h"
 #include "cli/stream_report.h"
-#include "io/bytes/output_file.h"
+#include "cli/verbs.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
@@ -46,43 +47,29 @@ void require_different_files(const MergeArguments& arguments, bool is_partial) {
   for (const std::string& path : arguments.partials) require_different(files, path, "a partial");
 }
 
-void merge_to_partial(const MergeArguments& arguments) {
-  OutputSet outputs;
-  Stopwatch watch;
+void merge_to_partial(const MergeArguments& arguments, Run& run) {
   PartialFile merged = merge_files(arguments.partials);
   const PartialCounts counts = merged.partial.counts();
   const std::uint64_t tiles = merged.tiles.size(), of = merged.run.tiles;
-  Stats stats{.points = counts.points,
-              .distinct = counts.points - counts.duplicates,
-              .alpha = merged.run.alpha,
-              .alpha_rule = "given",
-              .isolated = counts.isolated};
-  stats.build_seconds = watch.lap();
-  const std::string& path = arguments.outputs.front();
-  add_partial(outputs, path, std::move(merged));
-  stats.write_seconds = watch.lap();
-  if (arguments.stats) {
-    OutputFile& file = outputs.add(*arguments.stats);
-    write_stats(file, stats);
-    file.finish();
-  }
-  outputs.publish();
-  if (!arguments.quiet)
-    say("rbpa", counted(arguments.partials.size(), "partial") + " of " + std::to_string(tiles) + " of " +
-                    counted(of, "tile") + ", " + counted(counts.points, "point") + " -> " + path);
+  Stats stats = stats_of(counts, merged.run.alpha, 1);
+  stats.build_seconds = run.lap();
+  add_partial(run.files(), arguments.outputs.front(), std::move(merged));
+  stats.write_seconds = run.lap();
+  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& file) { write_stats(file, stats); });
+  run.publish();
+  run.summarize(counted(arguments.partials.size(), "partial") + " of " + std::to_string(tiles) + " of " +
+                counted(of, "tile") + ", " + counted(counts.points, "point") + " -> " + arguments.outputs.front());
 }
 
-void merge_to_targets(const MergeArguments& arguments, StreamRequest request) {
-  OutputSet outputs;
-  Stopwatch watch;
+void merge_to_targets(const MergeArguments& arguments, StreamRequest request, Run& run) {
   PartialFile whole = merge_files(arguments.partials);
-  const double seconds = watch.lap();
+  const double seconds = run.lap();
   request.alpha = whole.run.alpha;
-  const StreamResult result = finish_run(request, std::move(whole), outputs, [&](const StreamResult& done) {
+  const StreamResult result = finish_run(request, std::move(whole), run.files(), [&](const StreamResult& done) {
     StreamResult timed = done;
     timed.compute_seconds = seconds;
-    timed.write_seconds = watch.lap();
-    if (request.stats) add_stream_stats(outputs, request, timed);
+    timed.write_seconds = run.lap();
+    if (request.stats) run.add(*request.stats, [&](OutputFile& file) { write_stream_stats(file, request, timed); });
   });
   say_stream_result(request, result);
 }
@@ -94,7 +81,8 @@ void run_merge(const MergeArguments& arguments) {
   const bool is_partial = !arguments.outputs.empty() && request.targets.empty();
   require_different_files(arguments, is_partial);
   const ProgressLine line("rbpa", request.shows_progress, "merging");
-  is_partial ? merge_to_partial(arguments) : merge_to_targets(arguments, request);
+  Run run("", arguments.outputs, {.quiet = arguments.quiet});
+  is_partial ? merge_to_partial(arguments, run) : merge_to_targets(arguments, request, run);
 }
 
 }  // namespace rbpa::app

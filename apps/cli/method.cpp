@@ -1,9 +1,15 @@
 #include "cli/method.h"
 
+#include <limits>
+#include <utility>
+
 #include "cli/progress.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
+#include "rbpa/link_triangles.h"
 #include "rbpa/paper.h"
+#include "rbpa/rbpa.h"
 
 namespace rbpa::app {
 namespace {
@@ -31,16 +37,42 @@ Method parse_method(const MethodArguments& arguments) {
   return method;
 }
 
-Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run) {
-  TriangleProgress progress(!run.quiet);
+namespace {
+
+Hierarchy build_mesh(const std::vector<Point>& points, double alpha, const Method& method, unsigned threads,
+                     const std::function<bool(const Progress&)>& progress) {
   if (!method.leaf_capacity) {
     const auto of_one_radius = method.by_paper ? paper::rbpa : rbpa;
-    return {.complex = of_one_radius(points, alpha, {.threads = run.threads, .progress = progress.watch()}),
-            .levels = {}};
+    return {.complex = of_one_radius(points, alpha, {.threads = threads, .progress = progress}), .levels = {}};
   }
   const auto by_levels = method.by_paper ? paper::hrbpa : hrbpa;
-  return by_levels(points, alpha,
-                   {.leaf_capacity = *method.leaf_capacity, .threads = run.threads, .progress = progress.watch()});
+  return by_levels(points, alpha, {.leaf_capacity = *method.leaf_capacity, .threads = threads, .progress = progress});
+}
+
+}  // namespace
+
+Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, bool neighbors,
+                    const RunOptions& run, std::optional<Hierarchy>* mesh) {
+  Triangulation arrays;
+  {
+    TriangleProgress progress(!run.quiet, "triangulating", progress_text);
+    if (!method.makes_mesh())
+      return triangulate(
+          points, alpha,
+          {.complex = kind, .neighbors = neighbors, .threads = run.threads, .progress = progress.watch()});
+    Hierarchy made = build_mesh(points, alpha, method, run.threads, progress.watch());
+    arrays.triangles = triangles(made.complex);
+    arrays.isolated = made.complex.isolated;
+    arrays.duplicates = made.complex.duplicates;
+    arrays.distinct = made.complex.distinct;
+    if (mesh != nullptr) *mesh = std::move(made);
+  }  // what is not wanted is gone before neighbours take memory
+  if (neighbors) arrays.neighbors = link_triangles(arrays.triangles, points.size(), until_interrupted());
+  return arrays;
+}
+
+Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run) {
+  return build(points, std::numeric_limits<double>::infinity(), {}, Complex::solid, true, run);
 }
 
 }  // namespace rbpa::app

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/run_options.h"
+#include "cli/run.h"
 #include "rbpa/hrbpa.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
 
 namespace rbpa::app {
 
@@ -33,7 +33,12 @@ struct Method {
 /// Throws WrongUsage naming the value: one that is none, or one that is about another method.
 Method parse_method(const MethodArguments& arguments);
 
-/// The complex with a progress line unless quiet; with levels where the method has them. Throws Cancelled after a signal.
-Hierarchy build(const std::vector<Point>& points, double alpha, const Method& method, const RunOptions& run);
+/// The complex in arrays, by triangulate() or of the mesh that the method makes, which goes to `mesh` if that is there; with
+/// a progress line unless quiet. Throws Cancelled after a signal. Requires: of a mesh a solid complex.
+Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, bool neighbors,
+                    const RunOptions& run, std::optional<Hierarchy>* mesh = nullptr);
+
+/// The Delaunay triangulation with neighbours, of which radii are chosen, likewise.
+Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run);
 
 }  // namespace rbpa::app

@@ -1,31 +1,28 @@
 #include "cli/point_arguments.h"
 
+#include "cli/arguments.h"
+#include "io/bytes/number.h"
 #include "io/failure.h"
-#include "io/polygon/ogr.h"
 
 namespace rbpa::app {
 namespace {
 
-Format parse_format_of_any(const std::string& path, const std::optional<std::string>& format) {
-  if (format) {
-    const std::optional<Format> known = find_format(Use::points, *format);
-    if (!known) refuse_name("--format", *format, point_formats);
-    return *known;
+/// "dark" or "light"; a number > 0 and <= 1.
+PixelRule parse_pixel_rule(const PixelArguments& arguments) {
+  PixelRule rule;
+  if (arguments.foreground) {
+    if (*arguments.foreground != "dark" && *arguments.foreground != "light")
+      throw WrongUsage("--foreground: found " + in_quotes(*arguments.foreground) + ", expected dark or light");
+    rule.foreground = *arguments.foreground == "dark" ? Foreground::dark : Foreground::light;
   }
-  if (path == "-") return Format::text;
-  const std::optional<Format> known = find_format(Use::points, input_ending(path));
-  if (!known) refuse_input(path, point_formats, "--format");
-  return *known;
-}
-
-/// Without GDAL its formats are none.
-Format parse_format(const std::string& path, const std::optional<std::string>& format) {
-  const Format known = parse_format_of_any(path, format);
-  if (known != Format::ogr) return known;
-  if (!has_gdal() && format) refuse_name("--format", *format, point_formats);
-  if (!has_gdal()) refuse_input(path, point_formats, "--format");
-  if (path == "-") throw WrongUsage("-: found standard input, expected the name of a file, which GDAL opens");
-  return known;
+  if (arguments.threshold) {
+    const ParsedNumber number = parse_whole_number(*arguments.threshold);
+    if (number.fault != NumberFault::none || !(number.value > 0 && number.value <= 1))
+      throw WrongUsage("--threshold: found " + in_quotes(*arguments.threshold) +
+                       ", expected a share of white: a number > 0 and <= 1");
+    rule.threshold = number.value;
+  }
+  return rule;
 }
 
 }  // namespace
@@ -35,7 +32,6 @@ void require_format(bool fits, const std::string& option, const std::string& fou
 }
 
 PointSource parse_source(const PointArguments& arguments) {
-  if (arguments.points.empty()) throw WrongUsage("POINTS: found an empty name, expected a path or -");
   PointSource source{.path = arguments.points,
                      .pixels = parse_pixel_rule(arguments.pixels),
                      .skip_invalid = arguments.skip_invalid,
@@ -44,10 +40,12 @@ PointSource parse_source(const PointArguments& arguments) {
   if (arguments.columns) source.columns = parse_columns(*arguments.columns);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
   source.layer = arguments.layer;
-  source.format = parse_format(arguments.points, arguments.format);
+  source.format = parse_format(Use::points, arguments.points, arguments.format, point_formats, "POINTS", Format::text);
 
   const Format format = source.format;
   const bool text = format == Format::text, ogr = format == Format::ogr;
+  if (ogr && source.path == "-")
+    throw WrongUsage("-: found standard input, expected the name of a file, which GDAL opens");
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid)
     require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");

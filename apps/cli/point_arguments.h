@@ -4,10 +4,15 @@
 #include <optional>
 #include <string>
 
-#include "cli/pixel_arguments.h"
 #include "io/cloud/read_points.h"
 
 namespace rbpa::app {
+
+/// What the command line says of the pixels of an image that are points, as text.
+struct PixelArguments {
+  std::optional<std::string> foreground;
+  std::optional<std::string> threshold;
+};
 
 /// What the command line says, as text.
 struct PointArguments {

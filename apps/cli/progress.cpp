@@ -10,7 +10,7 @@ namespace rbpa::app {
 std::string progress_text(const Progress& progress, double seconds) {
   const double done = static_cast<double>(progress.triangles);
   const double most = std::max(2 * static_cast<double>(progress.points), done);
-  std::string text = short_number(done) + " triangles";
+  std::string text = triangles_text(progress, seconds);
   if (seconds <= 0 || done <= 0) return text;
   const double rate = done / seconds;
   text += ", " + short_number(rate) + "/s";
@@ -18,12 +18,18 @@ std::string progress_text(const Progress& progress, double seconds) {
   return text + ", at most " + short_duration(std::ceil((most - done) / rate)) + " left";
 }
 
+std::string triangles_text(const Progress& progress, double /*seconds*/) {
+  return short_number(static_cast<double>(progress.triangles)) + " triangles";
+}
+
 std::function<bool(const Progress&)> TriangleProgress::watch() {
   return [this](const Progress& progress) {
     triangles_ = progress.triangles;
     points_ = progress.points;
-    if (!begun_) line_.say([this](double seconds) { return progress_text({triangles_, points_}, seconds); });
-    begun_ = true;
+    if (!begun_ && progress.triangles > 0) {
+      begun_ = true;
+      line_.say([this](double seconds) { return text_({triangles_, points_}, seconds); });
+    }
     return !interrupted();
   };
 }

@@ -1,18 +1,11 @@
-#include "cli/report_verb.h"
-
 #include <filesystem>
-#include <limits>
-#include <utility>
+#include <string>
 #include <vector>
 
-#include "cli/alpha_choice.h"
 #include "cli/alpha_report.h"
 #include "cli/arguments.h"
-#include "cli/build.h"
-#include "cli/find_radii.h"
-#include "cli/progress.h"
-#include "cli/stats.h"
-#include "io/bytes/output_file.h"
+#include "cli/radii_run.h"
+#include "cli/verbs.h"
 #include "io/bytes/same_file.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
@@ -31,65 +24,39 @@ void check_output(const std::string& output) {
     throw WrongUsage(output + ": found the ending " + in_quotes(found) + ", expected html");
 }
 
-/// What is to be said of the points, and what is to be drawn.
-Report examine(const std::string& source, const PointFile& file, const Radii& asked, const RunOptions& run) {
-  const std::vector<Point>& points = file.points;
-  const Triangulation delaunay = build_delaunay(points, run);
-  Report report{.source = source, .unit = unit_of(file), .radii = asked};
-  find_radii(report.radii, delaunay, points, true, run.quiet);
-  report.recommended = recommended(report.radii);
-  const ProgressLine line("rbpa", !run.quiet, "persistence");
-  report.arrays = filtration_arrays(delaunay, points, report.radii.filtration, until_interrupted());
-  return report;
-}
-
 }  // namespace
 
 void run_report(const ReportArguments& arguments) {
   const std::string& path = arguments.points;
-  const Radii asked{.max_components = parse_components(arguments.components),
-                    .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
-  const RunOptions run = parse_run(arguments.run);
+  const Radii asked = parse_asked(arguments);
+  const RunOptions options = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   check_output(arguments.output);
-  std::vector<std::string> outputs{arguments.output};
-  if (arguments.stats) outputs.push_back(*arguments.stats);
+  const std::vector<std::string> outputs = given({arguments.output, arguments.stats});
   require_different(outputs, path, "points");
-  Stopwatch watch;
-  const PointFile file = read(source, run.quiet);
-  const std::size_t points = file.points.size();
-  Stats stats{.read_seconds = watch.lap()};
-  const std::string source_name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-  const Report report = examine(source_name, file, asked, run);
-  stats.build_seconds = watch.lap();
 
-  OutputSet files;
+  RadiiRun run(source, outputs, options, asked, true);
+  Report report{.source = path == "-" ? run.input() : std::filesystem::path(path).filename().string(),
+                .unit = unit_of(run.file),
+                .radii = run.radii,
+                .recommended = recommended(run.radii)};
   {
-    const ProgressLine line("rbpa", !run.quiet && !written_to_terminal(outputs), "writing");
-    OutputFile& page = files.add(arguments.output);
-    write_report(page, report);
-    page.finish();
+    const ProgressLine line = options.line("persistence");
+    report.arrays = filtration_arrays(run.delaunay, run.file.points, run.radii.filtration, until_interrupted());
   }
-  stats.write_seconds = watch.lap();
-  if (arguments.stats) {
-    stats.points = points;
-    stats.threads = threads_used(points, run.threads);
-    stats.distinct = report.radii.filtration.distinct;
-    OutputFile& numbers = files.add(*arguments.stats);
-    write_stats(numbers, stats);
-    numbers.finish();
+  run.stats.build_seconds = run.lap();
+
+  {
+    const ProgressLine line = run.writing();
+    run.add(arguments.output, [&](OutputFile& page) { write_report(page, report); });
   }
-  files.publish();
-  const std::size_t radii = report.radii.filtration.steps.size();
-  if (radii == 0) {
-    const char* why =
-        report.radii.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
-    say("rbpa", std::string("the complex is empty at every alpha: ") + why);
-  }
-  if (!run.quiet)
-    say("rbpa", counted(points, "point") + ", " + std::to_string(radii) +
-                    (radii == 1 ? " critical radius" : " critical radii") + " -> " +
-                    (arguments.output == "-" ? "standard output" : arguments.output));
+  run.stats.write_seconds = run.lap();
+  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& file) { run.write_stats(file); });
+  run.publish();
+  run.say_empty();
+  const std::size_t radii = run.radii.filtration.steps.size();
+  run.summarize(counted(run.radii.points, "point") + ", " + std::to_string(radii) +
+                (radii == 1 ? " critical radius" : " critical radii") + list_of({arguments.output}));
 }
 
 }  // namespace rbpa::app

@@ -8,7 +8,7 @@
 
 #include "cli/alpha_choice.h"
 #include "cli/method.h"
-#include "cli/run_options.h"
+#include "cli/run.h"
 #include "io/formats.h"
 #include "io/polygon/ogr.h"
 

@@ -1,7 +1,6 @@
 // What: the report that --stats writes.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -50,20 +49,5 @@ void write_stats(OutputFile& file, const Stats& stats);
 
 /// The most memory that the process had.
 std::size_t peak_bytes();
-
-/// Seconds since it was made, or since the last lap.
-class Stopwatch {
- public:
-  double lap() {
-    const Clock::time_point now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 }  // namespace rbpa::app

@@ -1,8 +1,6 @@
 #include "cli/stream_report.h"
 
-#include <cstdio>
 #include <string>
-#include <string_view>
 
 #include "cli/arguments.h"
 #include "cli/stats.h"
@@ -11,14 +9,18 @@
 
 namespace rbpa::app {
 
-void add_stream_stats(OutputSet& outputs, const StreamRequest& request, const StreamResult& result) {
+Stats stats_of(const PartialCounts& counts, double alpha, unsigned threads) {
+  return {.points = counts.points,
+          .distinct = counts.points - counts.duplicates,
+          .threads = threads,
+          .alpha = alpha,
+          .alpha_rule = "given",
+          .isolated = counts.isolated};
+}
+
+void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result) {
   const PartialCounts& counts = result.counts;
-  Stats stats{.points = counts.points,
-              .distinct = counts.points - counts.duplicates,
-              .threads = request.threads,
-              .alpha = request.alpha,
-              .alpha_rule = "given",
-              .isolated = counts.isolated};
+  Stats stats = stats_of(counts, request.alpha, request.threads);
   stats.counts = ComplexCounts{};
   stats.counts->triangles = counts.triangles;
   stats.counts->points_covered = counts.vertices;
@@ -40,9 +42,7 @@ void add_stream_stats(OutputSet& outputs, const StreamRequest& request, const St
   }
   stats.build_seconds = result.compute_seconds;
   stats.write_seconds = result.write_seconds;
-  OutputFile& file = outputs.add(*request.stats);
   write_stats(file, stats);
-  file.finish();
 }
 
 void say_stream_result(const StreamRequest& request, const StreamResult& result) {
@@ -52,19 +52,13 @@ void say_stream_result(const StreamRequest& request, const StreamResult& result)
     const std::uint64_t distinct = counts.points - counts.duplicates;
     say("rbpa",
         "the complex is empty: " + (distinct < 3 ? "fewer than three distinct points (" + std::to_string(distinct) + ")"
-                                                 : "no triangle has circumradius <= " +
-                                                       std::string(std::string_view(ShortestText(request.alpha)))));
+                                                 : "no triangle has circumradius <= " + text_of(request.alpha)));
   }
   if (request.quiet) return;
-  std::string text = counted(counts.points, "point");
-  if (counts.duplicates > 0) text += " (" + counted(counts.duplicates, "duplicate") + ")";
-  text += " in " + counted(result.tiles, "tile") + ", " + counted(counts.triangles, "triangle") + ", " +
-          std::to_string(counts.isolated) + " isolated";
-  if (request.wants_polygons()) {
-    char area[32];
-    std::snprintf(area, sizeof area, "%.6g", result.area);
-    text += ", " + counted(result.polygons, "polygon") + " with " + counted(result.holes, "hole") + ", area " + area;
-  }
+  std::string text = text_of_points(counts.points, counts.duplicates) + " in " + counted(result.tiles, "tile") + ", " +
+                     counted(counts.triangles, "triangle") + ", " + std::to_string(counts.isolated) + " isolated";
+  if (request.wants_polygons())
+    text += ", " + text_of_polygons(result.polygons, result.holes) + ", area " + rounded(result.area, 6);
   say("rbpa", text + list_of(request.targets));
 }
 

@@ -1,13 +1,12 @@
-#include "cli/stream_verb.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
-#include <thread>
 
+#include "cli/run.h"
 #include "cli/stream_arguments.h"
 #include "cli/stream_report.h"
+#include "cli/verbs.h"
 #include "io/bytes/number.h"
 #include "io/bytes/output_file.h"
 #include "io/bytes/same_file.h"
@@ -76,7 +75,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
 }
 
 /// What says how files are read, as a text that is the same where it is.
-std::string text_of(const PointArguments& arguments) {
+std::string reading_options(const PointArguments& arguments) {
   std::string text;
   const auto add = [&](const char* name, const std::optional<std::string>& value) {
     if (value) text += std::string(name) + "=" + *value + " ";
@@ -119,7 +118,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .scratch = arguments.scratch,
                         .keep_tiles = arguments.keep_tiles,
                         .resume = arguments.resume,
-                        .threads = run.threads > 0 ? run.threads : std::max(std::thread::hardware_concurrency(), 1U),
+                        .threads = run.threads_or_all(),
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
@@ -136,7 +135,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
   request.sources = parse_sources(arguments);
-  request.options = text_of(arguments);
+  request.options = reading_options(arguments);
   return request;
 }
 
@@ -170,9 +169,9 @@ void run_stream(const StreamArguments& arguments) {
   const StreamRequest request = parse_request(arguments);
   require_different_files(request);
   if (request.tasks) return write_tasks(request, arguments.program);
-  OutputSet outputs;
-  const StreamResult result = run_stream(request, outputs, [&](const StreamResult& done) {
-    if (request.stats) add_stream_stats(outputs, request, done);
+  Run run("", arguments.outputs, {.quiet = request.quiet});
+  const StreamResult result = run_stream(request, run.files(), [&](const StreamResult& done) {
+    if (request.stats) run.add(*request.stats, [&](OutputFile& file) { write_stream_stats(file, request, done); });
   });
   say_stream_result(request, result);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -16,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t told_holes = 10;
+constexpr std::size_t named_holes = 10;
 
 constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked"};
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
@@ -24,12 +23,6 @@ constexpr std::array rim_texts{"with nothing within reach", "where normals disag
 constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree", "blocked"};
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by what smaller radii made"};
-
-std::string short_length(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", length);
-  return text;
-}
 
 /// "3 where ..., 2 ..." of the counts that are not 0, the greatest first.
 template <std::size_t n>
@@ -44,10 +37,6 @@ std::string list_of_causes(const std::array<std::size_t, n>& counts, const std::
     text += std::to_string(counts[i]) + " " + texts[i];
   }
   return text;
-}
-
-void add_causes(std::array<std::size_t, 3>& counts, const Hole& hole) {
-  for (const RimEdge& edge : hole.edges) ++counts[static_cast<std::size_t>(edge.cause)];
 }
 
 Json base(const SurfaceFacts& facts) {
@@ -78,7 +67,7 @@ Json corners_of(const RimEdge& edge) {
 
 std::string text_of_radii(const std::vector<double>& radii) {
   std::string text;
-  for (const double radius : radii) text += (text.empty() ? "" : ", ") + std::string(ShortestText(radius));
+  for (const double radius : radii) text += (text.empty() ? "" : ", ") + text_of(radius);
   return text;
 }
 
@@ -92,24 +81,21 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
   std::vector<const Hole*> holes;
   for (const Hole& hole : facts.holes) holes.push_back(&hole);
   std::stable_sort(holes.begin(), holes.end(), [](const Hole* a, const Hole* b) { return a->length > b->length; });
-  for (std::size_t i = 0; i < std::min(told_holes, holes.size()); ++i) {
-    std::array<std::size_t, 3> causes{};
-    add_causes(causes, *holes[i]);
-    lines.push_back("hole of length " + short_length(holes[i]->length) + ", " +
-                    counted(holes[i]->edges.size(), "edge") + ": " + list_of_causes(causes, rim_texts));
-  }
-  if (holes.size() > told_holes) {
+  const auto add_holes = [&](std::size_t first, std::size_t last, const std::string& which) {
     std::array<std::size_t, 3> causes{};
     double length = 0;
     std::size_t edges = 0;
-    for (std::size_t i = told_holes; i < holes.size(); ++i) {
-      add_causes(causes, *holes[i]);
+    for (std::size_t i = first; i < last; ++i) {
+      for (const RimEdge& edge : holes[i]->edges) ++causes[static_cast<std::size_t>(edge.cause)];
       length += holes[i]->length;
       edges += holes[i]->edges.size();
     }
-    lines.push_back(counted(holes.size() - told_holes, "more hole") + " of length " + short_length(length) + ", " +
-                    counted(edges, "edge") + ": " + list_of_causes(causes, rim_texts));
-  }
+    lines.push_back(which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
+                    list_of_causes(causes, rim_texts));
+  };
+  for (std::size_t i = 0; i < std::min(named_holes, holes.size()); ++i) add_holes(i, i + 1, "hole");
+  if (holes.size() > named_holes)
+    add_holes(named_holes, holes.size(), counted(holes.size() - named_holes, "more hole"));
   return lines;
 }
 

@@ -1,14 +1,14 @@
-#include "cli/tile_verb.h"
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include <algorithm>
-#include <thread>
-
-#include "cli/stats.h"
-#include "io/bytes/output_file.h"
+#include "cli/arguments.h"
+#include "cli/run.h"
+#include "cli/stream_report.h"
+#include "cli/verbs.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
-#include "io/progress_line.h"
 #include "tasks/partial_file.h"
 #include "tasks/tile_task.h"
 
@@ -23,8 +23,7 @@ void set_target(std::optional<std::string>& target, const std::string& path) {
 
 TileRequest parse_request(const TileArguments& arguments) {
   TileRequest request{.tile = arguments.tile};
-  const unsigned threads = parse_run(arguments.run).threads;
-  request.threads = threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U);
+  request.threads = parse_run(arguments.run).threads_or_all();
   if (arguments.outputs.empty() && !arguments.stats)
     throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   for (const std::string& path : arguments.outputs) {
@@ -49,45 +48,27 @@ void require_different_files(const TileArguments& arguments, const TileRequest& 
   require_different(files, arguments.tile, "the tile");
 }
 
-void add_stats(OutputSet& outputs, const TileArguments& arguments, const TileRequest& request, const TileDone& done,
-               double write_seconds) {
-  Stats stats{.points = done.counts.points,
-              .distinct = done.counts.points - done.counts.duplicates,
-              .threads = request.threads,
-              .alpha = done.alpha,
-              .alpha_rule = "given",
-              .isolated = done.counts.isolated};
-  stats.read_seconds = done.read_seconds;
-  stats.build_seconds = done.compute_seconds;
-  stats.write_seconds = write_seconds;
-  OutputFile& file = outputs.add(*arguments.stats);
-  write_stats(file, stats);
-  file.finish();
-}
-
 }  // namespace
 
 void run_tile(const TileArguments& arguments) {
   const TileRequest request = parse_request(arguments);
   require_different_files(arguments, request);
-  OutputSet outputs;
-  Stopwatch watch;
+  Run run(arguments.tile, arguments.outputs, {.quiet = arguments.run.quiet});
   const TileDone done = [&] {
-    const ProgressLine line("rbpa", !arguments.run.quiet && !written_to_terminal(arguments.outputs), "computing");
-    return run_tile(request, outputs);
+    const ProgressLine line = run.options().line("computing", written_to_terminal(arguments.outputs));
+    return run_tile(request, run.files());
   }();
-  if (arguments.stats)
-    add_stats(outputs, arguments, request, done, watch.lap() - done.read_seconds - done.compute_seconds);
-  outputs.publish();
-  if (arguments.run.quiet) return;
-  std::string text = "tile " + std::to_string(done.number) + ": " + counted(done.counts.points, "point") + " and " +
-                     std::to_string(done.around) + " around, " + counted(done.counts.triangles, "triangle");
-  const char* before = " -> ";
-  for (const std::string& path : arguments.outputs) {
-    text += before + path;
-    before = ", ";
+  if (arguments.stats) {
+    Stats stats = stats_of(done.counts, done.alpha, request.threads);
+    stats.read_seconds = done.read_seconds;
+    stats.build_seconds = done.compute_seconds;
+    stats.write_seconds = run.lap() - done.read_seconds - done.compute_seconds;
+    run.add(*arguments.stats, [&](OutputFile& file) { write_stats(file, stats); });
   }
-  say("rbpa", text);
+  run.publish();
+  run.summarize("tile " + std::to_string(done.number) + ": " + counted(done.counts.points, "point") + " and " +
+                std::to_string(done.around) + " around, " + counted(done.counts.triangles, "triangle") +
+                list_of(arguments.outputs));
 }
 
 }  // namespace rbpa::app

@@ -1,24 +1,136 @@
-// What: the verbs of `rbpa` as the command line declares them: options, help and examples.
-// Law:  each adds its verb to the program and returns it; what the command line says of it is in the arguments once it is parsed,
-//       and judged by the verb itself.
+// What: the verbs of `rbpa`: what the command line says of each, as text; how it is declared; and its run.
+// Law:  a verb judges all of its command line, throwing WrongUsage, before it reads anything; it throws BadInput, Failure and
+//       Cancelled as well (program/exit_code.h), and leaves no file behind then.
 #pragma once
 
-#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "cli/alpha_verb.h"
-#include "cli/fill_verb.h"
-#include "cli/info_verb.h"
-#include "cli/merge_verb.h"
-#include "cli/mesh_verb.h"
-#include "cli/report_verb.h"
-#include "cli/shape_verb.h"
-#include "cli/stream_arguments.h"
-#include "cli/stream_verb.h"
-#include "cli/surface_verb.h"
-#include "cli/tile_verb.h"
+#include "cli/complex_run.h"
+
+namespace CLI {
+class App;
+}
 
 namespace rbpa::app {
 
+/// From a file of points to files of triangles and pictures.
+struct MeshArguments : ComplexArguments {
+  std::string complex = "solid";
+  std::optional<std::string> levels;
+  bool compact = false;
+};
+void run_mesh(const MeshArguments& arguments);
+
+/// To files of polygons and pictures.
+struct ShapeArguments : ComplexArguments {
+  std::string min_hole_area = "0";
+  std::string min_part_area = "0";
+  std::optional<std::string> isolated;  ///< a file for the points in no polygon
+};
+void run_shape(const ShapeArguments& arguments);
+
+/// What is asked about all radii at once.
+struct RadiiArguments : PointArguments {
+  std::optional<std::string> stats;
+  std::string components = "1";      ///< at most, at `auto`
+  std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
+  RunArguments run;
+};
+
+/// The radii at which the complex of a set of points changes, and which of them to choose, on standard output.
+struct AlphaArguments : RadiiArguments {
+  std::optional<std::string> picture;  ///< an .svg to write
+  bool json = false;
+  bool csv = false;
+  bool persistence = false;
+  std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
+};
+void run_alpha(const AlphaArguments& arguments);
+
+/// A page that shows the complex at every radius.
+struct ReportArguments : RadiiArguments {
+  std::string output;  ///< an .html to write, or "-"
+};
+void run_report(const ReportArguments& arguments);
+
+/// What a file of points holds, on standard output.
+struct InfoArguments : PointArguments {
+  std::optional<std::string> stats;
+  bool json = false;
+  bool quiet = false;  ///< taken like by the other verbs; there is nothing to leave out
+};
+void run_info(const InfoArguments& arguments);
+
+/// From a file of polygons to files of triangles and pictures.
+struct FillArguments : OutputArguments {
+  std::string polygons;  ///< the file
+  std::optional<std::string> format;
+  std::string size;
+  std::optional<std::string> size_at;
+  std::optional<std::string> grade;
+  bool keep_boundary = false;
+  bool skip_invalid = false;
+  std::string width = "1200";
+  bool quiet = false;
+};
+void run_fill(const FillArguments& arguments);
+
+/// From a file of points in space to files of triangles and pictures.
+struct SurfaceArguments : OutputArguments {
+  std::string points;  ///< the file
+  std::optional<std::string> format;
+  std::optional<std::string> columns;
+  std::optional<std::string> where;
+  bool skip_invalid = false;
+  std::string radius;
+  std::optional<std::string> normals;
+  std::optional<std::string> holes;
+  std::string width = "1200";
+  bool compact = false;
+  bool json = false;
+  RunArguments run;
+};
+void run_surface(const SurfaceArguments& arguments);
+
+/// Triangles and polygons of more points than fit into memory.
+struct StreamArguments : PointArguments, OutputArguments {
+  std::vector<std::string> inputs;  ///< files, and folders of files; `points` is each of them in turn
+  RadiusArguments radius;
+  std::string memory = "1G";
+  std::optional<std::string> tile_size;
+  std::optional<std::string> scratch;
+  std::optional<std::string> tasks;
+  std::string program = "rbpa";  ///< as it was called
+  bool keep_tiles = false;
+  bool resume = false;
+  RunArguments run;
+};
+void run_stream(const StreamArguments& arguments);
+
+/// The task of one tile that `rbpa stream --tasks` has cut.
+struct TileArguments {
+  std::string tile;
+  std::vector<std::string> outputs;
+  std::optional<std::string> stats;
+  RunArguments run;
+};
+void run_tile(const TileArguments& arguments);
+constexpr const char* tile_formats = "partial, npy (its triangles), ply (its mesh)";
+
+/// Partials of `rbpa tile` become one, or the files that the run is for.
+struct MergeArguments : OutputArguments {
+  std::vector<std::string> partials;
+  std::string memory = "1G";
+  std::optional<std::string> scratch;
+  bool quiet = false;
+};
+void run_merge(const MergeArguments& arguments);
+constexpr const char* merge_formats = "partial, or of all tiles geojson, json, wkt, npy";
+
+/// Each adds its verb, with options, help and examples, to the program, and returns it; what the command line says of it is
+/// in the arguments once it is parsed.
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);

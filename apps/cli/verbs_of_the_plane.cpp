@@ -83,7 +83,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "out 1 point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
   add_point_options(verb, arguments);
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : ""));
+  add_output_options(verb, arguments, target_formats(Use::shape));
   add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less, and what lies in them; inf fills all")

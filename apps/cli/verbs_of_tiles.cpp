@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/shared_options.h"
+#include "cli/stream_arguments.h"
 #include "cli/verbs.h"
 #include "program/exit_code.h"
 
@@ -19,13 +20,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
           "which to choose)")
       ->type_name("R")
       ->required();
-  verb.add_option("-o,--output", arguments.outputs,
-                  "File to write, by its ending: " + std::string(stream_formats) +
-                      "; - is standard output; may be given several times")
-      ->type_name("OUT")
-      ->allow_extra_args(false);
-  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
-      ->type_name("NAME");
+  add_output_options(verb, arguments, stream_formats);
   verb.add_option("--memory", arguments.memory, "Memory that the run may take, such as 500M or 4G")
       ->type_name("SIZE")
       ->capture_default_str();

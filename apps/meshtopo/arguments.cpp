@@ -26,8 +26,8 @@ std::optional<Format> writable(std::string_view name) {
 }
 
 /// As in rbpa, the name decides where the ending does not.
-RepairTarget parse_repair_target(const std::string& option, const std::string& path,
-                                 const std::optional<std::string>& format) {
+TopologyTarget parse_repair_target(const std::string& option, const std::string& path,
+                                   const std::optional<std::string>& format) {
   if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
   if (path == "-" && !format)
     throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(written_mesh_formats));
@@ -36,15 +36,15 @@ RepairTarget parse_repair_target(const std::string& option, const std::string& p
   return {path, *writable(*format)};
 }
 
-GeneratorTarget parse_generator_target(const std::string& path) {
+TopologyTarget parse_generator_target(const std::string& path) {
   if (const std::optional<Format> known = find_format(Use::polylines, ending(path))) return {path, *known};
   throw WrongUsage("--generators: found the ending " + in_quotes(ending(path)) + ", expected one of " +
                    std::string(polyline_formats));
 }
 
 /// By the ending, or by --json.
-ReportTarget parse_report_target(const std::string& path, bool json) {
-  if (path == "-") return {path, json ? ReportFormat::json : ReportFormat::text};
+TopologyTarget parse_report_target(const std::string& path, bool json) {
+  if (path == "-") return {path, json ? Format::json : Format::text};
   const std::string_view name = ending(path);
   const auto is = [name](std::string_view known) {
     return std::equal(name.begin(), name.end(), known.begin(), known.end(),
@@ -54,8 +54,8 @@ ReportTarget parse_report_target(const std::string& path, bool json) {
     throw WrongUsage(path + ": found the ending " + in_quotes(name) +
                      " of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
   if (is("txt") && json) throw WrongUsage(path + ": found the ending 'txt' with --json, expected json");
-  if (json || is("json")) return {path, ReportFormat::json};
-  if (name.empty() || is("txt")) return {path, ReportFormat::text};
+  if (json || is("json")) return {path, Format::json};
+  if (name.empty() || is("txt")) return {path, Format::text};
   refuse_ending(path, "json, txt", "--json");
 }
 
@@ -82,7 +82,7 @@ TopologyPlan plan(TopologyArguments arguments) {
   const bool output_is_mesh = arguments.repair && arguments.repaired.empty();
   if (arguments.output && !output_is_mesh) {
     plan.report = parse_report_target(*arguments.output, arguments.json);
-    if (arguments.quiet && plan.report->format == ReportFormat::text)
+    if (arguments.quiet && plan.report->format == Format::text)
       throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
   } else if (arguments.json || !arguments.quiet) {
     plan.report = parse_report_target("-", arguments.json);

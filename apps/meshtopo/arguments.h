@@ -24,20 +24,9 @@ struct TopologyArguments {
   bool quiet = false;
 };
 
-enum class ReportFormat { text, json };
-
-struct ReportTarget {
+/// A file to write; of a report as text or as json.
+struct TopologyTarget {
   std::string path;  ///< "-" is standard output
-  ReportFormat format;
-};
-
-struct RepairTarget {
-  std::string path;
-  Format format;
-};
-
-struct GeneratorTarget {
-  std::string path;
   Format format;
 };
 
@@ -46,9 +35,9 @@ struct TopologyPlan {
   MeshSource source;
   std::size_t max_defects;
   bool quiet;  ///< no progress
-  std::optional<ReportTarget> report = std::nullopt;
-  std::optional<RepairTarget> repaired = std::nullopt;
-  std::optional<GeneratorTarget> generators = std::nullopt;
+  std::optional<TopologyTarget> report = std::nullopt;
+  std::optional<TopologyTarget> repaired = std::nullopt;
+  std::optional<TopologyTarget> generators = std::nullopt;
 
   std::vector<std::string> outputs() const;  ///< of all three, in the order of writing
 };

@@ -70,7 +70,7 @@ class Run {
     }
     if (plan_.report)
       write(outputs.add(plan_.report->path), [&](OutputFile& file) {
-        if (plan_.report->format == ReportFormat::json)
+        if (plan_.report->format == Format::json)
           write_report_json(file, findings);
         else
           file.write(report_text(findings, plan_.max_defects));

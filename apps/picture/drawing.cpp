@@ -5,7 +5,6 @@
 
 #include "io/interrupt.h"
 #include "io/sort.h"
-#include "meshops/front/boundary_curve.h"
 #include "rbpa/boundary_curves.h"
 
 namespace rbpa::app {
@@ -29,29 +28,6 @@ void put_in_order(Drawing& drawing) {
 }
 
 }  // namespace
-
-Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& complex) {
-  Drawing drawing{.points = points, .inner_edges = {}, .curves = {}, .isolated = complex.isolated};
-  const Mesh& mesh = complex.mesh;
-  const auto input = [&](OpenMesh::VertexHandle v) { return complex.input_index[static_cast<std::size_t>(v.idx())]; };
-
-  drawing.inner_edges.reserve(mesh.n_edges());
-  for (const auto edge : mesh.edges()) {
-    if (edge.idx() % 16384 == 0) stop_if_interrupted();
-    if (mesh.is_boundary(edge)) continue;
-    const auto halfedge = mesh.halfedge_handle(edge, 0);
-    const std::uint32_t a = input(mesh.from_vertex_handle(halfedge)), b = input(mesh.to_vertex_handle(halfedge));
-    drawing.inner_edges.push_back({std::min(a, b), std::max(a, b)});
-  }
-  for (const meshops::BoundaryCurve& boundary : meshops::boundary_curves(mesh)) {
-    stop_if_interrupted();
-    std::vector<std::uint32_t> curve;
-    for (const meshops::Halfedge halfedge : boundary) curve.push_back(input(mesh.from_vertex_handle(halfedge)));
-    drawing.curves.push_back(std::move(curve));
-  }
-  put_in_order(drawing);
-  return drawing;
-}
 
 Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind) {
   Drawing drawing{.points = points,

@@ -8,7 +8,6 @@
 
 #include "io/mesh/write_triangles.h"
 #include "rbpa/base/point.h"
-#include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "rbpa/triangulate.h"
 
@@ -23,10 +22,8 @@ struct Drawing {
   std::span<const Edge> dangling = {};  ///< in no triangle
 };
 
-/// Requires: `points` are those of the complex. What it returns looks into both.
-Drawing drawing_of(std::span<const Point> points, const SolidAlphaComplex& complex);
-
-/// The same of arrays with neighbours. Of a full complex the isolated are those in neither a triangle nor an edge.
+/// Requires: `points` are those of the complex, which has neighbours. What it returns looks into both. Of a full complex the
+/// isolated are those in neither a triangle nor an edge.
 Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind);
 
 /// Polygons without inner edges, their rings as they are. What it returns looks into `points` and `isolated`.

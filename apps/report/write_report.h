@@ -16,7 +16,7 @@ namespace rbpa::app {
 struct Report {
   std::string source;                                   ///< where the points come from, as people call it
   std::optional<std::string_view> unit = std::nullopt;  ///< of the coordinates, by its name, where there is one
-  Radii radii = {};
+  const Radii& radii;
   std::optional<Recommendation> recommended = std::nullopt;  ///< none where there is no triangle
   FiltrationArrays arrays = {};
 };

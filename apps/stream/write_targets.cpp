@@ -48,20 +48,14 @@ void write_rows(OutputFile& file, const std::string& path, const TriangleRows& r
   rows.sorted(sort_bytes, [&](std::string_view bytes) { file.write(bytes); });
 }
 
-void write_polygons(PolygonSink& writer, const PolygonLog& polygons, std::uint64_t sort_bytes, StreamResult& result) {
+void write_polygons(OutputFile& file, StreamFormat format, const PointsFacts& facts, const PolygonLog& polygons,
+                    std::uint64_t sort_bytes, StreamResult& result) {
+  const bool is_wkt = format == StreamFormat::wkt;
+  PolygonWriter writer(file, is_wkt ? Format::wkt : Format::geojson, facts.crs);
   Adding adding(writer);
   polygons.sorted(sort_bytes, adding);
   adding.report_to(result);
-}
-
-void write_polygons(OutputFile& file, StreamFormat format, const PointsFacts& facts, const PolygonLog& polygons,
-                    std::uint64_t sort_bytes, StreamResult& result) {
-  if (format == StreamFormat::wkt) {
-    WktWriter writer(file);
-    return write_polygons(writer, polygons, sort_bytes, result);
-  }
-  GeojsonWriter writer(file, facts.crs);
-  write_polygons(writer, polygons, sort_bytes, result);
+  if (is_wkt) return;
   const std::array<Point, 2> corners = {facts.least, facts.greatest};
   const Shape box{corners, {}, {}, facts.crs, facts.degrees};
   if (const std::optional<std::string> why = geojson_caution(box)) result.caution = file.name() + ": " + *why;

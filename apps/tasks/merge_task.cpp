@@ -17,12 +17,10 @@
 namespace rbpa::app {
 namespace {
 
-std::string text(double value) { return std::string(std::string_view(ShortestText(value))); }
-
 /// Throws BadInput naming the file.
 void require_same_run(const PartialFile& file, const std::string& path, const RunFacts& run, const std::string& first) {
   if (file.run.alpha != run.alpha)
-    bad_input(path, "a partial for alpha " + text(file.run.alpha), text(run.alpha) + " as " + first + " has");
+    bad_input(path, "a partial for alpha " + text_of(file.run.alpha), text_of(run.alpha) + " as " + first + " has");
   if (file.run.id != run.id)
     bad_input(path, "a partial of run " + shown(file.run.id), "one of run " + shown(run.id) + " as " + first + " is");
 }

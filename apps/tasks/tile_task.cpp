@@ -70,10 +70,9 @@ TileDone run_tile(const TileRequest& request, OutputSet& outputs) {
     const RunFacts run = load_run_facts(facts_path(request.tile));
     const std::uint32_t number = number_of(request.tile);
     const TileHeader header = read_tile_header(request.tile);
-    const auto text = [](double value) { return std::string(std::string_view(ShortestText(value))); };
     if (number >= run.tiles) bad_input(request.tile, "tile " + std::to_string(number), counted(run.tiles, "tile"));
     if (header.alpha != run.alpha)
-      bad_input(request.tile, "a tile cut for alpha " + text(header.alpha), text(run.alpha) + " as its run has");
+      bad_input(request.tile, "a tile cut for alpha " + text_of(header.alpha), text_of(run.alpha) + " as its run has");
     TileReader reader(request.tile, header.box, header.alpha);
     const IndexedPoints points = read_tile(reader);
     TileDone done{.number = number, .alpha = run.alpha, .around = header.summary.points - header.summary.owned};

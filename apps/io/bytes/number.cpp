@@ -34,6 +34,12 @@ const char* expected_instead(NumberFault fault) {
   }
 }
 
+std::string rounded(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
 std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
                         const std::string& things) {
   std::size_t number = 0;

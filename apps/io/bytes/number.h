@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -58,6 +59,13 @@ class ShortestText {
   std::array<char, number_room> text_;
   char* end_;
 };
+
+/// The same as a text of its own; "none" where there is none.
+inline std::string text_of(double value) { return std::string(ShortestText(value)); }
+inline std::string text_of(const std::optional<double>& value) { return value ? text_of(*value) : "none"; }
+
+/// With so many digits, for people: "3819.51" of six.
+std::string rounded(double value, int digits);
 
 struct WholeNumbers {
   std::size_t least = 0;

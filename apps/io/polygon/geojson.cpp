@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -18,76 +19,92 @@
 
 namespace rbpa::app {
 
-std::optional<GeoJsonKind> geojson_kind(std::string_view type) {
-  constexpr std::pair<std::string_view, GeoJsonKind> known[] = {
-      {"Point", {1, true, false}},       {"MultiPoint", {2, true, false}},
-      {"LineString", {2, false, false}}, {"MultiLineString", {3, false, false}},
-      {"Polygon", {3, false, true}},     {"MultiPolygon", {4, false, true}}};
-  for (const auto& [name, kind] : known)
-    if (type == name) return kind;
-  return std::nullopt;
-}
-
-const char* GeoJsonGeometry::open() {
-  constexpr int deepest = 4;
-  if (coordinates_ > 0) return "a list among numbers";
-  if (open_ == deepest) return "five brackets around each other";
-  ++open_;
-  return nullptr;
-}
-
-const char* GeoJsonGeometry::add(double coordinate) {
-  if (open_ == 0) return "a number";
-  if (coordinates_ < position_.size()) position_[coordinates_] = coordinate;
-  ++coordinates_;
-  return nullptr;
-}
-
-const char* GeoJsonGeometry::close(std::vector<Point>& points, Heights& heights) {
-  if (coordinates_ == 1) return "one number";
-  if (coordinates_ > 0) {
-    if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
-    depth_ = open_;
-    points.push_back({position_[0], position_[1]});
-    if (coordinates_ > 2) heights.take(position_[2]);
-    coordinates_ = 0;
-  } else if (depth_ == open_ + 1) {
-    ends_.push_back(points.size());
-  } else if (depth_ == open_ + 2) {
-    lists_.push_back(ends_.size());
-  }
-  --open_;
-  return nullptr;
-}
-
-bool GeoJsonGeometry::finish(const GeoJsonKind& kind, std::vector<Point>& points,
-                             std::vector<Polygon>* polygons) const {
-  if (depth_ != 0 && depth_ != kind.depth) return false;
-  if (!kind.rings) return true;
-  std::size_t begin = first_, kept = first_, ring = 0;
-  std::vector<std::size_t> kept_ends;
-  for (std::size_t end : ends_) {
-    const std::size_t next = end;
-    if (end > begin + 1 && points[end - 1] == points[begin]) --end;
-    for (; begin < end; ++begin) points[kept++] = points[begin];
-    begin = next;
-    kept_ends.push_back(kept);
-  }
-  points.resize(kept);
-  if (polygons == nullptr) return true;
-  std::size_t at = first_;
-  for (const std::size_t last : lists_) {
-    if (ring == last) continue;
-    Polygon& polygon = polygons->emplace_back();
-    for (bool is_shell = true; ring < last; ++ring, is_shell = false) {
-      Ring& made = is_shell ? polygon.shell : polygon.holes.emplace_back();
-      for (; at < kept_ends[ring]; ++at) made.points.push_back(static_cast<std::uint32_t>(at));
-    }
-  }
-  return true;
-}
-
 namespace {
+
+struct GeoJsonKind {
+  std::string_view name;
+  int depth;            ///< brackets around a position, its own included
+  bool points = false;  ///< Point or MultiPoint
+  bool rings = false;   ///< the lists innermost end where they begin
+};
+constexpr GeoJsonKind geojson_kinds[] = {{"Point", 1, true},          {"MultiPoint", 2, true},
+                                         {"LineString", 2},           {"MultiLineString", 3},
+                                         {"Polygon", 3, false, true}, {"MultiPolygon", 4, false, true}};
+
+/// The coordinates of a geometry, which may come before its type. Each step returns what is wrong, or null.
+class GeoJsonGeometry {
+ public:
+  /// Its points will follow `first` others.
+  explicit GeoJsonGeometry(std::size_t first) : first_(first) {}
+
+  const char* open() {
+    constexpr int deepest = 4;
+    if (coordinates_ > 0) return "a list among numbers";
+    if (open_ == deepest) return "five brackets around each other";
+    ++open_;
+    return nullptr;
+  }
+
+  const char* add(double coordinate) {
+    if (open_ == 0) return "a number";
+    if (coordinates_ < position_.size()) position_[coordinates_] = coordinate;
+    ++coordinates_;
+    return nullptr;
+  }
+
+  const char* close(PointFile& file) {
+    if (coordinates_ == 1) return "one number";
+    if (coordinates_ > 0) {
+      if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
+      depth_ = open_;
+      file.points.push_back({position_[0], position_[1]});
+      if (coordinates_ > 2) file.heights.take(position_[2]);
+      coordinates_ = 0;
+    } else if (depth_ == open_ + 1) {
+      ends_.push_back(file.points.size());
+    } else if (depth_ == open_ + 2) {
+      lists_.push_back(ends_.size());
+    }
+    --open_;
+    return nullptr;
+  }
+
+  /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
+  /// positions lay in other brackets than the kind has.
+  bool finish(const GeoJsonKind& kind, std::vector<Point>& points, PolygonFile* polygons) {
+    if (depth_ != 0 && depth_ != kind.depth) return false;
+    if (!kind.rings) return true;
+    std::size_t begin = first_, kept = first_;
+    for (std::size_t& end : ends_) {
+      const std::size_t next = end;
+      if (end > begin + 1 && points[end - 1] == points[begin]) --end;
+      for (; begin < end; ++begin) points[kept++] = points[begin];
+      begin = next;
+      end = kept;
+    }
+    points.resize(kept);
+    if (polygons == nullptr) return true;
+    std::size_t ring = 0, at = first_;
+    for (const std::size_t last : lists_) {
+      if (ring == last) continue;
+      polygons->polygons.emplace_back();
+      for (bool is_shell = true; ring < last; is_shell = false) {
+        polygons->add_ring(at, ends_[ring], is_shell);
+        at = ends_[ring++];
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::size_t first_;
+  int open_ = 0;                 // brackets
+  int depth_ = 0;                // of the positions so far; 0: none
+  std::size_t coordinates_ = 0;  // in the position that is not at its end
+  std::array<double, 3> position_{};
+  std::vector<std::size_t> ends_ = {};   // of the innermost lists of positions, as counts of all points
+  std::vector<std::size_t> lists_ = {};  // of these, as counts of ends
+};
 
 /// The text as nlohmann's parser wants it; how far it has come is seen by others.
 class JsonPosition {
@@ -164,26 +181,21 @@ class Events {
   bool binary(const std::vector<std::uint8_t>& /*value*/) { return true; }
 
   bool string(const std::string& value) {
-    if (in_crs_ > 0) {
-      if (crs_key_ == "name") crs_name_ = value;
-      return true;
-    }
-    if (skipped_ == 0 && is_in(Slot::type)) frames_.back().type = value;
+    if (inside(Slot::crs) && inner_key_ == "name") crs_name_ = value;
+    if (is_in(Slot::type)) frames_.back().type = value;
     return scalar(in_quotes(value), is_in(Slot::type));
   }
 
   bool key(const std::string& key) {
-    if (in_crs_ > 0) {
-      crs_key_ = key;
-    } else if (in_properties_ > 0) {
-      property_ = key;
-    } else if (skipped_ == 0) {
-      Frame& frame = frames_.back();
-      frame.slot = slot_of(key);
-      if (frame.slot != Slot::coordinates) return true;
-      if (frame.geometry) refuse("coordinates twice in an object", "once");
-      frame.geometry = GeoJsonGeometry(file_.points.size());
+    if (depth_ > 0) {
+      inner_key_ = key;
+      return true;
     }
+    Frame& frame = frames_.back();
+    frame.slot = slot_of(key);
+    if (frame.slot != Slot::coordinates) return true;
+    if (frame.geometry) refuse("coordinates twice in an object", "once");
+    frame.geometry = GeoJsonGeometry(file_.points.size());
     return true;
   }
 
@@ -191,9 +203,7 @@ class Events {
     if (passes_over(+1)) return true;
     if (!frames_.empty()) {
       const Frame& frame = frames_.back();
-      if (frame.slot == Slot::crs) return ++in_crs_ > 0;
-      if (frame.slot == Slot::properties) return ++in_properties_ > 0;
-      if (frame.slot == Slot::ignored) return ++skipped_ > 0;
+      if (frame.slot == Slot::crs || is_passed_over(frame.slot)) return pass_over(frame.slot);
       if (frame.slot == Slot::coordinates || frame.slot == Slot::type ||
           (frame.slot == Slot::objects && !frame.in_list))
         refuse("an object", "a " + expected(frame.slot));
@@ -213,7 +223,7 @@ class Events {
     if (passes_over(+1)) return true;
     if (frames_.empty()) refuse("an array", "a GeoJSON object");
     Frame& frame = frames_.back();
-    if (is_passed_over(frame.slot)) return ++skipped_ > 0;
+    if (is_passed_over(frame.slot)) return pass_over(Slot::ignored);
     if (frame.slot == Slot::coordinates) return check(frame.geometry->open());
     if (frame.slot != Slot::objects || frame.in_list) refuse("an array", "a " + expected(frame.slot));
     return frame.in_list = true;
@@ -221,7 +231,7 @@ class Events {
   bool end_array() {
     if (passes_over(-1)) return true;
     Frame& frame = frames_.back();
-    if (frame.slot == Slot::coordinates) return check(frame.geometry->close(file_.points, file_.heights));
+    if (frame.slot == Slot::coordinates) return check(frame.geometry->close(file_));
     frame.in_list = false;
     return true;
   }
@@ -267,39 +277,46 @@ class Events {
     return at_ == end_;
   }
 
-  bool is_in(Slot slot) const {
-    return skipped_ == 0 && in_crs_ == 0 && in_properties_ == 0 && !frames_.empty() && frames_.back().slot == slot;
+  bool is_in(Slot slot) const { return depth_ == 0 && !frames_.empty() && frames_.back().slot == slot; }
+  bool inside(Slot slot) const { return depth_ > 0 && passed_over_ == slot; }
+
+  /// What follows up to the bracket that closes has no points.
+  bool pass_over(Slot slot) {
+    passed_over_ = slot;
+    depth_ = 1;
+    return true;
   }
 
   /// What begins or ends lies in what is of no interest.
   bool passes_over(int step) {
     if (++events_ % 65536 == 0) stop_if_interrupted();
-    std::size_t& depth = in_crs_ > 0 ? in_crs_ : in_properties_ > 0 ? in_properties_ : skipped_;
-    if (depth == 0) return false;
-    depth = step > 0 ? depth + 1 : depth - 1;
+    if (depth_ == 0) return false;
+    depth_ = step > 0 ? depth_ + 1 : depth_ - 1;
     return true;
   }
 
   /// A value that is neither number, object nor array.
   bool scalar(const std::string& found, bool fits) const {
-    if (skipped_ > 0 || in_crs_ > 0 || in_properties_ > 0) return true;
+    if (depth_ > 0) return true;
     if (frames_.empty()) refuse(found, "a GeoJSON object");
     if (!fits && !is_passed_over(frames_.back().slot)) refuse(found, "a " + expected(frames_.back().slot));
     return true;
   }
 
   bool number(double value) {
-    if (in_crs_ > 0 && crs_key_ == "code" && value > 0 && value < 1e9 && value == std::trunc(value))
+    if (inside(Slot::crs) && inner_key_ == "code" && value > 0 && value < 1e9 && value == std::trunc(value))
       crs_name_ = "EPSG:" + std::to_string(static_cast<std::uint64_t>(value));
-    if (in_properties_ == 1 && polygons_ != nullptr) frames_.back().numbers.emplace_back(property_, value);
+    if (inside(Slot::properties) && depth_ == 1 && polygons_ != nullptr)
+      frames_.back().numbers.emplace_back(inner_key_, value);
     if (is_in(Slot::coordinates)) return check(frames_.back().geometry->add(value));
     return scalar("a number", false);
   }
 
   /// At the end of an object it is known what it was.
   void finish(Frame& frame) {
-    const std::optional<GeoJsonKind> kind = geojson_kind(frame.type);
-    if (!kind) {
+    const auto* kind = std::find_if(std::begin(geojson_kinds), std::end(geojson_kinds),
+                                    [&](const GeoJsonKind& known) { return known.name == frame.type; });
+    if (kind == std::end(geojson_kinds)) {
       constexpr std::string_view others[] = {"FeatureCollection", "Feature", "GeometryCollection"};
       if (std::find(std::begin(others), std::end(others), frame.type) != std::end(others)) {
         if (frame.geometry) refuse("coordinates in a " + frame.type, "a geometry that has them");
@@ -314,10 +331,9 @@ class Events {
     if (polygons_ == nullptr && !vertices_ && !kind->points)
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
     const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
-    if (!frame.geometry->finish(*kind, file_.points, polygons_ == nullptr ? nullptr : &polygons_->polygons))
+    if (!frame.geometry->finish(*kind, file_.points, polygons_))
       refuse("coordinates of another depth", std::to_string(kind->depth) + " brackets, as a " + frame.type + " has");
-    if (polygons_ != nullptr && polygons_->polygons.size() > before)
-      polygons_->geometries.push_back({before, no_feature});
+    if (polygons_ != nullptr) polygons_->end_geometry(before, no_feature);
   }
 
   /// At the end of a Feature; and at that of the outermost object, for geometries that are in none.
@@ -359,11 +375,9 @@ class Events {
   PolygonFile* polygons_;
   PointFile file_ = {};
   std::vector<Frame> frames_ = {};
-  std::size_t skipped_ = 0;  // brackets that are open around what is of no interest
-  std::size_t in_crs_ = 0;   // and in "crs"
-  std::string crs_key_ = {};
-  std::size_t in_properties_ = 0;  // and in "properties"
-  std::string property_ = {};
+  Slot passed_over_ = Slot::ignored;  // what is of no interest but for its names and numbers
+  std::size_t depth_ = 0;             // brackets that are open around it
+  std::string inner_key_ = {};
   std::map<std::string, std::size_t> property_numbers_ = {};
   std::optional<std::string> crs_name_ = std::nullopt;
   bool crs_is_unknown_ = false;

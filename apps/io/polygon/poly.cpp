@@ -32,7 +32,7 @@ class PolyReader {
     } catch (const InvalidInput& e) {
       throw BadInput(name_ + ": " + e.what());
     }
-    if (!file.polygons.empty()) file.geometries.push_back({0, 0});
+    file.end_geometry(0, 0);
     file.features = 1;
     return file;
   }

@@ -17,11 +17,6 @@ std::vector<std::size_t> points_in_polygons(const Shape& shape) {
   return counts;
 }
 
-std::string crs_member(const std::optional<Crs>& crs) {
-  if (!crs || crs->is_wgs84()) return "";
-  return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"" + crs->urn() + "\"}},";
-}
-
 std::optional<std::string> geojson_caution(const Shape& shape) {
   if (shape.crs && !shape.crs->is_wgs84())
     return "written in " + shape.crs->text() +
@@ -41,134 +36,117 @@ std::optional<std::string> geojson_caution(const Shape& shape) {
          ", and GeoJSON means degrees of WGS 84 (--crs EPSG:... says what they are)";
 }
 
-namespace {
-
-/// How a format writes lists of rings and of points.
-struct Signs {
+/// How a format writes lists of polygons, of rings and of points.
+struct PolygonSigns {
+  std::string_view first, next;  ///< before a polygon
+  bool has_properties;
   std::string_view open_list, close_list;
   std::string_view open_point, between_coordinates, close_point;
   std::string_view between;
+  std::string_view close_polygon;
+  std::string_view end, end_of_none;
 };
-constexpr Signs geojson{"[", "]", "[", ",", "]", ","};
-constexpr Signs wkt{"(", ")", "", " ", "", ", "};
-
-void write_ring(OutputFile& file, std::span<const Point> ring, const Signs& signs) {
-  const auto write_point = [&](const Point& p) {
-    file.write(signs.open_point);
-    file.write_number(p.x);
-    file.write(signs.between_coordinates);
-    file.write_number(p.y);
-    file.write(signs.close_point);
-  };
-  file.write(signs.open_list);
-  for (const Point& p : ring) {
-    write_point(p);
-    file.write(signs.between);
-  }
-  write_point(ring.front());  // closed
-  file.write(signs.close_list);
-}
-
-void write_json_number(OutputFile& file, double value) {
-  if (std::isfinite(value)) {
-    file.write_number(value);
-  } else {
-    file.write("null");
-  }
-}
-
-}  // namespace
-
-GeojsonWriter::GeojsonWriter(OutputFile& file, const std::optional<Crs>& crs) : file_(file) {
-  file_.write("{\"type\":\"FeatureCollection\"," + crs_member(crs) + "\"features\":[");
-}
-
-void GeojsonWriter::begin(const PolygonFacts& facts) {
-  file_.write(number_ == 0 ? "\n" : ",\n");
-  file_.write("{\"type\":\"Feature\",\"properties\":{\"number\":");
-  file_.write_number(++number_);
-  file_.write(",\"area\":");
-  write_json_number(file_, facts.area);
-  file_.write(",\"perimeter\":");
-  write_json_number(file_, facts.perimeter);
-  file_.write(",\"holes\":");
-  file_.write_number(facts.holes);
-  file_.write(",\"points\":");
-  file_.write_number(facts.points);
-  file_.write("},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":");
-  file_.write(geojson.open_list);
-  any_ring_ = false;
-}
-
-void GeojsonWriter::ring(std::span<const Point> points) {
-  if (any_ring_) file_.write(geojson.between);
-  any_ring_ = true;
-  write_ring(file_, points, geojson);
-}
-
-void GeojsonWriter::end() {
-  file_.write(geojson.close_list);
-  file_.write("}}");
-}
-
-void GeojsonWriter::finish() { file_.write("\n]}\n"); }
-
-void WktWriter::begin(const PolygonFacts&) {
-  file_.write(any_ ? wkt.between : "MULTIPOLYGON (");
-  any_ = true;
-  file_.write(wkt.open_list);
-  any_ring_ = false;
-}
-
-void WktWriter::ring(std::span<const Point> points) {
-  if (any_ring_) file_.write(wkt.between);
-  any_ring_ = true;
-  write_ring(file_, points, wkt);
-}
-
-void WktWriter::end() { file_.write(wkt.close_list); }
-
-void WktWriter::finish() { file_.write(any_ ? ")\n" : "MULTIPOLYGON EMPTY\n"); }
 
 namespace {
 
-/// `points`: how many are in each polygon; empty where that does not matter.
-void write_all(PolygonSink& sink, const Shape& shape, const std::vector<std::size_t>& points) {
-  std::vector<Point> corners;
-  const auto write = [&](const Ring& ring) {
-    corners.clear();
-    for (const std::uint32_t i : ring.points) corners.push_back(shape.points[i]);
-    sink.ring(corners);
+constexpr PolygonSigns geojson{"\n", ",\n", true, "[", "]", "[", ",", "]", ",", "}}", "\n]}\n", "\n]}\n"};
+constexpr PolygonSigns wkt{"MULTIPOLYGON (",      ", ", false, "(", ")", "", " ", "", ", ", "", ")\n",
+                           "MULTIPOLYGON EMPTY\n"};
+
+/// The member "crs" and a comma, as the draft of 2008 has it; "" for WGS 84, which GeoJSON means by itself, and where
+/// nothing is known.
+std::string crs_member(const std::optional<Crs>& crs) {
+  if (!crs || crs->is_wgs84()) return "";
+  return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"" + crs->urn() + "\"}},";
+}
+
+/// What begins a FeatureCollection.
+std::string collection(const std::optional<Crs>& crs) {
+  return "{\"type\":\"FeatureCollection\"," + crs_member(crs) + "\"features\":[";
+}
+
+void write_properties(OutputFile& file, std::uint64_t number, const PolygonFacts& facts) {
+  const auto write_if_finite = [&](double value) {
+    std::isfinite(value) ? file.write_number(value) : file.write("null");
   };
-  for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
-    const Polygon& polygon = shape.polygons[i];
-    sink.begin({polygon.area, polygon.perimeter, polygon.holes.size(), points.empty() ? 0 : points[i]});
-    write(polygon.shell);
-    for (const Ring& hole : polygon.holes) write(hole);
-    sink.end();
-  }
-  sink.finish();
+  file.write("{\"type\":\"Feature\",\"properties\":{\"number\":");
+  file.write_number(number);
+  file.write(",\"area\":");
+  write_if_finite(facts.area);
+  file.write(",\"perimeter\":");
+  write_if_finite(facts.perimeter);
+  file.write(",\"holes\":");
+  file.write_number(facts.holes);
+  file.write(",\"points\":");
+  file.write_number(facts.points);
+  file.write("},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":");
 }
-
-}  // namespace
-
-void write_geojson(OutputFile& file, const Shape& shape) {
-  GeojsonWriter writer(file, shape.crs);
-  write_all(writer, shape, points_in_polygons(shape));
-}
-
-void write_wkt(OutputFile& file, const Shape& shape) {
-  WktWriter writer(file);
-  write_all(writer, shape, {});
-}
-
-namespace {
 
 void write_pair(OutputFile& file, const Point& p, std::string_view between) {
   file.write_number(p.x);
   file.write(between);
   file.write_number(p.y);
 }
+
+}  // namespace
+
+PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs)
+    : file_(file), signs_(format == Format::geojson ? geojson : wkt) {
+  if (format == Format::geojson) file_.write(collection(crs));
+}
+
+void PolygonWriter::begin(const PolygonFacts& facts) {
+  file_.write(number_ == 0 ? signs_.first : signs_.next);
+  ++number_;
+  if (signs_.has_properties) write_properties(file_, number_, facts);
+  file_.write(signs_.open_list);
+  any_ring_ = false;
+}
+
+void PolygonWriter::ring(std::span<const Point> points) {
+  if (any_ring_) file_.write(signs_.between);
+  any_ring_ = true;
+  const auto write_point = [&](const Point& p) {
+    file_.write(signs_.open_point);
+    write_pair(file_, p, signs_.between_coordinates);
+    file_.write(signs_.close_point);
+  };
+  file_.write(signs_.open_list);
+  for (const Point& p : points) {
+    write_point(p);
+    file_.write(signs_.between);
+  }
+  write_point(points.front());  // closed
+  file_.write(signs_.close_list);
+}
+
+void PolygonWriter::end() {
+  file_.write(signs_.close_list);
+  file_.write(signs_.close_polygon);
+}
+
+void PolygonWriter::finish() { file_.write(number_ == 0 ? signs_.end_of_none : signs_.end); }
+
+void write_polygons(OutputFile& file, Format format, const Shape& shape) {
+  PolygonWriter writer(file, format, shape.crs);
+  const std::vector<std::size_t> counts = points_in_polygons(shape);
+  std::vector<Point> corners;
+  const auto write = [&](const Ring& ring) {
+    corners.clear();
+    for (const std::uint32_t i : ring.points) corners.push_back(shape.points[i]);
+    writer.ring(corners);
+  };
+  for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
+    const Polygon& polygon = shape.polygons[i];
+    writer.begin({polygon.area, polygon.perimeter, polygon.holes.size(), counts[i]});
+    write(polygon.shell);
+    for (const Ring& hole : polygon.holes) write(hole);
+    writer.end();
+  }
+  writer.finish();
+}
+
+namespace {
 
 /// Calls visit(index) for each point in no polygon.
 template <typename Visit>
@@ -203,7 +181,7 @@ void write_isolated_csv(OutputFile& file, const Shape& shape) {
 }
 
 void write_isolated_geojson(OutputFile& file, const Shape& shape) {
-  file.write("{\"type\":\"FeatureCollection\"," + crs_member(shape.crs) + "\"features\":[");
+  file.write(collection(shape.crs));
   std::string_view before = "\n";
   for_each_isolated(shape, [&](std::size_t i) {
     file.write(before);

@@ -11,6 +11,7 @@
 
 #include "io/bytes/output_file.h"
 #include "io/crs.h"
+#include "io/formats.h"
 #include "rbpa/base/point.h"
 #include "rbpa/shape.h"
 
@@ -27,10 +28,6 @@ struct Shape {
 
 /// How many points are in each polygon: each point counts in one.
 std::vector<std::size_t> points_in_polygons(const Shape& shape);
-
-/// The member "crs" and a comma, as the draft of 2008 has it; "" for WGS 84, which GeoJSON means by itself, and where
-/// nothing is known.
-std::string crs_member(const std::optional<Crs>& crs);
 
 /// Why readers may take the coordinates for something else, if they may.
 std::optional<std::string> geojson_caution(const Shape& shape);
@@ -59,44 +56,30 @@ class PolygonSink {
   virtual void finish() = 0;
 };
 
-/// GeoJSON (RFC 7946): a FeatureCollection with one Feature for each polygon, whose properties are "number", from 1,
-/// "area", "perimeter", "holes", how many, and "points". An area beyond the range of double is null. A system other than
-/// WGS 84 is a member "crs".
-class GeojsonWriter final : public PolygonSink {
- public:
-  GeojsonWriter(OutputFile& file, const std::optional<Crs>& crs);
-  void begin(const PolygonFacts& facts) override;
-  void ring(std::span<const Point> points) override;
-  void end() override;
-  void finish() override;
-
- private:
-  OutputFile& file_;
-  std::uint64_t number_ = 0;
-  bool any_ring_ = false;
-};
-
-/// Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
-class WktWriter final : public PolygonSink {
- public:
-  explicit WktWriter(OutputFile& file) : file_(file) {}
-  void begin(const PolygonFacts& facts) override;
-  void ring(std::span<const Point> points) override;
-  void end() override;
-  void finish() override;
-
- private:
-  OutputFile& file_;
-  bool any_ = false, any_ring_ = false;
-};
+struct PolygonSigns;
 
 /// GeoJSON (RFC 7946): a FeatureCollection with one Feature for each polygon, whose properties are "number", from 1,
 /// "area", "perimeter", "holes", how many, and "points", how many are in it and in none before it. An area beyond the
 /// range of double is null. A system other than WGS 84 is a member "crs".
-void write_geojson(OutputFile& file, const Shape& shape);
-
 /// Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
-void write_wkt(OutputFile& file, const Shape& shape);
+class PolygonWriter final : public PolygonSink {
+ public:
+  /// Requires: geojson or wkt.
+  PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs);
+  void begin(const PolygonFacts& facts) override;
+  void ring(std::span<const Point> points) override;
+  void end() override;
+  void finish() override;
+
+ private:
+  OutputFile& file_;
+  const PolygonSigns& signs_;
+  std::uint64_t number_ = 0;
+  bool any_ring_ = false;
+};
+
+/// All polygons of a shape by a PolygonWriter.
+void write_polygons(OutputFile& file, Format format, const Shape& shape);
 
 /// CSV: x,y,polygon for every point, polygons numbered from 1 as in GeoJSON; nothing where it is in none.
 void write_points_csv(OutputFile& file, const Shape& shape);

@@ -11,21 +11,17 @@
 namespace rbpa::app {
 namespace {
 
-/// A kind of geometry, and how many brackets are around its positions.
+/// A kind of geometry, and how many brackets are around its positions; a collection has geometries.
 struct Kind {
   std::string_view name;
   int depth;
   bool rings = false;
 };
-constexpr Kind kinds[] = {{"POINT", 1},
-                          {"MULTIPOINT", 1},
-                          {"LINESTRING", 1},
-                          {"MULTILINESTRING", 2},
-                          {"TRIANGLE", 2, true},
-                          {"POLYGON", 2, true},
-                          {"MULTIPOLYGON", 3, true},
-                          {"TIN", 3, true},
-                          {"POLYHEDRALSURFACE", 3, true}};
+constexpr Kind kinds[] = {{"GEOMETRYCOLLECTION", 0}, {"POINT", 1},
+                          {"MULTIPOINT", 1},         {"LINESTRING", 1},
+                          {"MULTILINESTRING", 2},    {"TRIANGLE", 2, true},
+                          {"POLYGON", 2, true},      {"MULTIPOLYGON", 3, true},
+                          {"TIN", 3, true},          {"POLYHEDRALSURFACE", 3, true}};
 
 /// Collections may be in collections; nobody needs more of them than this.
 constexpr int deepest = 32;
@@ -36,6 +32,12 @@ std::string in_capitals(std::string_view word) {
   std::string result(word);
   for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return result;
+}
+
+/// Null where there is none.
+const Kind* find_kind(std::string_view name) {
+  const auto* kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
+  return kind == std::end(kinds) ? nullptr : kind;
 }
 
 bool is_dimension(std::string_view word) { return word == "Z" || word == "M" || word == "ZM"; }
@@ -106,16 +108,13 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   std::string name = in_capitals(take_word());
   measured_ = false;
   // "POINT Z (", "POINTZ(" and "POINT(" are all in use.
-  const auto is_known = [&](std::string_view word) {
-    return word == "GEOMETRYCOLLECTION" ||
-           std::any_of(std::begin(kinds), std::end(kinds), [&](const Kind& kind) { return kind.name == word; });
-  };
   for (const std::string_view dimension : {"ZM", "Z", "M"})
-    if (!is_known(name) && name.ends_with(dimension)) {
+    if (find_kind(name) == nullptr && name.ends_with(dimension)) {
       name.resize(name.size() - dimension.size());
       measured_ = dimension == "M";
     }
-  if (!is_known(name)) {
+  const Kind* kind = find_kind(name);
+  if (kind == nullptr) {
     text_ = begin;
     refuse("a geometry, such as 'POINT (1 2)'");
   }
@@ -137,8 +136,7 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
     while (take_sign(','));
     return expect_sign(')');
   }
-  const Kind& kind = *std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
-  if (polygons_ != nullptr && !kind.rings) throw WktFault{begin.data(), name, "POLYGON or MULTIPOLYGON"};
+  if (polygons_ != nullptr && !kind->rings) throw WktFault{begin.data(), name, "POLYGON or MULTIPOLYGON"};
   if (name == "POINT") {
     expect_sign('(');
     take_position(points);
@@ -148,9 +146,8 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   if (!vertices_)
     throw WktFault{begin.data(), name, "POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)"};
   const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
-  take_lists(points, kind.depth, kind.rings);
-  if (polygons_ != nullptr && polygons_->polygons.size() > before)
-    polygons_->geometries.push_back({before, polygons_->features});
+  take_lists(points, kind->depth, kind->rings);
+  if (polygons_ != nullptr) polygons_->end_geometry(before, polygons_->features);
 }
 
 /// As many brackets around each other as the kind has; the innermost are lines, or rings, which end where they begin.
@@ -169,9 +166,7 @@ void WktGeometries::take_ring(std::vector<Point>& points) {
   take_list(points);
   if (points.size() > first + 1 && points.back() == points[first]) points.pop_back();
   if (polygons_ == nullptr) return;
-  Polygon& polygon = polygons_->polygons.back();
-  Ring& ring = polygon.shell.points.empty() ? polygon.shell : polygon.holes.emplace_back();
-  for (std::size_t i = first; i < points.size(); ++i) ring.points.push_back(static_cast<std::uint32_t>(i));
+  polygons_->add_ring(first, points.size(), polygons_->polygons.back().shell.points.empty());
 }
 
 bool WktGeometries::take_empty() {

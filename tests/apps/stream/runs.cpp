@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/mesh_verb.h"
-#include "cli/shape_verb.h"
-#include "cli/stream_verb.h"
+#include "cli/verbs.h"
 #include "io/bytes/number.h"
 
 namespace stream_test {

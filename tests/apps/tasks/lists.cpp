@@ -6,9 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/merge_verb.h"
-#include "cli/stream_verb.h"
-#include "cli/tile_verb.h"
+#include "cli/verbs.h"
 #include "io/bytes/number.h"
 
 namespace tasks_test {

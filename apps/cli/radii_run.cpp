@@ -1,0 +1,52 @@
+#include "cli/radii_run.h"
+
+#include <optional>
+
+#include "cli/alpha_choice.h"
+#include "cli/method.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "rbpa/covering.h"
+#include "rbpa/rbpa.h"
+
+namespace rbpa::app {
+
+Radii parse_asked(const RadiiArguments& arguments) {
+  return {.max_components = parse_components(arguments.components),
+          .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
+}
+
+RadiiRun::RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
+                   const Radii& asked, bool with_plateaus)
+    : Run(source.path, outputs, options), file(read_points(source)), radii(asked) {
+  stats.points = radii.points = file.points.size();
+  stats.read_seconds = lap();
+  delaunay = build_delaunay(file.points, options);
+  {
+    const ProgressLine line = options.line("radii of " + counted(delaunay.triangles.size(), "triangle"));
+    radii.filtration = filtration(delaunay, file.points, until_interrupted());
+  }
+  stats.distinct = radii.filtration.distinct;
+  stop_if_interrupted();
+  const auto least = [&](std::optional<std::size_t> max_components) {
+    return smallest_covering(delaunay, radii.filtration, {radii.cover, max_components}, until_interrupted());
+  };
+  radii.least_covering = least(std::nullopt);
+  radii.least_connected = least(radii.max_components);
+  if (!with_plateaus) return;
+  const ProgressLine line = options.line("plateaus");
+  radii.plateaus = plateaus(delaunay, file.points, radii.filtration, until_interrupted());
+}
+
+void RadiiRun::write_stats(OutputFile& report) {
+  stats.threads = threads_used(file.points.size(), options().threads);
+  rbpa::app::write_stats(report, stats);
+}
+
+void RadiiRun::say_empty() const {
+  if (!radii.filtration.steps.empty()) return;
+  const char* why = radii.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
+  say("rbpa", std::string("the complex is empty at every alpha: ") + why);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,34 @@
+// What: what the verbs alpha and report share: from points to all radii that follow from them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/run.h"
+#include "cli/stats.h"
+#include "cli/verbs.h"
+#include "rbpa/triangulate.h"
+#include "report/radii.h"
+
+namespace rbpa::app {
+
+/// How many components, and what share of the points. Throws WrongUsage naming the value.
+Radii parse_asked(const RadiiArguments& arguments);
+
+struct RadiiRun : Run {
+  /// Reads the points, and finds what of the radii follows from them. Throws BadInput, Failure, Cancelled.
+  RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
+           const Radii& asked, bool with_plateaus);
+
+  /// What is known when all is written.
+  void write_stats(OutputFile& file);
+  /// Where there is no radius, why.
+  void say_empty() const;
+
+  PointFile file;
+  Triangulation delaunay = {};  ///< with neighbours
+  Radii radii;
+  Stats stats = {};
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,35 @@
+#include "cli/run.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+
+unsigned RunOptions::threads_or_all() const {
+  return threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U);
+}
+
+RunOptions parse_run(const RunArguments& arguments) {
+  RunOptions options{.quiet = arguments.quiet};
+  if (arguments.threads)
+    options.threads =
+        static_cast<unsigned>(parse_whole("--threads", *arguments.threads, {.least = 1, .greatest = max_threads}));
+  return options;
+}
+
+PointFile Run::read_points(const PointSource& source) const {
+  PointFile file = read([&] { return rbpa::app::read_points(source); });
+  remark(file.remarks);
+  if (file.heights.differ())
+    remark("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
+  return file;
+}
+
+void Run::summarize(const std::string& text) const {
+  if (!options_.quiet) say("rbpa", text);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,21 @@
+// What: a drawing as a file in one of the formats of pictures.
+#pragma once
+
+#include "io/bytes/output_file.h"
+#include "io/formats.h"
+#include "picture/drawing.h"
+#include "picture/png.h"
+#include "picture/scene.h"
+#include "picture/svg.h"
+
+namespace rbpa::app {
+
+inline bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
+
+/// Requires: is_picture(format), and as place().
+inline void write_picture(OutputFile& file, Format format, const Drawing& drawing, int width) {
+  const Scene scene = place(drawing, width);
+  format == Format::svg ? write_svg(file, scene) : write_png(file, scene);
+}
+
+}  // namespace rbpa::app
