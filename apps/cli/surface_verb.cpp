@@ -11,7 +11,6 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "io/mesh/polylines.h"
 #include "io/mesh/write_mesh.h"
 #include "io/progress_line.h"
 #include "picture/surface_picture.h"
