@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/content.h"
 #include "io/bytes/scalar.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/formats.h"
 #include "io/point_file.h"
 #include "io/text/columns.h"
@@ -89,6 +89,7 @@ struct CloudFormat {
   Format format;
   /// Throws BadInput, and WrongUsage when two columns turn out to be one.
   std::unique_ptr<Cloud> (*open)(Content content, const CloudRequest& request);
+  double (*claim)(std::string_view first, const std::string& name) = nullptr;  ///< Claim::size
   FieldNames (*fields)() = nullptr;  ///< what CloudRequest::where may name; null where points have nothing beside them
   bool streams = false;              ///< reads a file as it goes; else it has to be in memory
 };
@@ -109,29 +110,9 @@ void require_finite(const CloudBlock& block, std::size_t first, const std::strin
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order);
 
-/// The condition of `--where` on one point after the other.
-class PointSelection {
- public:
-  explicit PointSelection(const Condition& condition) : values_(condition.fields().size()), holds_(condition) {}
-
-  /// Where the values of the condition's fields belong, of the point that holds() judges.
-  std::span<double> values() { return values_; }
-  bool holds() {
-    ++points_;
-    const bool selected = holds_(values_);
-    selected_ += selected ? 1 : 0;
-    return selected;
-  }
-  /// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of
-  /// each field of the condition.
-  void select(CloudBlock& block, std::span<const std::vector<double>> fields, std::size_t first,
-              const std::string& name);
-  void remark(std::vector<std::string>& remarks) const;
-
- private:
-  std::vector<double> values_;
-  Decision holds_;
-  std::size_t points_ = 0, selected_ = 0;
-};
+/// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of each
+/// field of the condition.
+void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
+                   std::size_t first, const std::string& name);
 
 }  // namespace rbpa::app

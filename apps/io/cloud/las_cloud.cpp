@@ -75,7 +75,7 @@ class LasCloud final : public Cloud {
 
   void finish() override {
     std::vector<std::string>& remarks = facts_.file.remarks;
-    if (selection_) selection_->remark(remarks);
+    if (selection_) remarks.push_back(selection_->remark("point"));
     if (withheld_points_ > 0)
       remarks.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
                         " marked as withheld (--where \"not withheld\" leaves them out)");
@@ -150,7 +150,7 @@ class LasCloud final : public Cloud {
   bool in_space_, skip_invalid_;
   LasHeader header_ = {};
   std::vector<ScaledInteger> axes_ = {};
-  std::optional<PointSelection> selection_ = std::nullopt;
+  std::optional<Selection> selection_ = std::nullopt;
   std::vector<LasPlace> places_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue are behind red
   std::size_t first_ = 0, count_ = 0, withheld_points_ = 0;

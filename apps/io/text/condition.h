@@ -63,19 +63,29 @@ class Condition {
   std::vector<Text> texts_;
 };
 
-/// Says of one point after the other whether a condition holds.
-class Decision {
+/// Judges one point after the other, and counts.
+class Selection {
  public:
-  explicit Decision(const Condition& condition)
-      : instructions_(condition.instructions()), first_text_(condition.fields().size()) {}
+  explicit Selection(const Condition& condition)
+      : instructions_(condition.instructions()),
+        first_text_(condition.fields().size()),
+        values_(first_text_ + condition.texts().size()) {}
 
-  /// `values` are those of the condition's fields, and behind them 1 or 0 for each of its texts.
-  bool operator()(std::span<const double> values);
+  /// Where the values of the condition's fields belong, of the point that holds() judges, and behind them 1 or 0 for each of
+  /// its texts.
+  std::span<double> values() { return values_; }
+  bool holds();
+
+  bool all_held() const { return selected_ == judged_; }
+  /// "2 of 3 points are as --where asks".
+  std::string remark(std::string_view noun) const;
 
  private:
   std::vector<Condition::Instruction> instructions_;
   std::size_t first_text_;
-  std::vector<double> stack_;
+  std::vector<double> values_;
+  std::vector<double> stack_ = {};
+  std::size_t judged_ = 0, selected_ = 0;
 };
 
 }  // namespace rbpa::app

@@ -45,12 +45,10 @@ class LineSelection {
       }
       const double value = read(fields);
       for (std::size_t i = 0; i < columns_.size(); ++i)  // which may have been named in two ways
-        if (columns_[i] == count) values_[i] = value;
+        if (columns_[i] == count) selection_->values()[i] = value;
     }
     take_width(count);
-    const bool counts = (*holds_)(values_);
-    ++(counts ? selected_ : deselected_);
-    return counts;
+    return selection_->holds();
   }
 
   /// Takes a line; one that take() refuses is left out, or the refusal stands.
@@ -73,16 +71,16 @@ class LineSelection {
  private:
   void compare_texts(std::size_t column, std::string_view found) {
     for (std::size_t i = 0; i < text_columns_.size(); ++i)
-      if (text_columns_[i] == column) values_[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
+      if (text_columns_[i] == column)
+        selection_->values()[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
   }
 
   std::optional<Condition> where_;
   bool skip_invalid_;
   std::vector<std::size_t> columns_ = {};       // of the condition's fields
   std::vector<std::size_t> text_columns_ = {};  // of its texts
-  std::vector<double> values_ = {};
-  std::optional<Decision> holds_ = std::nullopt;
-  std::size_t selected_ = 0, deselected_ = 0, skipped_ = 0;
+  std::optional<Selection> selection_ = std::nullopt;
+  std::size_t skipped_ = 0;
   std::string first_skipped_ = {};
 };
 
