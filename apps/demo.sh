@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the programs in release mode and triangulates a bundled real point set.
+# Installs what is missing, builds the program `rbpa` in release mode and triangulates a bundled real point set.
 # Leaves a mesh, a picture and a page to look at in rbpa-demo/ and says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -7,7 +7,7 @@ if [ $# -gt 0 ]; then
   case $1 in
     -h | --help)
       echo "usage: apps/demo.sh"
-      echo "Installs what is missing (Debian's packages, as root or by sudo), builds the programs into build/release/bin, and"
+      echo "Installs what is missing (Debian's packages, as root or by sudo), builds rbpa into build/release/bin, and"
       echo "makes a mesh, a picture and a page to look at of a bundled set of points, in rbpa-demo/."
       exit 0
       ;;
@@ -20,7 +20,7 @@ bash tests/install_packages.sh g++ cmake ninja-build ccache libopenmesh-dev libb
 # What is compiled here is not compiled again by tests/run.sh: the same folder, flags and cache.
 . tests/build_environment.sh
 cmake --preset programs
-cmake --build --preset programs --parallel "$(nproc)"
+cmake --build --preset programs --parallel "$(nproc)" --target rbpa_cli
 mkdir -p rbpa-demo
 build/release/bin/rbpa mesh tests/data/mol_2xhe_xy.xy --alpha 1 -o rbpa-demo/molecule.ply -o rbpa-demo/molecule.png
 build/release/bin/rbpa report tests/data/mol_2xhe_xy.xy -o rbpa-demo/molecule.html

@@ -2,7 +2,7 @@
 # sources may have the same name: each source is included into a namespace of its own, behind the includes of all.
 # Compiled by themselves: main.cpp, sources that open a named namespace or instantiate a template of another, and those with
 # compile options of their own.
-# Presets that look for faults do without (RBPA_COMPILE_TOGETHER), so that a missing include is found.
+# The preset debug does without (RBPA_COMPILE_TOGETHER), so that a missing include is found.
 #   rbpa_compile_together(program)
 function(rbpa_compile_together program)
   if(NOT RBPA_COMPILE_TOGETHER)

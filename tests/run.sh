@@ -46,6 +46,9 @@ if [ "$preset" = nightly ]; then
   test_preset sanitize nightly-sanitize  # the long random walks
   build gdal --target test_ogr
   test_preset gdal gdal
+elif [ "$preset" = threads ]; then  # what its tests run
+  build threads --target test_rbpa oracle_remainder fuzz_fronts example_{nearest,placing,filling,grid,ear}_front
+  test_preset threads threads --parallel "$(nproc)"
 elif [ "$preset" = gdal ]; then
   build gdal --target test_ogr
   test_preset gdal gdal

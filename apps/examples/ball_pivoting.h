@@ -20,7 +20,7 @@ class BallPivoting {
  public:
   using Triangle = std::array<meshops::Site, 3>;
 
-  /// For the level that the front is on now: `carried` is what next_level() said. What is interior now stays closed.
+  /// For the level that the front is on now: `carried` is the result of next_level(). Interior points stay closed.
   BallPivoting(const rbpa::RollingBall& ball, const meshops::Front& front, std::vector<meshops::Site> carried)
       : ball_(ball), level_(front.level()), open_(std::move(carried)) {
     std::erase_if(open_, [&](meshops::Site s) {

@@ -127,7 +127,7 @@ double split_between(Mesh& mesh, Edge e, Heat& heat) {
   return heat[split_edge(mesh, e, Interpolate(heat)).added.vertex];
 }
 
-// Each edge is flipped, and back if that did not make it shorter. undo_to() what is returned takes all of it back.
+// Each edge is flipped, and flipped back if that did not make it shorter. undo_to() the returned number undoes all of it.
 std::size_t shorten_by_flips(History& history, const Mesh& mesh) {
   const auto length = [&](Edge e) { return get(length_map(mesh), mesh.halfedge_handle(e, 0)); };
   const std::size_t before = history.steps();

@@ -1,5 +1,5 @@
-// A polygon is cut into ears, the shortest cut first: keys that change with the neighbours, and edges that are asked about
-// later. Copy and change it.
+// A polygon is cut into ears, the shortest cut first: keys that change with the neighbours, and edges that are deferred.
+// Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ class Ears {
  public:
   explicit Ears(const std::vector<Place>& polygon) : at_(polygon) {}
 
-  /// The square of the length of the cut. A cut nearby changes it, and then it is asked for again.
+  /// The square of the length of the cut. A cut nearby changes it, and then it is computed again.
   static constexpr bool rekeys_neighbours = true;
   std::int64_t key(const Front& front, Halfedge h) const {
     const auto [a, b, c] = ear(front, h);
@@ -40,7 +40,7 @@ class Ears {
   /// No triangle that is apart from the others.
   std::optional<Proposal::Triangle> seed(const Front&) const { return std::nullopt; }
 
-  /// The ear, or to be asked again when something has been cut off.
+  /// The ear, or nothing yet: the edge is deferred until something has been cut off.
   Proposal propose(const Front& front, Halfedge h) {
     const auto [a, b, c] = ear(front, h);
     if (is_empty(a, b, c)) return c;

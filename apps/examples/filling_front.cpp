@@ -1,4 +1,4 @@
-// A front that begins on a mesh and takes its edges in an order of its own: a hole is filled, the shortest edge first.
+// A front that begins on a mesh and processes its edges in an order of its own: a hole is filled, the shortest edge first.
 // Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <iostream>

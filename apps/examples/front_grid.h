@@ -85,7 +85,7 @@ class FrontGrid : public meshops::FrontVisitor {
   static std::int64_t step(std::int64_t from, std::int64_t size, std::int64_t at, std::int64_t steps) {
     return std::clamp<std::int64_t>((at - from) / size, 0, steps - 1);
   }
-  /// Calls visit(cell) for the cells of the box around both places, until one says true.
+  /// Calls visit(cell) for the cells of the box around both places, until it returns true.
   template <typename Visit>
   bool any_cell(meshops::Site a, meshops::Site b, Visit visit) {
     const Place &p = places_[a], &q = places_[b];

@@ -1,4 +1,4 @@
-// A front that asks a grid whether a new side would cross it, and not every side that there is. Each answer is compared with
+// A front that queries a grid whether a new side would cross it, instead of testing every side. Each answer is compared with
 // that of a look at all of them, which a front of one's own leaves out.
 #include "examples/front_grid.h"
 
@@ -15,7 +15,7 @@ using meshops::Front;
 using meshops::Halfedge;
 using meshops::Site;
 
-/// Every edge takes the nearest point that it can, of those left of it.
+/// Every edge gets the nearest possible point, of those left of it.
 class NearestByGrid {
  public:
   NearestByGrid(const std::vector<Place>& places, FrontGrid& grid) : places_(places), grid_(grid) {}

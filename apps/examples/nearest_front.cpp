@@ -1,4 +1,4 @@
-// An advancing front of one's own on the engine: every front edge takes the nearest point it can. Copy and change it.
+// An advancing front of one's own on the engine: every front edge gets the nearest possible point. Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
 #include <iostream>

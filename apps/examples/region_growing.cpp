@@ -1,4 +1,4 @@
-// A mesh is cut into regions by a front that goes over it: it takes the triangles that are there, and does not glue across
+// A mesh is cut into regions by a front that goes over it: it attaches the triangles of the mesh, and does not glue across
 // creases. Copy it and change what a crease is.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
@@ -21,7 +21,8 @@ using meshops::Site;
 using meshops::Vertex;
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// Of a mesh of triangles whose edges join different vertices. Sites are its vertices. `is_crease(edge)` is asked of inner edges.
+/// Of a mesh of triangles whose edges join different vertices. Sites are its vertices. `is_crease(edge)` is called for
+/// inner edges.
 template <typename IsCrease>
 class Regions {
  public:
@@ -105,7 +106,7 @@ bool is_fold(const Mesh& mesh, Edge e) {
   return (normal(mesh.halfedge_handle(e, 0)) % normal(mesh.halfedge_handle(e, 1))).sqrnorm() != 0;
 }
 
-/// The regions by definition: faces that hang together across edges that are no crease.
+/// The regions by definition: faces that are connected across edges that are no crease.
 template <typename IsCrease>
 std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease) {
   meshops::DisjointSets sets(mesh.n_faces());

@@ -25,7 +25,7 @@ std::optional<Format> writable(std::string_view name) {
   return known && can_write_mesh(*known) ? known : std::nullopt;
 }
 
-/// As in rbpa, the name counts where the ending does not say.
+/// As in rbpa, the name decides where the ending does not.
 RepairTarget parse_repair_target(const std::string& option, const std::string& path,
                                  const std::optional<std::string>& format) {
   if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);

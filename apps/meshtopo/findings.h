@@ -18,7 +18,7 @@ struct Findings {
   meshops::TopologyReport topology;
   std::vector<meshops::SoupDefect> defects;
   std::vector<GeometricDefect> geometric_defects;
-  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not asked for
+  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not requested
 };
 
 }  // namespace rbpa::app

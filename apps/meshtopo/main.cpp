@@ -1,4 +1,4 @@
-// The program `meshtopo`: what its command line takes, and what its exit codes mean.
+// The program `meshtopo`: its command line, and what its exit codes mean.
 #include <CLI/App.hpp>
 #include <memory>
 #include <sstream>

@@ -36,7 +36,7 @@ double length(const Pixel& a, const Pixel& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-/// The median length of the edges, taken from a few thousand of them; 0 when there are none.
+/// The median length of a sample of a few thousand edges; 0 when there are none.
 double typical_length(const Drawing& drawing, const std::vector<Pixel>& at) {
   constexpr std::size_t enough = 10000;
   std::vector<double> lengths;

@@ -6,14 +6,14 @@
 
 namespace rbpa::app {
 
-/// The last two are what a shell says of a process that SIGINT or SIGPIPE ended.
+/// The last two are a shell's status of a process that SIGINT or SIGPIPE ended.
 enum ExitCode { done = 0, failed = 1, wrong_usage = 2, bad_input_given = 3, cancelled = 130, closed_pipe = 141 };
 
 constexpr const char* exit_codes =
     "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 130 cancelled, 141 nobody reads the "
     "output any more.";
 
-/// Says "PROGRAM: MESSAGE" on standard error; returns `code`.
+/// Prints "PROGRAM: MESSAGE" on standard error; returns `code`.
 int report(const std::string& program, const std::string& message, ExitCode code);
 
 /// Writes `text` to standard output. Throws as OutputFile does.

@@ -1,4 +1,4 @@
-// What: what a program's command line takes, as a manual page and as completions of shells: from the same declarations as
+// What: a program's command line as a manual page and as completions of shells: from the same declarations as
 //       --help.
 #pragma once
 

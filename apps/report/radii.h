@@ -1,4 +1,4 @@
-// What: the radii of points: the critical ones, those that --alpha takes by name, and the one to recommend.
+// What: the radii of points: the critical ones, those that --alpha accepts by name, and the one to recommend.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct Radii {
   Filtration filtration = {};
 };
 
-/// A choice that --alpha takes, its radius, and why, without a full stop.
+/// A named value of --alpha, its radius, and the reason for it, without a full stop.
 struct Recommendation {
   std::string choice;
   double alpha;

@@ -1,6 +1,6 @@
 // What: a filtration as one page of HTML that shows the complex at every radius.
-// Law:  the bytes depend on what is in Report alone. The page asks for nothing from anywhere.
-// Source: docs/report.md says how the data lie in the page.
+// Law:  the bytes depend on Report alone. The page makes no request.
+// Source: docs/report.md has the format of the data in the page.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace rbpa::app {
 
 struct Report {
   std::string source;                                   ///< where the points come from, as people call it
-  std::optional<std::string_view> unit = std::nullopt;  ///< of the coordinates, by its name, where it is known
+  std::optional<std::string_view> unit = std::nullopt;  ///< of the coordinates, by its name, where there is one
   Radii radii = {};
   std::optional<Recommendation> recommended = std::nullopt;  ///< none where there is no triangle
   FiltrationArrays arrays = {};

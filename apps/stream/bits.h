@@ -11,7 +11,7 @@ namespace rbpa::app {
 
 inline unsigned bits_of(std::uint64_t value) { return static_cast<unsigned>(std::bit_width(value)); }
 
-/// How many bytes so many numbers take, whole words.
+/// The number of bytes of so many numbers, in whole words.
 inline std::size_t packed_size(std::size_t count, unsigned width) { return (count * width + 63) / 64 * 8; }
 
 /// Appends the lowest `width` bits of each, of which the others are 0.

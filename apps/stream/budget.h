@@ -1,4 +1,4 @@
-// What: how the memory that a run may take is divided.
+// What: how the memory of a run is divided.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 namespace rbpa::app {
 
-/// Bytes that the program takes before it has a point, with its libraries.
+/// Bytes of the program with its libraries, before it has a point.
 constexpr std::uint64_t program_bytes = std::uint64_t{24} << 20U;
-/// A tile in work takes at most so many a point: read, triangulated, sorted, and what is made of it.
+/// The most bytes per point of a tile in work: its input, triangulation, sorting and result.
 constexpr std::uint64_t bytes_of_tile_point = 330;
 /// The least --memory.
 constexpr std::uint64_t least_memory = std::uint64_t{64} << 20U;
@@ -24,11 +24,12 @@ struct Budget {
 /// Requires at least least_memory.
 Budget divide(std::uint64_t memory, unsigned threads);
 
-/// Makes the allocator give back to the system what is freed, but for a small part of `memory`. Left to itself it keeps what
-/// the largest arrays took, for each thread: several times what is in use. Of the whole process.
+/// Makes the allocator return freed memory to the system, but for a small part of `memory`. By default it keeps the memory
+/// of the largest arrays, for each thread: several times what is in use. Of the whole process.
 void return_freed_memory(std::uint64_t memory, unsigned workers);
 
-/// Gives back what is free between what is in use, which the allocator keeps otherwise. Cost: a pass over all free memory.
+/// Returns free memory between blocks in use to the system, which the allocator keeps otherwise. Cost: a pass over all free
+/// memory.
 void return_free_pages();
 
 /// The memory with which a tile of so many points would do, by so many threads.

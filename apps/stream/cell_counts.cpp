@@ -30,7 +30,7 @@ CellCounts::CellCounts(std::size_t most) : most_(most), table_(64) {}
 
 double CellCounts::side() const { return std::ldexp(1.0, exponent_); }
 
-/// The first points say how large cells are; those that come may make them larger.
+/// The first points determine the size of cells; later ones may make them larger.
 void CellCounts::begin(std::span<const Point> points) {
   least_ = greatest_ = points.front();
   for (const Point& p : points) {

@@ -1,7 +1,6 @@
-// What: how many points lie where: a count for each square of a grid, whose side is a power of two that grows with what
-//       comes.
+// What: the density of points: a count for each square of a grid, whose side is a power of two that grows with the input.
 // Law:  the counts add up to the points; no coordinate is too large or too small. They choose tiles and decide nothing.
-// Cost: a look into a hash table a point, less where points follow each other; memory as the most cells that are allowed.
+// Cost: a hash table access a point, less where points follow each other; memory as the most cells that are allowed.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +41,7 @@ class CellCounts {
 
   std::size_t most_;
   std::size_t used_ = 0;
-  std::vector<Cell> table_;  // open addressing, at most half of it taken; count 0: free
+  std::vector<Cell> table_;  // open addressing, at most half of it used; count 0: free
   int exponent_ = 0;         // of the side
   std::uint64_t points_ = 0;
   Point least_ = {}, greatest_ = {};

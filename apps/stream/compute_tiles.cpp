@@ -97,7 +97,7 @@ class Computation {
     }
   }
 
-  /// What is open is what the tree says of so many tiles.
+  /// The open part agrees with the tree of tiles.
   void require_plausible() const {
     std::size_t open = 0;
     for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
@@ -112,10 +112,10 @@ class Computation {
     return next_++;
   }
 
-  /// Whoever has the next tile, and those that follow it, commits them all; others go on with further tiles meanwhile.
+  /// The thread that has the next tile commits it and those that follow; others go on with further tiles meanwhile.
   /// Returns false when a run has failed.
   bool hand_in(std::size_t position, PartialAndItems made) {
-    // What a small tile has made is a small part of what computing one takes.
+    // The result of a small tile is small against the memory in which a tile is computed.
     const bool is_small = manifest_.tiles[order_[position]].points <= budget_.tile_points / 8;
     std::unique_lock lock(mutex_);
     turned_.wait(lock, [&] {
@@ -186,7 +186,7 @@ class Computation {
     if (is_time_to_save(position)) save_progress(position + 1);
   }
 
-  /// It goes to files, or nowhere where it is not asked for: it would only grow.
+  /// Finished polygons are written to files, or dropped where none are requested: otherwise memory would only grow.
   void keep_finished(Partial& partial) {
     const Finished finished = take_finished(partial);
     if (!request_.wants_polygons()) return;
@@ -194,7 +194,7 @@ class Computation {
     polygons_.add(finished.holes);
   }
 
-  /// So often that it takes a small part of the time.
+  /// So rarely that it costs a small part of the time.
   bool is_time_to_save(std::size_t position) const {
     if (!request_.scratch || position + 1 == order_.size()) return false;
     constexpr int part = 20;

@@ -1,4 +1,4 @@
-// What: the points of the input in the files of their tiles, and in those of the tiles that they matter for.
+// What: the points of the input in the files of their tiles, and in those of the tiles in whose halo they are.
 // Law:  the file of a tile has every point of its box, and every other within 2 alpha of it.
 // Cost: reading the input and writing it once; memory as the points that may wait.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace rbpa::app {
 
-/// Cuts from where the manifest says that it stopped; when the input is read, the manifest says what the files have.
+/// Resumes where the manifest records a stop; when the input is read, the manifest lists what the files have.
 /// Throws as read_points(), Failure, Cancelled.
 void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest);
 

@@ -1,4 +1,4 @@
-// What: the points of all files of the input, one file behind the other, read ahead of who takes them.
+// What: the points of all files of the input, one file behind the other, read ahead of their consumer.
 // Law:  the index of a point is its place in the whole input.
 // Cost: a few blocks are in memory at a time.
 #pragma once
@@ -22,7 +22,7 @@ struct InputBlock {
   std::vector<Point> points = {};
   std::uint64_t first = 0;  ///< index of the first point
   std::size_t file = 0;     ///< of which they are
-  bool ends_file = false;   ///< there are no points, and `about` is what the file says
+  bool ends_file = false;   ///< there are no points, and `about` is the file's own information
   PointFile about = {};
 };
 

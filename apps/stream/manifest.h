@@ -1,5 +1,5 @@
 // What: how far a run has come, in a file of its scratch, so that another can go on with it.
-// Law:  the file is written as a whole or not at all, and what it says of other files is so.
+// Law:  the file is written as a whole or not at all, and its entries about other files are correct.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ struct Manifest {
   unsigned workers = 1;
   Pass pass = Pass::count;
 
-  // Known from `cut` on.
+  // Filled in from `cut` on.
   std::uint64_t points = 0;
   Point least = {}, greatest = {};
   std::optional<Crs> crs = std::nullopt;
@@ -57,12 +57,12 @@ struct Manifest {
   std::vector<TileSummary> tiles = {};  ///< by their numbers
 };
 
-/// A number that runs share only when they ask the same of the same files and cut these into the same tiles.
+/// A number that runs share only when they have the same request and input files and the same tiles.
 std::uint64_t id_of(const Manifest& manifest);
 
 void save(const Manifest& manifest, const Scratch& scratch);
 
-/// The manifest of a run that asked the same. Throws WrongUsage saying what is different, BadInput when it is none.
+/// The manifest of a run with the same request. Throws WrongUsage that names the difference, BadInput when it is no manifest.
 Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

@@ -112,7 +112,7 @@ void pack_indices(std::span<const std::uint64_t> indices, std::string& bytes) {
   pack(values, width, bytes);
 }
 
-/// Takes the frame and the packed values of a column from the front.
+/// Reads the frame and the packed values of a column from the front, and removes them.
 std::optional<Frame> unpack_column(std::string_view& bytes, std::span<std::uint64_t> values) {
   if (bytes.size() < frame_size) return std::nullopt;
   Frame frame{static_cast<std::uint8_t>(bytes[0]), static_cast<std::uint8_t>(bytes[1]),

@@ -1,4 +1,4 @@
-// What: how far a pass over the input or the tiles has come, said on a terminal.
+// What: shows on a terminal how far a pass over the input or the tiles has come.
 #pragma once
 
 #include <atomic>

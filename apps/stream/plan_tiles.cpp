@@ -104,7 +104,7 @@ class Planner {
     bool x = extent.x1 - extent.x0 >= extent.y1 - extent.y0;
     std::optional<double> line = middle(owned, x, count);
     if (!line) line = middle(owned, x = !x, count);
-    if (!line || !std::isfinite(*line)) return keep(all);  // to be cut when it is known where its points lie
+    if (!line || !std::isfinite(*line)) return keep(all);  // to be cut when its points have been read
 
     const std::uint32_t other = tree_.cut(tile, x ? Kind::cut_x : Kind::cut_y, *line);
     const auto number = along(x);

@@ -57,7 +57,7 @@ void require_same(bool is_so, const std::string& path, const char* what, const S
                    " and begin anew");
 }
 
-/// The holes that were taken, by polygon and in order.
+/// The holes that were written separately, by polygon and in order.
 class HolesInOrder {
  public:
   HolesInOrder(const RecordLog& log, const Scratch& scratch, RunFiles& runs, std::uint64_t memory)
@@ -172,7 +172,7 @@ class PolygonsInOrder {
     return reader.checksum();
   }
 
-  /// take(size) gives the next bytes of the record.
+  /// take(size) returns the next bytes of the record.
   template <typename Take>
   void show_one(Take take, HolesInOrder* holes, PolygonSink& sink) {
     std::string_view bytes = take(sizeof(PolygonHead));
@@ -204,7 +204,7 @@ class PolygonsInOrder {
 }  // namespace
 
 Finished take_finished(Partial& partial) {
-  // What is kept of holes in their place takes less than so many corners.
+  // The record that replaces removed holes needs less memory than so many corners.
   constexpr std::size_t many_corners = 256;
   std::vector<CornerPolygon> polygons = take_settled(partial);
   return {std::move(polygons), take_holes(partial, many_corners)};

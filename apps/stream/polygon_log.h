@@ -17,12 +17,12 @@
 
 namespace rbpa::app {
 
-/// What need not wait for other tiles.
+/// The polygons and holes that are finished.
 struct Finished {
   std::vector<CornerPolygon> polygons;
   std::vector<TakenHoles> holes;
 };
-/// It is no more in `partial`.
+/// Removes them from `partial`.
 Finished take_finished(Partial& partial);
 
 /// How far the files have come.

@@ -19,7 +19,7 @@ struct RingKey {
 /// Before the rings of a polygon that are with it, each of which is the number of its points and these.
 struct PolygonHead {
   std::uint64_t size;   // of the rings with their numbers
-  std::uint64_t taken;  // holes that are elsewhere
+  std::uint64_t taken;  // holes that are stored elsewhere
   PolygonFacts facts;
 };
 static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
@@ -36,7 +36,7 @@ std::string_view bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/// Calls put(bytes) with the record piece by piece, and put_hole(bytes) with what is known by it of holes.
+/// Calls put(bytes) with the record piece by piece, and put_hole(bytes) for each of its holes.
 template <typename Put, typename PutHole>
 void put_record(const CornerPolygon& polygon, Put put, PutHole put_hole) {
   const auto put_ring = [&](const CornerRing& ring) {

@@ -57,7 +57,7 @@ class RecordReader {
     std::memcpy(static_cast<void*>(&value), take(sizeof value).data(), sizeof value);
     return value;
   }
-  std::uint32_t checksum() const { return checksum_; }  ///< of all that was taken
+  std::uint32_t checksum() const { return checksum_; }  ///< of everything read so far
 
  private:
   const ScratchFile& file_;

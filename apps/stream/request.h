@@ -1,4 +1,4 @@
-// What: what a run of `rbpa stream` is to do, and how much of the machine it may take.
+// What: what a run of `rbpa stream` is to compute, and how much of the machine it may use.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct StreamTarget {
 
 struct StreamRequest {
   std::vector<PointSource> sources = {};
-  std::string options = {};  ///< what says how the sources are read: another text, another input
+  std::string options = {};  ///< the options by which the sources are read: another text is another input
   double alpha = 0;
   std::uint64_t memory = 0;                               ///< bytes
   std::optional<std::uint64_t> tile_size = std::nullopt;  ///< points that a tile may own

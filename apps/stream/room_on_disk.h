@@ -1,4 +1,4 @@
-// What: whether a disk has room for what is about to be written, as far as that can be known.
+// What: whether a disk has room for what is about to be written, as far as that can be determined.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace rbpa::app {
 
-/// How many bytes points take in the files of tiles, by some of them.
+/// The bytes per point in the files of tiles, estimated from some of them.
 class PackedSample {
  public:
   void add(std::span<const Point> points, std::uint64_t first);

@@ -38,7 +38,7 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
-    // A kill in between leaves no folder that nobody asked for; one that is asked for can be gone on with until all is there.
+    // A kill in between leaves no temporary folder; a run in a folder of the user's can be resumed until all outputs are there.
     if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
     if (request_.scratch) scratch_.clear(request_.keep_tiles);

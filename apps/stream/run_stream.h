@@ -20,7 +20,7 @@ namespace rbpa::app {
 struct StreamResult {
   PartialCounts counts = {};
   std::size_t tiles = 0;
-  // Where polygons are asked for:
+  // Where polygons are requested:
   std::uint64_t polygons = 0, holes = 0;
   double area = 0, perimeter = 0;
   std::optional<std::string> caution = std::nullopt;  ///< what readers of GeoJSON may mistake
@@ -32,9 +32,9 @@ struct StreamResult {
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
 
-/// Counts and cuts into the scratch, which is named and stays; write_work() writes there what is to be done with the tiles. Of the
-/// result points, tiles and seconds are known. A scratch that was cut before is looked through, and tiles that are damaged
-/// are made again. Throws as run_stream() does.
+/// Counts and cuts into the scratch, which is named and stays; write_work() writes there what is to be done with the tiles.
+/// Of the result, points, tiles and seconds are filled in. A scratch that was cut before is checked, and damaged tiles are
+/// made again. Throws as run_stream() does.
 StreamResult prepare_tasks(const StreamRequest& request,
                            const std::function<void(const Scratch&, const Manifest&)>& write_work);
 

@@ -90,7 +90,7 @@ bool is_alive(const fs::path& folder) {
 /// Why no run loses its folder to another that starts at the same time: a folder is only used by who has locked the file in
 /// it and has then seen that the path still names the locked file (Lock::ours). It is only removed by who is in the same
 /// position, and who gives it another name first, while the file is locked. So if the owner is first, the other finds the
-/// lock taken and lets go. If the other is first, the owner finds the lock taken, or no folder of the name, or another file
+/// lock held and lets go. If the other is first, the owner finds the lock held, or no folder of the name, or another file
 /// than it has locked: it makes a new folder. An empty folder without a lock may go at any time; its owner does the same.
 void clear_dead(const std::string& beside) {
   std::error_code error;
@@ -209,15 +209,14 @@ std::uint64_t Scratch::free_bytes() const {
 void Scratch::clear(bool keep_tiles) {
   std::error_code error;
   const std::string created = folder_ + "/" + created_name;
-  // What says that there is something goes before what it speaks of: a kill may come between.
+  // The manifest is removed before the files that it lists: a kill may come between.
   for (const char* file : files)
     if (!keep_tiles || std::string_view(file) != "manifest.json") fs::remove(folder_ + "/" + file, error);
   for (const char* part : parts)
     if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
   if (keep_tiles || !fs::exists(created)) return;
-  // A folder without its mark would be taken for a user's, so it loses its name before. Where something else came into it,
-  // it stays.
+  // A folder without its mark would count as the user's, so it loses its name before. Where it has other files, it stays.
   const auto is_other = [](const fs::directory_entry& entry) { return entry.path().filename() != created_name; };
   const fs::directory_iterator entries(folder_, error);
   if (error || std::any_of(begin(entries), end(entries), is_other)) {

@@ -12,11 +12,11 @@ namespace rbpa::app {
 
 class Scratch {
  public:
-  /// The folder that is asked for, or a new one beside the first target, after those are gone that runs have left there
-  /// which were killed. Throws WrongUsage when the folder has something else in it, or a run to go on with where that was
-  /// not asked for; Failure when it cannot be made or another run is in it.
+  /// The requested folder, or a new one beside the first target; then folders of killed runs there are removed first.
+  /// Throws WrongUsage when the folder has something else in it, or a run to be resumed where that was not requested;
+  /// Failure when it cannot be made or another run is in it.
   explicit Scratch(const StreamRequest& request);
-  /// Removes what nobody can go on with: everything in a folder that was not asked for.
+  /// Removes what cannot be resumed: everything, in a folder that was not requested.
   ~Scratch();
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;

@@ -1,4 +1,4 @@
-// What: reading and writing files of scratch, whose failures are said in one line.
+// What: reading and writing files of scratch, whose failures are reported in one line.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ std::string scratch_content(const std::string& path);
 /// The content of the file becomes `bytes`, all at once.
 void replace_content(const std::string& path, std::string_view bytes);
 
-/// The same with a checksum behind, which checked_content() takes off. Throws BadInput naming the file when it is not so;
-/// empty when there is no file.
+/// The same with a checksum behind, which checked_content() verifies and removes. Throws BadInput naming the file when it
+/// is wrong; empty when there is no file.
 void replace_checked(const std::string& path, std::string_view text);
 std::string checked_content(const std::string& path);
 

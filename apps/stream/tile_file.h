@@ -23,7 +23,7 @@ class Damaged : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a file says of itself, and what has to be so when it is read.
+/// The summary of a file, which must be correct when the file is read.
 struct TileSummary {
   std::uint64_t points = 0;  ///< all of the file
   std::uint64_t owned = 0;   ///< those in the box
@@ -64,7 +64,7 @@ class TileWriter {
   bool begun_ = false;
 };
 
-/// What the first bytes of a file say.
+/// The content of the first bytes of a file.
 struct TileHeader {
   Region box;
   double alpha;

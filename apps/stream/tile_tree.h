@@ -1,6 +1,6 @@
 // What: the plane cut in two, and each part again, until the parts are tiles.
 // Law:  every point is in the box of exactly one tile.
-// Cost: the way to a tile takes a comparison a cut; near sides of tiles a few ways.
+// Cost: a point's tile is found by a comparison a cut; near sides of tiles several tiles are.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,7 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
-/// Whether indices of so many points take 4 bytes, not 8.
+/// Whether indices of so many points have 4 bytes, not 8.
 bool have_short_indices(std::uint64_t points);
 
 /// How far the files have come.

@@ -1,4 +1,4 @@
-// What: the last pass: triangles and polygons in order, into the files that are asked for.
+// What: the last pass: triangles and polygons in order, into the requested files.
 // Law:  the bytes of `rbpa mesh` and `rbpa shape`.
 #pragma once
 
@@ -15,15 +15,15 @@
 
 namespace rbpa::app {
 
-/// What is known of all points.
+/// Facts about all points.
 struct PointsFacts {
   Point least = {}, greatest = {};
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
 };
 
-/// Adds the targets to `outputs`, whole but for their names; those of single tiles are left out. Of the result the counts are
-/// there, and what is known of polygons comes. Throws Failure, Cancelled.
+/// Adds the targets to `outputs`, whole but for their names; those of single tiles are left out. The counts of the result
+/// are given; the facts about polygons are filled in. Throws Failure, Cancelled.
 void write_targets(const StreamRequest& request, const PointsFacts& facts, const TriangleRows& rows,
                    const PolygonLog& polygons, std::uint64_t sort_bytes, OutputSet& outputs, StreamResult& result);
 

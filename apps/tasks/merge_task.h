@@ -20,7 +20,7 @@ namespace rbpa::app {
 PartialFile merge_files(const std::vector<std::string>& paths);
 
 /// Adds the targets of the request to `outputs`, and calls before_names(result) before they take their names. The request has
-/// no sources; its alpha is that of the run. Throws BadInput saying what is missing; as run_stream() does.
+/// no sources; its alpha is that of the run. Throws BadInput that names what is missing; as run_stream() does.
 StreamResult finish_run(const StreamRequest& request, PartialFile whole, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
 

@@ -125,7 +125,7 @@ void add_partial(OutputSet& outputs, const std::string& path, PartialFile partia
   std::sort(files.begin(), files.end());
   const std::string head =
       Json({{"run", json_of(partial.run)}, {"tiles", partial.tiles.ranges()}, {"files", files}}).dump() + "\n";
-  OutputFile& file = outputs.add(path);  // the last that takes its name: where it is, the others are
+  OutputFile& file = outputs.add(path);  // the last to get its name: where it exists, the others do
   file.write(std::string(beginning) + hexadecimal(checksum_of(head)) + " " + head);
   const std::vector<std::uint8_t> bytes = to_bytes(partial.partial);
   file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});

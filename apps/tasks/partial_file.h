@@ -60,16 +60,16 @@ struct PartialFile {
 /// "half.polygons" and "half.holes" beside the partial "half.partial".
 std::vector<std::string> side_paths(const std::string& path);
 
-/// Adds what is finished, which is taken out of it, in files beside it, and it.
+/// Adds the partial, and its finished polygons, which are removed from it, in files beside it.
 void add_partial(OutputSet& outputs, const std::string& path, PartialFile partial);
 
 /// Throws BadInput.
 PartialFile read_partial(const std::string& path);
 
-/// Calls take(bytes) with all of the file, some at a time. Throws BadInput when it is not as it was written; Cancelled.
+/// Calls take(bytes) with all of the file, some at a time. Throws BadInput when it was changed since it was written; Cancelled.
 void for_each_piece(const SideFile& file, const std::function<void(std::string_view bytes)>& take);
 
-/// A file that is written, and what is known of it in the end. There is none where nothing is.
+/// A file that is written, and its facts in the end. There is no file where nothing is written.
 class SideOutput {
  public:
   SideOutput(OutputSet& outputs, SideFile::Kind kind, const std::string& path);

@@ -1,4 +1,4 @@
-// What: what every task of a run has to know of it, in a file of its folder and at the head of each partial.
+// What: the facts about a run that each of its tasks needs, in a file of its folder and at the head of each partial.
 // Cost: the same for any number of tiles. The format is in docs/tasks.md.
 #pragma once
 

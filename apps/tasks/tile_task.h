@@ -1,4 +1,4 @@
-// What: the task of one tile: its file becomes a partial, and if wanted triangles and a mesh.
+// What: the task of one tile: its file becomes a partial, and on request triangles and a mesh.
 // Law:  a function of the file and the facts of the run: done again, it writes the same.
 // Cost: that of triangulating its points; memory as these, some hundred bytes each.
 #pragma once

@@ -16,7 +16,7 @@ namespace rbpa::app {
 struct TaskOptions {
   std::string program = "rbpa";  ///< as a shell finds it
   unsigned threads = 1;          ///< of each task
-  unsigned fan_in = 16;          ///< partials that a merge takes at most, from 2 on
+  unsigned fan_in = 16;          ///< the most partials of one merge, from 2 on
 };
 
 struct TaskLists {

@@ -21,7 +21,7 @@ std::size_t index_bound(const Triangulation& complex) {
   return bound;
 }
 
-/// Triangles that hang together through edges.
+/// Triangles connected through edges.
 std::size_t count_solid_components(const Triangulation& complex) {
   meshops::DisjointSets sets(complex.triangles.size());
   std::size_t components = complex.triangles.size();
@@ -33,7 +33,7 @@ std::size_t count_solid_components(const Triangulation& complex) {
   return components;
 }
 
-/// How often two points that did not hang together are joined by an edge.
+/// How often an edge joins two points that were not connected before.
 std::size_t count_joins(const Triangulation& complex) {
   meshops::DisjointSets sets(index_bound(complex));
   std::size_t joins = 0;

@@ -1,5 +1,5 @@
-// What: how many of everything a triangulation in arrays has, as a space.
-// Law:  of a solid complex, what count() says of its mesh (rbpa/topology.h).
+// What: the counts of a triangulation in arrays, as a topological space.
+// Law:  of a solid complex, the result of count() for its mesh (rbpa/topology.h).
 #pragma once
 
 #include "rbpa/topology.h"

@@ -22,8 +22,7 @@ namespace {
 
 constexpr std::uint32_t columns = 11, rows = 7;
 
-/// The sheet of the cookbook, seen from above: squares cut in two, with waves, and a hump that only lengths and areas
-/// know of.
+/// The sheet of the cookbook, seen from above: squares cut in two, with waves, and a hump that only lengths and areas show.
 DrawnMesh waved_sheet() {
   std::vector<Place> places;
   std::vector<Corners> faces;

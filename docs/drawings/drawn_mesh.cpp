@@ -19,7 +19,7 @@ void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, cons
   });
 }
 
-/// Once, or once on each side where the sides lie apart: heads tell then how they fit.
+/// Once, or once on each side where the sides lie apart: then arrow heads show how they fit.
 void draw_inner_edge(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, Edge e, bool touched) {
   const Halfedge h = drawn.mesh.halfedge_handle(e, 0);
   const Segment one = frame.of(drawn.segment(h)), other = frame.of(drawn.segment(Halfedge(h.idx() ^ 1)).reversed());

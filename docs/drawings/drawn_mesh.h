@@ -56,7 +56,8 @@ struct DrawnMesh {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// Faces over places. `vertex_of` says which places are one vertex, by the least of them; left out: none.
+/// Faces over places. `vertex_of` gives the vertex of each place, as the least place of that vertex; left out: each place
+/// is its own.
 DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
                      const std::vector<std::uint32_t>& vertex_of = {});
 

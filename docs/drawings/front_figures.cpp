@@ -147,7 +147,7 @@ std::string level_transfer() {
   return sheet.svg();
 }
 
-/// A mesh, a triangle that a policy proposes, and what the front says to it.
+/// A mesh, a triangle that a policy proposes, and the front's response.
 Panel proposed(const std::vector<Place>& places, const std::vector<Corners>& faces, const Triangle& triangle) {
   Mesh mesh;
   Front front(mesh, places.size());

@@ -20,7 +20,7 @@ struct Curve {
 
 struct LogChart {
   std::string heading, below;
-  std::function<std::string(double)> x_label, y_label;  ///< what a tick says
+  std::function<std::string(double)> x_label, y_label;  ///< the text at a tick
   std::vector<Curve> curves;
 };
 

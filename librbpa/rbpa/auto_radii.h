@@ -19,7 +19,7 @@ namespace rbpa {
 /// point in twenty, a smaller one precedes it; where densities differ much, the steps are larger. Empty for points on a line,
 /// and for fewer than three distinct ones.
 /// Requires: finite points, fewer than 2^32 − 1.
-/// Throws:   InvalidInput naming what is not; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});
 
 /// The first of auto_radii() with which surface() has triangles, if there is one; without normals, exposed_triangles().

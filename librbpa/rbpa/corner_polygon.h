@@ -1,4 +1,4 @@
-// What: polygons whose corners have coordinates, as the points of the input are not in memory, and have indices of 64 bits.
+// What: polygons whose corners carry coordinates and 64-bit indices, for an input that is not in memory.
 // Law:  those of polygons() (rbpa/shape.h), to the last bit.
 #pragma once
 
@@ -21,7 +21,7 @@ struct Corner {
 /// As Ring (rbpa/shape.h): the lexicographically least point first and not repeated, none passed twice.
 using CornerRing = std::vector<Corner>;
 
-/// What a component is called that is not finished: a triangle of it, which no other ever has.
+/// Identifies an unfinished component: one of its triangles, which no other component ever has.
 using ComponentName = std::array<std::uint64_t, 3>;
 
 /// As Polygon (rbpa/shape.h), to the last bit.
@@ -32,8 +32,8 @@ struct CornerPolygon {
   double perimeter = 0;
   /// Input points in it, repetitions counted; one in which several polygons touch counts in the first of them.
   std::uint64_t points = 0;
-  /// Of holes that were taken before it was finished (take_holes()): how many, and the names by which they are its own,
-  /// ascending. Area and perimeter have them in.
+  /// The holes that take_holes() removed before the polygon was finished: their number, and the names under which they were
+  /// returned, ascending. Area and perimeter include them.
   std::uint64_t taken_holes = 0;
   std::vector<ComponentName> names = {};
   friend bool operator==(const CornerPolygon&, const CornerPolygon&) = default;

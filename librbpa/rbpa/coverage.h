@@ -1,6 +1,6 @@
 // What: which polygon each input point is in.
-// Law:  a function of the set of points, alpha and the filter: vertices of the solid by its components, and what lies in
-//       holes that were filled by a sweep, exactly decided.
+// Law:  a function of the set of points, alpha and the filter. A vertex of the solid is in the polygon of its component;
+//       which points lie in filled holes is decided exactly, by a plane sweep.
 // Cost: linear in the complex; n log n in the boundary and the points outside the solid, where holes were filled.
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace rbpa {
 
-/// For each input point the index of the polygon that it is in, inside or on a ring; of several that touch each other in
-/// it the least. Absent: it is in none. Duplicates are where the point is that they repeat.
+/// For each input point, the index of the polygon that contains it, inside or on a ring; the least index where several
+/// polygons touch in the point; absent where none contains it. A duplicate has the index of the point that it repeats.
 /// Requires: `points` are those of the complex, and `polygons` what polygons(complex, filter) returns.
 /// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,

@@ -1,4 +1,5 @@
-// What:   the least alpha at which a few pieces hold a share of the points: outliers decide nothing.
+// What:   the least alpha at which a given number of components contain a given share of the points, so that outliers do
+//         not decide it.
 // Law:    with share 1 that of smallest_covering(filtration, max_components); the greater the share, and the fewer the
 //         components, the greater the alpha. Exact; a function of the set of points alone.
 // Cost:   linear in the steps without a bound on components, or without points left over; else it sorts the triangles,
@@ -27,9 +28,9 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }
 
-/// The least alpha at which the share of the distinct points is in triangles. With `max_components` K, at which moreover
-/// the share is left when the K largest solid components stay, and the others are taken away with all their points. A
-/// component is as large as it has vertices in rbpa()'s mesh, where a point that several fans meet in counts for each.
+/// The least alpha at which the share of the distinct points is in triangles. With `max_components` K, the least at which
+/// moreover that share is left when all solid components but the K largest are removed with all their points. The size of a
+/// component is its number of vertices in rbpa()'s mesh, where a point in which several fans meet counts once for each.
 /// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or K is 0.
 /// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
 /// Throws:   ContractViolation when one is visibly of something else, or the share is out of its bounds; Cancelled when

@@ -1,4 +1,5 @@
-// What:   normals for points in space that have none: of the plane that fits the nearest points, all turned to one side.
+// What:   estimates normals for points in space: each is that of the plane that fits the nearest points, and all are turned
+//         to one side of the surface.
 // Law:    a function of the set of points, and of no order or thread; multiplying all points by a power of two changes nothing.
 //         Equal points have equal normals. An estimate, in rounded numbers; when it is wrong: docs/surface.md, section 3.
 // Cost:   O(n log n); at most about 25 neighbors + 100 bytes a point.
@@ -31,15 +32,16 @@ struct NormalOptions {
 /// For each point, the unit normal of the plane that fits it and its nearest others with the least sum of squared distances.
 /// Equal distances are ordered by the points' coordinates.
 ///
-/// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree of
-/// the edges' doubts. The first is turned outward: the extreme point in the first of the directions +z, −z, +y, −y, +x, −x
-/// that is within 60 degrees of its plane's normal. So where no step errs (docs/surface.md, section 3) each component of a
-/// closed surface has normals that point outward, also one inside another; and a plane that is not too steep, upward.
+/// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree
+/// whose weights measure how uncertain the side is across an edge. The first is turned outward: the extreme point in the
+/// first of the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So where no step errs
+/// (docs/surface.md, section 3) each component of a closed surface has normals that point outward, also one inside another;
+/// and a plane that is not too steep, upward.
 ///
 /// Where the nearest points are on a line within the precision of double, the normal is the direction across the line that is
 /// nearest to the z axis, or to the y axis if the line is parallel to z; for a single point it is +z.
 /// Requires: finite points, fewer than 2^32 − 1; at least 2 neighbors.
-/// Throws:   InvalidInput naming what is not; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options = {});
 
 }  // namespace rbpa

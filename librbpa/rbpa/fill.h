@@ -1,8 +1,7 @@
-// What:   polygons with holes as triangles of a wanted size, by an advancing front.
-// Law:    the triangles cover the polygons, meet in whole edges, and have the polygons' boundary for theirs: all decisions
-//         are exact, so that this holds for any that are a valid multipolygon (validity.h), and for groups of
-//         such. The same triangles come whichever
-//         way round rings go, wherever they begin and in whatever order they are.
+// What:   triangulates polygons with holes by an advancing front, with triangles of a given size.
+// Law:    the triangles cover the polygons, meet in whole edges, and their boundary is that of the polygons. All decisions
+//         are exact, so that this holds for every valid multipolygon (validity.h), and for groups of such. The triangles do
+//         not depend on the direction of the rings, where they begin, or their order.
 // Cost:   about linear in the triangles, n log n in the boundary.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
 //         generation method revisited (1994); docs/fill.md.
@@ -32,12 +31,12 @@ struct SizeAt {
 };
 
 struct FillOptions {
-  /// The length that edges are to have, in units of the points; the greatest, where the others below ask for less.
+  /// The length that edges are to have, in units of the points; an upper bound where the members below require less.
   /// Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of the polygons
   /// (fill/constrained_delaunay.h), which is unique; grade and sizes are to be absent then.
   double size = 0;
-  /// Edges of the boundary that are shorter than `size` ask for triangles of their own length, which grow by so much for
-  /// each unit of distance. Absent: they ask for nothing.
+  /// At an edge of the boundary that is shorter than `size`, triangles have its length, and grow by this much for each unit
+  /// of distance. Absent: short edges do not change the size.
   std::optional<double> grade = std::nullopt;
   /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is `grade`, or
   /// default_grade. It is the greatest function of slope g that exceeds no given value.
@@ -49,20 +48,22 @@ struct FillOptions {
   std::span<const std::size_t> groups = {};
   /// Called every few milliseconds with the triangles so far; returning false cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
-  /// Called once, before the first triangle, with about how many there will be (fill/size_estimate.h says how about): for
-  /// a caller that compares them with the memory there is. What it throws ends the run. Empty: never called.
+  /// Called once, before the first triangle, with an estimate of their number (fill/size_estimate.h states its accuracy),
+  /// so that a caller can compare it with the available memory. An exception that it throws ends the run. Empty: never
+  /// called.
   std::function<void(double)> estimated = {};
 
   static constexpr double default_grade = 0.25;
 };
 
 struct Filling {
-  /// Those of the input, each under its index, whether used or not; then those on edges that were cut; then those inside.
+  /// The points of the input, each under its index, whether used or not; then those inserted on edges of the boundary; then
+  /// those inside.
   std::vector<Point> points;
   std::size_t boundary_points = 0;  ///< the points before this number are of the input, or on edges that were cut
   /// Counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::size_t> groups;  ///< of each triangle, that which it fills
+  std::vector<std::size_t> groups;  ///< for each triangle, the group that it fills
   /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none. Groups are neighbours along
   /// the edges that they share; but where two triangles have the same edge on their left, their groups overlap, and have
   /// no neighbours but in themselves.
@@ -76,19 +77,20 @@ struct Filling {
   std::vector<Polygon> polygons;
   /// How often the front had to retreat.
   std::size_t retreats = 0;
-  /// How many triangles of what was not filled yet were passed on the way to points, or made: the work of the front.
+  /// The number of triangles of the unfilled region that were crossed in locating points, or created: a measure of the
+  /// front's work.
   std::size_t passed = 0;
 
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
 /// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, touch in single points and
-/// repeat a point that follows itself, and polygons may lie in holes of others. Each group is a valid multipolygon. Of equal points the first is used. A point
-/// at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that is cut is the double nearest
-/// to where it should be.
-/// Throws: InvalidInput that names the place: coordinates that are not finite; what why_invalid() says of a group
-///         (validity.h); groups that do not ascend from 0; a size or grade that is no number above 0; sizes at which more than 500 million triangles would be made, by the estimate.
-///         Cancelled.
+/// repeat a point in a row, and polygons may lie in holes of others. Each group is a valid multipolygon. Of equal points
+/// the first is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that
+/// is cut is the double nearest to where it should be.
+/// Throws: InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
+///         (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; sizes at which
+///         more than 500 million triangles would be made, by the estimate. Cancelled.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 
 }  // namespace rbpa

@@ -17,13 +17,13 @@
 
 namespace rbpa {
 
-/// The complex from one critical radius to the next, with `alpha` in it and the next step's not.
+/// The complex from one critical radius to the next: for `alpha` ≤ radius < the next step's alpha.
 struct FiltrationStep {
   double alpha = 0;           ///< least double radius at which the complex is this; infinity if no finite double is
   std::size_t triangles = 0;  ///< so far
   std::size_t solid_components = 0;  ///< pieces connected through edges
   std::size_t components = 0;        ///< pieces connected through points: pinches join
-  std::size_t holes = 0;             ///< bounded pieces of what is left of the plane
+  std::size_t holes = 0;             ///< bounded components of its complement in the plane
   std::size_t covered = 0;           ///< distinct points in triangles
   double area = 0;                   ///< of the triangles so far: the only number here that is rounded
   friend bool operator==(const FiltrationStep&, const FiltrationStep&) = default;

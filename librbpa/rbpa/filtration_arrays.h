@@ -1,4 +1,4 @@
-// What: a filtration as plain arrays in the order in which alpha brings things: whatever is there at alpha is a prefix.
+// What: a filtration as plain arrays, ordered by the alpha at which each item appears: the complex of any alpha is a prefix.
 //       For programs that show the complex at one radius after another, and compute nothing themselves.
 // Law:  a function of the set of points alone. The first k triangles, k as a step counts them, are the solid alpha complex
 //       at the step's alpha.

@@ -46,7 +46,7 @@ struct Hole {
 
 /// All boundary curves, sorted by their first edges. At a point with several fans of triangles a curve stays at its fan.
 /// Requires: the surface() of these points, normals and radii.
-/// Throws:   InvalidInput as surface(); ContractViolation when it is noticed that the surface is another one; Cancelled.
+/// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly another one; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the boundary.
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
                                  std::span<const double> radii, const Surface& surface,

@@ -19,19 +19,19 @@
 
 namespace rbpa {
 
-/// One level of a hierarchy, as the run saw it.
+/// One level of a hierarchy of radii: its size and its work.
 struct Level {
   double alpha = 0;             ///< the radius: 2^number α₀, or that of the whole run on the last level
   int number = 0;               ///< levels between the first and the last that have no triangle are left out
   std::size_t transferred = 0;  ///< points carried on from the level before: isolated or on the boundary
-  std::size_t taking_part = 0;  ///< of those, how many got a triangle or were looked at; the others sleep
+  std::size_t taking_part = 0;  ///< of those, how many got a triangle or were examined; the others were skipped
   std::size_t advancing = 0;    ///< halfedges on the front when the level began
   std::size_t triangles = 0;    ///< of the mesh when the level ended; those added are the last
-  double seconds = 0;           ///< with what came before it: α₀ or the transfer, and levels left out
+  double seconds = 0;           ///< including the work before it: α₀ or the transfer, and levels left out
 };
 
 /// A level that has just ended, and what the run has built so far: exactly the complex of `level.alpha`, an oriented
-/// 2-manifold whose boundary halfedges are all frozen. Good during the call only.
+/// 2-manifold whose boundary halfedges are all frozen. Valid during the call only.
 struct EndedLevel {
   const Level& level;
   /// The first front.faces() faces of its mesh are those of the complex, with the numbers they will keep; what lies
@@ -40,23 +40,22 @@ struct EndedLevel {
   std::span<const std::uint32_t> input_index;  ///< of each site of the front, the input point it is
 };
 
-/// A leaf of the quadtree holds at most so many points where nothing else is asked for.
+/// The default of HierarchyOptions::leaf_capacity.
 inline constexpr std::size_t usual_leaf_capacity = 16384;
 
 struct HierarchyOptions {
-  /// A leaf of the quadtree from whose smallest α₀ is taken holds at most so many points. At least 1; absent: the usual.
+  /// The most points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent: usual_leaf_capacity.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
   /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. The result is the
   /// same.
   unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Not
-  /// so often where points are sorted before the first triangle, where what tiles leave over is laid, and where the mesh
-  /// is finished: each time for up to about a tenth of a second a million points, or half of one on sets of which tiles
-  /// find nothing.
-  /// Empty: never called.
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Less
+  /// often while points are sorted before the first triangle, while triangles that tiles leave over are inserted, and while
+  /// the mesh is finished: intervals are up to about 0.1 s per million points there, or 0.5 s on sets where tiles find no
+  /// triangle. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
   /// Called with each level of Hierarchy::levels when it has ended, before the next one begins; its time is in no level's.
-  /// What it throws ends the run. Empty: never called.
+  /// An exception that it throws ends the run. Empty: never called.
   std::function<void(const EndedLevel&)> level_ended = {};
 };
 

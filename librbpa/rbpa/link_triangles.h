@@ -1,6 +1,6 @@
-// What: what lies across of each triangle, where triangles in canonical order are all that is known.
+// What: the neighbours of each triangle, computed from triangles in canonical order alone.
 // Law:  the neighbours that triangulate() finds.
-// Why:  less memory: no more than the result and four bytes a point, after everything of the run is gone.
+// Why:  less memory than finding them in the run: the result and four bytes a point, after the run has freed its own.
 // Cost: linear where few triangles are at a point, n log n where many are.
 #pragma once
 

@@ -1,7 +1,7 @@
 // What:   in which triangle of a Delaunay triangulation does a point lie?
-// Law:    exact, and a function of the point and the triangulation: of several triangles that have the point, on a common
-//         side or corner, it is the first.
-// How:    a walk from triangle to triangle toward the point, from one beside the cell of a grid that the point is in. Such
+// Law:    exact, and a function of the point and the triangulation: where the point is on a common side or corner of
+//         several triangles, the first of them.
+// How:    a walk from triangle to triangle toward the point, from a triangle near the grid cell that contains the point. Such
 //         a walk ends in every Delaunay triangulation.
 // Cost:   of a Locator linear in the points, some 30 bytes each; of a query a few steps, wherever the points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002).
@@ -37,8 +37,8 @@ class RBPA_API Locator {
   Locator& operator=(Locator&&) noexcept;
   ~Locator();
 
-  /// Of each query the triangle in which it lies, sides and corners included, or TriangleArrays::none. What is not finite
-  /// is nowhere.
+  /// For each query, the triangle that contains it, sides and corners included, or TriangleArrays::none; none for a query
+  /// that is not finite.
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 

@@ -15,11 +15,10 @@
 
 namespace rbpa::paper {
 
-/// A leaf of the quadtree holds at most so many points where nothing else is asked for: the first grid is as coarse as they
-/// are large.
+/// The default of HierarchyOptions::leaf_capacity here. With larger leaves the first grid is coarser.
 inline constexpr std::size_t usual_leaf_capacity = 32;
 
-/// As rbpa::rbpa(): requires and throws what it does. One thread works, whatever `options` say.
+/// As rbpa::rbpa(): requires and throws what it does. One thread works, whatever `options` specify.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
 /// As rbpa::hrbpa(), with the levels of the paper, on which every point carried on takes part. One thread works.

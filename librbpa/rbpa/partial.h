@@ -1,9 +1,9 @@
 // What: what a region of the plane contributes to a solid alpha complex, so that the whole is the sum of its regions: counts,
-//       polygons that are finished, and the rim, which has to do with regions that are not there yet.
+//       polygons that are finished, and the rim, which depends on regions that are not merged yet.
 // Law:  partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
-//       commutative: bytes (bytes.h) depend on which regions were merged, not on the order. Of the whole plane, finish()
-//       gives what rbpa(), count() and polygons() give of all points.
-// Cost: that of triangulate(); merging is n log n in the rims. Only the rims, and polygons not yet taken, are kept.
+//       commutative: bytes (bytes.h) depend on which regions were merged, not on the order. When the whole plane is merged,
+//       finish() returns what rbpa(), count() and polygons() compute of all points.
+// Cost: that of triangulate(); merging is n log n in the rims. Only the rims, and polygons not yet removed, are kept.
 // Source: docs/partial.md.
 #pragma once
 
@@ -21,9 +21,9 @@
 
 namespace rbpa {
 
-/// Of regions that are merged. What they own adds up; components and curves count when they are finished.
+/// Counts of the merged regions. The items that regions own add up; components and curves count once they are finished.
 struct PartialCounts {
-  std::uint64_t points = 0;      ///< of the input, those that are repeated included
+  std::uint64_t points = 0;      ///< of the input, duplicates included
   std::uint64_t duplicates = 0;  ///< equal to one of a lower index
   std::uint64_t isolated = 0;    ///< distinct points in no triangle
   std::uint64_t vertices = 0;    ///< distinct points in triangles
@@ -38,13 +38,13 @@ struct PartialCounts {
   std::uint64_t holes() const { return components + edges - vertices - triangles; }
 };
 
-/// What is open.
+/// The size of the unfinished part.
 struct RimSize {
   std::uint64_t triangles = 0;   ///< with corners in regions that are merged and in others
   std::uint64_t components = 0;  ///< solid components with such triangles
   std::uint64_t chains = 0;      ///< paths of boundary edges that go on in other regions
   std::uint64_t corners = 0;     ///< of chains, and of rings whose component is open
-  std::uint64_t polygons = 0;    ///< finished, and not taken
+  std::uint64_t polygons = 0;    ///< finished, and not removed
   friend bool operator==(const RimSize&, const RimSize&) = default;
 };
 
@@ -52,7 +52,7 @@ struct PartialState;
 
 class RBPA_API Partial {
  public:
-  /// Of no region: merged with another, it is that.
+  /// Of no region: the neutral element of merge().
   Partial();
   Partial(const Partial&);
   Partial(Partial&&) noexcept;
@@ -89,10 +89,10 @@ struct PartialOptions {
 RBPA_API Partial partial(const Region& region, const RegionPoints& points, double alpha,
                          const PartialOptions& options = {});
 
-/// What is of a region alone.
+/// The items that a region owns.
 struct OwnedItems {
-  /// By indices into the whole input: counter-clockwise, the smallest index first, in lexicographic order. All regions'
-  /// together, sorted, are what triangulate() gives.
+  /// By indices into the whole input: counter-clockwise, the smallest index first, in lexicographic order. Those of all
+  /// regions together, sorted, are the result of triangulate().
   std::vector<std::array<std::uint64_t, 3>> triangles;
   std::vector<std::uint64_t> isolated;  ///< distinct points in no triangle, ascending
 };
@@ -107,31 +107,31 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
                                            const PartialOptions& options = {});
 
 /// Two sets of regions as one.
-/// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when what they hold of a common triangle
-///         cannot be: halos were not complete, or points not the same. Then neither is of any further use.
-/// Cost:   n log n in what is open; an amortised constant for polygons.
+/// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when they contradict each other about a
+///         common triangle: a halo was not complete, or points differed. Then neither can be used any further.
+/// Cost:   n log n in the rims; an amortised constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
-/// The finished polygons, in order, which are no more in `partial`; counts stay. A polygon that touches an unfinished one is
-/// finished when it is certain to which of them the common points count.
+/// Removes the finished polygons from `partial` and returns them in order; counts stay. A polygon that touches an
+/// unfinished one is finished once it is certain which of them counts the common points.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 struct TakenHoles {
-  ComponentName component;        ///< those of the same polygon may be taken by several names, and several times by one
+  ComponentName component;        ///< holes of one polygon may come under several names, and several times under one
   std::vector<CornerRing> holes;  ///< in order
 };
 
-/// The holes of components that are not finished, which are no more in `partial`: a component that is everywhere may have more
-/// of them than fit into memory. By component; those whose holes have fewer corners than `min_corners` together keep them, as
-/// what stays of holes in their place takes as much as about 100 corners.
+/// Removes the holes of unfinished components from `partial` and returns them by component: a component that spans the
+/// plane may have more holes than fit into memory. A component whose holes have fewer than `min_corners` corners together
+/// keeps them, because the record that replaces them takes the memory of about 100 corners.
 RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
 
 struct WholeComplex {
   PartialCounts counts;
-  std::vector<CornerPolygon> polygons;  ///< in order, those not taken
+  std::vector<CornerPolygon> polygons;  ///< in order, those not removed
 };
 
-/// Throws: InvalidInput saying what is missing unless all of the plane is merged and nothing is open.
+/// Throws: InvalidInput that names what is missing, unless all of the plane is merged and nothing is open.
 RBPA_API WholeComplex finish(Partial&& partial);
 
 }  // namespace rbpa

@@ -1,5 +1,5 @@
 // What: a Partial as bytes that any machine reads.
-// Law:  of regions in whatever order merged the bytes are the same; bytes that are cut off or changed are refused.
+// Law:  the bytes do not depend on the order in which regions were merged; bytes that are cut off or changed are refused.
 // Source: docs/partial.md, section 6, has the format.
 #pragma once
 

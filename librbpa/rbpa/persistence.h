@@ -24,7 +24,7 @@ enum class ComplexKind {
           ///< with no point inside, triangle or not
 };
 
-/// A component (dimension 0) or a hole (dimension 1) that is there for birth ≤ alpha < death.
+/// A component (dimension 0) or a hole (dimension 1) that exists for birth ≤ alpha < death.
 /// Of two components that meet the younger dies. Both are double radii, rounded up from the exact ones.
 struct PersistencePair {
   int dimension = 0;

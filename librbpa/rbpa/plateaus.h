@@ -19,7 +19,7 @@
 
 namespace rbpa {
 
-/// What a shape looks like as a whole, whatever its dust.
+/// The form of a shape as a whole, regardless of tiny parts.
 enum class PlateauKind {
   structured,  ///< several parts of weight, or holes of weight
   one_piece    ///< one part holds nearly all points that are covered, and holes are small
@@ -39,7 +39,7 @@ struct Plateau {
   friend bool operator==(const Plateau&, const Plateau&) = default;
 };
 
-/// How far above the beginning of a plateau an alpha is chosen at most.
+/// The upper bound of Plateau::alpha / Plateau::from.
 inline constexpr double plateau_settles = 2;
 
 /// The best first, at most eight: long ones that are structured, below the first long one in one piece; then that one, and

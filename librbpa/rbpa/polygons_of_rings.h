@@ -1,5 +1,5 @@
-// What: rings, of which it is not known which are holes, as polygons with holes.
-// Law:  a function of the rings as sets of the plane, but for the order of what is returned.
+// What: polygons with holes from rings that are not marked as shells or holes.
+// Law:  the polygons are a function of the rings as point sets; their order also depends on the order of the rings.
 // Cost: n log n in the points of the rings.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace rbpa {
 RBPA_API std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                                 const std::function<bool()>& go_on = {});
 
-/// The same where holes were marked by points in them, as Triangle has it: each hole has one or more.
+/// The same where holes are marked by points in them, as in files of Shewchuk's Triangle: each hole has one or more.
 /// Throws: moreover InvalidInput when a point is in no hole, or a hole has none.
 RBPA_API std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                                 std::span<const Point> in_holes,

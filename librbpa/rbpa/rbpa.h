@@ -1,6 +1,6 @@
 // What:   the solid alpha complex of points in the plane, by restricted ball pivoting.
-// Law:    the set of triangles is a function of the set of points and alpha alone: of nothing else
-//         (order of the input, method of search, compiler). rbpa(S, a) is a subset of rbpa(S, b) for a ≤ b, and
+// Law:    the set of triangles is a function of the set of points and alpha alone, not of the order of the input, the
+//         method of search or the compiler. rbpa(S, a) is a subset of rbpa(S, b) for a ≤ b, and
 //         rbpa(S, infinity) is the Delaunay triangulation.
 // Cost:   about linear in the number of points for samplings of bounded variation, see docs/performance.md.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3 and 4 (Theorem 1).
@@ -21,11 +21,10 @@ struct Options {
   /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. The result is the
   /// same.
   unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Not
-  /// so often where points are sorted before the first triangle, where what tiles leave over is laid, and where the mesh
-  /// is finished: each time for up to about a tenth of a second a million points, or half of one on sets of which tiles
-  /// find nothing.
-  /// Empty: never called.
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Less
+  /// often while points are sorted before the first triangle, while triangles that tiles leave over are inserted, and while
+  /// the mesh is finished: intervals are up to about 0.1 s per million points there, or 0.5 s on sets where tiles find no
+  /// triangle. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
@@ -36,7 +35,7 @@ struct Options {
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Returns: how many threads a run on so many points may use that is given `wanted` of them, here or in hrbpa.h: no more
+/// Returns: the most threads that rbpa() or hrbpa() uses on so many points if its option `threads` is `wanted`: no more
 ///          than there are processors, and one for a few points.
 RBPA_API unsigned threads_used(std::size_t points, unsigned wanted);
 

@@ -1,6 +1,7 @@
-// What: a part of the plane that owns points, and the points that it has to be given.
-// Law:  regions that share no point of the plane share no item of the complex: a triangle is of the region that has its
-//       lexicographically least corner, an edge of the one that has its lesser end, a vertex of its own.
+// What: a part of the plane that owns points, and the points that its computation requires.
+// Law:  regions that share no point of the plane share no item of the complex: a triangle belongs to the region that
+//       contains its lexicographically least corner, an edge to the one that contains its lesser end, a vertex to the one
+//       that contains it.
 // Source: docs/partial.md.
 #pragma once
 
@@ -13,7 +14,7 @@
 
 namespace rbpa {
 
-/// The half-open box [x0, x1) × [y0, y1); the whole plane unless said. Bounds may be infinite; where x0 = x1 or y0 = y1 it
+/// The half-open box [x0, x1) × [y0, y1); by default the whole plane. Bounds may be infinite; where x0 = x1 or y0 = y1 it
 /// has no point. −0 equals +0.
 struct Region {
   double x0 = -std::numeric_limits<double>::infinity();
@@ -25,16 +26,16 @@ struct Region {
   friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// A box that has every point within 2 alpha of a point of the region, the distance itself included. It is rounded outward,
-/// and has some points that are farther.
+/// A box that contains every point at a distance of at most 2 alpha from a point of the region. It is rounded outward, and
+/// contains some points that are farther.
 /// Throws: InvalidInput unless 0 < alpha < ∞ and the region's bounds are numbers in ascending order.
 RBPA_API Region halo(const Region& region, double alpha);
 
-/// What a region is computed from: all points that it has, and all others of its halo. More points do no harm.
+/// The input of a region: all points in it, and all others in its halo. Further points do no harm.
 struct RegionPoints {
   std::span<const Point> points;
-  /// Of each point its place in the whole input, in any order, no two the same. Equal points are one, for which the lowest
-  /// index stands; all of them are given.
+  /// For each point its index in the whole input, in any order, all different. Equal points count as one, under the lowest
+  /// index; all of them are given.
   std::span<const std::uint64_t> indices;
 };
 

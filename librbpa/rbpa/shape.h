@@ -32,21 +32,21 @@ struct Polygon {
   Ring shell = {};  ///< counter-clockwise
   std::vector<Ring> holes =
       {};                ///< clockwise, inside the shell; by first point, then by second, both lexicographically
-  double area = 0;       ///< of what is left of the shell: the real number rounded once
+  double area = 0;       ///< of the shell without the holes: the real number rounded once
   double perimeter = 0;  ///< of all rings, within 4 · 2⁻⁵³ of itself; both are infinite beyond the range of double
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// What of the solid is too small to matter, in squared units of the points. Areas are compared as they are rounded.
+/// Bounds below which holes and parts are left out, in squared units of the points. Areas are compared as they are rounded.
 struct PolygonFilter {
-  /// Holes whose ring encloses less are filled, and what lies in them goes with them.
+  /// Holes whose ring encloses less are filled, and polygons in them are dropped.
   double min_hole_area = 0;
   /// Polygons of less area, after holes are filled, are dropped.
   double min_part_area = 0;
 };
 
 /// The solid components as polygons, sorted by the first point of the shell, then by the second, lexicographically.
-/// Where a component touches itself in a point, its boundary is parted there into rings. A boundary edge is on exactly
+/// Where a component touches itself in a point, its boundary is split there into rings. A boundary edge is on exactly
 /// one ring, and no other edge is on any.
 /// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled when `go_on`, which is called
 ///         every few milliseconds, returns false. Empty: never called.

@@ -32,7 +32,7 @@ struct SurfaceOptions {
 /// Oriented triangles, and the triangle on which the ball comes to rest when it rolls over each side. Corners are input
 /// indices, of equal points the lowest.
 struct Surface {
-  /// In `neighbors`, where there is none.
+  /// In `neighbors`, stands for no neighbour.
   static constexpr std::uint32_t none = 0xffffffff;
 
   /// Counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three points may form two
@@ -50,7 +50,7 @@ struct Surface {
 /// The exposed triangles E_r: those on whose positive side an open ball of the radius rests that holds no point. They are a
 /// closed surface: no neighbour is none.
 /// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
-/// Throws:   InvalidInput naming what is not; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
 
 /// The surface A_r: the exposed triangles whose own normal has a positive product with the normals of all points at their

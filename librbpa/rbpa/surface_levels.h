@@ -2,7 +2,7 @@
 // Law:    a function of the set of points, their normals and the radii, and of no order or thread. An oriented 2-manifold with
 //         boundary, each fan a vertex of its own; its triangles never cross. A radius adds triangles and removes none, and
 //         changes no gluing between earlier ones. docs/surface_derivation.md, section 9.
-// Source: Bernardini et al., section 4.4, use radii in ascending order; the rule here is another one.
+// Source: Bernardini et al., section 4.4, use radii in ascending order; the rule here differs from theirs.
 #pragma once
 
 #include <span>

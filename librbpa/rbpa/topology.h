@@ -1,4 +1,4 @@
-// What: how many of everything a solid alpha complex has, as a space.
+// What: the counts of a solid alpha complex as a topological space.
 // Law:  components − holes = points − edges + triangles (the Euler characteristic; in the plane b₂ = 0).
 #pragma once
 
@@ -10,8 +10,8 @@ namespace rbpa {
 
 struct SolidAlphaComplex;  // rbpa/complex.h
 
-/// Two ways to count components: solid ones hang together through edges, and are the components of the mesh; pinches
-/// join those of the space.
+/// Components are counted in two ways: solid ones are connected through edges, and are the components of the mesh; those of
+/// the space are connected through pinches as well.
 struct ComplexCounts {
   std::size_t points_covered = 0;  ///< distinct input points in triangles: the vertices of the space
   std::size_t edges = 0;

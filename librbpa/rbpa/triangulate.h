@@ -2,7 +2,7 @@
 // Law:    the triangles are those of rbpa() (rbpa.h), to the index; nothing depends on the order of the run, on threads, or
 //         on the compiler.
 // Cost:   less than that of rbpa(), as no mesh is made: docs/performance.md.
-// Note:   knows nothing of OpenMesh.
+// Note:   independent of OpenMesh.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct TriangulationOptions {
 
 /// Indices are those of the input points, of equal points the lowest.
 struct Triangulation {
-  /// What stands for a neighbour where there is none.
+  /// In `neighbors`, stands for no neighbour.
   static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// Counter-clockwise, the smallest index first, in lexicographic order.
@@ -58,13 +58,13 @@ struct Triangulation {
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
 
-  /// Requires neighbours, for what takes them.
+  /// Requires that neighbours were computed, where the function called uses them.
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
 /// Requires and throws: as rbpa().
 /// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbours or
-///           boundary 120 (docs/performance.md); the full complex takes what the Delaunay triangulation does with neighbours.
+///           boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with neighbours.
 RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
                                    const TriangulationOptions& options = {});
 

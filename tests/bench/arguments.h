@@ -21,7 +21,7 @@ struct Arguments {
   double alpha = std::numeric_limits<double>::infinity();  // in mean spacings
 };
 
-/// What a program takes beside the number of points and of runs.
+/// The options of a program beside the numbers of points and of runs.
 struct Takes {
   bool threads = false, alpha = false;
 };
@@ -51,7 +51,7 @@ inline std::optional<std::string_view> behind(std::string_view given, std::strin
   return given.substr(name.size());
 }
 
-/// `[--runs=N] [--points=N]`, and `[--threads=1,2]` and `[--alpha=SPACINGS]` for those who take them; nothing, and the
+/// `[--runs=N] [--points=N]`, and `[--threads=1,2]` and `[--alpha=SPACINGS]` for programs that have them; nothing, and the
 /// usage on standard error, when there is anything else. What is not given is as in `arguments`.
 inline std::optional<Arguments> parse(int argc, char** argv, Takes takes = {}, Arguments arguments = {}) {
   for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {

@@ -119,7 +119,7 @@ void print_bytes(const Row& row) {
   std::printf("\n");
 }
 
-/// What is wanted of a set: how often as fast as CGAL.
+/// The target of a set: how many times as fast as CGAL.
 struct Wanted {
   const Workload& workload;
   double mesh, arrays;

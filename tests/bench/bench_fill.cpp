@@ -56,7 +56,7 @@ struct Times {
   }
 };
 
-/// CGAL's criterion is the longest edge, ours the wanted one: with it 1.5 times as long both make about as many triangles.
+/// CGAL's criterion is the longest edge, ours the target length: with it 1.5 times as long both make about as many triangles.
 void against_cgal(std::size_t most, int runs) {
   std::printf("Microseconds of processor time a triangle: median (min–max).\n\n");
   std::printf("| unit square | triangles | fill | CGAL's triangles | CGAL's Delaunay_mesher_2 | fill / CGAL |\n");

@@ -1,10 +1,10 @@
 // What goes between machines when tiles are merged two by two: bytes by level of the tree, measured on generated ground,
-// and as a model of three numbers says, which another piece of ground has calibrated. The tables of docs/scale.md, section 3,
+// and by a model of three numbers, calibrated on another piece of ground. The tables of docs/scale.md, section 3,
 // as Markdown; the data of its figure as CSV.
 //   bench_merge [--across=10] [--side=128] [--alpha=2] [--seed=1] [--calibrate=24] [--predict=1000] [FILE.csv]
 //     --across N     N × N tiles are computed and merged
 //     --calibrate N  N × N tiles of another seed give the model its numbers
-//     --predict N    what the model says of N × N
+//     --predict N    the model's prediction for N × N
 #include <array>
 #include <cmath>
 #include <cstdio>

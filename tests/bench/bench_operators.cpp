@@ -34,7 +34,7 @@ bool agree(Operation operation, Shape a, Shape b) {
   return a == b;
 }
 
-/// Whether all leave the same mesh. Says on standard error who does not.
+/// Whether all leave the same mesh. Names on standard error those that do not.
 bool verify(const std::string& name, const std::vector<Entry>& entries, const Task& task) {
   std::optional<Shape> expected;
   bool same = true;
@@ -58,7 +58,7 @@ std::vector<Entry> all_entries(Operation operation) {
   return entries;
 }
 
-/// Made when first wanted, kept to the end: a filter pays for what it lets through.
+/// Made when first needed, kept to the end: a filter pays for what it lets through.
 struct Contest {
   std::string name;
   Operation operation;
@@ -104,7 +104,7 @@ void add_all() {
 }  // namespace meshops_bench
 
 int main(int argc, char** argv) {
-  // Keep what is freed: no contestant pays for pages that the system takes back after every pass.
+  // Keep what is freed: no contestant pays for pages that the system reclaims after every pass.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 2147483647);
   meshops_bench::add_all();

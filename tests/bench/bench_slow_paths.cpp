@@ -28,7 +28,7 @@ struct Row {
   bool is_met() const { return rbpa() <= path.max_rbpa && levels() <= path.max_hrbpa; }
   double rbpa() const { return times_cgal(rbpa_with(1)); }
   double levels() const { return times_cgal(hrbpa); }
-  /// How far from what is wanted: above 1 it is missed.
+  /// The ratio to the target: above 1 it is missed.
   double badness() const { return std::max(rbpa() / path.max_rbpa, levels() / path.max_hrbpa); }
 };
 

@@ -36,8 +36,8 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-/// A run of one of our programs, and what it says of itself.
-struct Told {
+/// A run of one of our programs, and the statistics it writes.
+struct ProgramRun {
   WatchedRun run;
   Json stats;
   double output_bytes = 0;
@@ -61,7 +61,7 @@ class StreamBench {
 
   void run() {
     fs::create_directories(folder_);
-    tell_machine();
+    print_machine();
     require_room();
     const Stopwatch watch;
     input_ = write_files({arguments_.ground, arguments_.points, arguments_.seed, arguments_.input, arguments_.files},
@@ -71,7 +71,7 @@ class StreamBench {
     compare_before();
     stream();
     compare_after();
-    tell();
+    print_report();
     write_trace();
   }
 
@@ -79,13 +79,13 @@ class StreamBench {
   double points() const { return static_cast<double>(arguments_.points); }
   bool wants_triangles() const { return arguments_.target == "npy"; }
 
-  void tell_machine() const {
+  void print_machine() const {
     std::printf("%s; %s; %s; %s; %s `%s`.\n\n", today().c_str(), processor().c_str(), memory().c_str(),
                 system().c_str(), compiler().c_str(), compiler_flags().c_str());
     std::fflush(stdout);
   }
 
-  /// Says what is needed before it is written.
+  /// Checks the disk for what will be written.
   void require_room() const {
     constexpr double of_input = 16, of_tile = 10, of_row = 12, rows = 2;
     double bytes = points() * (of_input + of_tile) + static_cast<double>(few_) * of_input;
@@ -103,8 +103,8 @@ class StreamBench {
                                number("%.1f", bytes / gigabyte));
   }
 
-  Told run_program(const std::string& verb, const PointFiles& input, const std::vector<std::string>& more,
-                   const std::string& scratch) const {
+  ProgramRun run_program(const std::string& verb, const PointFiles& input, const std::vector<std::string>& more,
+                         const std::string& scratch) const {
     const std::string output = folder_ + "/" + verb + "." + arguments_.target, stats = folder_ + "/stats.json";
     std::vector<std::string> command = {arguments_.program, verb};
     command.insert(command.end(), input.paths.begin(), input.paths.end());
@@ -114,13 +114,13 @@ class StreamBench {
           std::string("--stats"), stats, std::string("-o"), output})
       command.push_back(word);
     command.insert(command.end(), more.begin(), more.end());
-    Told told{run_watched(command, scratch), {}};
+    ProgramRun ended{run_watched(command, scratch), {}};
     std::ifstream file(stats);
-    told.stats = Json::parse(file);
-    told.output_bytes = static_cast<double>(fs::file_size(output));
+    ended.stats = Json::parse(file);
+    ended.output_bytes = static_cast<double>(fs::file_size(output));
     fs::remove(output);
     fs::remove(stats);
-    return told;
+    return ended;
   }
 
   const char* verb_in_memory() const { return wants_triangles() ? "mesh" : "shape"; }
@@ -156,21 +156,21 @@ class StreamBench {
     write_seconds_ = seconds_to_write(folder_ + "/written", stream_.output_bytes);
   }
 
-  void tell() const {
+  void print_report() const {
     std::printf(
         "%.0f points, %s, of mean spacing 1 in whole hundredths, in %zu files (.%s, %.2f GB); α = %g; `--memory %s`, "
         "`--threads %u`; to `.%s`.\n\n",
         points(), arguments_.ground == Ground::jittered ? "jittered, row by row" : "uniform, strip by strip",
         arguments_.files, arguments_.input.c_str(), input_.bytes / gigabyte, arguments_.alpha,
         arguments_.memory.c_str(), arguments_.threads, arguments_.target.c_str());
-    tell_passes();
-    tell_bytes();
-    tell_sum();
-    tell_more();
+    print_passes();
+    print_bytes();
+    print_sum();
+    print_more();
   }
 
   /// What more points would take on more machines like this one, of the numbers above; docs/scale.md, section 2.
-  void tell_more() const {
+  void print_more() const {
     const double tiles = most(&Moment::tile_bytes) / points(), output = stream_.output_bytes / points();
     const double bytes = 2 * input_.bytes / points() + 2 * tiles;
     const double computing = stream_.run.processor_seconds / points() / arguments_.threads;
@@ -195,7 +195,7 @@ class StreamBench {
     std::printf("\n");
   }
 
-  void tell_passes() const {
+  void print_passes() const {
     std::printf("| pass | seconds | ns a point | processor, s | at work |\n|---|--:|--:|--:|--:|\n");
     double from = 0;
     const auto row = [&](const char* name, double seconds) {
@@ -219,7 +219,7 @@ class StreamBench {
     return found;
   }
 
-  void tell_bytes() const {
+  void print_bytes() const {
     std::printf("| | bytes | a point |\n|---|--:|--:|\n");
     const auto row = [&](const char* name, double bytes) {
       std::printf("| %s | %.0f | %.2f |\n", name, bytes, bytes / points());
@@ -243,7 +243,7 @@ class StreamBench {
     return (value(0) + value(1)) / 2;
   }
 
-  void tell_sum() const {
+  void print_sum() const {
     const double few = static_cast<double>(few_);
     const auto cold = [&](std::size_t i) { return memory_runs_[i].seconds("build") / few; };
     const auto warm = [&](std::size_t i) { return warm_runs_[i].seconds / few; };
@@ -264,7 +264,7 @@ class StreamBench {
                 stream_.run.seconds);
     std::printf(
         "The reader is that of `rbpa stream`, in one thread. Before each reading, and before the run, the system "
-        "was asked to forget the files.\n\n");
+        "dropped the files from its cache.\n\n");
     const Json& memory = memory_runs_[0].stats;
     if (few_ == arguments_.points)
       std::printf("In memory there are %s triangles%s.\n\n",
@@ -331,9 +331,9 @@ class StreamBench {
   std::uint64_t few_;  // points of the sample, which are computed in memory
   PointFiles input_ = {}, sample_ = {};
   std::vector<double> reads_ = {}, read_processor_seconds_ = {}, cached_ = {};
-  std::vector<Told> memory_runs_ = {};
+  std::vector<ProgramRun> memory_runs_ = {};
   std::vector<WarmRun> warm_runs_ = {};
-  Told stream_ = {};
+  ProgramRun stream_ = {};
   double write_seconds_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // Ball pivoting in space: rbpa::surface(), the policy on the engine, Open3D and any other program.
-//   bench_surface [OPTIONS]; what there is it says itself when it does not know one
+//   bench_surface [OPTIONS]; an unknown option prints the list of options
 // Contestants run in turn in one process, as in bench_report; with --cold each run has a process of its own, as in
 // bench_cold. docs/performance.md.
 #include <sys/wait.h>
@@ -133,7 +133,7 @@ SurfacePoints read_samples(const std::string& path, double& radius) {
   return samples;
 }
 
-/// The child: tells seconds, those of the processor, triangles and bytes.
+/// The child: prints seconds, those of the processor, triangles and bytes.
 int one(std::string_view name, const std::string& path) {
   const std::vector<SurfaceContestant> all = contestants_of({});
   const auto found =
@@ -193,7 +193,7 @@ void print_head(const std::vector<SurfaceContestant>& all) {
   std::printf("\n");
 }
 
-/// What is wanted of a contest: how often as fast as Open3D.
+/// The target of a contest: how many times as fast as Open3D.
 void add_targets(const Contest& contest, double times, bool by_processor, std::vector<Target>& targets) {
   const std::string what = contest.set + ", radius " + contest.alpha_text + ": ";
   const std::string first = surface_with(1).name, second = surface_with(2).name, whole = surface_mesh_with(1).name;

@@ -1,4 +1,4 @@
-// How much tiles tell: the figures of docs/tiles.md, section 6, as a Markdown table.
+// How much of the complex tiles decide: the figures of docs/tiles.md, section 6, as a Markdown table.
 //   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
 #include <cstdio>
 #include <limits>
@@ -14,12 +14,12 @@
 namespace rbpa_bench {
 namespace {
 
-struct Told {
+struct FoundByTiles {
   std::size_t tiles = 0, triangles = 0, settled = 0;
 };
 
-Told told_by_tiles(const rbpa::Sites& sites, double alpha) {
-  Told told;
+FoundByTiles found_by_tiles(const rbpa::Sites& sites, double alpha) {
+  FoundByTiles by_tiles;
   struct Workspace {
     rbpa::FinderWorkspace finder;
     rbpa::TilePatch found;
@@ -29,12 +29,12 @@ Told told_by_tiles(const rbpa::Sites& sites, double alpha) {
   rbpa::for_each_tile<Workspace>(
       sites, threads, [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
       [&](Workspace& w) {
-        ++told.tiles;
-        told.triangles += w.found.patch.triangles.size();
-        told.settled += w.found.settled.size();
+        ++by_tiles.tiles;
+        by_tiles.triangles += w.found.patch.triangles.size();
+        by_tiles.settled += w.found.settled.size();
       },
       [](Workspace&) {});
-  return told;
+  return by_tiles;
 }
 
 /// Points of all tiles, those around their own included.
@@ -53,13 +53,13 @@ void print_row(const std::string& set, const rbpa_test::Points& points, double a
   rbpa::Threads threads;
   const rbpa::Sites sites(points, threads);
   const rbpa::PointGrid& grid = sites.grid();
-  const Told told = told_by_tiles(sites, alpha);
+  const FoundByTiles by_tiles = found_by_tiles(sites, alpha);
   const std::size_t triangles = rbpa::rbpa(points, alpha).mesh.n_faces();
   const auto distinct = static_cast<double>(grid.points().size());
   std::printf("| %s | %zu | %s | %zu | %zu | %.2f | %zu | %.2f | %.2f | %.2f |\n", set.c_str(), points.size(),
-              alpha_text, triangles, told.tiles,
-              100 * static_cast<double>(told.triangles) / static_cast<double>(triangles), triangles - told.triangles,
-              100 * static_cast<double>(told.settled) / distinct,
+              alpha_text, triangles, by_tiles.tiles,
+              100 * static_cast<double>(by_tiles.triangles) / static_cast<double>(triangles),
+              triangles - by_tiles.triangles, 100 * static_cast<double>(by_tiles.settled) / distinct,
               static_cast<double>(points_of_tiles(grid, rbpa::points_per_tile)) / distinct,
               static_cast<double>(points_of_tiles(grid, 1024)) / distinct);
   std::fflush(stdout);
@@ -69,7 +69,8 @@ void report(std::size_t count) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
   std::printf(
-      "| points | number | α | triangles | tiles | told by tiles, %% | left over | settled points, %% | of tiles, 2048 "
+      "| points | number | α | triangles | tiles | found on tiles, %% | left over | settled points, %% | of tiles, "
+      "2048 "
       "| "
       "1024 |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})

@@ -42,14 +42,14 @@ ColdRun run_cold(const std::string& program, std::size_t contestant, const std::
     _exit(127);
   }
   close(ends[1]);
-  FILE* const said = fdopen(ends[0], "r");
+  FILE* const input = fdopen(ends[0], "r");
   ColdRun run{};
-  const bool told =
-      std::fscanf(said, "%lf %lf %zu %lf", &run.seconds, &run.processor_seconds, &run.triangles, &run.bytes) == 4;
-  std::fclose(said);
+  const bool complete =
+      std::fscanf(input, "%lf %lf %zu %lf", &run.seconds, &run.processor_seconds, &run.triangles, &run.bytes) == 4;
+  std::fclose(input);
   int status = 0;
   waitpid(child, &status, 0);
-  if (!told || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw std::runtime_error(cold_contestants()[contestant].name + ": the process told nothing");
   return run;
 }

@@ -11,7 +11,7 @@
 
 namespace rbpa_bench {
 
-/// Who takes part: the meshes and arrays of one thread and two, and CGAL.
+/// The contestants: the meshes and arrays of one thread and two, and CGAL.
 const std::vector<Contestant>& cold_contestants();
 
 /// One run, in a process of its own.
@@ -25,7 +25,7 @@ struct ColdRun {
 /// fails.
 ColdRun run_cold(const std::string& program, std::size_t contestant, const std::string& points_file);
 
-/// The child: reads the points, runs the contestant and tells on standard output. Returns: the code to end with.
+/// The child: reads the points, runs the contestant and reports on standard output. Returns: the code to end with.
 int one(std::size_t contestant, const std::string& points_file);
 
 }  // namespace rbpa_bench

@@ -1,5 +1,5 @@
-// What: the contestants: rbpa, hrbpa, CGAL, and what a run of one of them tells.
-// Law:  on the same points and alpha all contestants that take alpha find the same number of triangles.
+// What: the contestants: rbpa, hrbpa, CGAL, and the result of a run of one of them.
+// Law:  on the same points and alpha all contestants that accept alpha find the same number of triangles.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ struct Contestant {
   /// unless that is null. Throws std::runtime_error where there is no result.
   std::function<Run(std::span<const rbpa::Point> points, double alpha, Triangles* list)> run;
   bool takes_alpha = true;  ///< if not, all Delaunay triangles are found whatever alpha is
-  bool is_program = false;  ///< another program, which tells of its memory by itself
+  bool is_program = false;  ///< another program, whose memory is measured from outside
 };
 
 /// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
@@ -49,7 +49,7 @@ Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads
 Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, bool neighbors = false,
                Triangles* list = nullptr);
 
-/// rbpa::rbpa() as the paper says it, and rbpa::hrbpa().
+/// rbpa::rbpa() as in the paper, and rbpa::hrbpa().
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha);
 Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha);
 

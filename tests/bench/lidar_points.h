@@ -1,4 +1,4 @@
-// What: points as a survey of the ground has them, row by row, made as they are asked for: map coordinates in whole
+// What: points as a survey of the ground has them, row by row, made on demand: map coordinates in whole
 //       hundredths, lakes with an island each, gaps as houses leave them.
 // Law:  a function of the set, the number of points and the seed; any part of them can be made again.
 // Cost: a few hashes a point; nothing is kept.

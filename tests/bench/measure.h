@@ -1,5 +1,6 @@
-// What: a contest: several contestants on the same points, in turn, and what is said of each.
-// Law:  nobody is left out: who fails is said to have failed, who finds other triangles than the first to be wrong.
+// What: a contest: several contestants on the same points, in turn, and the results of each.
+// Law:  no contestant is left out: one that fails is reported as failed, one that finds other triangles than the first as
+//       wrong.
 #pragma once
 
 #include <cstddef>
@@ -53,8 +54,8 @@ struct Contest {
   }
 };
 
-/// By how many bytes resident memory rises at most beyond the input, in a process of its own; of another program its
-/// runs tell. That process is forked: threads that this one has had are missing there, so ask before any contest.
+/// By how many bytes resident memory rises at most beyond the input, in a process of its own; of another program, from its
+/// runs. That process is forked: threads of this process are missing there, so call it before any contest.
 std::optional<double> weigh(const Task& task, const Contestant& contestant);
 
 /// All in turn, each round beginning with another one, as long as patience lasts.

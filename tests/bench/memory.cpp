@@ -46,21 +46,21 @@ std::optional<double> peak_bytes(const std::function<void()>& prepare, const std
   if (child < 0) return std::nullopt;
   if (child == 0) {
     close(ends[0]);
-    bool told = false;
+    bool complete = false;
     try {
       prepare();
       if (const std::optional<double> bytes = rise_of_peak(work))
-        told = write(ends[1], &*bytes, sizeof(double)) == sizeof(double);
-    } catch (...) {  // nothing is told
+        complete = write(ends[1], &*bytes, sizeof(double)) == sizeof(double);
+    } catch (...) {  // nothing is reported
     }
-    _exit(told ? 0 : 1);
+    _exit(complete ? 0 : 1);
   }
   close(ends[1]);
   double bytes = 0;
-  const bool told = read(ends[0], &bytes, sizeof bytes) == sizeof bytes;
+  const bool complete = read(ends[0], &bytes, sizeof bytes) == sizeof bytes;
   close(ends[0]);
   waitpid(child, nullptr, 0);
-  return told ? std::optional(bytes) : std::nullopt;
+  return complete ? std::optional(bytes) : std::nullopt;
 }
 
 void keep_memory() {

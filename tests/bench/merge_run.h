@@ -32,7 +32,7 @@ struct MergePlan {
 struct MergedPart {
   TileBlock block;
   std::size_t depth;  ///< in the tree; of all tiles 0
-  double bytes;       ///< of the Partial, without what was taken
+  double bytes;       ///< of the Partial, without the polygons and holes removed
   double points;      ///< in the block
 };
 

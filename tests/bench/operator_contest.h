@@ -18,7 +18,7 @@ namespace meshops_bench {
 /// What all contestants must agree on after a pass. Vertices are numbered alike, so that triangles can be compared.
 struct Shape {
   std::size_t vertices = 0, edges = 0, faces = 0;
-  std::uint64_t triangles = 0;  ///< the sum of a hash of each, which knows its direction but not where it begins
+  std::uint64_t triangles = 0;  ///< the sum of a hash of each, of its direction but not of its beginning
 
   void add_triangle(Corners corners) {
     ++faces;

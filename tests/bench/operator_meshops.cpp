@@ -51,7 +51,7 @@ std::vector<int> earlier_sides(const Task& task) {
   return earlier;
 }
 
-/// A front knows the boundary halfedge that each triangle goes to; here a table does.
+/// A front has the boundary halfedge to which each triangle is attached; here a table does.
 std::unique_ptr<Contestant> insert_triangles(const Task& task) {
   return at_once(
       [&task](TriMesh& m) {

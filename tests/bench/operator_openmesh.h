@@ -1,4 +1,4 @@
-// What: the mesh on which libmeshops and OpenMesh compete, and what both sides ask of it.
+// What: the mesh on which libmeshops and OpenMesh compete, and the queries that both sides make.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -21,7 +21,7 @@ OpenMesh::VertexHandle vertex(std::uint32_t index);
 OpenMesh::HalfedgeHandle halfedge(const TriMesh& mesh, std::uint32_t from, std::uint32_t to);
 OpenMesh::FaceHandle face(const TriMesh& mesh, const Site& site);
 
-/// A contestant whose step gets what `locate(mesh, site)` says of each site.
+/// A contestant whose step gets the result of `locate(mesh, site)` for each site.
 template <typename Locate, typename Step>
 std::unique_ptr<Contestant> at_sites(TriMesh mesh, const Task& task, Locate locate, Step step) {
   using Handles = decltype(locate(mesh, task.sites.front()));

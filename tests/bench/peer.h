@@ -1,7 +1,7 @@
 // What: any program as a contestant. Its command is run by the shell with two file names behind it: points to read, as
 //       native float64 pairs x y x y …, and triangles to write, as native uint32 triples of indices into them.
-// Law:  a peer that fails is said to have failed, and how; it is never left out. It finds all Delaunay triangles.
-// Time: what it says in a line `seconds VALUE` on standard error, or else of its whole process, files included.
+// Law:  a peer that fails is reported as failed, and how; it is never left out. It finds all Delaunay triangles.
+// Time: the value of a line `seconds VALUE` on its standard error, or else of its whole process, files included.
 #pragma once
 
 #include <span>

@@ -38,7 +38,7 @@ TEST_CASE("a peer reads the points and writes the triangles") {
   CHECK(triangles == rbpa_bench::Triangles{{0, 1, 2}});
 }
 
-TEST_CASE("a peer's time is what it says, or that of its process") {
+TEST_CASE("a peer's time is the one it reports, or that of its process") {
   const rbpa_bench::Run says = run_peer("sh -c 'echo seconds 0.125 >&2; : >\"$2\"' peer", corner);
   CHECK(says.seconds == 0.125);
   CHECK(says.clock == Clock::peer);
@@ -47,7 +47,7 @@ TEST_CASE("a peer's time is what it says, or that of its process") {
   CHECK(silent.clock == Clock::process);
 }
 
-TEST_CASE("a peer that fails is said to have failed, and how") {
+TEST_CASE("a peer that fails is reported as failed, and how") {
   CHECK(failure("sh -c 'exit 3' peer") == "ended with 3");
   CHECK(failure("sh -c 'echo no memory >&2; exit 1' peer") == "ended with 1: no memory");
   CHECK(failure("sh -c 'kill -9 $$' peer").starts_with("ended "));  // the shell may turn signal 9 into 137

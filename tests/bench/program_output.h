@@ -1,4 +1,4 @@
-// What: a program that is run by the shell, and what it says.
+// What: a program that is run by the shell, and its output.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What: what bench_report is asked for on its command line.
+// What: the command line of bench_report.
 #pragma once
 
 #include <cstddef>

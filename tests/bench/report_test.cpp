@@ -35,7 +35,7 @@ TEST_CASE("a report has peers that are right, wrong and failing in every contest
   CHECK(all.text.find("none: another program; time of its whole process") != std::string::npos);
 }
 
-TEST_CASE("a report ends with the targets, which say what was not measured") {
+TEST_CASE("a report ends with the targets, which name what was not measured") {
   const Report all = report("--points=200 --runs=1 --trap-points=0");
   CHECK(all.code == 0);
   CHECK(all.text.find("| uniform 200, α = ∞: CGAL points / rbpa ≥ 2 | ") != std::string::npos);

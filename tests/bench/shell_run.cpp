@@ -23,12 +23,12 @@ struct Ended {
   double peak_bytes;
 };
 
-Ended wait_for_shell(const std::string& command, const std::filesystem::path& said) {
+Ended wait_for_shell(const std::string& command, const std::filesystem::path& output) {
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process can be started");
   if (child == 0) {
-    const int nothing = open("/dev/null", O_RDWR), errors = creat(said.c_str(), 0600);
+    const int nothing = open("/dev/null", O_RDWR), errors = creat(output.c_str(), 0600);
     if (nothing >= 0 && errors >= 0 && dup2(nothing, 0) >= 0 && dup2(nothing, 1) >= 0 && dup2(errors, 2) >= 0)
       execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);
@@ -41,31 +41,31 @@ Ended wait_for_shell(const std::string& command, const std::filesystem::path& sa
   return ended;
 }
 
-/// What it said on standard error: its time, and the last line for those who ask why it failed.
-struct Said {
+/// Its standard error: its time, and the last line, as the reason for a failure.
+struct ErrorOutput {
   std::optional<double> seconds;
   std::string last_line;
 };
 
-Said read_said(const std::filesystem::path& path) {
-  Said said;
+ErrorOutput read_error_output(const std::filesystem::path& path) {
+  ErrorOutput output;
   std::ifstream file(path);
   constexpr std::string_view key = "seconds ";
   for (std::string line; std::getline(file, line);) {
-    if (!line.empty()) said.last_line = line;
+    if (!line.empty()) output.last_line = line;
     if (!line.starts_with(key)) continue;
     double value = 0;
     const char* const end = line.data() + line.size();
     const auto [rest, error] = std::from_chars(line.data() + key.size(), end, value);
     if (error != std::errc{} || rest != end || !(value > 0) || !std::isfinite(value))
       throw std::runtime_error("said '" + line + "', expected seconds and a number above 0");
-    said.seconds = value;
+    output.seconds = value;
   }
-  return said;
+  return output;
 }
 
-void refuse_failure(int status, const Said& said) {
-  const std::string why = said.last_line.empty() ? "" : ": " + said.last_line;
+void refuse_failure(int status, const ErrorOutput& output) {
+  const std::string why = output.last_line.empty() ? "" : ": " + output.last_line;
   if (WIFSIGNALED(status)) throw std::runtime_error("ended by signal " + std::to_string(WTERMSIG(status)) + why);
   if (WEXITSTATUS(status) != 0) throw std::runtime_error("ended with " + std::to_string(WEXITSTATUS(status)) + why);
 }
@@ -88,11 +88,11 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-ShellRun run_shell(const std::string& command, const std::filesystem::path& said_here) {
-  const Ended ended = wait_for_shell(command, said_here);
-  const Said said = read_said(said_here);
-  refuse_failure(ended.status, said);
-  return {said.seconds.value_or(ended.seconds), said.seconds ? Clock::peer : Clock::process, ended.peak_bytes};
+ShellRun run_shell(const std::string& command, const std::filesystem::path& error_file) {
+  const Ended ended = wait_for_shell(command, error_file);
+  const ErrorOutput output = read_error_output(error_file);
+  refuse_failure(ended.status, output);
+  return {output.seconds.value_or(ended.seconds), output.seconds ? Clock::peer : Clock::process, ended.peak_bytes};
 }
 
 }  // namespace rbpa_bench

@@ -1,5 +1,5 @@
 // What: a command of the shell that is timed, and the files that it reads and writes.
-// Time: what it says in a line `seconds VALUE` on standard error, or else of its whole process, files included.
+// Time: the value of a line `seconds VALUE` on its standard error, or else of its whole process, files included.
 #pragma once
 
 #include <filesystem>

@@ -15,7 +15,7 @@ double cantor(Random& random) {
   return x;
 }
 
-/// x ↦ a x + b y + e, y ↦ c x + d y + f, taken with a probability.
+/// x ↦ a x + b y + e, y ↦ c x + d y + f, chosen with a probability.
 struct Affine {
   double a, b, c, d, e, f, probability;
 };

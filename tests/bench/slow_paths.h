@@ -9,7 +9,7 @@
 
 namespace rbpa_bench {
 
-/// A set, a radius, and how many times as long as CGAL's Delaunay triangulation of the points the complex may take.
+/// A set, a radius, and the bound on the time of the complex, in times of CGAL's Delaunay triangulation of the points.
 struct SlowPath {
   std::string kind;
   Workload workload;

@@ -96,7 +96,7 @@ PointFiles write_files(const Wanted& wanted, const std::string& folder) {
     number.insert(0, 4 - std::min<std::size_t>(number.size(), 4), '0');
     made.paths.push_back(folder + "/" + number + "." + wanted.format);
   }
-  // What says that they are whole is written last.
+  // The list, which marks them as whole, is written last.
   const std::string list = folder + "/content.txt";
   if (content_of(list) != text_of(wanted)) {
     fs::remove_all(folder);
@@ -149,7 +149,7 @@ double seconds_to_read(const PointFiles& files) {
 }
 
 double seconds_to_write(const std::string& path, double bytes) {
-  // Not all the same, which a disk may know how to keep in less.
+  // Not all the same bytes, which a disk may compress.
   std::vector<std::uint64_t> block(std::size_t{1} << 17U);
   std::uint64_t number = 1;
   for (std::uint64_t& word : block) word = number = number * 0x5851f42d4c957f2dU + 0x14057b7ef767814fU;

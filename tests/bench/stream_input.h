@@ -22,11 +22,11 @@ struct Wanted {
   std::size_t files;
 };
 
-/// Files in `folder`, which is made; those of a run before are taken where they are the same. They are on the disk when this
-/// returns. Throws std::runtime_error.
+/// Files in `folder`, which is made; those of an earlier run are used again where they are the same. They are on the disk
+/// when this returns. Throws std::runtime_error.
 PointFiles write_files(const Wanted& wanted, const std::string& folder);
 
-/// Asks the system to keep nothing of the files in memory. Returns: which share of them it has all the same.
+/// Advises the system to keep nothing of the files in memory. Returns: the share of them that stays all the same.
 double forget(const PointFiles& files);
 
 /// Seconds in which the reader of `rbpa stream` gives all points of the files, one thread.

@@ -50,7 +50,7 @@ std::vector<rbpa::Point> points_of(Ground ground, std::uint64_t count, std::size
 
 }  // namespace
 
-TEST_CASE("lidar points are as many as were asked for, whatever the blocks, and whole hundredths") {
+TEST_CASE("lidar points are as many as were requested, whatever the blocks, and whole hundredths") {
   for (const Ground ground : {Ground::jittered, Ground::uniform}) {
     const std::vector<rbpa::Point> all = points_of(ground, 20000, 20000);
     CHECK(all.size() == 20000);
@@ -95,7 +95,7 @@ TEST_CASE("the model of merges is near what tiles of other ground send") {
   CHECK(run(RBPA_BENCH_MERGE, "--across=0").code == 2);
 }
 
-TEST_CASE("a run in tiles finds what the run in memory does, which the report says, and leaves nothing") {
+TEST_CASE("a run in tiles finds what the run in memory does, which the report states, and leaves nothing") {
   for (const char* options : {"--target=geojson --ground=uniform --input=npy", "--target=npy --threads=1"}) {
     CAPTURE(options);
     const Folder folder;
@@ -117,7 +117,7 @@ TEST_CASE("a run in tiles finds what the run in memory does, which the report sa
   }
 }
 
-TEST_CASE("a benchmark of streams says what went wrong, and leaves nothing") {
+TEST_CASE("a benchmark of streams reports what went wrong, and leaves nothing") {
   const Folder folder;
   const Report failed = run(RBPA_BENCH_STREAM, "--points=1K --program=/bin/false --scratch=" + folder.path());
   CHECK(failed.code == 1);

@@ -16,7 +16,7 @@ struct SurfaceContestant {
   std::string name;
   std::function<Run(const SurfacePoints& samples, double radius)> run;  ///< throws where there is no result
   bool is_exact = true;
-  bool is_program = false;  ///< another program, which tells of its memory by itself
+  bool is_program = false;  ///< another program, whose memory is measured from outside
 };
 
 /// rbpa::surface(): arrays; and with surface_mesh() after it, the mesh.

@@ -126,7 +126,7 @@ SurfacePoints on_sphere(std::size_t count, double noise) {
 }
 
 SurfacePoints on_double_torus(std::size_t count) {
-  // How many there are goes with the area, which a coarse one tells.
+  // Their number is proportional to the area, which a coarse sample estimates.
   constexpr double coarse = 0.02;
   const double area = static_cast<double>(with_spacing(coarse).points.size()) * coarse * coarse;
   return with_spacing(std::sqrt(area / static_cast<double>(count)));

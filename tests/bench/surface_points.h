@@ -1,4 +1,4 @@
-// What: points with normals on surfaces whose spacing is known, for the contest of ball pivoting.
+// What: points with normals on surfaces, with a given spacing, for the contest of ball pivoting.
 // Law:  a function of the arguments alone, but for the last bits of sines and cosines.
 #pragma once
 

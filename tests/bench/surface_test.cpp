@@ -58,7 +58,7 @@ TEST_CASE(
   CHECK(hold(wrong).outcomes[1].wrong == "7 triangles, expected 1996");
 }
 
-TEST_CASE("a program reads the points as PLY, is told the radius, and the faces of its mesh are counted") {
+TEST_CASE("a program reads the points as PLY, receives the radius, and the faces of its mesh are counted") {
   const Contest contest = hold(surface_program(
       "one", R"sh(printf 'ply\nelement face 12\nend_header\n' >{out} && grep -aq 'element vertex 1000' {in} &&)sh"
              R"sh( test $(wc -c <{in}) -gt 48000 && echo {radius} | grep -q '^0.22' && echo seconds 0.5 >&2)sh"));
@@ -68,7 +68,7 @@ TEST_CASE("a program reads the points as PLY, is told the radius, and the faces 
   CHECK(contest.outcomes[1].clock == Clock::peer);
 }
 
-TEST_CASE("a program that fails is said to have failed, and how; one that cannot work is refused") {
+TEST_CASE("a program that fails is reported as failed, and how; one that cannot work is refused") {
   CHECK(failure(": {in} {out}") == "wrote no mesh");
   CHECK(failure("cp {in} {out}") == "wrote PLY without faces");
   CHECK(failure("echo no >{out}; : {in}") == "wrote something that is not PLY");

@@ -16,7 +16,7 @@ void print_machine(int runs);
 void print_time_head(const std::vector<Contestant>& contestants);
 void print_time_row(const Contest& contest);
 
-/// What is left to say below: memory, and whose clocks the times of other programs are from.
+/// Below the tables: memory, and by whose clocks other programs were timed.
 void print_memory(const std::vector<Contest>& contests);
 void print_clocks(const std::vector<Contest>& contests);
 

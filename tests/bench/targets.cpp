@@ -6,7 +6,7 @@
 namespace rbpa_bench {
 namespace {
 
-/// Grids have a whole number of rows: about as many points as asked for.
+/// Grids have a whole number of rows: about as many points as requested.
 bool is_about(std::size_t found, std::size_t asked) {
   const auto f = static_cast<double>(found), a = static_cast<double>(asked);
   return std::abs(f - a) < 0.05 * a;

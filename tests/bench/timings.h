@@ -1,4 +1,4 @@
-// What: times of repeated runs, and what a table says of them.
+// What: times of repeated runs, and their text in a table.
 #pragma once
 
 #include <algorithm>

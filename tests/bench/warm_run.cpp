@@ -38,25 +38,25 @@ WarmRun compute_warm(const std::string& file, double alpha, unsigned threads, bo
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process can be started");
   if (child == 0) {
-    bool told = false;
+    bool complete = false;
     try {
       keep_memory();
       const std::vector<rbpa::Point> points = points_of(file);
       WarmRun run;
       constexpr int runs = 3;
       for (int i = 0; i < runs; ++i) run = timed(points, alpha, threads, with_polygons);
-      told = write(ends[1], &run, sizeof run) == sizeof run;
-    } catch (...) {  // nothing is told
+      complete = write(ends[1], &run, sizeof run) == sizeof run;
+    } catch (...) {  // nothing is reported
     }
-    _exit(told ? 0 : 1);
+    _exit(complete ? 0 : 1);
   }
   close(ends[1]);
   WarmRun run;
-  const bool told = read(ends[0], &run, sizeof run) == sizeof run;
+  const bool complete = read(ends[0], &run, sizeof run) == sizeof run;
   close(ends[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  if (!told) throw std::runtime_error(file + ": computing it in memory failed");
+  if (!complete) throw std::runtime_error(file + ": computing it in memory failed");
   return run;
 }
 

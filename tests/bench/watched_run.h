@@ -17,7 +17,7 @@ struct Moment {
 
 struct WatchedRun {
   double seconds = 0, processor_seconds = 0;
-  double peak_bytes = 0;             ///< of resident memory, as the system says when it has ended
+  double peak_bytes = 0;             ///< of resident memory, as the system reports at its end
   std::vector<Moment> moments = {};  ///< ascending; looking takes less than a hundredth of the time
 
   /// What its threads had used by then.

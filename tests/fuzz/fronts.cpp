@@ -1,4 +1,4 @@
-// Fronts: whatever they are asked and whatever a policy answers, by the bytes of a fuzzer (tests/meshops/walk), they do what
+// Fronts: for any calls and any results of a policy, from the bytes of a fuzzer (tests/meshops/walk), they do what
 // their model does, refuse what it refuses, and stay sound.
 #include <stdexcept>
 

@@ -22,7 +22,7 @@ constexpr Format formats[] = {Format::text, Format::npy, Format::off, Format::pl
 
 constexpr std::size_t ways = 4;  // in which each is read
 
-/// Formats that came later, each with what may be asked of it; selectors below have kept their meaning.
+/// Formats that were added later, each with its options; selectors below have kept their meaning.
 PointSource later_source_of(std::size_t selector) {
   PointSource source{.path = ""};
   source.vertices = selector % 2 == 1;

@@ -1,5 +1,5 @@
 // Readers of points of space: any bytes are points, all finite, with a normal and a colour of each or of none, or refused in
-// a sentence of one line. The first byte is the format and what is asked of it; the rest is the file.
+// a sentence of one line. The first byte is the format and the options; the rest is the file.
 #include <algorithm>
 #include <string>
 

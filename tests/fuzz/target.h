@@ -1,4 +1,4 @@
-// What: what a fuzz target is, and how it says that a law is broken.
+// What: a fuzz target, and how it reports a broken law.
 #pragma once
 
 #include <cstddef>

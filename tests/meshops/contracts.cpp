@@ -1,4 +1,4 @@
-// Handles that name nothing, and effects that no operator returned, given to every function that takes them: a contract
+// Handles that name nothing, and effects that no operator returned, given to every function that has such arguments: a contract
 // violation that names the function, and not a bit of the mesh is changed.
 #include "meshops/core/contract.h"
 
@@ -76,13 +76,13 @@ struct Annulus {
       for (const Handle handle : handles) {
         CAPTURE(std::string(name));
         CAPTURE(handle.idx());
-        std::string said;
+        std::string message;
         try {
           call(mesh, handle);
         } catch (const ContractViolation& violation) {
-          said = violation.what();
+          message = violation.what();
         }
-        CHECK_MESSAGE(said.starts_with(name), said);
+        CHECK_MESSAGE(message.starts_with(name), message);
         CHECK(snapshot(mesh) == before);
       }
   }
@@ -152,7 +152,7 @@ TEST_SUITE("contracts") {
                              {"graph view:", [](TestMesh& m, Face f) { out_edges(f, DualGraph(m)); }}});
   }
 
-  TEST_CASE("on_same_curve and BoundaryCurve want boundary halfedges") {
+  TEST_CASE("on_same_curve and BoundaryCurve require boundary halfedges") {
     Annulus annulus;
     const Halfedge inner = annulus.mesh.opposite_halfedge_handle(annulus.boundary);
     check_refused(annulus.mesh, "not a boundary halfedge",
@@ -164,10 +164,10 @@ TEST_SUITE("contracts") {
     CHECK_THROWS_AS(out_edges(Vertex(0), BoundaryGraph(closed)), ContractViolation);
   }
 
-  TEST_CASE("who needs status to delete says who it is") {
+  TEST_CASE("operators that need status to delete name themselves without it") {
     OpenMesh::PolyMesh_ArrayKernelT<> mesh;
     const auto b = separate_triangles(mesh, 2);
-    const auto said = [](auto operate) -> std::string {
+    const auto message = [](auto operate) -> std::string {
       try {
         operate();
       } catch (const ContractViolation& violation) {
@@ -176,21 +176,21 @@ TEST_SUITE("contracts") {
       return "";
     };
     const std::pair<std::string, std::string> all[] = {
-        {"collapse", said([&] { collapse(mesh, b[0]); })},
-        {"weld_edge", said([&] { weld_edge(mesh, b[0]); })},
-        {"weld_face", said([&] { weld_face(mesh, Vertex(0)); })},
-        {"remove_vertex", said([&] { remove_vertex(mesh, Vertex(0)); })},
-        {"undo", said([&] { undo(mesh, WeldEffect()); })},
-        {"glue", said([&] { glue(mesh, b[0], b[3]); })},
-        {"unglue", said([&] { unglue(mesh, made_up(GlueCase::zip, b[0], b[3])); })},
-        {"zip_curves", said([&] { zip_curves(mesh, b[0], b[3]); })},
-        {"destroy_triangle", said([&] { destroy_triangle(mesh, Face(0)); })},
-        {"remove_triangle", said([&] { remove_triangle(mesh, Face(0)); })},
-        {"open_curve", said([&] { open_curve(mesh, Face(0)); })}};
+        {"collapse", message([&] { collapse(mesh, b[0]); })},
+        {"weld_edge", message([&] { weld_edge(mesh, b[0]); })},
+        {"weld_face", message([&] { weld_face(mesh, Vertex(0)); })},
+        {"remove_vertex", message([&] { remove_vertex(mesh, Vertex(0)); })},
+        {"undo", message([&] { undo(mesh, WeldEffect()); })},
+        {"glue", message([&] { glue(mesh, b[0], b[3]); })},
+        {"unglue", message([&] { unglue(mesh, made_up(GlueCase::zip, b[0], b[3])); })},
+        {"zip_curves", message([&] { zip_curves(mesh, b[0], b[3]); })},
+        {"destroy_triangle", message([&] { destroy_triangle(mesh, Face(0)); })},
+        {"remove_triangle", message([&] { remove_triangle(mesh, Face(0)); })},
+        {"open_curve", message([&] { open_curve(mesh, Face(0)); })}};
     for (const auto& [who, what] : all) CHECK_MESSAGE(what.starts_with(who + ": the mesh needs "), what);
   }
 
-  TEST_CASE("a tracker that is told of what did not happen says so and counts nothing") {
+  TEST_CASE("a tracker that is notified of what did not happen refuses it and counts nothing") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     TopologyTracker tracker(mesh);

@@ -11,7 +11,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("corpus") {
-  TEST_CASE("every specimen is sound and has the topology that it is said to have") {
+  TEST_CASE("every specimen is sound and has the topology that is listed for it") {
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
       TestMesh mesh;
@@ -33,7 +33,7 @@ TEST_SUITE("corpus") {
     }
   }
 
-  TEST_CASE("the isomorphism class tells the specimens apart and does not see handles") {
+  TEST_CASE("the isomorphism class distinguishes the specimens and does not depend on handles") {
     std::vector<std::string> classes;
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;

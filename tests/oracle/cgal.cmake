@@ -11,7 +11,7 @@ if(NOT TARGET test_cgal)
   add_library(test_cgal INTERFACE)
   target_include_directories(test_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIR} ${GMP_INCLUDE_DIR})
   target_compile_definitions(test_cgal INTERFACE CGAL_USE_GMP=1 CGAL_USE_MPFR=1)
-  # Interval arithmetic changes the rounding mode; CGAL asks g++ to be told.
+  # Interval arithmetic changes the rounding mode; CGAL requires a flag for that with g++.
   target_compile_options(test_cgal INTERFACE $<$<CXX_COMPILER_ID:GNU>:-frounding-math>)
   target_link_libraries(test_cgal INTERFACE ${MPFR_LIBRARY} ${GMP_LIBRARY} Boost::headers Threads::Threads)
 endif()

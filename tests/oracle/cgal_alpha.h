@@ -11,7 +11,7 @@ namespace rbpa_test {
 
 struct ProposedAlphas {
   double covering;  ///< find_alpha_solid(): a radius, not its square
-  /// find_optimal_alpha(K) for each K asked for: radii. It returns the value after the one it has found, except at the
+  /// find_optimal_alpha(K) for each K given: radii. It returns the value after the one it has found, except at the
   /// end; here is the one found.
   std::vector<double> optimal;
 };

@@ -1,4 +1,4 @@
-// What: the exposed triangles as CGAL says: its Delaunay triangulation in space, with the closed alpha complex by exact
+// What: the exposed triangles by CGAL: its Delaunay triangulation in space, with the closed alpha complex by exact
 //       radii; and its own Fixed alpha shape.
 // Law:  shares nothing with the library: the definition by the complex, not by balls.
 #pragma once

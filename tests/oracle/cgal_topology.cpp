@@ -30,7 +30,7 @@ Polygons polygons_of(const meshops::PolygonSoup& soup) {
   return polygons;
 }
 
-/// Places tell the points apart; the topology does not depend on them.
+/// Places distinguish the points; the topology does not depend on them.
 std::vector<Point> places(std::size_t points) {
   std::vector<Point> result;
   for (std::size_t p = 0; p < points; ++p) result.emplace_back(static_cast<double>(p), 0, 0);

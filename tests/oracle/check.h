@@ -12,7 +12,7 @@ namespace rbpa_test {
 
 /// The first thing that is wrong, "" when nothing is:
 ///   the mesh has defects, is not the expected triangles, leaves edges of theirs unglued, glues fans that only touch;
-///   an input index, an isolated point or a duplicate is not what the points say.
+///   an input index, an isolated point or a duplicate does not agree with the points.
 std::string wrong_with(const rbpa::SolidAlphaComplex& complex, std::span<const rbpa::Point> points,
                        const std::vector<Triangle>& expected);
 

@@ -1,6 +1,6 @@
 // What: the comparison of a circumradius with alpha that the oracles trust.
 // How:  |ab|²|bc|²|ca|² against 4 alpha² (ab × ac)², by intervals with directed rounding where they decide, else by
-//       rational numbers, which know neither overflow nor underflow.
+//       rational numbers, which have neither overflow nor underflow.
 #pragma once
 
 #include "rbpa/base/point.h"

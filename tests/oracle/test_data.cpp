@@ -6,10 +6,10 @@
 #include <set>
 #include <string>
 
-#include "oracle/arguments.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
 #include "rbpa/rbpa.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 #include "support/read_points.h"

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
 #include "rbpa/polygons_of_rings.h"
+#include "support/arguments.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 

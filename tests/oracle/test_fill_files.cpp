@@ -18,9 +18,9 @@
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/polygon/read_polygons.h"
-#include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "oracle/rational.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/read_points.h"
 #include "support/spacing.h"
@@ -164,7 +164,7 @@ std::size_t count_of(const std::string& report, const std::string& what) {
   return std::stoul(report.substr(at + what.size() + 3));
 }
 
-/// Of a size that GEOS knows nothing of; infinity as "inf".
+/// With a size, which GEOS does not have; infinity as "inf".
 void check_fill(const Folder& folder, const std::string& path, const PolygonFile& file, const Valid& valid,
                 const std::string& size) {
   INFO("size ", size);
@@ -175,7 +175,7 @@ void check_fill(const Folder& folder, const std::string& path, const PolygonFile
   const Triangles triangles(folder.content("m.off"));
   double far = 0;
   for (const Point& p : file.vertices.points) far = std::max({far, std::abs(p.x), std::abs(p.y)});
-  // Where an area is small for the coordinates, theirs is not known better than these.
+  // Where an area is small for the coordinates, theirs is not more precise than these.
   CHECK(std::abs(triangles.area() - valid.area) <= std::max(1e-9 * valid.area, 0x1p-50 * far * valid.perimeter));
   const Edges edges(triangles);
   const auto check_ring = [&](const Ring& ring) {
@@ -240,7 +240,7 @@ TEST_CASE("what rbpa shape writes, rbpa fill fills: further point files, where t
   check_shapes(further_data());
 }
 
-/// Lines in a polygon that bound no hole, of a .poly file, are not taken; they are no polygons for GEOS either.
+/// Lines in a polygon that bound no hole, of a .poly file, are left out; they are no polygons for GEOS either.
 bool has_lines_inside(const std::string& path) {
   try {
     read(path);

@@ -1,4 +1,4 @@
-// Which polygons fill() takes, by GEOS: those that are valid, also where they touch; their area, their boundary.
+// Which polygons fill() accepts, by GEOS: those that are valid, also where they touch; their area, their boundary.
 //   --count=N     so many random polygons; more, until a quarter of so many touch
 //   --largest=N   of point files those with at most so many points
 #include <doctest/doctest.h>
@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "rbpa/fill.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
 #include "rbpa/validity.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 #include "support/read_points.h"

@@ -9,7 +9,6 @@
 #include <string>
 #include <tuple>
 
-#include "oracle/arguments.h"
 #include "oracle/cgal_alpha.h"
 #include "oracle/delaunay.h"
 #include "oracle/gudhi_persistence.h"
@@ -17,6 +16,7 @@
 #include "rbpa/persistence.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/topology.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
@@ -31,7 +31,7 @@ struct Set {
   Points points;
 };
 
-/// Generated, bundled and random sets of the asked size whose squared radii are far from the ends of double.
+/// Generated, bundled and random sets of the given size whose squared radii are far from the ends of double.
 std::vector<Set> sets() {
   std::vector<Set> all;
   const auto add = [&](std::string name, Points points) {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "oracle/arguments.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/levels.h"
 #include "support/random.h"

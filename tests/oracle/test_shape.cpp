@@ -8,10 +8,10 @@
 #include <set>
 #include <string>
 
-#include "oracle/arguments.h"
 #include "oracle/geos_geometry.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/shape.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"
 #include "support/pictures.h"

@@ -10,11 +10,11 @@
 #include <exception>
 #include <iterator>
 
-#include "oracle/arguments.h"
 #include "oracle/brute_force.h"
 #include "oracle/check.h"
 #include "oracle/delaunay.h"
 #include "rbpa/paper.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/levels.h"
 #include "support/random.h"
@@ -159,7 +159,7 @@ TEST_CASE("sets that were once wrong stay right") {
   }
 }
 
-TEST_CASE("random sets on small grids: the complex is what its definition says") {
+TEST_CASE("random sets on small grids: the complex is that of the definition") {
   for_random_sets(1, [](const Points& points, double alpha, Random&) { check_against_brute_force(points, alpha); });
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("random sets on small grids: integer translations and powers of two ke
 }
 
 TEST_CASE("random sets on small grids: turned and mirrored sets are right as well") {
-  // The perturbation follows the coordinates, so cocircular points may be cut otherwise: the oracle says how.
+  // The perturbation follows the coordinates, so cocircular points may be cut otherwise: the oracle determines how.
   for_random_sets(5, [](const Points& points, double alpha, Random& random) {
     constexpr Map maps[] = {{0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}, {-1, 0, 0, 1}, {0, 1, 1, 0}};
     check_against_cgal(image(points, maps[random.below(std::size(maps))]), alpha);
@@ -220,7 +220,7 @@ TEST_CASE("random sets on small grids: a smaller alpha gives a subset") {
   });
 }
 
-TEST_CASE("every subset of a small grid: the complex is what its definition says") {
+TEST_CASE("every subset of a small grid: the complex is that of the definition") {
   for_subsets(even, [](const Points& points) {
     for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
       INFO("alpha ", literal(alpha));

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "oracle/arguments.h"
 #include "oracle/cgal_space.h"
 #include "rbpa/holes.h"
 #include "rbpa/surface.h"
 #include "rbpa/surface_levels.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"
 

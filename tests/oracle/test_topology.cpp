@@ -13,9 +13,9 @@
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
-#include "oracle/arguments.h"
 #include "oracle/cgal_topology.h"
 #include "oracle/read_off.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 
@@ -129,7 +129,7 @@ PolygonSoup random_faces(Random& random) {
   return soup;
 }
 
-/// Without the faces that CGAL does not take: degenerate and repeated ones.
+/// Without the faces that CGAL does not accept: degenerate and repeated ones.
 PolygonSoup with_whole_faces(const PolygonSoup& soup) {
   std::vector<bool> bad(soup.faces(), false);
   for (const meshops::SoupDefect& defect : meshops::find_defects(soup))
@@ -153,7 +153,7 @@ void for_each_random_soup(Check check) {
     }
 }
 
-/// What is known of the mesh files beforehand: V, F, curves, genus, all of one piece.
+/// The published facts about the mesh files: V, F, curves, genus, all of one piece.
 struct Known {
   std::size_t vertices, faces, curves;
   long genus;
@@ -171,7 +171,7 @@ const std::map<std::string, Known>& known_meshes() {
   return known;
 }
 
-TEST_CASE("meshes from files: the known numbers, and every piece as CGAL has it") {
+TEST_CASE("meshes from files: the published numbers, and every piece as CGAL has it") {
   std::map<std::string, MeshFile> files;
   for (const auto& folder : {further_data(), bundled_data()})
     for (const MeshFile& file : mesh_files(folder)) files.insert_or_assign(file.name, file);
@@ -219,7 +219,7 @@ TEST_CASE("meshes from files, damaged: repaired they have the pieces that CGAL's
     }
 }
 
-TEST_CASE("a soup has no defects exactly when CGAL takes it for a mesh") {
+TEST_CASE("a soup has no defects exactly when CGAL accepts it as a mesh") {
   std::size_t taken = 0;
   for_each_random_soup([&](const PolygonSoup& soup) {
     CHECK(meshops::find_defects(soup).empty() == cgal_takes(soup));

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when a file includes one of a folder that its own folder must not know.
-# Each line has a folder and those that it may know; a folder always knows itself.
+# Fails when a file includes one of a folder that its own folder must not include.
+# Each line has a folder and those that it may include; a folder may always include itself.
 set(allowed
   "meshops: meshops/core meshops/front meshops/graph meshops/handle meshops/history meshops/patch meshops/stellar
     meshops/topology"
@@ -97,8 +97,8 @@ foreach(root libmeshops librbpa apps)
   endforeach()
 endforeach()
 
-# Headers that users see, and programs, which are users too, know nothing of the inside of librbpa: it is not installed, hidden in
-# a shared library, exact under the flags of this project only. What docs/drawings draws is there.
+# Headers that users see, and programs, which are users too, include no internal header of librbpa: it is not installed,
+# hidden in a shared library, exact under the flags of this project only. What docs/drawings draws is there.
 file(STRINGS ${ROOT}/librbpa/CMakeLists.txt lines REGEX "rbpa/[a-z0-9_/]+\\.h")
 list(FILTER lines EXCLUDE REGEX ">")  # old paths
 string(REGEX MATCHALL "rbpa/[a-z0-9_/]+\\.h" installed "${lines}")

@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when a page quotes code that is not in the file it says. A quote is a line "<!-- from FILE -->" and a block of code.
+# Fails when a page quotes code that is not in the file it names. A quote is a line "<!-- from FILE -->" and a block of code.
 set(checked 0)
 file(GLOB pages ${ROOT}/docs/*.md)
 foreach(page ${pages})

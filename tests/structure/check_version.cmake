@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.22)
-# The version stands in project(). Fails when a text says another one, or the changelog does not have it with a date.
+# The version stands in project(). Fails when a text has another one, or the changelog does not have it with a date.
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" interface ${VERSION})
 file(READ ${ROOT}/CHANGELOG.md changelog)
 string(REGEX MATCH "\n## \\[([0-9.]+)\\] - ([^\n]*)" newest "${changelog}")

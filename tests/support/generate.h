@@ -56,7 +56,7 @@ Points along_curves(int per_curve);
 /// Every integer point at distance `radius` of the origin, counter-clockwise. 5·13·17 = 1105 has 108, 32045 has 324.
 Points integer_circle(int radius);
 
-/// Integer circles of radius and 2 · radius around one centre, with the centre if asked.
+/// Integer circles of radius and 2 · radius around one centre, with the centre on request.
 Points integer_concentric(int radius, bool centre);
 
 /// Two circles of `each` points, rounded: cocircular but for the last bits.

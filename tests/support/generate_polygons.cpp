@@ -173,7 +173,7 @@ PolygonCase untangled(Random& random) {
   return made;
 }
 
-/// Short edges in a large polygon, of which a constant size knows nothing.
+/// Short edges in a large polygon, which a constant size ignores.
 PolygonCase notched(Random& random) {
   PolygonCase made{.name = "notched", .size = 0.15, .is_roomy = false};
   Points places;

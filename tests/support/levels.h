@@ -1,4 +1,4 @@
-// What: the laws of a hierarchy's levels, said of one result.
+// What: the laws of a hierarchy's levels, checked for one result.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ inline std::vector<Triangle> triangles_after(const rbpa::Hierarchy& h, std::size
 }
 
 /// Every face came in on the first level whose radius admits it: admits(a, b, c, alpha). Where the final mesh is the
-/// complex of alpha, this says that each level was the complex of its radius. "" when it is so.
+/// complex of alpha, this means that each level was the complex of its radius. "" when it is so.
 template <typename Admits>
 std::string wrong_level(const rbpa::Hierarchy& h, std::span<const rbpa::Point> points, Admits admits) {
   for (const auto face : h.complex.mesh.faces()) {

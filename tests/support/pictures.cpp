@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pixel_area = 4, side = 2;
 
-/// Labels of a grid with a margin of one; pixels hang together through sides. −1: not asked about.
+/// Labels of a grid with a margin of one; pixels are connected through sides. −1: not labelled.
 struct Labels {
   std::size_t rows, columns;
   std::vector<int> of;
@@ -18,19 +18,19 @@ struct Labels {
   int& at(std::size_t row, std::size_t column) { return of[row * columns + column]; }
 };
 
-template <typename Asked>
-Labels flood(std::size_t rows, std::size_t columns, Asked&& asked) {
+template <typename Include>
+Labels flood(std::size_t rows, std::size_t columns, Include&& include) {
   Labels labels{rows, columns, std::vector<int>(rows * columns, -1)};
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < columns; ++c) {
-      if (!asked(r, c) || labels.at(r, c) >= 0) continue;
+      if (!include(r, c) || labels.at(r, c) >= 0) continue;
       std::vector<std::pair<std::size_t, std::size_t>> open = {{r, c}};
       labels.at(r, c) = labels.count;
       while (!open.empty()) {
         const auto [y, x] = open.back();
         open.pop_back();
         const auto visit = [&](std::size_t row, std::size_t column) {
-          if (row >= rows || column >= columns || !asked(row, column) || labels.at(row, column) >= 0) return;
+          if (row >= rows || column >= columns || !include(row, column) || labels.at(row, column) >= 0) return;
           labels.at(row, column) = labels.count;
           open.emplace_back(row, column);
         };

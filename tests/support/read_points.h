@@ -21,7 +21,7 @@ struct PointFile {
 /// The point sets of a folder by name; empty when there is no such folder.
 std::vector<PointFile> point_files(const std::filesystem::path& folder);
 
-/// Throws: std::runtime_error naming the file (and line) that is not what its ending says.
+/// Throws: std::runtime_error naming the file (and line) that is not of the format of its ending.
 Points read_points(const PointFile& file);
 
 }  // namespace rbpa_test

@@ -1,4 +1,4 @@
-// What: the complex at every step: the triangles below a number. Who lies beside whom, and what hangs together.
+// What: the complex at every step: the triangles below a number. The neighbours of triangles, and connected components.
 // Law:  triangles are in the order in which they come, so that `count` of them, from the first, are a step's.
 "use strict";
 
@@ -160,7 +160,7 @@ class Complex {
     return region;
   }
 
-  /** Missing triangles that hang together through their sides. */
+  /** Missing triangles that are connected through their sides. */
   gapAt(triangle, count, limit = Infinity) {
     const seen = new Uint8Array(this.size - count);
     const region = [triangle];

@@ -1,4 +1,4 @@
-// What: the data of the page, from base64 to typed arrays. docs/report.md says how they lie there.
+// What: the data of the page, from base64 to typed arrays. docs/report.md has the format.
 "use strict";
 
 function bytesOf(base64) {

@@ -72,7 +72,7 @@ class Raster {
     return t === noTriangle ? -1 : t;
   }
 
-  /** Colours are what an element of `pixels`, one for each pixel, takes. Marked triangles are lit, there or not. */
+  /** Colours are values for elements of `pixels`, one for each pixel. Marked triangles are lit, there or not. */
   paint(pixels, count, marked, colours, { outline, dots }) {
     const { width, height, triangle, dot } = this;
     const { paper, fill, line, isolated, lit, litGap } = colours;

@@ -1,4 +1,4 @@
-// What: lengths and areas in the unit of the coordinates, and the bar that says how long a part of the picture is.
+// What: lengths and areas in the unit of the coordinates, and the scale bar of the picture.
 "use strict";
 
 /** What stands behind a number, by the name of the unit in the page's facts. */
@@ -21,7 +21,7 @@ function fourDigits(number) {
   return number.toLocaleString("en", { maximumSignificantDigits: 4, minimumSignificantDigits: isExact ? 1 : 4 });
 }
 
-/** In metres or in kilometres, whichever is shorter to read; in feet, degrees, or units that are not known. */
+/** In metres or in kilometres, whichever is shorter to read; in feet, degrees, or unknown units. */
 function lengthText(length, unit) {
   if (unit === "metre" && Number(length.toPrecision(4)) >= 1000) return `${fourDigits(length / 1000)} km`;
   if (unit === null && length === 1) return "1 unit";
@@ -45,7 +45,7 @@ function roundLength(most) {
 }
 
 /** The bar of a view that is at most `most` pixels long: its length, and how many pixels that is; null where the view has
- *  no length that a double can say. */
+ *  no length that is a finite double. */
 function scaleBar(view, most) {
   const length = roundLength(view.lengthOf(most));
   const pixels = view.pixelsOf(length);

@@ -78,7 +78,7 @@ function* fillDots(context, view, dots, colour, radius) {
   }
 }
 
-/** The whole picture; `fill(outline, dots)` lays the pixels, with a boundary and dots of pixels where asked. */
+/** The whole picture; `fill(outline, dots)` lays the pixels, with a boundary and dots of pixels where requested. */
 function* fineDrawing(context, complex, view, step, shown, colours, ratio, fill) {
   const count = complex.countAt(step);
   const { boundary, inner } = sidesInView(complex, view, count);

@@ -8,7 +8,7 @@
 
 namespace meshops::detail {
 
-/// Adds elements and hands them out, in ascending order of each kind.
+/// Adds elements and returns their handles, in ascending order of each kind.
 class AddedElements {
  public:
   AddedElements(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces)

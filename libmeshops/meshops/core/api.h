@@ -1,4 +1,4 @@
-// What: marks what a shared libmeshops shows to others; everything else in it is hidden.
+// What: marks the symbols that a shared libmeshops exports; all others are hidden.
 #pragma once
 
 #define MESHOPS_API __attribute__((visibility("default")))

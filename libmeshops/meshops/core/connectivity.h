@@ -1,4 +1,4 @@
-// What: the names by which libmeshops speaks of OpenMesh's halfedge connectivity.
+// What: short names for OpenMesh's halfedge connectivity and its handles.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>

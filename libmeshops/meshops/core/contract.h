@@ -16,7 +16,7 @@ class MESHOPS_API ContractViolation : public std::logic_error {
 
 namespace detail {
 
-/// Out of the way, so that a check costs no more than a comparison.
+/// Out of line, so that a check costs no more than a comparison.
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* what) { throw ContractViolation(what); }
 
 }  // namespace detail

@@ -39,7 +39,7 @@ class DisjointSets {
     }
     return root;
   }
-  /// Whether `i` is that itself. Cost: a look.
+  /// Whether `i` is the least number of its set. Cost: constant.
   bool is_least(std::uint32_t i) const { return link_[i] >> 1U == i; }
   /// Whether `i` is on the other side than the least number of its set.
   /// Requires: find(i) was called after the last change.
@@ -60,7 +60,7 @@ class DisjointSets {
     return true;
   }
   /// Makes one set of two, in which `a` and `b` are on different sides when `differ`.
-  /// Returns: false when they were in one set already and that has them otherwise.
+  /// Returns: false when they were in one set already with the opposite parity.
   bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
     const std::uint32_t root_a = find(a), root_b = find(b);
     const bool differ_now = is_odd(a) != is_odd(b);
@@ -71,7 +71,7 @@ class DisjointSets {
   }
 
  private:
-  // Twice the parent, and 1 more when on the other side than that: a step to the parent is one look into memory.
+  // Twice the parent, and 1 more when on the other side than the parent: a step to the parent is one read.
   FreshVector<std::uint32_t> link_;
 };
 

@@ -1,6 +1,5 @@
 // What: how many elements a mesh has, those marked deleted included.
-// Why:  who keeps handles of a mesh learns from it, at the cost of three comparisons, that others added elements or took
-//       some out.
+// Why:  code that keeps handles of a mesh detects with three comparisons that others added elements or removed some.
 #pragma once
 
 #include <cstddef>

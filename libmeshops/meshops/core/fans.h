@@ -12,7 +12,7 @@ namespace detail {
 inline constexpr const char* several_fans = "a vertex has several fans";
 
 /// The vertex that the boundary halfedge `out` leaves has other fans: the fan that begins with `out` is not the one that
-/// ends before it. From both ends at once, as the way to either edge waits for memory.
+/// ends before it. Both ends are read at once, so that their cache misses overlap.
 inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
   Halfedge first = out, last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(out));
   while (first != last) {

@@ -1,4 +1,4 @@
-// What: which handles name elements of a mesh, and what an operator needs to take elements out of it.
+// What: which handles name elements of a mesh, and what an operator needs to delete elements.
 #pragma once
 
 #include <cstddef>

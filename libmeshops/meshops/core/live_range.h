@@ -1,6 +1,6 @@
 // What: the live elements of a mesh as ranges: for (const Face f : live_faces(mesh)).
-// Law:  the elements that for_each_vertex() and its like visit, in the same order. A loop may mark elements as deleted, also
-//       that which it is at, and may add some: those that are added are not visited.
+// Law:  the elements that for_each_vertex() and its like visit, in the same order. A loop may mark elements as deleted,
+//       also the current one, and may add some: those that are added are not visited.
 // Cost: constant for each element, live or not.
 #pragma once
 

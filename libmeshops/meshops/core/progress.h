@@ -1,4 +1,4 @@
-// What: how a long computation lets its caller watch it, and end it.
+// What: progress and cancellation of long computations.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ namespace meshops {
 /// called.
 using GoOn = std::function<bool()>;
 
-/// The caller asked to stop.
+/// The caller's progress function returned false.
 class MESHOPS_API Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and asks now and then whether to go on.
+/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and now and then calls the progress function.
 class Steps {
  public:
-  /// Keeps a reference. Empty: nothing is asked.
+  /// Keeps a reference. Empty: nothing is called.
   explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
 
   /// So many more steps. Throws Cancelled.

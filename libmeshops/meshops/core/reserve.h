@@ -1,4 +1,4 @@
-// What: room for a mesh that is to be made.
+// What: memory for a mesh that is about to be built.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,8 @@
-// What: is a mesh an oriented 2-manifold with boundary whose records agree with each other? All the ways in which not.
+// What: checks whether a mesh is an oriented 2-manifold with boundary whose records agree with each other, and lists every
+//       defect.
 // Law:  empty exactly if the records agree, every edge has a face on one or both of its sides and two ends, every face
 //       is one loop of three sides or more, and the faces around every vertex form one path or one circle. Every
-//       operator of libmeshops keeps a mesh without defects free of them, whatever it is given.
+//       operator of libmeshops keeps a mesh without defects free of them, whatever its arguments are.
 #pragma once
 
 #include <string>

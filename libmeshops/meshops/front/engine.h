@@ -1,7 +1,7 @@
 // What:   the advancing-front engine.
-// Law:    when it returns, every boundary halfedge is frozen: the policy proposed nothing for it, or nothing that could
-//         be. Whatever a policy answers, the mesh is sound; and on a given number of sites the engine comes to an end,
-//         unless the policy detaches triangles again and again, or asks for ever other seeds that are refused.
+// Law:    when it returns, every boundary halfedge is frozen: the policy proposed nothing for it, or a triangle that was
+//         refused. Whatever a policy returns, the mesh is sound; and on a given number of sites the engine terminates,
+//         unless the policy detaches triangles again and again, or returns ever new seeds that are refused.
 // Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, and one more each time that it
 //         was deferred; and what an order costs.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,
@@ -19,9 +19,9 @@ namespace meshops {
 
 /// Advances the active front until it runs dry, and then from seed to seed until no seed is left, or the same is refused
 /// twice in a row. After Front::next_level() it begins with what was frozen. Deferred edges come whenever the front runs dry
-/// before the next seed, and are frozen when there is none; then seed() is asked once more.
+/// before the next seed, and are frozen when there is none; then seed() is called once more.
 /// Throws: whatever the policy or the visitor throws, a key's order and moves included; the mesh is sound then, what was
-///         active or in hand is active, and another advance() asks about it, in the order in which this one would have.
+///         active or in hand is active, and another advance() continues with it, in the order in which this one would have.
 ///         ContractViolation when the mesh is changed meanwhile, or the front: by the policy at all, by the visitor other
 ///         than by activate() and freeze().
 template <FrontPolicy Policy, typename Visitor>

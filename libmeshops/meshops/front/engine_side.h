@@ -1,5 +1,5 @@
-// What: what the engine may do with a front and others may not: to call out to a policy or a visitor while the front is
-//       closed to changes, and to order its queue.
+// What: operations on a front for the engine alone: calling a policy or a visitor while the front refuses changes, and
+//       ordering its queue.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ class EngineSide {
  public:
   explicit EngineSide(Front& front) : front_(front) {}
 
-  /// Returns: what the policy answers. While it is asked, whoever changes the front is refused.
+  /// Returns: what the policy returns. During the call, changes of the front are refused.
   /// Throws:  what the policy throws; ContractViolation when it changed the mesh.
   template <typename Ask>
   auto ask(Ask question) const {
@@ -40,14 +40,14 @@ class EngineSide {
     front_.require_intact();
     return front_.waiting_.release_queued(h);
   }
-  /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or taken away.
+  /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or detached.
   void defer(Halfedge h) const { front_.waiting_.defer(h, front_.revision()); }
   /// Queues those that have waited for it. Returns: whether there were any.
   bool wake_deferred() const { return front_.waiting_.wake_deferred(front_.revision()); }
   /// The first that waits for it, which is active, and in no queue any more.
   Halfedge next_deferred() const { return front_.waiting_.next_deferred(); }
-  /// After a throw: queues every active halfedge once that is not deferred. First the one in hand, if it is still to be asked
-  /// about, then `next`, then what was queued, then all others. Nothing when the front is not intact.
+  /// After a throw: queues every active halfedge once that is not deferred. First the one in hand, if it is still to be
+  /// processed, then `next`, then what was queued, then all others. Nothing when the front is not intact.
   void requeue(Halfedge in_hand, std::span<const Halfedge> next) const { front_.requeue(in_hand, next); }
 
  private:

@@ -14,8 +14,8 @@ namespace meshops {
 class Front;
 
 /// Where a triangle goes, and what it will be glued to; or why it cannot go there. What Front::fit() returns holds until a
-/// triangle is attached or detached. A caller that knows the answer can make one of corners and sides, and then ensures that no
-/// triangle comes twice and that the sides glued are those meant.
+/// triangle is attached or detached. A caller that has determined corners and sides itself can construct one of them, and
+/// then ensures that no triangle comes twice and that the sides glued are those meant.
 struct Fit {
   explicit Fit(const std::array<Site, 3>& sites) : corners(sites) {}
 

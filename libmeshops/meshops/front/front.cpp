@@ -108,7 +108,7 @@ bool Front::finds_side(Fit& fit, unsigned side) const {
   return false;
 }
 
-/// With what is asked of every triangle: its corners.
+/// With the check that every triangle needs: of its corners.
 Fit Front::at_corners(Site a, Site b, Site c) const {
   require_intact();
   Fit fit({a, b, c}, *this, revision());
@@ -181,7 +181,7 @@ void Front::refuse_closed(Fit& fit) const {
   }
 }
 
-/// As if nothing was known of it: what is made by hand, and what was changed since fit(), may be anything.
+/// Checks everything again: the triangle may be made by the caller, or have been changed since fit().
 void Front::check(const Fit& fit) const {
   const auto refuse = [](const Refusal& refusal) { throw ContractViolation("insert: " + describe(refusal)); };
   if (fit.refusal) refuse(*fit.refusal);
@@ -334,7 +334,7 @@ LevelTransfer Front::next_level() {
     reopened_.clear();
     sort_and_unite(carried_);
   }
-  // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
+  // Sites on the boundary are determined from its halfedges, so that no fan of any other is read.
   std::vector<Site> on_boundary;
   waiting_.for_each([&](Halfedge h) { on_boundary.push_back(from_site(h)); });
   sort_and_unite(on_boundary);

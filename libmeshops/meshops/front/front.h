@@ -1,6 +1,6 @@
 // What:   the front: boundary curves that are still to be advanced, on a mesh whose vertices stand on sites.
-// Law:    whatever it is asked, the mesh is an oriented manifold at every step, and every boundary halfedge is active,
-//         frozen, or in the hands of who popped it. Between two sites there is at most one edge, unless the caller decides
+// Law:    whatever calls are made, the mesh is an oriented manifold at every step, and every boundary halfedge is active,
+//         frozen, or held by the caller that popped it. Between two sites there is at most one edge, unless the caller decides
 //         which sides are glued; then no triangle comes twice. What would break this is refused, with the mesh
 //         untouched.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1.
@@ -44,9 +44,9 @@ struct LevelTransfer {
   std::size_t reactivated = 0;  ///< frozen halfedges that are active again
 };
 
-/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or takes some
-/// out (garbage_collection(), add_face()); after finish() nobody asks it for more than mesh(), edges(), faces(), sites(),
-/// frozen() and level(). Both are checked by every other member. Throws ContractViolation, which names the cause.
+/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or removes
+/// some (garbage_collection(), add_face()); after finish() only mesh(), edges(), faces(), sites(), frozen() and level() may
+/// be called. Both are checked by every other member. Throws ContractViolation, which names the cause.
 class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
@@ -55,7 +55,7 @@ class MESHOPS_API Front {
   /// Requires: the mesh has no vertices. Throws ContractViolation.
   Front(Connectivity& mesh, std::size_t sites, std::size_t supply = 1);
 
-  /// Begins with what is there: the boundary curves of the mesh become the front, active, in the order of their handles.
+  /// Begins with an existing mesh: its boundary curves become the front, active, in the order of their handles.
   /// Vertex v stands on site v, or on site_of_vertex[v] (of a complex with pinches). Its elements keep their handles and
   /// properties; vertices on one site that become one are marked deleted but for one.
   /// Requires: the mesh is sound and has status of every kind; no edge joins two vertices on one site, and no two edges
@@ -63,7 +63,7 @@ class MESHOPS_API Front {
   /// Cost:     linear.
   explicit Front(Connectivity& mesh, std::span<const Site> site_of_vertex = {});
 
-  /// Goes on with what was assembled: sides beyond which a patch may have had more are active, the others frozen.
+  /// Continues an assembled mesh: sides beyond which a patch may have had more are active, the others frozen.
   explicit Front(AssembledPatches&& assembled, std::size_t supply = 1);
 
   Front(const Front&) = delete;
@@ -142,18 +142,19 @@ class MESHOPS_API Front {
   /// Cost:     as edge_between() for each of the three, plus the degree of vertices that become one.
   InsertedTriangle create(Site a, Site b, Site c) { return insert_checked(fit(a, b, c), "create"); }
 
-  /// Attaches a triangle to a boundary halfedge a→b, with its apex on a site, on the left: create(a, b, apex) for who has
-  /// the halfedge.
+  /// Attaches a triangle to a boundary halfedge a→b, with its apex on a site, on the left: create(a, b, apex) for a caller
+  /// that has the halfedge.
   /// Requires: attach_blocker() is empty. Throws ContractViolation, mesh untouched.
   InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
-  /// The same in two steps, and without asking twice.
+  /// The same in two steps, so that the triangle is checked once.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
-  /// The same for a caller who knows which sides are glued, where sites do not decide it: surfaces in space touch along edges, and have
-  /// slits. Of the boundary halfedges between the sites of a side, the first is glued for which glues(halfedge, apex) is
-  /// true, the apex being the third corner; without any it is a new edge. It must not change the front. All that is asked of the triangle itself is
-  /// that it is not there yet, and of its corners that they are distinct, and exist or are the next new ones.
+  /// The same for a caller that decides which sides are glued, where sites do not decide it: surfaces in space touch along
+  /// edges, and have slits. Of the boundary halfedges between the sites of a side, the first is glued for which
+  /// glues(halfedge, apex) is true, the apex being the third corner; without any it is a new edge. It must not change the
+  /// front. The only requirements on the triangle itself are that it does not exist yet, and that its corners are distinct,
+  /// and exist or are the next new ones.
   /// Cost: the numbers of fans at the corners, and of the edges at one.
   template <typename Glues>
   Fit fit(Site a, Site b, Site c, Glues glues) const {
@@ -170,7 +171,7 @@ class MESHOPS_API Front {
 
   /// Why detach() would refuse: there is no such face, it is no triangle, or none of its sides is on the boundary.
   std::optional<Refusal> detach_blocker(Face f) const;
-  /// Takes out a triangle at the front, which is marked deleted as are the edges that no other has; sides that it was
+  /// Detaches a triangle at the front, which is marked deleted as are the edges that no other has; sides that it was
   /// glued by become boundary halfedges, and active. The inverse of attach() and create(), up to handles.
   /// Requires: detach_blocker() is empty; the mesh has status of every kind. Throws ContractViolation, mesh untouched.
   /// Cost:     constant, plus the degree of a corner at which a fan falls in two.
@@ -187,7 +188,7 @@ class MESHOPS_API Front {
   }
   /// A boundary halfedge of the mesh: false of any other handle.
   bool is_boundary(Halfedge h) const;
-  /// It waits for its turn, or the engine was asked to defer it.
+  /// It waits for its turn, or is deferred.
   bool is_active(Halfedge h) const {
     require_intact();
     return waiting_.is_active(h);
@@ -220,7 +221,7 @@ class MESHOPS_API Front {
   /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
   LevelTransfer next_level();
 
-  /// Frees memory that is of no more use and makes the mesh whole. A front that began with an empty mesh removes the
+  /// Frees memory that is no longer used and completes the mesh. A front that began with an empty mesh removes the
   /// vertices without triangles and renumbers the others, keeping their order; one that began with a mesh of the user's
   /// leaves every handle as it is. What was detached stays marked deleted.
   /// Returns:     the site of each vertex of the mesh.
@@ -236,14 +237,14 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
-  /// Neither finished nor changed by others.
+  /// Whether the front is neither finished nor changed by others.
   bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
   void require_intact() const {
     if (!is_intact()) [[unlikely]]
       violated();
   }
   [[noreturn, gnu::cold, gnu::noinline]] void violated() const;
-  /// Whom the engine is calling: a policy changes nothing meanwhile, a visitor activates and freezes only.
+  /// What the engine is calling: a policy may change nothing during the call, a visitor may only activate and freeze.
   enum class Caller : std::uint8_t { user, policy, visitor };
   void require_changeable() const {
     require_intact();
@@ -304,7 +305,7 @@ template <typename Glues>
 Fit Front::find_glued(Fit fit, Glues glues) const {
   if (!fit.refusal) refuse_twice(fit);
   const std::size_t before = revision();
-  // Glues may be asked by many threads, of a front that they only read.
+  // Several threads may call this on one front, which they only read.
   const auto is_glued = [&](Halfedge h, Site apex) {
     const bool yes = glues(h, apex);
     require_intact();

@@ -1,5 +1,5 @@
-// What: members of a policy or a visitor that have the name of an optional one and not its form: without a word they would
-//       be passed over.
+// What: compile-time checks for members of a policy or a visitor that have the name of an optional member but another
+//       signature, and would be ignored without an error.
 #pragma once
 
 #include <concepts>

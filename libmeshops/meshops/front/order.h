@@ -1,4 +1,4 @@
-// What: in which order an advancing front takes its active halfedges.
+// What: the order in which an advancing front processes its active halfedges.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@ class FirstInFirstOut {
   Front& front_;
 };
 
-/// The least key first, of equal ones the oldest. The front's queue only has what is new; whether a halfedge is still
-/// active when its turn comes, the front knows.
+/// The least key first, of equal ones the oldest. The front's queue only has what is new; the front decides whether a
+/// halfedge is still active when its turn comes.
 template <typename Policy>
 class LeastKeyFirst {
  public:
@@ -70,7 +70,7 @@ class LeastKeyFirst {
   }
 
   /// After a throw: what is still active goes back to the front's queue, the oldest first. Keys, their order and their moves
-  /// may have thrown: nothing is read of them but which halfedges they are of.
+  /// may have thrown: only the halfedges they belong to are read.
   void give_back(Halfedge in_hand) {
     std::vector<Aged> waiting = keyed_.aged();
     waiting.push_back(moving_);

@@ -1,4 +1,4 @@
-// What:   the questions an advancing front asks: what a method has to know.
+// What:   the functions that an advancing front calls, by which methods differ.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003).
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace meshops {
 
-/// What is to be done at an edge of the front: attach a triangle with its apex on a site, insert a list of triangles, take a
-/// triangle away, ask again later, or freeze the edge.
+/// What is to be done at an edge of the front: attach a triangle with its apex on a site, insert a list of triangles,
+/// detach a triangle, defer the edge, or freeze it.
 class Proposal {
  public:
   using Triangle = std::array<Site, 3>;
@@ -23,7 +23,7 @@ class Proposal {
   Proposal(std::optional<Site> apex) : apex_(apex) {}
   Proposal(Site apex) : apex_(apex) {}
   Proposal(std::nullopt_t) {}
-  /// A triangle at the front goes, and the edge is asked about again if it is still there, when its turn comes.
+  /// A triangle at the front is detached, and the policy is called again for the edge, if it still exists, when its turn comes.
   static Proposal detach(Face f) {
     Proposal proposal(std::nullopt);
     proposal.detached_ = f;
@@ -37,7 +37,7 @@ class Proposal {
     proposal.triangles_ = std::move(triangles);
     return proposal;
   }
-  /// The edge stays active, and its turn comes again when no other edge waits and a triangle has been inserted or taken away
+  /// The edge stays active, and its turn comes again when no other edge waits and a triangle has been inserted or detached
   /// since. Without such a change, and without another seed, it is frozen.
   static Proposal defer() {
     Proposal proposal(std::nullopt);
@@ -57,7 +57,7 @@ class Proposal {
   bool is_deferred_ = false;
 };
 
-/// A policy knows geometry, the engine topology. Ball pivoting in the plane and in space, and classical advancing-front
+/// A policy decides geometry, the engine topology. Ball pivoting in the plane and in space, and classical advancing-front
 /// meshing, are policies.
 ///   seed(front)        the sites of a triangle that begins a component or touches the mesh, counter-clockwise; nothing
 ///                      when there is none left
@@ -74,10 +74,10 @@ concept FrontPolicy = requires(P policy, const Front& front, Halfedge h) {
 
 /// A policy may decide which sides are glued. Without that, sites decide: between two of them there is one edge.
 ///   glues(front, h, apex)  the boundary halfedge h is glued to the side, between the same sites, of a triangle whose third
-///                          corner is the apex. It is asked of the halfedges that there are, when a triangle is inserted;
-///                          where the answer is no to all, the side is a new edge.
+///                          corner is the apex. It is called for the halfedges that exist when a triangle is inserted;
+///                          where it returns false for all of them, the side is a new edge.
 /// With it, any number of triangles can lie at two sites, in pairs or each with an edge of its own, and a site around which
-/// faces close can have further fans. A triangle is refused when it is there already.
+/// faces close can have further fans. A triangle is refused when it exists already.
 template <typename P>
 concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h, Site apex) {
   { policy.glues(front, h, apex) } -> std::same_as<bool>;
@@ -85,9 +85,10 @@ concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& fr
 
 /// A policy may have an order of its own.
 ///   key(front, h)      of a boundary halfedge that has become active: the least comes first, of equal ones the oldest. It
-///                      is asked for once each time, and must not change the front.
+///                      is called once each time, and must not change the front.
 /// Without it the order is first in, first out. A member with this name, or the name `glues`, that has another form is an
-/// error when compiling, and not passed over; so is one that `requires` takes out: put it into a class derived of the policy.
+/// error when compiling, and not passed over; so is one that a `requires` clause disables: put it into a class derived of
+/// the policy.
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;
@@ -95,8 +96,8 @@ concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& f
 
 /// Keys may depend on the neighbours on the curve, as angles between edges do. A policy that declares it,
 ///   static constexpr bool rekeys_neighbours = true;
-/// is asked for the key again of both boundary halfedges at each corner of a triangle that was inserted or taken away, if
-/// they are active. Their age stays: where no triangle is taken away, keys that stay the same make the same run.
+/// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or detached, if
+/// they are active. Their age stays: where no triangle is detached, keys that stay the same make the same run.
 template <typename P>
 concept RekeyingFrontPolicy = OrderedFrontPolicy<P> && requires {
   requires std::bool_constant<P::rekeys_neighbours>::value;

@@ -1,4 +1,4 @@
-// What: why a front does not take a triangle, or does not let one go.
+// What: why a front refuses to insert a triangle, or to detach one.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What: one run of an advancing front, from what is active to nothing more to ask about.
+// What: one run of an advancing front, until no halfedge is left to be processed.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ class Run {
  private:
   const Front& seen() const { return front_; }
 
-  /// Does what the policy wants of an edge.
+  /// Carries out what the policy proposes for an edge.
   void follow(Halfedge h, const Proposal& proposal) {
     if (proposal.apex()) {
       if (!insert(h, h, *proposal.apex())) freeze(h);
@@ -67,7 +67,7 @@ class Run {
     std::optional<std::array<Site, 3>> refused;
     for (;;) {
       const std::optional<std::array<Site, 3>> seed = engine_.ask([&] { return policy_.seed(seen()); });
-      // A policy that proposes the same again knows no other.
+      // A policy that proposes the same again has no other.
       if (!seed || seed == refused) return false;
       const Fit fit = this->fit((*seed)[0], (*seed)[1], (*seed)[2]);
       if (!fit.refusal) {
@@ -79,7 +79,7 @@ class Run {
     }
   }
 
-  /// Where a triangle goes, given by its corners or by a halfedge and the apex: glued by its sites, or as the policy answers.
+  /// Where a triangle goes, given by its corners or by a halfedge and the apex: glued by its sites, or as the policy decides.
   template <typename... Place>
   Fit fit(Place... place) {
     if constexpr (GluingFrontPolicy<Policy>)

@@ -7,7 +7,7 @@
 
 namespace meshops {
 
-/// A visitor overrides the events it wants; the others cost nothing. The mesh is sound at each of them. It may be a local
+/// A visitor overrides the events that it uses; the others cost nothing. The mesh is sound at each of them. It may be a local
 /// class, and may throw to end the run.
 struct FrontVisitor {
   void seeded(const Front&, const InsertedTriangle&) {}
@@ -17,14 +17,14 @@ struct FrontVisitor {
   void deferred(const Front&, Halfedge) {}
   void frozen(const Front&, Halfedge) {}
   void detached(const Front&, const DetachedTriangle&) {}
-  /// What the policy proposed for this edge cannot be. If the edge is on the boundary still, it is frozen next.
+  /// What the policy proposed for this edge was refused. If the edge is still on the boundary, it is frozen next.
   void refused(const Front&, Halfedge, const Refusal&) {}
   /// The same of a seed.
   void seed_refused(const Front&, const std::array<Site, 3>& /*seed*/, const Refusal&) {}
 
   /// Only a visitor for which it is true receives the events of curves: see CurveVisitor.
   static constexpr bool follows_curves = false;
-  /// A curve is there now, through this halfedge.
+  /// A curve has begun, through this halfedge.
   void curve_begun(const Front&, Halfedge) {}
   /// Two curves have become one, on one component (a handle) or by joining two.
   void curves_joined(const Front&, Halfedge /*through*/) {}
@@ -34,7 +34,7 @@ struct FrontVisitor {
   void curve_closed(const Front&) {}
 };
 
-/// For who wants the events of curves. Cost: what on_same_curve() does, at every triangle.
+/// The base of visitors that receive the events of curves. Cost: what on_same_curve() does, at every triangle.
 struct CurveVisitor : FrontVisitor {
   static constexpr bool follows_curves = true;
 };

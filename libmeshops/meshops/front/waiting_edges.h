@@ -33,7 +33,7 @@ class MESHOPS_API WaitingEdges {
   }
   /// Active halfedges, in the order of the queue; for a front that has none yet.
   void queue_all(std::vector<Halfedge>&& active);
-  /// The halfedge waits no longer: somebody has it in hand, or its edge has gone.
+  /// The halfedge waits no longer: it was popped, or its edge was deleted.
   void release(Halfedge h) { set_state(h, State::neither); }
   /// The same of an active one that is not deferred. Returns: whether it was one.
   bool release_queued(Halfedge h) {
@@ -42,7 +42,7 @@ class MESHOPS_API WaitingEdges {
     return was_queued;
   }
 
-  /// Takes the next out of the queue that is active, not deferred, and stays so; an invalid handle when there is none.
+  /// Removes from the queue the next that is active, not deferred, and stays so; an invalid handle when there is none.
   /// Throws: ContractViolation when others have deleted it.
   Halfedge next();
   /// Queues every active halfedge once that is not deferred: those of `first`, then what was queued, then all others.
@@ -52,7 +52,7 @@ class MESHOPS_API WaitingEdges {
   void defer(Halfedge h, std::size_t revision);
   /// Queues those that were deferred at other revisions than this one, in that order. Returns: whether there were any.
   bool wake_deferred(std::size_t revision);
-  /// Takes out the one that was deferred first, which stays active; an invalid handle when there is none.
+  /// Removes the one that was deferred first, which stays active; an invalid handle when there is none.
   Halfedge next_deferred();
 
   /// What was frozen at this level, in that order; some of it may have been woken or attached to since.

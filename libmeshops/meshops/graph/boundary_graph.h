@@ -29,7 +29,7 @@ struct Boundary {
 }  // namespace detail
 
 /// edges() names an edge by its boundary halfedge, so that they run along the curves, the mesh on their right. An inner
-/// edge that joins two boundary vertices is none of it. Indices are those of the mesh and have gaps: see
+/// edge that joins two boundary vertices is not one of them. Indices are those of the mesh and have gaps: see
 /// num_vertices().
 using BoundaryGraph = GraphView<detail::Boundary, boost::undirected_tag>;
 

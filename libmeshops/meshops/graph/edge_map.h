@@ -19,7 +19,7 @@ auto edge_map(OfEdge of_edge) {
       [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() >> 1)); });
 }
 
-/// The map from a halfedge to the distance of its ends, as double, computed when it is asked for.
+/// The map from a halfedge to the distance of its ends, as double, computed when it is read.
 /// Requires: `mesh` has point(Vertex), and the difference of two points has norm(); it outlives the map.
 /// Throws:   ContractViolation for an edge that is out of range.
 template <typename Mesh>

@@ -19,7 +19,7 @@
 
 namespace meshops {
 
-/// The view of a sound mesh as `Kind` says: which elements are nodes and edges, and how edges turn about a node.
+/// The view of a sound mesh that `Kind` defines: which elements are nodes and edges, and how edges turn about a node.
 /// `Direction` is boost::undirected_tag, or boost::bidirectional_tag where both halfedges of an edge are edges.
 /// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
 /// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;

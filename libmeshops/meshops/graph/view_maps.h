@@ -1,4 +1,4 @@
-// What: the property maps that a graph view has by itself.
+// What: the property maps that every graph view has.
 // Law:  an index is that of the handle: of the vertex, face, edge or halfedge.
 #pragma once
 

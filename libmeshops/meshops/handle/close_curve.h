@@ -1,5 +1,5 @@
-// What:   the handle operators that fill a boundary curve with a face, and that take a face out to leave a curve.
-// Law:    each undoes the other; the counts change exactly as effect.h says.
+// What:   the handle operators that fill a boundary curve with a face, and that remove a face to leave a curve.
+// Law:    each undoes the other; the counts change exactly as effect.h specifies.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators (attaching a disc).
 #pragma once
 
@@ -34,9 +34,9 @@ MESHOPS_API std::optional<std::string> close_curve_blocker(const Connectivity& m
 /// Cost:     that of the blocker.
 MESHOPS_API CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h);
 
-/// Why the face cannot be taken out, or nothing when it can: no such face; a side of it on the boundary, or the face on
+/// Why the face cannot be removed, or nothing when it can: no such face; a side of it on the boundary, or the face on
 /// both sides of an edge, which would have no face left; a corner on the boundary, or a vertex that the face passes
-/// twice, at which the rest would have two fans. remove_triangle() takes out the triangles among these.
+/// twice, at which the rest would have two fans. remove_triangle() removes the triangles among these.
 /// Cost:     the number of sides; with more than three also the degrees of the corners.
 MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f);
 

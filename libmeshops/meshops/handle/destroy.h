@@ -1,4 +1,4 @@
-// What:   the handle operator that ends a component; and the one that takes a triangle out of any.
+// What:   the handle operator that ends a component; and the one that removes a triangle from any.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 

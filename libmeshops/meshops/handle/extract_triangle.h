@@ -1,4 +1,4 @@
-// What:   takes a triangle out of a mesh as one step: the inverse of insert_triangle().
+// What:   removes a triangle from a mesh as one step: the inverse of insert_triangle().
 // Law:    leaves the mesh that remove_triangle() leaves, without making and deleting the elements that unglue() would.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003).
 #pragma once

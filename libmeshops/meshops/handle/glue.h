@@ -1,5 +1,5 @@
 // What:   the handle operator that makes two boundary edges one.
-// Law:    the counts change exactly as delta_of(case) says (effect.h); a sound mesh stays sound; unglue() is the exact
+// Law:    the counts change exactly by delta_of(case) (effect.h); a sound mesh stays sound; unglue() is the exact
 //         inverse.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
@@ -30,7 +30,7 @@ struct GlueEffect {
 /// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// What glue() would be for these boundary halfedges.
+/// The case of glue() for these boundary halfedges.
 /// Requires: glue_blocker() is empty. Throws ContractViolation.
 /// Cost:     the degrees of the ends; the shorter of two ways along a curve; the smaller of two components when the edges are on two curves.
 MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
@@ -44,7 +44,7 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Cost:        that of glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// The same when the case is known already, as a tracker does (topology/tracker.h).
+/// The same for a caller that has determined the case already, as a tracker does (topology/tracker.h).
 /// Requires: also that `what` is glue_case(), which is not checked.
 /// Cost:     the degrees of the ends.
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);

@@ -16,7 +16,7 @@ namespace meshops {
 struct TriangleSides {
   /// A boundary halfedge that becomes this side, or an invalid handle for a new edge.
   std::array<Halfedge, 3> side;
-  /// The vertex of a corner between two new sides: an isolated one. Not looked at for other corners.
+  /// The vertex of a corner between two new sides: an isolated one. Not read for other corners.
   std::array<Vertex, 3> corner;
 };
 
@@ -37,7 +37,7 @@ struct NewElements {
 
 namespace detail {
 
-/// insert_triangle() for a known set of given sides, bit i for side i: every question is answered when compiling.
+/// insert_triangle() for a constant set of given sides, bit i for side i: every branch is decided at compile time.
 template <unsigned given, typename Elements>
 InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sides, Elements& elements) {
   constexpr auto is_given = [](unsigned i) { return (given >> i & 1u) != 0; };

@@ -1,5 +1,5 @@
-// What: glue() and unglue() taken apart into what they ask and what they do, for operators that ask for many at once.
-// Law:  nothing is checked twice: what refuses changes nothing, and what changes asks nothing.
+// What: glue() and unglue() split into their checks and their changes, for operators that check many at once.
+// Law:  nothing is checked twice: functions that refuse change nothing, and functions that change check nothing.
 #pragma once
 
 #include "meshops/core/connectivity.h"

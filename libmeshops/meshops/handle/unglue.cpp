@@ -26,7 +26,7 @@ struct End {
   }
 };
 
-/// What takes the place of the elements that part: the second edge, and for each end the vertices of its two fans.
+/// The elements that replace those that are parted: the second edge, and for each end the vertices of its two fans.
 struct Parts {
   Halfedge second;
   GlueEffect::Ends first_ends;
@@ -39,7 +39,7 @@ void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, 
   const Halfedge before = mesh.prev_halfedge_handle(first), after = mesh.next_halfedge_handle(first);
   const Face face = mesh.face_handle(first);
 
-  // The new edge takes the place of `first` in its face.
+  // The new edge replaces `first` in its face.
   mesh.set_face_handle(inner, face);
   if (mesh.halfedge_handle(face) == first) mesh.set_halfedge_handle(face, inner);
   mesh.set_next_halfedge_handle(before, inner);

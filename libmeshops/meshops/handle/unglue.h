@@ -36,7 +36,7 @@ MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, 
 ///           the two parts when both ends are on one curve.
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
-/// Parts an inner edge. `h` is on the boundary then, and a new edge takes its place in its face.
+/// Parts an inner edge. `h` is on the boundary then, and a new edge replaces it in its face.
 /// Effect:   new elements have copies of all properties of the old ones: a second vertex has the place of the first. Old
 ///           vertices keep the fan that the opposite of `h` is in, new ones get the fan of what was the face of `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation, mesh untouched.
@@ -44,9 +44,9 @@ MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 /// Cost:     that of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 
-/// Takes a glue() back: the edge and the vertices that it marked deleted live again, with their own properties.
+/// Undoes a glue(): the edge and the vertices that it marked deleted live again, with their own properties.
 /// Requires: the glued edge is inner and ends at the vertices that glue() left it with; what glue() marked deleted
-///           still is. All of this is checked: a sound mesh stays sound whatever the effect says. The mesh has status of
+///           still is. All of this is checked: a sound mesh stays sound whatever the effect contains. The mesh has status of
 ///           every kind.
 /// Throws:   ContractViolation, mesh untouched.
 /// Cost:     that of unglue_case().

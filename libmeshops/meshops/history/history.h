@@ -1,4 +1,4 @@
-// What: one undo stack over handle and stellar operators: it performs them, takes them back, and performs them again.
+// What: one undo stack over handle and stellar operators: it performs, undoes and redoes them.
 // Law:  after undo() of a step every record of the mesh, of dead elements too, is as it was before it, and what the step added
 //       is gone; after redo() it is as it was after it. So any sequence of steps, all undone, is the identity.
 // Cost: that of the operator, and a few handles for each step.
@@ -29,7 +29,7 @@ namespace meshops {
 
 /// Each member performs the operator of its name and returns what that does. It is refused where the operator is: the mesh
 /// and the history stay as they were. What is made of several operators is several steps: steps() before it and
-/// undo_to(steps) after it take back the whole.
+/// undo_to(steps) after it undo the whole.
 /// While a mesh has a history, nobody else changes its links: elements that others added or collected are noticed by their
 /// number and refused (ContractViolation, mesh untouched); other changes are not. Properties of old elements are not kept.
 /// A redo makes the same elements with the same handles; hooks of splits are called again for them.
@@ -67,13 +67,13 @@ class MESHOPS_API History {
     });
   }
 
-  std::size_t steps() const { return done_.size(); }           ///< that undo() can take back
+  std::size_t steps() const { return done_.size(); }           ///< that undo() can undo
   std::size_t undone_steps() const { return undone_.size(); }  ///< that redo() can do again: none after another step
-  /// Takes the last step back. Requires: steps() > 0. Throws ContractViolation.
+  /// Undoes the last step. Requires: steps() > 0. Throws ContractViolation.
   void undo();
   /// Performs again what was undone last. Requires: undone_steps() > 0. Throws ContractViolation.
   void redo();
-  /// Takes steps back until so many are left. Requires: no more than there are. Throws ContractViolation.
+  /// Undoes steps until so many are left. Requires: no more than there are. Throws ContractViolation.
   void undo_to(std::size_t steps);
 
  private:

@@ -1,4 +1,4 @@
-// What: a mesh that was assembled of patches, and what is known of it beside its records.
+// What: a mesh that was assembled of patches, and its open sides.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace meshops {
 
-/// The mesh is sound. It is done with finish(), or goes on as a Front; either leaves nothing here, and nobody may have
-/// added or taken elements before. Throws ContractViolation. It can be moved, not copied.
+/// The mesh is sound. finish() completes it, or a Front continues it; either leaves this object empty, and requires that no
+/// elements were added or deleted before. Throws ContractViolation. It can be moved, not copied.
 class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
@@ -32,7 +32,7 @@ class MESHOPS_API AssembledPatches {
   friend class Front;
   AssembledPatches(Connectivity& mesh, SiteVertices vertices)
       : mesh_(mesh), counts_(ElementCounts::of(mesh)), vertices_(std::move(vertices)) {}
-  /// Requires: what was assembled is here, and the mesh as it was. Throws ContractViolation.
+  /// Requires: the object is not empty, and the mesh is as it was assembled. Throws ContractViolation.
   Connectivity& unchanged() const;
 
   Connectivity& mesh_;

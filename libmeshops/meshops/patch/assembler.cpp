@@ -10,7 +10,7 @@ namespace meshops {
 namespace {
 
 constexpr std::size_t edges_at_a_time = 16;  // at the rim
-constexpr std::size_t ahead = 8;             // as many sides before, memory is asked for
+constexpr std::size_t ahead = 8;             // memory is prefetched this many sides before
 
 std::size_t index(int side) { return static_cast<std::size_t>(side); }
 
@@ -114,7 +114,7 @@ void PatchAssembler::fill(const Patch& patch, const Outline& outline, Placement&
     const auto across = patch.across[t];
     const Face face(placement.first_face_ + static_cast<int>(t));
     std::array<Halfedge, 3> h;
-    // A side stores its halfedge for the one across. Only the first of two need do so, but which it is, is a toss of a coin.
+    // A side stores its halfedge for the one across. Only the first of two need do so, but which it is, is unpredictable.
     for (unsigned i = 0; i < 3; ++i, ++side) {
       const bool comes_first = side < across[i];
       h[i] = Halfedge(either(next, placement.at(side).idx(), comes_first));

@@ -1,9 +1,9 @@
 // What:   makes a mesh of patches: gluing in bulk.
 // Law:    the mesh is that which Front::create() makes of the same triangles, up to handles.
 // How:    patches are placed one after another, which settles what depends on others, and filled in, which is nearly all
-//         and can be done beside. Three phases, each of a type: PatchAssembler takes patches, join() makes
+//         and can be done beside. Three phases, each of a type: PatchAssembler lays patches, join() makes
 //         AssembledPatches of it, and these are a mesh, or a Front to be advanced.
-// Cost:   linear; about as much as the mesh takes to be written.
+// Cost:   linear; about the time to write the mesh.
 // Source: docs/front.md, section 5.
 #pragma once
 
@@ -25,7 +25,7 @@ namespace meshops {
 /// Patches are laid beside each other, in any order; an open side is glued to the side of another patch on the same
 /// sites.
 /// Requires: the triangles of all patches are those of a complex; a site around which they close has no other fan, as it
-///           is in the plane. Not checked: it is the way of those who know.
+///           is in the plane. Not checked.
 class MESHOPS_API PatchAssembler {
  public:
   /// Adds `sites` isolated vertices to an empty mesh, vertex i on site i.
@@ -37,10 +37,10 @@ class MESHOPS_API PatchAssembler {
 
   /// Lays a patch. Cost: linear in it.
   void lay(const Patch& patch);
-  /// The same where the outline is known.
+  /// The same with a given outline.
   void lay(const Patch& patch, const Outline& outline);
 
-  /// lay() in three steps, so that threads can share the work: survey(), where the outline is not known; place(), one
+  /// lay() in three steps, so that threads can share the work: survey(), where the outline is not given; place(), one
   /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other
   /// fills, surveys and place(), provided that reserve() made room for all patches.
   /// Requires: the outline of the patch; to fill, that it was placed, with the same arguments.

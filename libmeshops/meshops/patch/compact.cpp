@@ -8,7 +8,7 @@ namespace meshops {
 namespace {
 
 /// Moves the vertices from `first` to `end` to their new numbers. One without triangles has that of the next, which then
-/// overwrites it: no branch is needed where it could not be foreseen. Those from `end` on are named by deleted edges only.
+/// overwrites it: no branch is needed where it would be unpredictable. Those from `end` on are named by deleted edges only.
 void renumber(Connectivity& mesh, std::size_t edges, std::size_t first, std::size_t end,
               const std::vector<int>& number) {
   for (auto property = mesh.vprops_begin(); property != mesh.vprops_end(); ++property) {

@@ -47,7 +47,7 @@ class Surveyor {
     int found = -1;
     for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {
       seen_[static_cast<std::size_t>(out)] = true;
-      found = std::max(found, comes_first(out) ? out : -1);  // without a branch: which comes first is a toss of a coin
+      found = std::max(found, comes_first(out) ? out : -1);  // without a branch: which comes first is unpredictable
       out = next_out(out);
       if (out == side) return found;
     }

@@ -1,5 +1,5 @@
-// What: what of a patch has to do with the mesh around it, in terms of the patch alone.
-// Why:  only the rim of a patch depends on other patches; who made the patch often knows it, and need not search again.
+// What: the sides and sites of a patch that connect it to the mesh around it, in terms of the patch alone.
+// Why:  only the rim of a patch depends on other patches; the code that made the patch often has it, and need not search again.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ struct Outline {
 /// Throws:   ContractViolation. Cost: linear in the patch.
 MESHOPS_API void survey(const Patch& patch, Outline& outline);
 
-/// An entry of Outline::next_hole, for who knows the holes. Requires what survey() does. Cost: linear in the triangles
+/// An entry of Outline::next_hole, for a caller that has the holes. Requires what survey() does. Cost: linear in the triangles
 /// between the two.
 MESHOPS_API int next_hole(const Patch& patch, int hole);
 

@@ -1,4 +1,4 @@
-// What: triangles that were found together, with what they know of each other: for PatchAssembler.
+// What: triangles that were found together, with their adjacency: for PatchAssembler.
 #pragma once
 
 #include <array>

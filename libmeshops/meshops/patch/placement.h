@@ -1,5 +1,5 @@
 // What: where a patch goes in the mesh: what PatchAssembler::place() decides and fill() writes.
-// Why:  only the rim of a patch has to do with other patches. What is left, nearly all, can be written by another thread
+// Why:  only the rim of a patch depends on other patches. What is left, nearly all, can be written by another thread
 //       while the next patch is placed.
 #pragma once
 
@@ -23,7 +23,7 @@ class Placement {
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;
-  std::vector<Vertex> of_fan_;     // of each hole, the vertex between it and the next; invalid where that is not known
+  std::vector<Vertex> of_fan_;     // of each hole, the vertex between it and the next; invalid where not determined yet
   std::vector<Halfedge> of_side_;  // behind those that stand for no side
 };
 

@@ -25,7 +25,7 @@ class Seams {
     first = static_cast<int>(seams_.size()) - 1;
   }
 
-  /// Before take() or add() at a site, when its memory may be far.
+  /// Prefetches the memory of a site, before take() or add() at it.
   void prepare(Site at) const { __builtin_prefetch(&first_[at]); }
 
   /// A side at the site that matches(side), which is then no seam any more.

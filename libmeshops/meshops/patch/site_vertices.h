@@ -76,13 +76,13 @@ class MESHOPS_API SiteVertices {
   /// An isolated vertex for another fan on the site, which lists it. It has the properties of the first vertex there,
   /// if that has faces. Throws ContractViolation where others marked it deleted.
   Vertex take(Site s);
-  /// Takes back a vertex that is isolated again. The last on its site waits for the next triangle there; others serve
+  /// Releases a vertex that is isolated again. The last on its site waits for the next triangle there; others serve
   /// any site, and are marked deleted meanwhile where the mesh can.
   void release(Vertex v);
 
-  // For who lays many triangles at once, and lists their fans at the end.
+  // For callers that lay many triangles at once, and list their fans at the end.
   /// A further vertex on a site: its handle, for a vertex and a listing that come with list_announced().
-  /// Requires: no further vertex was taken.
+  /// Requires: no further vertex was used.
   Vertex announce(Site s) {
     further_.push_back({s, none});
     return vertex(static_cast<int>(further_.size()) - 1);

@@ -1,4 +1,4 @@
-// What:   the operator that makes one vertex of an edge vanish into the other.
+// What:   the operator that merges one vertex of an edge into the other.
 // Law:    collapse(h) is: flip at the vertex until h and its two neighbours are its only edges, then weld the face.
 // Source: Lewiner et al., section on stellar operators; Dey, Edelsbrunner, Guha, Nekhayev, Topology preserving edge
 //         contraction (1999) for the link condition.

@@ -45,11 +45,11 @@ MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivit
 MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
                                                  Keep keep = Keep::simplicial);
 
-/// Why the edge of h cannot be taken out, or nothing when it can: it is on the boundary, or one face lies on both sides
+/// Why the edge of h cannot be removed, or nothing when it can: it is on the boundary, or one face lies on both sides
 /// of it. What is left is a mesh of polygons; two faces with several common edges become one that touches itself.
 MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
-/// Takes an edge out. The face of h is marked deleted with it, and the face beyond gets its sides.
+/// Removes an edge. The face of h is marked deleted with it, and the face beyond gets its sides.
 /// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: what is marked deleted.

@@ -22,7 +22,7 @@ namespace detail {
 template <typename T>
 concept MeanNumber = std::floating_point<T> ||(std::integral<T> && !std::same_as<T, bool>);
 
-/// A vector of OpenMesh: as many numbers as its type says.
+/// A vector of OpenMesh: as many numbers as its type has.
 template <typename T>
 concept MeanVector = requires(T v, const T c) {
   requires MeanNumber<typename T::value_type>;
@@ -34,7 +34,7 @@ template <MeanNumber T>
 T mean(std::span<const T> values) {
   const std::size_t n = values.size();
   if constexpr (std::floating_point<T>) {
-    // Parts that are added, as a sum that is divided may overflow.
+    // Divided first and then added, because the sum may overflow.
     T sum = 0;
     for (const T value : values) sum += n == 2 ? value * T(0.5) : value * (T(1) / T(n));
     return sum;

@@ -9,7 +9,7 @@
 namespace meshops::detail {
 namespace {
 
-/// `heir` takes the place of h in its loop, and in the record of its face. `before` and `after` are the neighbours
+/// `heir` replaces h in its loop, and in the record of its face. `before` and `after` are the neighbours
 /// there.
 void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(h);
@@ -167,8 +167,8 @@ class RevivedElements {
 };
 
 /// The boundary passes a vertex in a gap between each boundary halfedge that leaves it and the next edge
-/// counter-clockwise. Whether such a gap lies between left and right and is not the only one: on one side of the split
-/// there would be no telling by which the boundary leaves.
+/// counter-clockwise. Whether such a gap lies between left and right and is not the only one: on one side of the split, the
+/// boundary halfedge of the vertex would be ambiguous.
 bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left, std::optional<Halfedge> right) {
   const Halfedge named = mesh.halfedge_handle(w);
   const auto gaps_between = [&](Halfedge first, Halfedge end) {

@@ -71,7 +71,7 @@ bool are_joined(const Connectivity& mesh, Vertex a, Vertex b);
 SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right);
 
 /// The same with the elements of a weld that are marked deleted, which live again: edges and faces in the order in
-/// which close_edge() names them. Whatever else they were, the mesh is sound.
+/// which close_edge() names them. Whatever they were before, the mesh is sound.
 /// Requires: open_refusal() is null; the effect names different elements, all of them deleted, and left or right.
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 

@@ -41,7 +41,7 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", refusal(mesh, h, keep));
-  // What detail::open_vertex() does at b, without its questions: the only edge that moves is known.
+  // What detail::open_vertex() does at b, without its checks: only one given edge moves.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);

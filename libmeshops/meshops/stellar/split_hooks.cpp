@@ -7,7 +7,7 @@
 namespace meshops::detail {
 namespace {
 
-/// closing the edge of a split takes away what the split added, and nothing else.
+/// closing the edge of a split removes what the split added, and nothing else.
 bool is_as_split(const Connectivity& mesh, const SplitEffect& effect) {
   const StarElements& added = effect.added;
   const Halfedge h = effect.halfedge;
@@ -65,7 +65,7 @@ void carry_over(Connectivity& mesh, const SplitVertexEffect& effect) {
 }
 
 void take_back(Connectivity& mesh, const SplitEffect& effect) {
-  // A hook that changed links has taken it upon itself: what it left is sound, and stays.
+  // A hook that changed links is responsible for them: the mesh is sound, and the split stays.
   if (!is_as_split(mesh, effect)) return;
   const StarElements& added = effect.added;
   const bool is_at_end = static_cast<std::size_t>(added.vertex.idx()) + 1 == mesh.n_vertices() &&

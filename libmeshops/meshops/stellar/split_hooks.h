@@ -1,5 +1,5 @@
 // What: what is done to a new vertex, edge or face as soon as a split has linked it: where the vertex lies, and which
-//       properties the elements take over. The links themselves need nothing of this.
+//       properties the elements take over. The links themselves do not depend on it.
 // Law:  a hook that throws leaves the mesh as it was before the split, in every record and property.
 #pragma once
 
@@ -31,7 +31,7 @@ concept SplitHook = std::derived_from<Mesh, Connectivity> && std::invocable<Hook
 struct PlaceVertex {
   template <HasPoints Mesh>
   void operator()(Mesh& mesh, const SplitEdgeEffect& effect) const {
-    // Halves that are added, as a sum that is halved may overflow.
+    // Halved first and then added, because the sum may overflow.
     const auto half = static_cast<Scalar<Mesh>>(0.5);
     typename Mesh::Point middle = mesh.point(mesh.from_vertex_handle(effect.line)) * half;
     middle += mesh.point(mesh.to_vertex_handle(effect.halfedge)) * half;

@@ -1,4 +1,4 @@
-// What:   fills a polygon with triangles along diagonals, of all ways that with the least total weight.
+// What:   triangulates a polygonal face along diagonals with the least total weight.
 // Law:    nothing but insert_diagonal(), k − 3 times for k sides: remove_diagonal() of what it returns, from the last to
 //         the first, restores every live record of the mesh.
 // Cost:   O(k³) calls of nothing but + and <, O(k³) weights, O(k²) memory: for holes of up to some hundred edges.
@@ -31,9 +31,9 @@ struct TriangulateFaceEffect {
 };
 
 /// A weight of triangles: weight(a, b, c) for three corners, in the order in which they lie around the face, is any
-/// type with a sum and an order. A sum that is a maximum makes the worst triangle as good as can be. What a triangle
-/// weighs may not depend on its neighbours, as the angles between them do (Liepa 2003): then parts that are best for
-/// themselves need not be so together, and no table of parts finds the best.
+/// type with a sum and an order. A sum that is a maximum makes the worst triangle as good as can be. The weight of a
+/// triangle must not depend on its neighbours, as the angles between them do (Liepa 2003): then parts of least weight do
+/// not combine to a whole of least weight, and dynamic programming does not find it.
 template <typename Weight>
 concept TriangleWeight = requires(Weight& weight, Vertex v) {
   { weight(v, v, v) + weight(v, v, v) } -> std::convertible_to<std::remove_cvref_t<decltype(weight(v, v, v))>>;
@@ -104,7 +104,7 @@ std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& pol
 MESHOPS_API std::optional<std::string> triangulate_face_blocker(const Connectivity& mesh, Face face,
                                                                 Keep keep = Keep::simplicial);
 
-/// Triangulates a face with the least total weight. Of triangulations of equal weight always the same is taken: that
+/// Triangulates a face with the least total weight. Of triangulations of equal weight always the same is chosen: the one
 /// whose triangle at the last side, and then in each part likewise, has its apex first, counted from
 /// mesh.halfedge_handle(face) on.
 /// Effect:      the face keeps its halfedge and is the triangle there; everything else is new, with default values of

@@ -1,6 +1,6 @@
-// What: takes back weld_edge(), weld_face(), collapse() and remove_vertex(); for flip() see flip.h. What takes back a
-//       split is its inverse operator, which restores all live records itself.
-// Law:  undo(weld()) restores every live record of the mesh. A sound mesh stays sound, whatever the effect says.
+// What: undoes weld_edge(), weld_face(), collapse() and remove_vertex(); for flip() see flip.h. A split is undone by its
+//       inverse operator, which restores all live records itself.
+// Law:  undo(weld()) restores every live record of the mesh. A sound mesh stays sound, whatever the effect contains.
 #pragma once
 
 #include "meshops/core/api.h"

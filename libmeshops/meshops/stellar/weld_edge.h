@@ -1,4 +1,4 @@
-// What:   the stellar operator that takes a vertex out of an edge; the inverse of split_edge().
+// What:   the stellar operator that removes a vertex from an edge; the inverse of split_edge().
 // Law:    split_edge(weld_edge(h).line) restores the mesh up to handles, undo() all live records.
 // Source: Alexander, The combinatorial theory of complexes (1930); Lewiner et al., section on stellar operators.
 #pragma once
@@ -18,7 +18,7 @@ struct WeldEdgeEffect : WeldEffect {
 };
 
 /// Why the vertex that h comes from cannot be welded into the edge, or nothing when it can: it has not four edges (on
-/// the boundary three, h along the boundary), or what collapse_blocker() says.
+/// the boundary three, h along the boundary), or the reason of collapse_blocker().
 MESHOPS_API std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                          Keep keep = Keep::simplicial);
 

@@ -1,4 +1,4 @@
-// What:   the stellar operator that takes a vertex out of a triangle; the inverse of split_face().
+// What:   the stellar operator that removes a vertex from a triangle; the inverse of split_face().
 // Law:    split_face(weld_face(v).face) restores the mesh up to handles, undo() all live records.
 // Source: Alexander, The combinatorial theory of complexes (1930); Lewiner et al., section on stellar operators.
 #pragma once

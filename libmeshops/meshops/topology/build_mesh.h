@@ -18,7 +18,7 @@ namespace meshops {
 /// Requires: the mesh is empty; the soup has no defects but pinches (find_defects()).
 /// Throws:   ContractViolation that names the first other defect, or as require_parted(), mesh untouched; Cancelled, mesh
 ///           empty.
-/// Cost:     near-linear; nothing is looked up that the kernel would have to search for.
+/// Cost:     near-linear; no search in the kernel is needed.
 MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// The faces of a mesh as a soup, in the order of their handles; deleted ones are left out. A deleted vertex keeps its

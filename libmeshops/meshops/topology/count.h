@@ -1,4 +1,4 @@
-// What: how many of everything a mesh has.
+// What: the numbers of elements, components and boundary curves of a mesh, and its genus.
 // Law:  euler = vertices − edges + faces.
 #pragma once
 

@@ -16,7 +16,7 @@
 
 namespace meshops {
 
-/// Why the mesh cannot be cut along these edges, or nothing when it can: what unglue_blocker() says of one of them, or an
+/// Why the mesh cannot be cut along these edges, or nothing when it can: the reason of unglue_blocker() for one of them, or an
 /// edge is named twice.
 /// Cost: the degrees of their ends; the number of edges, times its logarithm.
 MESHOPS_API std::optional<std::string> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges);

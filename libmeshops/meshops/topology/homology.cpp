@@ -131,7 +131,7 @@ class TreeCotree {
   }
 
   /// The edges that are neither in the tree nor in the cotree: a spanning forest of the faces across other edges, which
-  /// takes those first that close long loops with the tree. Boundary edges join a face to what lies outside, or are on
+  /// prefers those that close long loops with the tree. Boundary edges join a face to what lies outside, or are on
   /// no side of anything when all is modulo the boundary. Ascending.
   std::vector<Edge> left_over(const Tree& tree, Modulo modulo) const {
     struct Candidate {
@@ -190,7 +190,7 @@ class TreeCotree {
     return loop;
   }
 
-  /// Takes out edges with an inner end at which there is no other edge, until there is none.
+  /// Removes edges with an inner end at which there is no other edge, until there is none.
   void prune(std::vector<Edge>& cut) const {
     std::vector<bool> is_in(mesh_.n_edges(), false);
     std::vector<int> degree(mesh_.n_vertices(), 0);

@@ -22,8 +22,8 @@ struct Homology {
   /// Loops that meet no vertex twice. The first halfedge of a loop is the first of the edge that closes it: it is in no
   /// other loop. In ascending order of that.
   std::vector<Loop> generators;
-  /// Inner edges, ascending; none hangs loose, in that an inner vertex is an end of none or of at least two. Empty
-  /// where there is nothing to cut, for discs and also for spheres: a sphere becomes a disc by taking out any face.
+  /// Inner edges, ascending; without dangling edges: an inner vertex is an end of none or of at least two. Empty
+  /// where there is nothing to cut, for discs and also for spheres: a sphere becomes a disc when any face is removed.
   std::vector<Edge> cut_graph;
 };
 

@@ -1,4 +1,4 @@
-// What: faces as lists of points, as files hold them: nothing is known yet of how they hang together.
+// What: faces as lists of points, as files hold them, without adjacency.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace meshops {
 
 /// Points are numbers from 0; a face is the cycle of its corners. Any cycles at all are a soup: of any length, out of
-/// range, repeated. `begin` has to part `corners` into faces, which whoever reads a soup checks (require_parted()).
+/// range, repeated. `begin` has to part `corners` into faces, which every reader of a soup checks (require_parted()).
 struct PolygonSoup {
   std::size_t points = 0;
   std::vector<std::uint32_t> corners;    ///< of all faces, one after the other

@@ -43,9 +43,9 @@ MESHOPS_API std::string_view name(RepairKind kind);
 /// For people: "face dropped: points 3 3 4, face 7".
 MESHOPS_API std::string describe(const RepairStep& step);
 
-/// Faces that are degenerate, repeated or out of range go. Of the faces that hang together through edges of two as few
-/// as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet, or two
-/// that cannot agree on a direction; of these faces only two stay joined that hang together around both ends some
+/// Faces that are degenerate, repeated or out of range are dropped. Of the faces that are connected through edges of two
+/// faces as few as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet,
+/// or two that cannot agree on a direction; of these faces only two stay joined that are connected around both ends some
 /// other way.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});

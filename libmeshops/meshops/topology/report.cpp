@@ -100,7 +100,7 @@ class MeshReporter {
     });
   }
 
-  /// Points at which several fans stand, and what hangs together through points.
+  /// Points at which several fans stand, and components that are connected through points.
   void count_points() {
     std::size_t bound = mesh_.n_vertices();
     for (const std::uint32_t p : point_of_vertex_) bound = std::max(bound, p + std::size_t{1});

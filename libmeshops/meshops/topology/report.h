@@ -19,7 +19,7 @@ namespace meshops {
 
 using BettiNumbers = std::array<long, 3>;
 
-/// A piece of surface whose faces hang together through edges, with a vertex for each fan.
+/// A piece of surface whose faces are connected through edges, with a vertex for each fan.
 struct ComponentReport {
   std::size_t vertices = 0;
   std::size_t edges = 0;
@@ -48,8 +48,8 @@ struct TopologyReport {
   std::size_t vertices = 0;  ///< points, isolated ones included
   std::size_t edges = 0;
   std::size_t faces = 0;
-  std::size_t components = 0;        ///< pieces that hang together in any way; an isolated point is one
-  std::size_t solid_components = 0;  ///< pieces of surface that hang together through edges: `per_component` has them
+  std::size_t components = 0;        ///< pieces connected in any way; an isolated point is one
+  std::size_t solid_components = 0;  ///< pieces of surface connected through edges: `per_component` has them
   std::size_t boundary_curves = 0;   ///< of all pieces: a curve does not pass through a pinch
   std::optional<long> genus;       ///< of all pieces; absent when one is not orientable, or cut at a non-manifold edge
   BettiNumbers betti = {0, 0, 0};  ///< over Z/2, of the whole as a space

@@ -1,4 +1,4 @@
-// What: what report() and find_defects() both need to know of a soup, found once.
+// What: properties of a soup that report() and find_defects() both need, computed once.
 // Cost: most of that of either.
 #pragma once
 
@@ -41,7 +41,7 @@ struct SoupAnatomy {
   }
 };
 
-/// As report() and find_defects() say.
+/// As documented at report() and find_defects().
 TopologyReport report_of(SoupAnatomy& anatomy, const GoOn& go_on);
 std::vector<SoupDefect> defects_of(SoupAnatomy& anatomy, const GoOn& go_on);
 

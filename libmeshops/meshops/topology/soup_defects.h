@@ -1,5 +1,5 @@
 // What: everything that keeps a soup of faces from being an oriented 2-manifold with boundary, one by one.
-// Law:  build_mesh() takes a soup whose only defects are pinches; repair() gives one without any.
+// Law:  build_mesh() accepts a soup whose only defects are pinches; repair() gives one without any.
 // Cost: near-linear in the number of corners.
 #pragma once
 

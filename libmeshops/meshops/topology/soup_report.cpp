@@ -103,7 +103,7 @@ class SoupReporter {
     for (std::size_t i = 0; i < sides.size(); ++i) total_.per_component[i].edges = sides[i] / 2;
   }
 
-  /// Points at which several fans stand, and what hangs together through points.
+  /// Points at which several fans stand, and components that are connected through points.
   void count_points() {
     const auto count = [&](auto is_such) {
       return static_cast<std::size_t>(std::count_if(anatomy_.fans_at.begin(), anatomy_.fans_at.end(), is_such));
@@ -114,7 +114,7 @@ class SoupReporter {
     total_.components = total_.isolated + joined_pieces();
   }
 
-  /// How many sets of pieces that hang together.
+  /// The number of sets of connected pieces.
   std::size_t joined_pieces() {
     const std::size_t pieces = total_.per_component.size();
     if (total_.pinches == 0 && !anatomy_.has_crowded_edge) return pieces;

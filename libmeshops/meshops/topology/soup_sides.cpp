@@ -177,7 +177,7 @@ SoupSides::SoupSides(const PolygonSoup& soup, const GoOn& go_on) {
 template <typename IsGiven>
 void SoupSides::bring_together(const PolygonSoup& soup, IsGiven is_given, const GoOn& go_on) {
   // Counted into buckets by the lower point first: sorting is then local. A bucket ends where the next one begins;
-  // while it is filled, its place in the list says where the next side goes.
+  // while it is filled, its entry in the list is the place of its next side.
   std::vector<std::uint32_t> bucket(soup.points + 2, 0);
   Steps step(go_on);
   const auto for_each_side = [&](auto visit) {

@@ -84,7 +84,7 @@ class SoupSides {
 /// Requires: the sides of all faces of the soup. Throws Cancelled.
 bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on);
 
-/// How corners hang together to fans around points. The sides at an edge join corners when `joins(sides)`.
+/// The fans that corners form around points. The sides at an edge join corners when `joins(sides)`.
 template <typename Joins>
 DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins, const GoOn& go_on) {
   DisjointSets fans(soup.corners.size());
@@ -102,7 +102,7 @@ DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins join
   return fans;
 }
 
-/// How faces hang together through edges of exactly two faces; faces of odd parity must be reversed for all to agree.
+/// How faces are connected through edges of exactly two faces; faces of odd parity must be reversed for all to agree.
 /// Calls disagree(sides) where no reversing helps.
 template <typename Disagree>
 DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree, const GoOn& go_on) {

@@ -39,8 +39,8 @@ GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
   return effect;
 }
 
-/// What a glue would be: which component is which is known, and in one of them two edges of different curves make a
-/// handle. So no search through faces is needed.
+/// The case of a glue: the components are tracked, and in one component two edges of different curves make a handle. So no
+/// search through faces is needed.
 GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
   if (!in_same_component(mesh_.from_vertex_handle(first), mesh_.from_vertex_handle(second))) return GlueCase::join;
   const bool adjacent = mesh_.next_halfedge_handle(first) == second || mesh_.next_halfedge_handle(second) == first;

@@ -18,8 +18,8 @@
 
 namespace meshops {
 
-/// Tell it of each operator at once, before the next: with note() and what the operator returned. Those in which it
-/// matters to know the components are also members: these use what the tracker knows instead of a search. A flip
+/// Report each operator with note() and the effect it returned, before the next operator. Operators that depend on
+/// components are also members: these use the tracker's components instead of a search. A flip
 /// changes nothing that is tracked. A remove_triangle() is to be done as its unglue() and destroy_triangle().
 /// What names elements that are not there, or that was not recorded, is a ContractViolation, and nothing is changed.
 class MESHOPS_API TopologyTracker {
@@ -28,7 +28,7 @@ class MESHOPS_API TopologyTracker {
   explicit TopologyTracker(Connectivity& mesh);
 
   const TopologyCounts& counts() const { return counts_; }
-  /// Whether two live vertices hang together. Cost: union–find time.
+  /// Whether two live vertices are in one component. Cost: union–find time.
   bool in_same_component(Vertex a, Vertex b);
 
   /// glue(), in one step. Cost: union–find time when the edges are on two components or adjacent; otherwise the

@@ -1,4 +1,4 @@
-// What: marks what a shared librbpa shows to others; everything else in it is hidden.
+// What: marks the symbols that a shared librbpa exports; all others are hidden.
 #pragma once
 
 #define RBPA_API __attribute__((visibility("default")))

@@ -8,13 +8,13 @@
 
 namespace rbpa {
 
-/// The caller's data or parameters are not what the function takes; nothing was computed.
+/// The caller's data or parameters violate the function's requirements; nothing was computed.
 class RBPA_API InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// The progress callback asked to stop.
+/// The progress callback returned false.
 using meshops::Cancelled;
 
 }  // namespace rbpa

@@ -21,10 +21,11 @@ static_assert(max_points == 357'913'941);
 /// Throws InvalidInput when there are more than `max_points`.
 void check_number(std::size_t points);
 
-/// Requires: 0 < alpha ≤ infinity; finite points, at most `max_points`. Throws InvalidInput naming what is not.
+/// Requires: 0 < alpha ≤ infinity; finite points, at most `max_points`. Throws InvalidInput that names the violated
+///           requirement.
 void check(std::span<const Point> points, double alpha);
 
-/// Threads for a run on so many points: few are done before another thread has woken.
+/// Threads for a run on so many points: one for a few points, which are done before a second thread has started.
 inline Threads threads_for(std::size_t points, unsigned wanted) { return Threads(points < 10'000 ? 1 : wanted); }
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-// What: how far a run has come, and how those who watch it are asked whether it goes on.
+// What: the progress of a run, and the callback that can cancel it.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace rbpa {
 
-/// Triangles attached so far, and distinct points (all points until these are known).
+/// Triangles attached so far, and distinct points (all points until duplicates are found).
 struct Progress {
   std::size_t triangles;
   std::size_t points;
 };
 
-/// For what comes before the first triangle or after the last: asks, and throws Cancelled; empty where `progress` is. Keeps
-/// a reference.
+/// For the work before the first triangle or after the last: calls `progress`, and throws Cancelled if that returns false;
+/// empty where `progress` is. Keeps a reference.
 inline std::function<void()> asking(const std::function<bool(const Progress&)>& progress, std::size_t points,
                                     std::size_t triangles = 0) {
   if (!progress) return {};

@@ -1,4 +1,4 @@
-// What: how loops and sorts let their caller end them.
+// What: cancellation of loops and sorts.
 #pragma once
 
 #include <algorithm>

@@ -8,7 +8,7 @@ namespace rbpa {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What stands for the index of a triangle, or of anything in a list, where there is none.
+/// Stands for the index of a triangle, or of another item of a list, where there is none.
 inline constexpr std::uint32_t no_index = 0xffffffff;
 
 }  // namespace rbpa

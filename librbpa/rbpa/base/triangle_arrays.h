@@ -1,4 +1,4 @@
-// What: triangles and what lies across of each, wherever they are kept.
+// What: a view of triangles and their neighbours.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@
 
 namespace rbpa {
 
-/// As a Triangulation with neighbours has them, and converts to. Nothing is owned.
+/// The triangles and neighbours of a Triangulation, which converts to this. Owns nothing.
 struct TriangleArrays {
-  /// What stands for a neighbour where there is none.
+  /// In `neighbors`, stands for no neighbour.
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
   std::span<const Triangle> neighbors;  ///< number k is the triangle across from corner k, or none
 };
 
-/// Requires: corners are three different numbers below `points`; neighbours are triangles and know each other by the side
-///           that they share.
-/// Throws:   ContractViolation that names the first triangle of which that is not so; Cancelled when `go_on`, which is called
+/// Requires: corners are three different numbers below `points`; neighbours are triangles, and each is the other's
+///           neighbour across the side that they share.
+/// Throws:   ContractViolation that names the first triangle that violates this; Cancelled when `go_on`, which is called
 ///           every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on = {});

@@ -218,7 +218,7 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
   for (Side i = 0; i < 3; ++i) queue_.push_back(t + i);
   for (Side i = 0; i < 3; ++i) {
     if (is_front[i] || is_front[(i + 2) % 3]) continue;
-    // Where another corner was taken out before, this one is across from a side of a triangle that came.
+    // Where another corner was removed before, this one is across from a side of a new triangle.
     const auto at = std::find_if(queue_.begin(), queue_.end(), [&](Side side) { return corner_[side] == corners[i]; });
     if (is_inner(*at)) take_out(*at);
   }
@@ -233,7 +233,7 @@ bool Unfilled::is_inner(Side at) const {
   return side != none;
 }
 
-/// Takes out an inner corner, that across from a side: what was around it is cut into triangles by ears, the flattest first.
+/// Removes the inner corner across from a side: its star is triangulated by cutting ears, the flattest first.
 void Unfilled::take_out(Side at) {
   const Site inner = corner_[at];
   star_.clear();

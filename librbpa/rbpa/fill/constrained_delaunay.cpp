@@ -157,7 +157,7 @@ class Constrained {
   }
 
   /// What lies outside of a cavity beyond the edge that leads to a corner of its rim: a triangle that stays, or, when it
-  /// was taken out as well, the edge to be found again.
+  /// was removed as well, the edge to be found again.
   struct Rim {
     Site site;
     Side outside;
@@ -350,7 +350,7 @@ class Constrained {
   std::vector<std::uint32_t> star_;  // of each place a triangle at it
   // Of the edge that is being inserted:
   std::vector<Rim> left_, right_;
-  std::vector<std::uint32_t> slots_, taken_;  // triangles that were taken out, as they came and ascending
+  std::vector<std::uint32_t> slots_, taken_;  // triangles that were removed, as they came and ascending
   std::size_t free_ = 0;                      // the first of those slots that is not in use again
   std::map<Directed, Side> waiting_;
   std::vector<Side> queue_;

@@ -3,8 +3,8 @@
 //         the circle. Of points on one circle the lexicographically largest is lifted, as everywhere (docs/predicates.md), so
 //         that there is one such triangulation: a function of the polygons as a set. All decisions are exact.
 // How:    the Delaunay triangulation of the points; then the edges that it lacks, one after the other in a random order.
-//         What an edge crosses is taken out, each of the two cavities is triangulated by a scan along its rim, and flips
-//         make that Delaunay again.
+//         The triangles that an edge crosses are removed, each of the two cavities is triangulated by a scan along its rim,
+//         and flips make that Delaunay again.
 // Cost:   n log n, and for an edge that crosses m triangles m log m and flips: about m in practice, m² at worst. That the
 //         order is random keeps the sum of all m small: the same every time, as the generator has a fixed seed.
 // Source: Lawson, Software for C1 surface interpolation (1977); Chew, Constrained Delaunay triangulations (1989); Anglada, An
@@ -25,7 +25,7 @@ namespace rbpa {
 
 /// Triangles on the places of the outline, counter-clockwise, in no particular order. A place may be passed by several
 /// rings, and an edge by two that run against each other.
-/// Requires: places that are distinct, as many as rbpa() takes, and each on a ring; rings that do not cross, and pass every
+/// Requires: places that are distinct, as many as rbpa() accepts, and each on a ring; rings that do not cross, and pass every
 ///           place that lies on their edges.
 /// Throws:   Cancelled, where go_on returns false.
 std::vector<std::array<std::uint32_t, 3>> constrained_delaunay(const Outline& outline,

@@ -1,4 +1,4 @@
-// What: an edge of a front, as the sites at its ends: what is not filled lies on its left.
+// What: an edge of a front, as the sites at its ends: the unfilled region lies on its left.
 #pragma once
 
 #include "meshops/patch/site.h"

@@ -88,7 +88,7 @@ bool is_star(const Point& p, const std::vector<Point>& ring) {
   return true;
 }
 
-/// Where p should be: each side of its star wants it at the apex of a triangle of the wanted size.
+/// The target position of p: the mean, over the sides of its star, of the apex of a triangle of the target size.
 Point wanted(const Point& p, const std::vector<Point>& ring, const SizeField& field) {
   const double size = field.at(p);
   double x = 0, y = 0, weights = 0;

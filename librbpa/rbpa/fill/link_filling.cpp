@@ -54,7 +54,7 @@ Sites sites_of(const Filling& filling) {
   const auto is_apart = [&](std::size_t t) {
     return std::binary_search(apart.begin(), apart.end(), filling.groups[t]);
   };
-  // What groups that are apart have of points; the first that has a point takes it itself, if no other does.
+  // The points of groups that are apart; the first group with a point uses the point itself, if no other does.
   std::vector<std::pair<std::size_t, std::uint32_t>> owned;
   std::vector<bool> taken(filling.points.size(), false);
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)

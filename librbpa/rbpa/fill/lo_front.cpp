@@ -10,9 +10,9 @@
 namespace rbpa {
 namespace {
 
-/// A front point this near to the ideal one, in sides of the triangle, takes its place.
+/// A front point this near to the ideal one, in sides of the triangle, replaces it.
 constexpr double near_enough = 0.75;
-/// A new point is so far from the front, in sides of the triangle; where this is too much to ask, at least so far.
+/// A new point is so far from the front, in sides of the triangle; where there is no room for that, at least the second.
 constexpr double clearance = 0.5, tight_clearance = 0.35;
 /// A triangle of front points that is better is not bettered by a new point in a narrow place.
 constexpr double good = 0.6;
@@ -22,8 +22,8 @@ constexpr double bad = 0.25;
 /// its own corners: these are tried first, and from then on each look is so many times as wide as the last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
-/// So many triangles of what is not filled may be passed or made for each of the front's own, all in all: an ordinary front takes
-/// thirty. Where it has been more, a look goes through a few at most, and the front does not retreat.
+/// The front may cross or create so many triangles of the unfilled region for each triangle it attaches, on the whole: an
+/// ordinary front needs thirty. Beyond that, a search crosses a few at most, and the front does not retreat.
 constexpr std::size_t most_work = 200, few_passed = 64;
 
 /// Of a pair of sites.
@@ -56,7 +56,7 @@ double LoFront::key(const Front& front, Halfedge h) const {
 LoFront::Task LoFront::task_of(Site from, Site to) const {
   Task task{.a = places_[from], .b = places_[to], .from = from, .to = to, .length = 0, .side = 0, .ideal = {}};
   task.length = distance(task.a, task.b);
-  // The size is asked for where the apex will be, about.
+  // The size is that at the apex, about.
   for (int turn = 0; turn < 2; ++turn) {
     const Point& at = turn == 0 ? places_[from] : task.ideal;
     task.side = std::clamp(field_.at(at), 0.6 * task.length, 1.6 * task.length);
@@ -83,7 +83,7 @@ void LoFront::look_around(Task& task, double reach) const {
                 box.high.y >= bounds_.high.y;
 }
 
-/// The nearest point of the front that can take the place of the ideal apex.
+/// The nearest point of the front that can replace the ideal apex.
 std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   std::optional<std::pair<double, Site>> nearest;
   for (const Site s : task.candidates)

@@ -3,8 +3,9 @@
 // Law:    every triangle is empty: nothing of the front reaches into it or lies on it but its corners, which is decided
 //         exactly. For every edge of the front there is such a triangle (docs/fill.md, section 3), so that none is ever
 //         frozen, and the run ends.
-// Cost:   a look at what is seen from an edge for each triangle, and what was filled in vain. All in all about 200 triangles of what
-//         is not filled are passed or made for each of the boundary's edges and of the result's: ordinary fronts take thirty.
+// Cost:   for each triangle a search of the corners visible from an edge; and triangles that are detached again. On the
+//         whole about 200 triangles of the unfilled region are crossed or made for each edge of the boundary and each
+//         triangle of the result: ordinary fronts need thirty.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
 //         generation method revisited (1994).
 #pragma once
@@ -44,22 +45,22 @@ class LoFront {
   /// Where the sites are, those that were placed as well.
   const std::vector<Point>& places() const { return places_; }
   std::size_t retreats() const { return retreated_; }
-  /// How many triangles of what is not filled were passed or made: the work of finding empty ones.
+  /// How many triangles of the unfilled region were crossed or made: the work of finding empty ones.
   std::size_t passed() const { return unfilled_.passed(); }
 
   /// Shortest first.
   double key(const Front& front, Halfedge h) const;
   /// The front begins at the boundary.
   std::optional<std::array<Site, 3>> seed(const Front&) const { return std::nullopt; }
-  /// The apex for an edge; or the triangle behind it goes, if none makes a good one.
+  /// The apex for an edge; or the triangle behind it is detached, if no apex makes a good one.
   meshops::Proposal propose(const Front& front, Halfedge h);
 
-  /// To be told what has become of the front.
+  /// Updates the unfilled region after a change of the front.
   void attached(const Front& front, const meshops::InsertedTriangle& triangle);
   void detached(const meshops::DetachedTriangle& triangle);
 
  private:
-  /// An edge that wants an apex, and what is around it.
+  /// An edge that needs an apex, and the candidates for it.
   struct Task {
     Point a, b;
     Site from, to;
@@ -67,7 +68,7 @@ class LoFront {
     double side;                        ///< that the others should have
     Point ideal;                        ///< where the apex would be best
     std::vector<Site> candidates = {};  ///< that make empty triangles
-    bool is_all = false;                ///< nothing lies outside of the last look
+    bool is_all = false;                ///< nothing lies outside of the last search
   };
   struct Choice {
     Site apex;
@@ -90,7 +91,7 @@ class LoFront {
   const SizeField& field_;
   Unfilled unfilled_;
   Box bounds_;                  // of the front
-  double least_reach_ = 0;      // the least second look
+  double least_reach_ = 0;      // the least radius of a second search
   double least_clearance_ = 0;  // so far from the front is every new point
   std::size_t retreats_left_ = 0;
   std::size_t retreated_ = 0;

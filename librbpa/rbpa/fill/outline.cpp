@@ -76,7 +76,7 @@ class CutEdges {
   std::size_t number(std::size_t ring, std::size_t i) const { return of_ring_[ring][i]; }
   const std::vector<Point>& points(std::size_t edge) const { return points_[edge]; }
 
-  /// Takes the points away, and calls visit(group) for those that have the edge.
+  /// Removes the points, and calls visit(group) for the groups that have the edge.
   template <typename Visit>
   void keep_whole(std::size_t edge, Visit visit) {
     points_[edge].clear();

@@ -1,4 +1,4 @@
-// What:   the boundary of what is to be filled, in an order that does not depend on how it was said.
+// What:   the boundary of the polygons to be filled, in an order that does not depend on how the input is written.
 // Law:    a function of the polygons as a set of the plane, but for the numbers of input points.
 #pragma once
 
@@ -28,7 +28,7 @@ struct Outline {
   std::vector<OutlineRing> rings;    ///< by their first sites
 };
 
-/// Requires: noded rings, of which those of one group meet in single points at most; and what nest_rings() says of the
+/// Requires: noded rings, of which those of one group meet in single points at most; and the result of nest_rings() for the
 ///           rings of each group.
 Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places,
                    std::span<const std::size_t> groups);

@@ -30,8 +30,8 @@ struct PolygonRings {
   std::vector<RingPlace> places = {};
 };
 
-/// The polygons of each group, which begins where `groups` says (fill.h), are a valid multipolygon. Whether it meets others
-/// is not looked at, but that vertices of others on its edges become its own.
+/// The polygons of each group, which begin at the positions in `groups` (fill.h), are a valid multipolygon. Whether a group
+/// meets others is not checked; but vertices of others on its edges become its own.
 /// Throws: InvalidInput that names what is not valid, and where; Cancelled.
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
                             std::span<const std::size_t> groups, const std::function<bool()>& go_on);

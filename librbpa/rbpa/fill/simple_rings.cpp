@@ -167,7 +167,7 @@ class RingSweep {
       const auto first = start;
       for (; start != starts.end() && (*start)->low == at; ++start)
         if (insert(*start)) return;
-      // From below: where several rings begin, what lies under one is known before it.
+      // From below: where several rings begin, the one below is nested first.
       std::sort(first, start, Below());
       for (auto edge = first; edge != start; ++edge)
         if (const std::size_t ring = (*edge)->side.ring; !seen[ring]) {

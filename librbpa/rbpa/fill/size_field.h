@@ -1,7 +1,7 @@
 // What:   the size that edges are to have, anywhere in the plane.
 // Law:    the greatest function that is at most `most` everywhere and at most sources[i].size at sources[i].at, and whose
 //         slope is at most `grade`.
-// Cost:   n log n to build; a question costs about the logarithm, and what of the sources is about as good as the best.
+// Cost:   n log n to build; a query costs about the logarithm, and the sources whose value is close to the least.
 #pragma once
 
 #include <cstddef>

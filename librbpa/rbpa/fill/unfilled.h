@@ -1,12 +1,15 @@
-// What:   a triangulation of what a front has not filled yet: its corners are the points of the front, and its border the
+// What:   a triangulation of the region that a front has not filled yet: its corners are the points of the front, and its
+//         border the
 //         edges of the front.
-// Law:    after every change it is the constrained Delaunay triangulation of what is not filled, up to points on one circle. All
+// Law:    after every change it is the constrained Delaunay triangulation of the unfilled region, up to points on one
+//         circle. All
 //         decisions are exact.
-// Why:    whoever walks through it from an edge sees what that edge sees, and nothing else. Long edges that lie close hide
-//         nearly everything that is near from each other, and a search by boxes meets all of that (docs/fill.md, section 2).
+// Why:    a walk through it from an edge visits the corners visible from that edge, and no others. Long edges that lie
+//         close hide nearly all near points from each other, and a search by boxes would visit all of these (docs/fill.md,
+//         section 2).
 // Cost:   n log n to build, for a front of n edges; a triangle more or less costs the triangles that it crosses, and their flips;
-//         a corner that goes k log k for k triangles around it.
-//         A look costs the triangles that are seen.
+//         removing a corner k log k for k triangles around it.
+//         A search costs the triangles visited.
 // Source: Chew, Constrained Delaunay triangulations (1989); Lee, Preparata, Euclidean shortest paths in the presence of
 //         rectilinear barriers (1984), for the funnel.
 #pragma once
@@ -33,7 +36,7 @@ class Unfilled {
   using Site = meshops::Site;
   static constexpr std::size_t unlimited = ~std::size_t{0};
 
-  /// Of a front of rings, each as its sites: what is not filled lies on the left. Keeps a reference to the places, which may
+  /// Of a front of rings, each as its sites: the unfilled region lies on the left. Keeps a reference to the places, which may
   /// become more.
   /// Throws: Cancelled, where go_on returns false.
   Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
@@ -52,7 +55,7 @@ class Unfilled {
 
   /// An empty triangle on an edge of the front is filled. An apex that is no site of the front yet becomes one.
   void fill(const FrontEdge& edge, Site apex);
-  /// A triangle is filled no more: side i, from corner i to corner i + 1, is of the front now, or what lies beyond is not
+  /// A triangle is unfilled again: side i, from corner i to corner i + 1, is of the front now, or what lies beyond is not
   /// filled either.
   void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
 
@@ -77,7 +80,7 @@ class Unfilled {
     Side beyond;
     bool is_new = false;  // what is beyond was made for this rim
   };
-  /// Of a star around a corner that is taken out, a corner of its rim, those beside it, and how often it was offered as an ear.
+  /// In the star of a corner that is removed: a corner of its rim, those beside it, and how often it was offered as an ear.
   struct Ray {
     Rim rim;
     std::uint32_t last, next;
@@ -132,7 +135,7 @@ class Unfilled {
   std::vector<std::uint32_t> crossed_;
   std::vector<std::array<std::uint32_t, 3>> waiting_;
   std::vector<Side> queue_;
-  // While a corner is taken out:
+  // While a corner is removed:
   std::vector<Ray> star_;
   std::vector<Ear> ears_;  // a heap
   // While one looks:

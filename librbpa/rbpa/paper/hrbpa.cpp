@@ -15,7 +15,7 @@ namespace {
 /// α₀, 2α₀, 4α₀ … and α in the place of the first that is not below it.
 class Radii {
  public:
-  /// When α = ∞ it takes the place of the first that is not below `largest`.
+  /// When α = ∞ it replaces the first that is not below `largest`.
   Radii(double minimal, Radius alpha, Real largest) : minimal_(minimal), alpha_(alpha) {
     const Real end =
         alpha.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(alpha.value());

@@ -1,6 +1,6 @@
 // What:   the quadtree over the points, for the minimal radius of HRBPA.
 // Law:    a function of the set of points and the capacity.
-// Cost:   O((d + 1) n) for depth d, as the paper says; d is up to two thousand.
+// Cost:   O((d + 1) n) for depth d, as in the paper; d is up to two thousand.
 // Source: Restricted BPA, section 6, "Minimal radius estimation", and figure 4.
 #pragma once
 

@@ -1,6 +1,6 @@
 // What:   RBPA: restricted ball pivoting as a policy of the advancing-front engine.
-// Law:    Theorem 1: an empty front becomes the solid alpha complex. A front that is the complex of a smaller radius becomes
-//         that of this one, though no more than its boundary and isolated points are known.
+// Law:    Theorem 1: an empty front becomes the solid alpha complex. A front that is the complex of a smaller radius
+//         becomes that of this one, although only its boundary and isolated points are read.
 // Cost:   a pivot for each triangle and each boundary edge, a roll or two for each boundary or isolated point: linear where
 //         #V_p is bounded (section 5).
 // Source: Restricted BPA, sections 3 and 4.
@@ -27,7 +27,7 @@ using Triangle = std::array<Site, 3>;  ///< counter-clockwise
 class RestrictedBallPivoting {
  public:
   /// `sites` are those of the front that are isolated or on its boundary. Refers to the points, which are distinct and not
-  /// all on a line. Calls asked(front) with each question it is asked; what that throws ends the run.
+  /// all on a line. Calls asked(front) at each call of a member; an exception that it throws ends the run.
   RestrictedBallPivoting(std::span<const Point> points, std::vector<Site> sites, Radius alpha,
                          std::function<void(const Front&)> asked = {})
       : sites_(std::move(sites)), ball_(points, sites_, alpha), asked_(std::move(asked)) {}

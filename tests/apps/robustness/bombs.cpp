@@ -82,7 +82,7 @@ TEST_SUITE("robustness") {
     MESSAGE("SKIPPED: sanitizers take memory for themselves");
 #else
     Random random(17);
-    for (int moment = 0; moment < robustness::moments; ++moment) {
+    for (int moment = 0; moment < robustness::moments(); ++moment) {
       CAPTURE(moment);
       Attack(claiming_points(), {RBPA_PROGRAM, "info"}, {}).run(random);
       Attack(claiming_space(), {RBPA_PROGRAM, "surface"}, {"--radius", "1", "-o", "-", "--output-format", "off", "-q"})

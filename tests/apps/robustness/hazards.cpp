@@ -119,7 +119,7 @@ void for_each_moment(const std::vector<Run>& runs, unsigned seed, Happens happen
     CAPTURE(run.name);
     const Reference& reference = reference_of(run);
     Random random(seed);
-    for (int moment = 0; moment < moments; ++moment) {
+    for (int moment = 0; moment < moments(); ++moment) {
       CAPTURE(moment);
       const Scene scene(run);
       happens(scene, reference, random);

@@ -1,8 +1,10 @@
-// What: how often each thing happens to each verb.
+// What: how often each thing happens to each verb: --moments=N of the test programs.
 #pragma once
+
+#include "support/arguments.h"
 
 namespace robustness {
 
-extern int moments;
+inline int moments() { return static_cast<int>(rbpa_test::argument("moments", 2)); }
 
 }  // namespace robustness

@@ -50,7 +50,7 @@ TEST_CASE("twelve runs at once in one folder, beside what dead ones have left: a
   Child alone(command(folder, "t.npy"));
   REQUIRE(alone.wait() == Ending{0, 0});
   const std::string wanted = folder.content("t.npy");
-  const int rounds = robustness::moments > 8 ? 25 : 2;
+  const int rounds = robustness::moments() > 8 ? 25 : 2;
   for (int round = 0; round < rounds; ++round) {
     CAPTURE(round);
     const std::string dead = ".rbpa-stream-" + std::to_string(dead_process());
@@ -112,7 +112,7 @@ TEST_CASE("killed while the scratch is made, a run leaves nothing that the next 
   check();
   // And at random, early.
   std::mt19937 random(42);
-  const int kills = robustness::moments > 8 ? 300 : 16;
+  const int kills = robustness::moments() > 8 ? 300 : 16;
   for (int kill = 0; kill < kills; ++kill) {
     CAPTURE(kill);
     Child child(command(folder, "t.npy", more));

@@ -108,7 +108,7 @@ std::string refusal(const Folder& folder, const std::string& arguments) {
 TEST_CASE("killed at any moment, and again, a run is gone on with") {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> share(0, 1.05);
-  const int moments = robustness::moments > 8 ? 150 : robustness::moments;  // two kills each, in the mean
+  const int moments = robustness::moments() > 8 ? 150 : robustness::moments();  // two kills each, in the mean
   for (int moment = 0; moment < moments; ++moment) {
     CAPTURE(moment);
     const Folder folder;
@@ -241,7 +241,7 @@ TEST_CASE("another run is at work in the folder") {
 
 TEST_CASE("no file may be larger: one line, and the next run goes on") {
   std::mt19937 random(21);
-  for (int moment = 0; moment < robustness::moments / 2; ++moment) {
+  for (int moment = 0; moment < robustness::moments() / 2; ++moment) {
     const Folder folder;
     make_input(folder, some);
     // From what tiles need to what the targets are.
@@ -275,7 +275,7 @@ TEST_CASE("a full disk: one line, and the next run goes on") {
   }
   setenv("TMPDIR", disk.c_str(), 1);
   std::mt19937 random(22);
-  for (int moment = 0; moment < robustness::moments / 2; ++moment) {
+  for (int moment = 0; moment < robustness::moments() / 2; ++moment) {
     const Folder folder;
     make_input(folder, some);
     const std::size_t left = std::uniform_int_distribution<std::size_t>(0, 8'000'000)(random);
@@ -305,7 +305,7 @@ TEST_CASE("a run takes no more memory than it may") {
   MESSAGE("SKIPPED: sanitizers take memory for themselves");
 #else
   const Folder folder;
-  const bool nightly = robustness::moments > 8;
+  const bool nightly = robustness::moments() > 8;
   make_input(folder, nightly ? 6'000'000 : 1'000'000);
   const auto check = [&](const std::string& memory, const std::string& alpha, const std::string& threads) {
     CAPTURE(memory);

@@ -41,7 +41,7 @@ TEST_CASE("every generated set, in tiles of a few points and of some more") {
     const double spacing = rbpa_test::mean_spacing(points);
     std::vector<double> alphas = set.alphas;
     alphas.push_back(spacing);
-    if (robustness::moments > 8)
+    if (robustness::moments() > 8)
       alphas.insert(alphas.end(), {0.5 * spacing, 2 * spacing, 10 * spacing});
     else if (alphas.size() > 2)
       alphas.erase(alphas.begin() + 1, alphas.end() - 1);

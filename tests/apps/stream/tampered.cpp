@@ -190,7 +190,7 @@ std::string tamper(const std::string& folder, std::mt19937& random) {
 
 TEST_CASE("a scratch that was tampered with gives the same bytes or one line") {
   const Place place;
-  const bool nightly = robustness::moments > 8;
+  const bool nightly = robustness::moments() > 8;
   const std::vector<std::string> beginnings = place.beginnings(nightly ? 20 : 5);
   std::mt19937 random(33);
   int refused = 0;

@@ -161,7 +161,7 @@ TEST_CASE("Slurm gets an array for each list, every line of it once, each array 
 
 TEST_CASE("make killed with its tasks at any moment, and again: the next goes on, and no file is half written") {
   std::mt19937 random(42);
-  for (int moment = 0; moment < robustness::moments / 4; ++moment) {
+  for (int moment = 0; moment < robustness::moments() / 4; ++moment) {
     const Folder folder;
     make_input(folder);
     ways(folder, "--tasks T -o t.npy -o p.geojson");
@@ -192,7 +192,7 @@ TEST_CASE("make killed with its tasks at any moment, and again: the next goes on
 
 TEST_CASE("cutting killed at any moment is gone on with by --resume") {
   std::mt19937 random(43);
-  for (int moment = 0; moment < robustness::moments / 4; ++moment) {
+  for (int moment = 0; moment < robustness::moments() / 4; ++moment) {
     const Folder folder;
     make_input(folder);
     const std::string more = " --tasks T -o t.npy -o p.geojson";

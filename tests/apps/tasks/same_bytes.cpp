@@ -66,10 +66,10 @@ TEST_CASE("generated sets: the tasks of a list in any order, some of them twice"
   for (const rbpa_test::NamedSet& set : rbpa_test::generated_sets()) {
     CAPTURE(set.name);
     const Points points = set.make();
-    if (points.empty() || (robustness::moments <= 8 && number++ % 7 != 0)) continue;
+    if (points.empty() || (robustness::moments() <= 8 && number++ % 7 != 0)) continue;
     const double spacing = rbpa_test::mean_spacing(points);
     std::vector<double> alphas = {1.5 * spacing};
-    if (robustness::moments > 8) alphas.insert(alphas.end(), set.alphas.begin(), set.alphas.end());
+    if (robustness::moments() > 8) alphas.insert(alphas.end(), set.alphas.begin(), set.alphas.end());
     for (const double alpha : alphas) {
       CAPTURE(alpha);
       if (!(alpha > 0) || std::isinf(2 * alpha)) continue;
@@ -131,7 +131,7 @@ TEST_CASE("partials merged in any groups and any order: one file, to the byte") 
   REQUIRE(tiles.size() > 25);
   const std::vector<std::string> some(tiles.begin() + 3, tiles.begin() + 21);
   merge(some, {folder.path("tasks/partials/first.partial")});
-  for (int round = 0; round < robustness::moments; ++round) {
+  for (int round = 0; round < robustness::moments(); ++round) {
     std::vector<std::string> open = some;
     shuffle(open, random);
     merge(open, {folder.path("tasks/partials/other.partial")});

@@ -1,4 +1,4 @@
-// What a user writes who wants arrays, in the plane and in space, and no mesh. All headers are here that need none.
+// The code of a user of arrays, in the plane and in space, without a mesh. All headers that need no mesh are included.
 #include <cmath>
 #include <cstdio>
 #include <limits>

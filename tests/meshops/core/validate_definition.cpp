@@ -20,7 +20,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// The vertices of which validate() says that they have several fans. Nothing else may be said.
+/// The vertices for which validate() reports several fans. It may report nothing else.
 std::set<int> vertices_of_several_fans(const Connectivity& mesh) {
   std::set<int> vertices;
   for (const Defect& defect : validate(mesh)) {
@@ -30,7 +30,7 @@ std::set<int> vertices_of_several_fans(const Connectivity& mesh) {
   return vertices;
 }
 
-/// What OpenMesh makes of the faces: those that it takes.
+/// What OpenMesh makes of the faces: those that it accepts.
 void add_faces(TestMesh& mesh, const PolygonSoup& soup) {
   for (std::size_t p = 0; p < soup.points; ++p) mesh.new_vertex();
   omerr().disable();  // it prints what it refuses
@@ -139,7 +139,7 @@ TEST_SUITE("validate") {
     CHECK(by_openmesh > 10000);
   }
 
-  TEST_CASE("on records changed at random it says that all is well exactly if the definition does") {
+  TEST_CASE("on records changed at random it reports no defect exactly if the definition has none") {
     std::mt19937 random(15);
     int sound = 0, bad = 0;
     std::set<DefectKind> seen;

@@ -1,4 +1,4 @@
-// Who changes a front while the engine asks or tells him is refused; and what was true of a front when a Fit was made is
+// Changing a front during a call by the engine is refused; and what was true of a front when a Fit was made is
 // checked when it is inserted.
 #include <doctest/doctest.h>
 
@@ -51,7 +51,7 @@ struct Meddling : CurveVisitor {
   void curve_begun(const Front&, Halfedge) { at(When::curve); }
 };
 
-std::string said(When when, const Change& change) {
+std::string refusal_message(When when, const Change& change) {
   TestMesh mesh;
   Front front(mesh, 9);
   Meddling meddling;
@@ -60,15 +60,15 @@ std::string said(When when, const Change& change) {
   meddling.change = change;
   const std::string words = refusal([&] { advance(front, meddling, meddling); });
   check_sound(mesh);
-  // The engine is left in order: who is no longer asked may change the front.
+  // The engine is left in order: after the call the front may be changed.
   CHECK_NOTHROW(front.create(6, 7, 8));
   return words;
 }
 
 }  // namespace
 
-TEST_SUITE("changed while asked") {
-  TEST_CASE("a policy that changes the front while it is asked is refused, whatever the question and the change") {
+TEST_SUITE("changed while the policy proposes") {
+  TEST_CASE("a policy that changes the front during a call is refused, whatever the call and the change") {
     const std::vector<Change> changes = {[](Front& f) { f.create(4, 5, 6); },
                                          [](Front& f) { f.attach(Halfedge(1), 5); },
                                          [](Front& f) { f.insert(f.fit(4, 5, 6)); },
@@ -81,17 +81,18 @@ TEST_SUITE("changed while asked") {
                                          [](Front& f) { f.finish(); }};
     for (const When when : {When::seed, When::propose, When::key, When::glues})
       for (const Change& change : changes)
-        CHECK(said(when, change) == "Front: the policy changed the front while it was asked");
+        CHECK(refusal_message(when, change) == "Front: the policy changed the front while it was asked");
   }
 
   TEST_CASE("a visitor may activate and freeze, and is refused when it does more") {
     for (const When when : {When::seeded, When::attached, When::frozen, When::curve}) {
       for (const Change& change : {Change([](Front& f) { f.create(4, 5, 6); }), Change([](Front& f) { f.pop(); }),
                                    Change([](Front& f) { f.detach(Face(0)); }), Change([](Front& f) { f.finish(); })})
-        CHECK(said(when, change) ==
+        CHECK(refusal_message(when, change) ==
               "Front: the visitor changed the front while it was called, other than activate() and freeze() do");
-      CHECK(said(when, [](Front& f) { f.freeze(f.boundary_between(f.curves()[0].length() > 3 ? 2 : 1, 0)); }) !=
-            "Front: the policy changed the front while it was asked");
+      CHECK(refusal_message(when, [](Front& f) {
+              f.freeze(f.boundary_between(f.curves()[0].length() > 3 ? 2 : 1, 0));
+            }) != "Front: the policy changed the front while it was asked");
     }
   }
 

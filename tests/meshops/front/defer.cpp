@@ -1,4 +1,4 @@
-// Edges that are asked about later: when the front has changed, and not before; and never so that a run does not end.
+// Edges that are deferred: their turn comes when the front has changed, and not before; and never so that a run does not end.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -25,7 +25,7 @@ std::pair<Site, Site> side(const Front& front, Halfedge h) { return {front.from_
 struct Waiting {
   std::size_t faces = 0;
   std::vector<Seed> seeds = {{3, 4, 5}, {0, 1, 2}};
-  Sides asked;
+  Sides proposed_for;
   std::optional<Seed> seed(const Front&) {
     if (seeds.empty()) return std::nullopt;
     const Seed next = seeds.back();
@@ -33,9 +33,9 @@ struct Waiting {
     return next;
   }
   Proposal propose(const Front& front, Halfedge h) {
-    asked.push_back(side(front, h));
+    proposed_for.push_back(side(front, h));
     if (front.faces() < faces) return Proposal::defer();
-    if (asked.back() == std::pair<Site, Site>{1, 0}) return Site{4};
+    if (proposed_for.back() == std::pair<Site, Site>{1, 0}) return Site{4};
     return std::nullopt;
   }
 };
@@ -68,19 +68,19 @@ TEST_SUITE("defer") {
     Front front(mesh, 6);
     advance(front, policy, events);
     // The second seed is a change for the edges of the first.
-    CHECK(policy.asked == of_first + of_second + of_first);
-    CHECK(events.deferred_at == policy.asked);
+    CHECK(policy.proposed_for == of_first + of_second + of_first);
+    CHECK(events.deferred_at == policy.proposed_for);
     CHECK(events.frozen_at == of_second + of_first);
     CHECK(front.faces() == 2);
     check_sound(mesh);
-    // Asked again on the next level.
+    // Proposed for again on the next level.
     CHECK(front.next_level().reactivated == 6);
     policy.faces = 0;
     advance(front, policy, events);
     CHECK(front.faces() == 3);
   }
 
-  TEST_CASE("an edge that was deferred takes what it could not take before") {
+  TEST_CASE("an edge that was deferred gets the apex that was refused before") {
     Waiting policy;
     policy.faces = 2;
     Events events;
@@ -88,24 +88,24 @@ TEST_SUITE("defer") {
     Front front(mesh, 6);
     advance(front, policy, events);
     CHECK(events.deferred_at == of_first);
-    CHECK(policy.asked == of_first + of_second + of_first + Sides{{4, 0}, {1, 4}});
+    CHECK(policy.proposed_for == of_first + of_second + of_first + Sides{{4, 0}, {1, 4}});
     CHECK(front.faces() == 3);
     CHECK(front.frozen().size() == 7);
     check_sound(mesh);
   }
 
-  TEST_CASE("whoever is attached to by a neighbour is not asked about again") {
-    // The edge 0→2 waits; 2→1 takes the site 0... by way of a new triangle around it.
+  TEST_CASE("an edge to which a neighbour's triangle is attached is not proposed for again") {
+    // The edge 0→2 waits; 2→1 gets the site 0... by way of a new triangle around it.
     struct Around {
       std::map<std::pair<Site, Site>, Site> apex = {{{1, 0}, 3}, {{3, 0}, 2}};
-      Sides asked;
+      Sides proposed_for;
       std::optional<Seed> seed(const Front& front) {
         return front.faces() == 0 ? std::optional(Seed{0, 1, 2}) : std::nullopt;
       }
       Proposal propose(const Front& front, Halfedge h) {
-        asked.push_back(side(front, h));
-        if (asked.back() == std::pair<Site, Site>{0, 2}) return Proposal::defer();
-        const auto found = apex.find(asked.back());
+        proposed_for.push_back(side(front, h));
+        if (proposed_for.back() == std::pair<Site, Site>{0, 2}) return Proposal::defer();
+        const auto found = apex.find(proposed_for.back());
         return found == apex.end() ? Proposal(std::nullopt) : Proposal(found->second);
       }
     } policy;
@@ -113,7 +113,7 @@ TEST_SUITE("defer") {
     Front front(mesh, 4);
     advance(front, policy);
     CHECK(front.faces() == 3);
-    CHECK(std::count(policy.asked.begin(), policy.asked.end(), std::pair<Site, Site>{0, 2}) == 1);
+    CHECK(std::count(policy.proposed_for.begin(), policy.proposed_for.end(), std::pair<Site, Site>{0, 2}) == 1);
     CHECK_FALSE(front.is_active(front.edge_between(0, 2)));
     check_sound(mesh);
   }
@@ -136,11 +136,11 @@ TEST_SUITE("defer") {
     TestMesh mesh;
     Front front(mesh, 6);
     advance(front, policy, visitor);
-    CHECK(policy.asked == of_first + Sides{{2, 1}, {2, 1}});
+    CHECK(policy.proposed_for == of_first + Sides{{2, 1}, {2, 1}});
     CHECK(front.frozen().size() == 3);
   }
 
-  TEST_CASE("an edge that is twice in the queue is asked about once before a change") {
+  TEST_CASE("an edge that is twice in the queue is proposed for once before a change") {
     struct Twice : FrontVisitor {
       bool done = false;
       void deferred(const Front& front, Halfedge h) {
@@ -157,10 +157,10 @@ TEST_SUITE("defer") {
     TestMesh mesh;
     Front front(mesh, 6);
     advance(front, policy, visitor);
-    CHECK(policy.asked == of_first + Sides{{1, 0}});
+    CHECK(policy.proposed_for == of_first + Sides{{1, 0}});
   }
 
-  TEST_CASE("an edge that a visitor wakes when the last are frozen is asked about, and frozen in the end") {
+  TEST_CASE("an edge that a visitor wakes when the last are frozen is proposed for, and frozen in the end") {
     struct Waking : FrontVisitor {
       std::size_t wakes = 3;
       void frozen(const Front& front, Halfedge h) {
@@ -175,12 +175,12 @@ TEST_SUITE("defer") {
     TestMesh mesh;
     Front front(mesh, 6);
     advance(front, policy, visitor);
-    CHECK(policy.asked == of_first + of_first);
+    CHECK(policy.proposed_for == of_first + of_first);
     for (const BoundaryCurve& curve : front.curves())
       for (const Halfedge h : curve) CHECK(front.is_frozen(h));
   }
 
-  TEST_CASE("a throw leaves what is deferred as it is: popped last, or asked about when it would have been") {
+  TEST_CASE("a throw leaves deferred edges as they are: popped last, or proposed for when they would have been") {
     const auto thrown_at = [](std::size_t question, auto then) {
       struct Throwing : Waiting {
         std::size_t left = 0;
@@ -203,7 +203,7 @@ TEST_SUITE("defer") {
         for (const BoundaryCurve& curve : front.curves())
           for (const Halfedge h : curve) CHECK((front.is_active(h) || front.is_frozen(h)));
         advance(front, policy);
-        CHECK(policy.asked == of_first + of_second + of_first + Sides{{4, 0}, {1, 4}});
+        CHECK(policy.proposed_for == of_first + of_second + of_first + Sides{{4, 0}, {1, 4}});
         CHECK(front.frozen().size() == 7);
       });
     }
@@ -229,7 +229,7 @@ TEST_SUITE("defer") {
     Front front(mesh, 6);
     advance(front, policy);
     const Sides first = {{2, 1}, {1, 0}, {0, 2}}, second = {{5, 4}, {4, 3}, {3, 5}};
-    CHECK(policy.asked == first + second + first);
+    CHECK(policy.proposed_for == first + second + first);
   }
 
   TEST_CASE("a polygon is cut into ears, from any edge: one that is no ear yet waits until it is") {

@@ -43,7 +43,7 @@ TEST_SUITE("front") {
     CHECK_FALSE(front.is_on_boundary(0));
   }
 
-  TEST_CASE("what was detached names vertices that finish() takes away") {
+  TEST_CASE("what was detached names vertices that finish() removes") {
     TestMesh mesh;
     Front front(mesh, 8);  // 0 and 7 are on no triangle
     front.create(1, 2, 3);

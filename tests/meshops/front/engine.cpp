@@ -16,7 +16,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// A policy without geometry: gives back a triangulation that is already known, from the seeds it is told.
+/// A policy without geometry: reproduces a given triangulation, from given seeds.
 class Replay {
  public:
   using Triangle = std::array<Site, 3>;
@@ -106,7 +106,7 @@ struct CurveCounter : CurveVisitor {
     --curves;
     ++closings;
   }
-  // Told before the events of the next triangle, and so after all of the one before.
+  // Called before the events of the next triangle, and so after all of the one before.
   void frozen(const Front& front, Halfedge) { CHECK(curves == static_cast<int>(front.curves().size())); }
 };
 
@@ -138,7 +138,7 @@ std::vector<Replay::Triangle> cut_squares(Site side, const std::vector<Site>& ho
 }  // namespace
 
 TEST_SUITE("engine") {
-  TEST_CASE("builds what the policy knows, and is sound after every event") {
+  TEST_CASE("builds the policy's triangulation, and is sound after every event") {
     const auto triangles = cut_squares(8, {24});
     for (std::size_t seed = 0; seed < triangles.size(); seed += 5) {
       TestMesh mesh;
@@ -182,7 +182,7 @@ TEST_SUITE("engine") {
     check_sound(mesh);
   }
 
-  TEST_CASE("the events of curves tell at each moment how many there are") {
+  TEST_CASE("the events of curves count them at each moment") {
     std::mt19937 random(5);
     int joins = 0, splits = 0, closings = 0;
     for (int round = 0; round < 60; ++round) {

@@ -17,7 +17,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Fills a hole: every edge takes the vertex after the next.
+/// Fills a hole: the apex of every edge is the vertex after the next.
 struct Ears {
   std::optional<std::array<Site, 3>> seed(const Front&) { return std::nullopt; }
   std::optional<Site> propose(const Front& front, Halfedge h) {

@@ -1,4 +1,4 @@
-// A policy that says which sides are glued: what it says is done, and what sites alone would forbid or do is not.
+// A policy that decides which sides are glued: its decisions hold, and not those that sites alone would give.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -70,7 +70,7 @@ TopologyCounts advanced(Given policy, std::size_t sites, std::size_t expected_fa
 
 TEST_SUITE("gluing") {
   TEST_CASE("a slit stays open: two edges between the same vertices, which sites alone would glue") {
-    // A strip around 0 and 1, whose two triangles at the edge 0–1 do not know each other.
+    // A strip around 0 and 1, whose two triangles at the edge 0–1 are not linked to each other.
     const Given slit{{{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {0, 4, 3}, {1, 3, 5}, {1, 5, 2}},
                      {{5, 2, -1}, {3, 4, -1}, {-1, 3, 0}, {-1, 1, 2}, {-1, 5, 1}, {-1, 0, 4}}};
     const TopologyCounts counts = advanced(slit, 6, 6);
@@ -84,7 +84,7 @@ TEST_SUITE("gluing") {
     closed.across[1][2] = 0;
     CHECK(advanced(closed, 6, 6).boundary_curves == 1);
 
-    // As sites tell, whatever across says: who has no glues() closes it.
+    // By sites, whatever `across` has: a policy without glues() closes it.
     struct BySites {
       Given given;
       std::optional<Corners> seed(const Front& front) { return given.seed(front); }
@@ -132,7 +132,7 @@ TEST_SUITE("gluing") {
     CHECK(counts.boundary_curves == 2);
   }
 
-  TEST_CASE("a triangle that is there is refused, and whatever a policy says it ends on a given number of sites") {
+  TEST_CASE("an existing triangle is refused, and whatever a policy returns it ends on a given number of sites") {
     TestMesh mesh;
     Front front(mesh, 3);
     const auto never = [](Halfedge, Site) { return false; };
@@ -165,7 +165,7 @@ TEST_SUITE("gluing") {
     check_sound(sheets);
   }
 
-  TEST_CASE("seeds are glued as the policy says, too") {
+  TEST_CASE("seeds are glued as the policy decides, too") {
     // Two triangles with a common side, of which the second is a seed as nothing is proposed.
     struct Seeds {
       bool glued;

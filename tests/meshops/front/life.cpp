@@ -72,7 +72,7 @@ void begin(Front& front) {
 }  // namespace
 
 TEST_SUITE("life of a front") {
-  TEST_CASE("every entry of a finished front says that it is finished, and leaves the mesh alone") {
+  TEST_CASE("every entry of a finished front reports that it is finished, and leaves the mesh alone") {
     for (const auto& [name, entry] : entries()) {
       CAPTURE(name);
       TestMesh mesh;
@@ -93,7 +93,7 @@ TEST_SUITE("life of a front") {
     }
   }
 
-  TEST_CASE("every entry of a front whose mesh others changed says what there is and what was expected") {
+  TEST_CASE("every entry of a front whose mesh others changed reports what was found and what was expected") {
     for (const auto& [name, entry] : entries()) {
       CAPTURE(name);
       TestMesh mesh;
@@ -142,12 +142,12 @@ TEST_SUITE("life of a front") {
     struct Growing {
       TestMesh& mesh;
       int at;  // which of the questions changes the mesh
-      int asked = 0;
+      int calls = 0;
       void change(int what) {
-        if (what == at && ++asked == 3) mesh.garbage_collection();
+        if (what == at && ++calls == 3) mesh.garbage_collection();
       }
       std::optional<std::array<Site, 3>> seed(const Front& front) {
-        if (at == 0) asked = 2;
+        if (at == 0) calls = 2;
         change(0);
         return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
       }
@@ -160,12 +160,12 @@ TEST_SUITE("life of a front") {
         return 0;
       }
       bool glues(const Front&, Halfedge, Site) {
-        asked = 2;
+        calls = 2;
         change(3);
         return true;
       }
     };
-    struct Gluing : Growing {  // an apex that is there, so that glues() is asked
+    struct Gluing : Growing {  // an existing apex, so that glues() is called
       std::optional<Site> propose(const Front& front, Halfedge h) {
         return front.to_site(front.mesh().next_halfedge_handle(h));
       }
@@ -194,8 +194,8 @@ TEST_SUITE("life of a front") {
       visitor.mesh = &mesh;
       visitor.in = at;
       const auto run = [&](auto policy) { advance(front, policy, visitor); };
-      const std::string said = refusal([&] { at == 3 ? run(Gluing{{mesh, at}}) : run(Growing{mesh, at}); });
-      CHECK(said.starts_with("Front: the mesh was changed by others: it has "));
+      const std::string message = refusal([&] { at == 3 ? run(Gluing{{mesh, at}}) : run(Growing{mesh, at}); });
+      CHECK(message.starts_with("Front: the mesh was changed by others: it has "));
     }
     TestMesh mesh;
     Front front(mesh, 9);
@@ -225,7 +225,7 @@ TEST_SUITE("life of a front") {
           "Front: the mesh was changed by others: an edge of the front is marked deleted");
   }
 
-  TEST_CASE("a vertex that waits for a triangle, marked deleted by others, is not taken") {
+  TEST_CASE("a vertex that waits for a triangle, marked deleted by others, is not used") {
     TestMesh mesh;
     Front front(mesh, 3);
     const Face placed = front.create(0, 1, 3).face;  // a site of its own number, but not of the first vertices

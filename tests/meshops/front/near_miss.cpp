@@ -116,7 +116,7 @@ static_assert(!misses_curves<Follows>() && !misses_curves<Frozen>() && !misses_c
 }  // namespace
 
 TEST_SUITE("near misses") {
-  TEST_CASE("members in the form that is wanted are taken, generic ones too") {
+  TEST_CASE("members with the right signature are accepted, generic ones too") {
     const auto runs = [](auto policy) {
       TestMesh mesh;
       Front front(mesh, 3);

@@ -1,4 +1,4 @@
-// The order in which edges are asked about.
+// The order in which edges are processed.
 #include "meshops/front/order.h"
 
 #include <doctest/doctest.h>
@@ -14,14 +14,14 @@ using namespace meshops::test;
 
 namespace {
 
-/// Attaches new sites until there are forty, and notes the key of each edge it is asked about.
+/// Attaches new sites until there are forty, and records the key of each edge it is called for.
 struct Noting {
-  std::vector<Site> asked_from;
+  std::vector<Site> processed_from;
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     return front.faces() == 0 ? std::optional(std::array<Site, 3>{0, 1, 2}) : std::nullopt;
   }
   std::optional<Site> propose(const Front& front, Halfedge h) {
-    asked_from.push_back(front.from_site(h));
+    processed_from.push_back(front.from_site(h));
     return front.sites() < 40 ? std::optional(static_cast<Site>(front.sites())) : std::nullopt;
   }
 };
@@ -48,20 +48,20 @@ Policy run() {
 
 TEST_SUITE("order") {
   TEST_CASE("the least key comes first, of those there are at the time") {
-    const auto asked = run<LastFirst>().asked_from;
+    const auto processed = run<LastFirst>().processed_from;
     // While there are new sites the edge from the newest is next: 3, 4, 5, and so on.
-    for (std::size_t i = 1; i + 3 < 38; ++i) CHECK(asked[i] == i + 2);
+    for (std::size_t i = 1; i + 3 < 38; ++i) CHECK(processed[i] == i + 2);
     // Then all that is left, from the greatest site down.
-    CHECK(std::is_sorted(asked.begin() + 40, asked.end(), std::greater<>()));
+    CHECK(std::is_sorted(processed.begin() + 40, processed.end(), std::greater<>()));
   }
 
   TEST_CASE("seeds that are there before the run grow side by side, by a ring in turn") {
     struct Component : Noting {
       std::vector<bool> second = {false, false, false, true, true, true};  // of each site
-      std::vector<bool> asked;
+      std::vector<bool> processed;
       std::optional<Site> propose(const Front& front, Halfedge h) {
         const bool is_of_second = second[front.from_site(h)];
-        asked.push_back(is_of_second);
+        processed.push_back(is_of_second);
         if (front.sites() == 40) return std::nullopt;
         second.push_back(is_of_second);
         return static_cast<Site>(front.sites());
@@ -73,11 +73,11 @@ TEST_SUITE("order") {
     front.create(3, 4, 5);
     advance(front, policy);
     // Rings of 3 edges, 6 edges, and a part of one of 12.
-    for (std::size_t i = 0; i < 34; ++i) CHECK(policy.asked[i] == (i < 6 ? i > 2 : i < 18 ? i > 11 : i > 29));
+    for (std::size_t i = 0; i < 34; ++i) CHECK(policy.processed[i] == (i < 6 ? i > 2 : i < 18 ? i > 11 : i > 29));
   }
 
   TEST_CASE("of equal keys the oldest comes first: as without an order") {
-    CHECK(run<AllEqual>().asked_from == run<Noting>().asked_from);
+    CHECK(run<AllEqual>().processed_from == run<Noting>().processed_from);
   }
 
   TEST_CASE("shortest edge first: each edge is the shortest of those that wait") {
@@ -118,7 +118,7 @@ TEST_SUITE("order") {
     Front front(mesh, 3);
     Noting policy;
     advance(front, policy);
-    policy.asked_from.clear();
+    policy.processed_from.clear();
     REQUIRE(front.frozen().size() > 5);
     const Halfedge woken = front.frozen()[4];
     front.activate(woken);
@@ -127,7 +127,7 @@ TEST_SUITE("order") {
     front.freeze(front.frozen()[2]);
     CHECK(front.frozen().size() == frozen);
     advance(front, policy);
-    CHECK(policy.asked_from == std::vector<Site>{front.from_site(woken)});
+    CHECK(policy.processed_from == std::vector<Site>{front.from_site(woken)});
     CHECK(front.is_frozen(woken));
     // It is set aside once, however often it was.
     std::size_t boundary = 0;

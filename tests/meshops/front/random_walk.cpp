@@ -1,4 +1,4 @@
-// Everything that a front can be asked, at random.
+// Every call of a front, at random.
 #include <doctest/doctest.h>
 
 #include "walk/front_policies.h"
@@ -51,7 +51,7 @@ TEST_SUITE("front walk") {
   }
 }
 
-// Too long for every run: the nightly tests ask for it.
+// Too long for every run: the nightly tests run it.
 TEST_SUITE("long walk" * doctest::skip()) {
   TEST_CASE("1,000,000 steps on fronts") { walk(3, 1'000'000); }
   TEST_CASE("1,000,000 proposals to advancing fronts") { advance(4, 1'000'000); }

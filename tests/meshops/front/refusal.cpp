@@ -99,7 +99,7 @@ TEST_SUITE("front") {
     CHECK_THROWS_AS(front.freeze(Halfedge(8)), ContractViolation);
   }
 
-  TEST_CASE("a site around which all faces close takes no other triangle") {
+  TEST_CASE("a site around which all faces close accepts no other triangle") {
     Closed on;
     on.front.create(4, 5, 6);
     check_attach(on, on.at(5, 4), 0, {RefusalKind::site_closed, 0});

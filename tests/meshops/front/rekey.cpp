@@ -16,7 +16,7 @@ namespace {
 
 unsigned mixed(unsigned a, unsigned b) { return (a * 7919U + b * 104'729U + 17U) % 1009U; }
 
-/// As wild as a function of an edge and its neighbours can be: attaches, places, closes, takes away, waits.
+/// As wild as a function of an edge and its neighbours can be: attaches, places, closes, detaches, defers.
 struct Wild {
   unsigned salt = 0;
   std::size_t asked = 0, detached = 0, deferred = 0;
@@ -51,7 +51,7 @@ unsigned angle(const Front& front, Halfedge h) {
          101U;
 }
 
-/// Checks by brute force that whatever is asked about has the least key of all that wait.
+/// Checks by brute force that each edge proposed for has the least key of all that wait.
 struct ByAngle : Wild {
   static constexpr bool rekeys_neighbours = true;
   std::set<Halfedge> waiting_for_change;
@@ -73,7 +73,7 @@ struct ByAngle : Wild {
   }
 };
 
-/// Deferred halfedges wait no longer when their key is asked for again.
+/// Deferred halfedges wait no longer when their key is computed again.
 struct Forgetting : ByAngle {
   unsigned key(const Front& front, Halfedge h) {
     waiting_for_change.erase(h);
@@ -82,7 +82,7 @@ struct Forgetting : ByAngle {
 };
 
 struct OfTheEdge : Wild {
-  OfTheEdge() { detached = 60; }  // none is taken away any more
+  OfTheEdge() { detached = 60; }  // none is detached any more
   unsigned key(const Front& front, Halfedge h) { return mixed(front.from_site(h), front.to_site(h)) % 7; }
   Proposal propose(const Front& front, Halfedge h) { return answer(front, h); }
 };
@@ -176,7 +176,7 @@ TEST_SUITE("rekey") {
     }
   }
 
-  TEST_CASE("two keys are asked for again at a corner, whatever the length of the front") {
+  TEST_CASE("two keys are computed again at a corner, whatever the length of the front") {
     Growing policy;
     TestMesh mesh;
     Front front(mesh, 12);

@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = Proposal::Triangle;
 
-/// One list, for the first edge that is asked about, 1→0.
+/// One list, for the first edge proposed for, 1→0.
 struct Listing {
   std::vector<Triangle> list;
   std::size_t asked = 0;
@@ -69,7 +69,7 @@ Outcome propose(const std::vector<Triangle>& list) {
 }  // namespace
 
 TEST_SUITE("several triangles") {
-  TEST_CASE("all of a list are inserted, in order, before any edge is asked about") {
+  TEST_CASE("all of a list are inserted, in order, before any edge is proposed for") {
     const Outcome outcome = propose({{1, 0, 3}, {3, 0, 4}, {1, 3, 5}});
     CHECK(outcome.events.attachments == 3);
     CHECK(outcome.events.refusals.empty());
@@ -111,7 +111,7 @@ TEST_SUITE("several triangles") {
     CHECK(propose({}).faces == 1);
   }
 
-  TEST_CASE("a visitor that wakes the edge meanwhile has it asked about again") {
+  TEST_CASE("an edge that a visitor wakes meanwhile is proposed for again") {
     struct Waking : FrontVisitor {
       void attached(const Front& front, Halfedge h, const InsertedTriangle&) {
         if (front.is_boundary(h)) const_cast<Front&>(front).activate(h);

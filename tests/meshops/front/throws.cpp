@@ -1,4 +1,4 @@
-// Whatever throws out of a policy or a visitor, no edge of the front is lost: another advance() asks about each of them, and
+// Whatever throws out of a policy or a visitor, no edge of the front is lost: another advance() processes each of them, and
 // makes the mesh of a run without throws.
 #include <doctest/doctest.h>
 
@@ -108,7 +108,7 @@ struct WaitingByAngle : Waiting {
 struct WaitingByFragileAngle : WaitingByAngle {
   Fragile key(const Front& front, Halfedge h) { return Fragile(WaitingByAngle::key(front, h)); }
 };
-/// Others ask for several at once.
+/// Others insert several at once.
 struct Listing : WaitingByAngle {
   Proposal propose(const Front& front, Halfedge h) {
     const Site a = front.from_site(h), b = front.to_site(h);
@@ -208,7 +208,7 @@ TEST_SUITE("throws") {
     check_every_throw<Listing>(false);
   }
 
-  TEST_CASE("keys that throw lose no edge: each is asked about in the end") {
+  TEST_CASE("keys that throw lose no edge: each is proposed for in the end") {
     struct Strip {
       std::size_t thrown = 0, proposals = 0;
       unsigned calls = 0;
@@ -229,7 +229,7 @@ TEST_SUITE("throws") {
     } policy;
     TestMesh mesh;
     Front front(mesh, 3);
-    // The keys of all that waits are asked for again after a throw, so the number of throws is limited.
+    // The keys of all that waits are computed again after a throw, so the number of throws is limited.
     for (bool done = false; !done;) try {
         advance(front, policy);
         done = true;

@@ -1,4 +1,4 @@
-// Policies that answer what cannot be: the front stays sound, the run ends, and the visitor is told.
+// Policies that return impossible proposals: the front stays sound, the run ends, and the visitor is notified.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace {
 using Seed = std::array<Site, 3>;
 constexpr auto minus_one = static_cast<Site>(-1);
 
-/// Says what it is told to say: one seed, and to every edge the same kind of answer.
+/// Returns what it was constructed with: one seed, and for every edge the same kind of proposal.
 struct Saying {
   std::optional<Seed> first;
   std::function<Proposal(const Front&, Halfedge)> answer;
@@ -26,8 +26,8 @@ struct Saying {
   Proposal propose(const Front& front, Halfedge h) const { return answer(front, h); }
 };
 
-/// What was told.
-struct Told : FrontVisitor {
+/// The events received.
+struct Received : FrontVisitor {
   std::vector<RefusalKind> refused_for;
   std::vector<RefusalKind> seeds_refused_for;
   std::size_t frozen_edges = 0;
@@ -46,11 +46,11 @@ struct Told : FrontVisitor {
 void check_answer(const std::function<Proposal(const Front&, Halfedge)>& answer, RefusalKind expected) {
   TestMesh mesh;
   Front front(mesh, 8);
-  Told told;
+  Received received;
   Saying policy{Seed{0, 1, 2}, answer};
-  advance(front, policy, told);
-  CHECK(told.refused_for == std::vector(3, expected));
-  CHECK(told.frozen_edges == 3);
+  advance(front, policy, received);
+  CHECK(received.refused_for == std::vector(3, expected));
+  CHECK(received.frozen_edges == 3);
   CHECK(front.faces() == 1);
   check_sound(mesh);
 }
@@ -58,10 +58,10 @@ void check_answer(const std::function<Proposal(const Front&, Halfedge)>& answer,
 void check_seed(const Seed& seed, RefusalKind expected) {
   TestMesh mesh;
   Front front(mesh, 8);
-  Told told;
+  Received received;
   Saying policy{seed, [](const Front&, Halfedge) { return std::nullopt; }};
-  advance(front, policy, told);
-  CHECK(told.seeds_refused_for == std::vector{expected});
+  advance(front, policy, received);
+  CHECK(received.seeds_refused_for == std::vector{expected});
   CHECK(front.faces() == 0);
   CHECK(front.sites() == 8);
   check_sound(mesh);
@@ -94,7 +94,7 @@ TEST_SUITE("wrong policies") {
     check_seed({3, 3, 3}, RefusalKind::corner_repeated);
   }
 
-  TEST_CASE("after a refused seed the policy is asked for another, until it says the same again") {
+  TEST_CASE("after a refused seed the policy is called for another, until it returns the same again") {
     struct Trying {
       std::vector<Seed> seeds = {{0, 1, 1}, {0, 1, 99}, {0, 1, 2}, {2, 0, 1}, {0, 1, 2}, {0, 1, 2}, {3, 4, 5}};
       std::size_t next = 0;
@@ -103,16 +103,16 @@ TEST_SUITE("wrong policies") {
     } policy;
     TestMesh mesh;
     Front front(mesh, 8);
-    Told told;
-    advance(front, policy, told);
-    CHECK(told.seeds_refused_for == std::vector{RefusalKind::corner_repeated, RefusalKind::no_such_site,
-                                                RefusalKind::side_taken, RefusalKind::side_taken});
+    Received received;
+    advance(front, policy, received);
+    CHECK(received.seeds_refused_for == std::vector{RefusalKind::corner_repeated, RefusalKind::no_such_site,
+                                                    RefusalKind::side_taken, RefusalKind::side_taken});
     CHECK(policy.next == 6);
     CHECK(front.faces() == 1);
   }
 
   TEST_CASE("a policy without geometry in space makes no edge with three faces, and ends") {
-    // Each edge takes any point, over and over, and each point triple is a seed.
+    // Each edge gets any point, over and over, and each point triple is a seed.
     struct Careless {
       std::mt19937 random{7};
       std::size_t seeds = 0, points;
@@ -128,13 +128,13 @@ TEST_SUITE("wrong policies") {
       policy.points = points;
       TestMesh mesh;
       Front front(mesh, points);
-      Told told;
+      Received received;
       for (int level = 0; level < 5; ++level) {
-        advance(front, policy, told);
+        advance(front, policy, received);
         check_sound(mesh);
         front.next_level();
       }
-      CHECK(!told.refused_for.empty());
+      CHECK(!received.refused_for.empty());
       std::set<std::pair<Site, Site>> sides;
       std::size_t faces = 0;
       for (const auto f : mesh.faces()) {
@@ -187,12 +187,12 @@ TEST_SUITE("wrong policies") {
     for (const bool ordered : {false, true}) {
       CAPTURE(ordered);
       struct Tired {
-        std::size_t asked = 0, until;
+        std::size_t calls = 0, until;
         std::optional<Seed> seed(const Front& front) {
           return front.faces() == 0 ? std::optional(Seed{0, 1, 2}) : std::nullopt;
         }
         std::optional<Site> propose(const Front& front, Halfedge) {
-          if (asked++ == until) throw std::runtime_error("tired");
+          if (calls++ == until) throw std::runtime_error("tired");
           return front.sites() < 30 ? std::optional(static_cast<Site>(front.sites())) : std::nullopt;
         }
       };
@@ -203,7 +203,7 @@ TEST_SUITE("wrong policies") {
         for (policy.until = 0; policy.until < 20; ++policy.until) {
           TestMesh mesh;
           Front front(mesh, 3);
-          policy.asked = 0;
+          policy.calls = 0;
           CHECK_THROWS_AS(advance(front, policy), std::runtime_error);
           check_sound(mesh);
           std::size_t active = 0, boundary = 0;
@@ -223,8 +223,8 @@ TEST_SUITE("wrong policies") {
     }
   }
 
-  TEST_CASE("a triangle goes again when the policy says so, and the edge is asked about once more") {
-    // Lo's backtracking: the edge 1→0 takes 3, then sends its own triangle away, and takes 4.
+  TEST_CASE("a triangle is detached when the policy returns that, and the edge is proposed for once more") {
+    // Lo's backtracking: the edge 1→0 gets the apex 3, then detaches its own triangle, and gets 4.
     struct Backtracking {
       std::optional<Face> to_go;
       bool gone = false;

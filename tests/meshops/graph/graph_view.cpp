@@ -32,7 +32,7 @@ static_assert(!std::is_constructible_v<PrimalGraph, TestMesh>, "a view of a temp
 
 namespace {
 
-/// Incidences counted from the list of edges alone, against those that the nodes tell.
+/// Incidences counted from the list of edges alone, against those that the nodes list.
 template <typename Graph>
 void check_incidence(const Graph& g) {
   const bool both_ways = boost::is_directed(g);
@@ -117,7 +117,7 @@ TEST_SUITE("graph view") {
     });
   }
 
-  TEST_CASE("what leaves and reaches a node is what the list of edges says") {
+  TEST_CASE("the edges at a node are those in the list of edges") {
     for_each_specimen([](const Specimen& specimen, const TestMesh& mesh, bool) {
       CAPTURE(specimen.name);
       check_view(PrimalGraph(mesh));

@@ -36,7 +36,7 @@ void for_each_specimen(Visit visit) {
     }
 }
 
-/// All that Boost asks of a graph with these models.
+/// All that Boost requires of a graph with these models.
 template <typename Graph>
 struct ViewConcepts {
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;

@@ -110,7 +110,7 @@ TEST_SUITE("bowties") {
     check_refused(mesh, several_fans, [&] { zip_curves(mesh, c[0], d[1]); });
   }
 
-  TEST_CASE("a face on both sides of an edge is not taken out: the edge would have no face") {
+  TEST_CASE("a face on both sides of an edge is not removed: the edge would have no face") {
     TestMesh mesh;
     fold(mesh);
     check_sound(mesh);
@@ -120,7 +120,7 @@ TEST_SUITE("bowties") {
     check_refused(mesh, "the face lies on both sides of an edge", [&] { open_curve(mesh, face); });
   }
 
-  TEST_CASE("a face that passes an inner vertex twice is not taken out: two fans would be left there") {
+  TEST_CASE("a face that passes an inner vertex twice is not removed: two fans would be left there") {
     // A wheel of six triangles around 0. Of these, 0 1 2 and 0 4 5 become one polygon, with what lies between them.
     TestMesh mesh;
     for (int i = 0; i < 9; ++i) mesh.new_vertex();

@@ -39,7 +39,7 @@ TEST_SUITE("close_curve") {
     }
   }
 
-  TEST_CASE("takes any inner face out, and closing restores the mesh; else the reason is named") {
+  TEST_CASE("removes any inner face, and closing restores the mesh; else the reason is named") {
     int opened = 0, refused = 0;
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
@@ -68,7 +68,7 @@ TEST_SUITE("close_curve") {
     CHECK(refused > 50);
   }
 
-  TEST_CASE("every reason against it is told apart") {
+  TEST_CASE("each reason has a message of its own") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 1);
     CHECK(*open_curve_blocker(mesh, Face(0)) == "a side of the face is on the boundary");

@@ -47,7 +47,7 @@ TEST_SUITE("destroy") {
 }
 
 TEST_SUITE("remove_triangle") {
-  TEST_CASE("takes any triangle out of any specimen, and reports what that does to the counts") {
+  TEST_CASE("removes any triangle from any specimen, and reports the change of the counts") {
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
       TestMesh whole;

@@ -19,7 +19,7 @@ namespace {
 const std::array<Halfedge, 3> no_sides;
 
 /// A mesh built in two ways at once: by insert_triangle(), and literally by create and glue. Vertices carry labels, so
-/// that the meshes can be compared; halfedges of the one are known in the other.
+/// that the meshes can be compared; halfedges of the one are found in the other.
 struct Twins {
   TestMesh fast, literal;
   std::map<int, int> twin;  // boundary halfedge of `fast` → the same one of `literal`

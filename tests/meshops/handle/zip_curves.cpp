@@ -23,7 +23,7 @@ Halfedge along(const TestMesh& mesh, Halfedge h, std::size_t steps) {
 }  // namespace
 
 TEST_SUITE("zip_curves") {
-  TEST_CASE("sews any two curves of equal length at any shift, as the table says, and parts again") {
+  TEST_CASE("sews any two curves of equal length at any shift, by the table, and parts again") {
     int joins = 0, handles = 0;
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
@@ -87,7 +87,7 @@ TEST_SUITE("zip_curves") {
     CHECK(counts.boundary_curves == 0);
   }
 
-  TEST_CASE("every reason against it is told apart") {
+  TEST_CASE("each reason has a message of its own") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 3);
     glue(mesh, b[3], b[6]);

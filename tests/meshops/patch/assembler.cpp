@@ -148,7 +148,7 @@ std::map<Arrow, bool> frozen_by_side(Front& front) {
   return found;
 }
 
-/// Sides beyond which patches are to say that there is nothing, if so.
+/// Sides that patches are to mark as nothing, where that is so.
 using Holes = std::set<Arrow>;
 
 /// The triangles whose patch_of is not negative, in as many patches.
@@ -325,7 +325,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("finish() leaves the mesh and tells the sites that a front would") {
+  TEST_CASE("finish() leaves the mesh and returns the sites that a front would") {
     std::mt19937 random(6);
     for (int round = 0; round < 100; ++round) {
       CAPTURE(round);
@@ -365,7 +365,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("patches are laid in an empty mesh, and must tell what is across of every triangle") {
+  TEST_CASE("patches are laid in an empty mesh, and must have what is across of every triangle") {
     const Patch without{{{0, 1, 2}}, {}};
     const Patch beyond{{}, {{Patch::open, Patch::open, Patch::open}}};
     TestMesh mesh;

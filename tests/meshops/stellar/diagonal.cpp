@@ -11,7 +11,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// The meshes of laws.h with their curves closed, and edges taken out: polygons, some of which touch themselves.
+/// The meshes of laws.h with their curves closed, and edges removed: polygons, some of which touch themselves.
 void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
   std::mt19937 random(31);
   on_every_mesh([&](TestMesh& mesh, Keep keep) {
@@ -31,7 +31,7 @@ void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
 }  // namespace
 
 TEST_SUITE("diagonal") {
-  TEST_CASE("between any two corners of any face: refused with nothing changed, or by the table and taken out again") {
+  TEST_CASE("between any two corners of any face: refused with nothing changed, or by the table and removed again") {
     int drawn = 0, refused = 0;
     on_polygons([&](TestMesh& mesh, Keep keep) {
       for_each_halfedge(mesh, [&](Halfedge from) {
@@ -117,7 +117,7 @@ TEST_SUITE("diagonal") {
     CHECK(*insert_diagonal_blocker(pillow, from, to) == "two edges would join the same vertices");
     CHECK_FALSE(insert_diagonal_blocker(pillow, from, to, Keep::manifold));
 
-    // With one edge of a pillow taken out, the others are a path, and the face that is left on both sides of each.
+    // With one edge of a pillow removed, the others are a path, and the face that is left on both sides of each.
     TestMesh path;
     for (int i = 0; i < 4; ++i) path.new_vertex();
     path.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});

@@ -36,7 +36,7 @@ void random_tiny_mesh(TestMesh& mesh, unsigned number);
 /// Of a large mesh every seventh element is tried.
 inline int stride(const Connectivity& mesh) { return mesh.n_faces() > 300 ? 7 : 1; }
 
-/// The blocker says why and the operator throws the same, with nothing changed; or nothing.
+/// The blocker returns a reason and the operator throws the same, with nothing changed; or nothing.
 template <typename Operate>
 bool refuses(TestMesh& mesh, const std::optional<std::string>& blocker, Operate operate) {
   if (!blocker) return false;

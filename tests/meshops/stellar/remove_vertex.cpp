@@ -49,7 +49,7 @@ TEST_SUITE("remove_vertex") {
     CHECK_THROWS_AS(remove_vertex(triangle, Vertex(0)), ContractViolation);
   }
 
-  TEST_CASE("a sphere is taken down to a tetrahedron, then to two triangles") {
+  TEST_CASE("a sphere is reduced to a tetrahedron, then to two triangles") {
     TestMesh mesh;
     corpus()[6].build(mesh);
     remove_vertex(mesh, Vertex(0));

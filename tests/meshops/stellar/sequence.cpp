@@ -85,7 +85,7 @@ void run_sequence(const Specimen& specimen, Keep keep, int steps, unsigned seed)
 }  // namespace
 
 TEST_SUITE("stellar sequences") {
-  TEST_CASE("ten thousand random operators keep the mesh sound, its topology, and simplicial if asked") {
+  TEST_CASE("ten thousand random operators keep the mesh sound, its topology, and simplicial on request") {
     for (const Keep keep : {Keep::simplicial, Keep::manifold})
       for (const Specimen& specimen : corpus()) run_sequence(specimen, keep, 10000, 20101);
   }

@@ -18,7 +18,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Points and links, and nothing else: OpenMesh's meshes want three coordinates for their normals.
+/// Points and links, and nothing else: OpenMesh's meshes require three coordinates for their normals.
 template <typename Vector>
 struct PointTraits : OpenMesh::DefaultTraits {
   using Point = Vector;
@@ -116,20 +116,20 @@ TEST_SUITE("split hooks") {
     CHECK(mesh.point(v) != TestMesh::Point(1, 1, 1));
   }
 
-  TEST_CASE("any callable is a hook, and is told what was done") {
+  TEST_CASE("any callable is a hook, and receives what was done") {
     TestMesh mesh;
     triangle(mesh);
-    Vertex told;
+    Vertex added;
     const auto hook = [&](TestMesh& m, const SplitEffect& effect) {
       CHECK(&m == &mesh);
-      told = effect.added.vertex;
-      m.set_point(told, {1, 2, 3});
+      added = effect.added.vertex;
+      m.set_point(added, {1, 2, 3});
     };
-    CHECK(split_face(mesh, Face(0), hook).added.vertex == told);
-    CHECK(mesh.point(told) == TestMesh::Point(1, 2, 3));
-    CHECK(split_edge(mesh, Halfedge(0), hook, Keep::manifold).added.vertex == told);
-    CHECK(split_edge(mesh, Edge(1), hook).added.vertex == told);
-    CHECK(split_vertex(mesh, Halfedge(0), std::nullopt, hook, Keep::manifold).added.vertex == told);
+    CHECK(split_face(mesh, Face(0), hook).added.vertex == added);
+    CHECK(mesh.point(added) == TestMesh::Point(1, 2, 3));
+    CHECK(split_edge(mesh, Halfedge(0), hook, Keep::manifold).added.vertex == added);
+    CHECK(split_edge(mesh, Edge(1), hook).added.vertex == added);
+    CHECK(split_vertex(mesh, Halfedge(0), std::nullopt, hook, Keep::manifold).added.vertex == added);
     check_sound(mesh);
     int calls = 0;
     Connectivity& links = mesh;

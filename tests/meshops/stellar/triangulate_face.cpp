@@ -78,7 +78,7 @@ std::set<Triangle> triangles_of(const TestMesh& mesh, const std::vector<Vertex>&
   return all;
 }
 
-/// A torus of seven vertices, each joined to each, in which a hexagon takes the place of the faces of one.
+/// A torus of seven vertices, each joined to each, in which a hexagon replaces the faces of one.
 Face hexagon_in_torus(TestMesh& mesh) {
   PolygonSoup torus;
   torus.points = 7;
@@ -92,7 +92,7 @@ Face hexagon_in_torus(TestMesh& mesh) {
     remove_diagonal(mesh, hub);
     hub = mesh.halfedge_handle(Vertex(0));
   }
-  // The last spoke has the face on both sides; the vertex is taken out with it by hand.
+  // The last spoke has the face on both sides; the vertex is removed with it by hand.
   const Halfedge spoke = mesh.opposite_halfedge_handle(hub);
   const Face face = mesh.face_handle(spoke);
   mesh.set_next_halfedge_handle(mesh.prev_halfedge_handle(spoke), mesh.next_halfedge_handle(hub));
@@ -105,7 +105,7 @@ Face hexagon_in_torus(TestMesh& mesh) {
 }
 
 /// A polygon of k sides whose other side is nothing, or a face that is cut by some diagonals; or a hexagon all of whose
-/// corners are joined, but for some edges that are taken out.
+/// corners are joined, but for some edges that are removed.
 Face polygon(TestMesh& mesh, int k, std::mt19937& random) {
   if (k == 6) {
     const Face face = hexagon_in_torus(mesh);
@@ -141,7 +141,7 @@ struct Worst {
 }  // namespace
 
 TEST_SUITE("triangulate_face") {
-  TEST_CASE("of all triangulations the least is taken, of equal ones the first, and what may not be is not drawn") {
+  TEST_CASE("of all triangulations the least is chosen, of equal ones the first; forbidden diagonals are not drawn") {
     std::mt19937 random(1980);
     int done = 0, blocked = 0, forbidden = 0;
     for (int round = 0; round < 4000; ++round) {
@@ -268,7 +268,7 @@ TEST_SUITE("triangulate_face") {
     }
   }
 
-  TEST_CASE("closes every hole of the corpus with triangles; what it cannot is said, and stays") {
+  TEST_CASE("closes every hole of the corpus with triangles; a hole that it cannot close is reported, and stays") {
     int closed = 0;
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;

@@ -12,7 +12,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("undo") {
-  TEST_CASE("a long sequence taken back in reverse order restores every bit") {
+  TEST_CASE("a long sequence undone in reverse order restores every bit") {
     for (const Keep keep : {Keep::simplicial, Keep::manifold})
       for (const Specimen& specimen : corpus()) {
         INFO(specimen.name);
@@ -119,7 +119,7 @@ TEST_SUITE("undo") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("a flip is taken back where there is an edge to flip, and the mesh stays sound") {
+  TEST_CASE("a flip is undone where there is an edge to flip, and the mesh stays sound") {
     int refused = 0, flipped = 0;
     std::mt19937 random(13);
     for (unsigned number = 0; number < 500; ++number) {

@@ -32,7 +32,7 @@ TEST_SUITE("weld_edge") {
     CHECK(refused > 100);
   }
 
-  TEST_CASE("the halfedge says which of the two edges goes") {
+  TEST_CASE("the halfedge determines which of the two edges is removed") {
     TestMesh mesh;
     add_triangles(mesh, 5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}});
     const Halfedge h = mesh.find_halfedge(Vertex(0), Vertex(1));

@@ -31,7 +31,7 @@ void wheel(TestMesh& mesh) {
   add_triangles(mesh, 7, t);
 }
 
-/// A grid of squares cut in two; `wrap` says in which directions its sides are one.
+/// A grid of squares cut in two; `wrap` has the directions in which its sides are one.
 std::vector<Corners> grid(int columns, int rows, bool wrap_x, bool wrap_y, int first = 0) {
   const int nx = wrap_x ? columns : columns + 1, ny = wrap_y ? rows : rows + 1;
   std::vector<Corners> t;

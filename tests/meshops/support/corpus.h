@@ -1,4 +1,4 @@
-// The meshes on which every operator is tried, with what is known of each.
+// The meshes on which every operator is tried, with the counts of each.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@ namespace meshops::test {
 /// Asserts that the counts changed exactly by `delta`, and that the mesh is sound.
 void check_changed_by(const Delta& delta, const TopologyCounts& before, const Connectivity& after);
 
-/// Asserts that `operate` throws a ContractViolation which says `reason`, and that not a bit of the mesh changes.
+/// Asserts that `operate` throws a ContractViolation with the text `reason`, and that not a bit of the mesh changes.
 template <typename Operate>
 void check_refused(const TestMesh& mesh, const std::string& reason, Operate operate);
 

@@ -1,4 +1,4 @@
-// Small meshes with names, and the questions tests ask of any mesh.
+// Small meshes with names, and queries of any mesh.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>

@@ -406,7 +406,7 @@ TopologyReport report_by_brute_force(const PolygonSoup& soup) {
     piece.boundary_curves = curves.size();
     piece.orientable = !flat.contains(first);
     piece.first_face = first;
-    // The law of ComponentReport: what it computes from the counts is what the matrices say.
+    // The law of ComponentReport: what it computes from the counts agrees with the matrices.
     if (piece.betti() != betti_by_brute_force(cells)) piece.faces = 0;
     total.boundary_curves += piece.boundary_curves;
     if (piece.orientable && total.genus)

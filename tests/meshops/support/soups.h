@@ -45,11 +45,11 @@ Shuffled shuffled(const PolygonSoup& soup, std::mt19937& random, bool faces_too)
 /// All corners, for messages: "0 1 2 | 2 1 3".
 std::string text(const PolygonSoup& soup);
 
-/// What find_defects() must say, from the definitions alone. Of a component that is not orientable the points are left
+/// What find_defects() must return, from the definitions alone. Of a component that is not orientable the points are left
 /// out. Cost: quadratic and worse.
 std::vector<SoupDefect> defects_by_brute_force(const PolygonSoup& soup);
 
-/// What report() must say: ranks of boundary matrices, pieces by search. Cost: cubic.
+/// What report() must return: ranks of boundary matrices, pieces by search. Cost: cubic.
 TopologyReport report_by_brute_force(const PolygonSoup& soup);
 
 /// The ranks of both boundary matrices over Z/2 give the Betti numbers of cells that are glued along their boundaries.

@@ -29,7 +29,7 @@ std::vector<SoupDefect> all_but_pinches(const PolygonSoup& s) {
   return defects;
 }
 
-/// Everything that the header says of the handles.
+/// Everything that the header promises of the handles.
 void check_built(const TestMesh& mesh, const std::vector<std::uint32_t>& points, const PolygonSoup& s) {
   check_sound(mesh);
   REQUIRE(points.size() == mesh.n_vertices());

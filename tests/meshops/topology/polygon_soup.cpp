@@ -28,7 +28,7 @@ PolygonSoup with_begin(std::vector<std::size_t> begin) {
   return soup;
 }
 
-/// What everybody says who reads a soup.
+/// The message of every reader of a soup.
 void check_refused(const PolygonSoup& soup, const std::string& message) {
   CAPTURE(message);
   TestMesh mesh;
@@ -44,7 +44,7 @@ void check_refused(const PolygonSoup& soup, const std::string& message) {
 }  // namespace
 
 TEST_SUITE("polygon soup") {
-  TEST_CASE("lists that part corners into faces are taken, whatever the corners") {
+  TEST_CASE("lists that part corners into faces are accepted, whatever the corners") {
     for (const auto& begin : {std::vector<std::size_t>{0, 3, 6}, {0, 6}, {0, 0, 3, 3, 6, 6}})
       CHECK_NOTHROW(require_parted(with_begin(begin)));
     CHECK_NOTHROW(require_parted(PolygonSoup{}));

@@ -1,4 +1,4 @@
-// Long computations on soups ask whether to go on, and end when told to; report() and find_defects() at once.
+// Long computations on soups call go_on(), and end when it returns false; report() and find_defects() at once.
 #include "meshops/core/progress.h"
 
 #include <doctest/doctest.h>
@@ -67,7 +67,7 @@ std::vector<std::pair<std::string, PolygonSoup>> large_soups() {
           {"polygon", polygon}};
 }
 
-/// `work(go_on)` on data of so many corners: asks at least once for each 16384 of them, and ends whenever told to.
+/// `work(go_on)` on data of so many corners: calls it at least once for each 16384 of them, and ends whenever it returns false.
 void is_watched(std::size_t corners, const std::function<void(const GoOn&)>& work) {
   std::size_t asked = 0;
   work([&] {
@@ -78,7 +78,7 @@ void is_watched(std::size_t corners, const std::function<void(const GoOn&)>& wor
   for (const std::size_t last : {std::size_t{1}, asked / 2, asked}) {
     std::size_t left = last;
     CHECK_THROWS_AS(work([&] { return --left > 0; }), Cancelled);
-    CHECK(left == 0);  // and was not asked again
+    CHECK(left == 0);  // and was not called again
   }
 }
 

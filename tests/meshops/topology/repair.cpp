@@ -23,12 +23,12 @@ using Lines = std::vector<std::string>;
 using Corners = std::vector<std::uint32_t>;
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
-Lines told(const Repair& repaired) {
+Lines repair_lines(const Repair& repaired) {
   Lines lines;
   for (const RepairStep& step : repaired.steps) lines.push_back(describe(step));
   return lines;
 }
-Lines told(const PolygonSoup& s) { return told(repair(s)); }
+Lines repair_lines(const PolygonSoup& s) { return repair_lines(repair(s)); }
 
 Corners corners_of(const PolygonSoup& s, std::size_t f) {
   const auto face = s.face(f);
@@ -55,7 +55,7 @@ std::map<Ends, std::vector<std::size_t>> edges_of(const Repair& r, bool given_en
   return edges;
 }
 
-/// The steps say all that is different between the given soup and the repaired one, and nothing else.
+/// The steps list all that is different between the given soup and the repaired one, and nothing else.
 void check_accounted(const PolygonSoup& s, const Repair& r) {
   std::map<Kind, std::vector<RepairStep>> of;
   for (const RepairStep& step : r.steps) of[step.kind].push_back(step);
@@ -126,52 +126,54 @@ TEST_SUITE("repair") {
   TEST_CASE("a corner named twice in a row is dropped") {
     const Repair r = repair(soup(4, {{0, 1, 1, 2}, {3, 2, 1, 3}}));
     CHECK(r.steps == std::vector<RepairStep>{{Kind::corner_dropped, {1}, {0}}, {Kind::corner_dropped, {3}, {1}}});
-    CHECK(told(r) == Lines{"corner dropped: point 1, face 0", "corner dropped: point 3, face 1"});
+    CHECK(repair_lines(r) == Lines{"corner dropped: point 1, face 0", "corner dropped: point 3, face 1"});
     CHECK(same(r.soup, soup(4, {{0, 1, 2}, {3, 2, 1}})));
-    CHECK(told(soup(3, {{0, 0, 0, 1, 2, 2}})) == Lines{"corner dropped: point 0, face 0",
-                                                       "corner dropped: point 0, face 0",
-                                                       "corner dropped: point 2, face 0"});
+    CHECK(repair_lines(soup(3, {{0, 0, 0, 1, 2, 2}})) == Lines{"corner dropped: point 0, face 0",
+                                                               "corner dropped: point 0, face 0",
+                                                               "corner dropped: point 2, face 0"});
   }
 
-  TEST_CASE("faces that are none are dropped, and nothing else is said of them") {
+  TEST_CASE("faces that are none are dropped, and no other step names them") {
     const Repair r =
         repair(soup(4, {{}, {0, 1}, {0, 0, 1, 1}, {0, 1, 2}, {0, 1, 2, 1}, {2, 1, 0}, {1, 2, 9}, {0, 1, 1, 2}}));
-    CHECK(told(r) == Lines{"face dropped: face 0", "face dropped: points 0 1, face 1",
-                           "face dropped: points 0 0 1 1, face 2", "face dropped: points 0 1 2 1, face 4",
-                           "face dropped: points 2 1 0, face 5", "face dropped: points 1 2 9, face 6",
-                           "face dropped: points 0 1 1 2, face 7"});
+    CHECK(repair_lines(r) == Lines{"face dropped: face 0", "face dropped: points 0 1, face 1",
+                                   "face dropped: points 0 0 1 1, face 2", "face dropped: points 0 1 2 1, face 4",
+                                   "face dropped: points 2 1 0, face 5", "face dropped: points 1 2 9, face 6",
+                                   "face dropped: points 0 1 1 2, face 7"});
     CHECK(same(r.soup, soup(4, {{0, 1, 2}})));
     CHECK(r.face_was == std::vector<std::size_t>{3});
     CHECK(r.stands_on == Corners{0, 1, 2, 3});
   }
 
   TEST_CASE("the fewer faces of a piece are reversed; of as many the first stays") {
-    CHECK(told(soup(4, {{0, 1, 2}, {0, 1, 3}})) == Lines{"face reversed: points 0 1 3, face 1"});
+    CHECK(repair_lines(soup(4, {{0, 1, 2}, {0, 1, 3}})) == Lines{"face reversed: points 0 1 3, face 1"});
     const Repair r = repair(soup(5, {{0, 1, 2}, {0, 1, 3}, {0, 3, 4}}));
-    CHECK(told(r) == Lines{"face reversed: points 0 1 2, face 0"});
+    CHECK(repair_lines(r) == Lines{"face reversed: points 0 1 2, face 0"});
     CHECK(same(r.soup, soup(5, {{0, 2, 1}, {0, 1, 3}, {0, 3, 4}})));
     // Each piece by itself.
-    CHECK(told(beside(soup(4, {{0, 1, 2}, {0, 1, 3}}), soup(5, {{0, 1, 2}, {0, 1, 3}, {0, 3, 4}}))) ==
+    CHECK(repair_lines(beside(soup(4, {{0, 1, 2}, {0, 1, 3}}), soup(5, {{0, 1, 2}, {0, 1, 3}, {0, 3, 4}}))) ==
           Lines{"face reversed: points 0 1 3, face 1", "face reversed: points 4 5 6, face 2"});
   }
 
   TEST_CASE("faces in an edge of three come apart") {
     const Repair r = repair(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}));
-    CHECK(told(r) == Lines{"edge cut: points 0 1, faces 0 1 2", "point split: point 0", "point split: point 1"});
+    CHECK(repair_lines(r) ==
+          Lines{"edge cut: points 0 1, faces 0 1 2", "point split: point 0", "point split: point 1"});
     CHECK(same(r.soup, soup(9, {{0, 1, 2}, {5, 6, 3}, {7, 8, 4}})));
     CHECK(r.stands_on == Corners{0, 1, 2, 3, 4, 1, 0, 0, 1});
   }
 
   TEST_CASE("fans in a point come apart") {
     const Repair r = repair(soup(5, {{0, 1, 2}, {3, 4, 0}}));
-    CHECK(told(r) == Lines{"point split: point 0"});
+    CHECK(repair_lines(r) == Lines{"point split: point 0"});
     CHECK(same(r.soup, soup(6, {{0, 1, 2}, {3, 4, 5}})));
   }
 
   TEST_CASE("tetrahedra on one edge stay whole") {
     const Repair r =
         repair(soup(6, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {4, 0, 5}}));
-    CHECK(told(r) == Lines{"edge cut: points 0 1, faces 0 1 4 5", "point split: point 0", "point split: point 1"});
+    CHECK(repair_lines(r) ==
+          Lines{"edge cut: points 0 1, faces 0 1 4 5", "point split: point 0", "point split: point 1"});
     const TopologyReport whole = report(r.soup);
     CHECK(whole.components == 2);
     CHECK(whole.boundary_curves == 0);

@@ -53,7 +53,7 @@ bool is_oriented(const PolygonSoup& s) {
 }  // namespace
 
 TEST_SUITE("report") {
-  TEST_CASE("known surfaces have their numbers") {
+  TEST_CASE("classical surfaces have their numbers") {
     struct Known {
       PolygonSoup soup;
       std::size_t curves;
@@ -145,7 +145,7 @@ TEST_SUITE("report") {
     CHECK(r.betti == BettiNumbers{1, 0, 0});
   }
 
-  TEST_CASE("on random soups everything is as the boundary matrices and searches say") {
+  TEST_CASE("on random soups everything agrees with the boundary matrices and searches") {
     std::mt19937 random(4);
     int cut = 0, flat = 0, pinched = 0, cavities = 0, isolated = 0, holes = 0;
     for (int round = 0; round < 5000; ++round) {
@@ -239,7 +239,7 @@ TEST_SUITE("report") {
     CHECK(count_topology(spoilt).faces == 2);
   }
 
-  TEST_CASE("the corpus has the numbers it is known by, and those of count_topology()") {
+  TEST_CASE("the corpus has the numbers listed for it, and those of count_topology()") {
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;
       specimen.build(mesh);

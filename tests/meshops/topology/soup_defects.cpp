@@ -15,7 +15,7 @@ namespace {
 using Kind = SoupDefectKind;
 
 /// The texts of all defects.
-std::vector<std::string> told(const PolygonSoup& soup) {
+std::vector<std::string> defect_lines(const PolygonSoup& soup) {
   std::vector<std::string> lines;
   for (const SoupDefect& defect : find_defects(soup)) lines.push_back(describe(defect));
   return lines;
@@ -33,29 +33,29 @@ std::vector<SoupDefect> without_choice(std::vector<SoupDefect> defects) {
 
 TEST_SUITE("soup_defects") {
   TEST_CASE("surfaces have none: with boundary, closed, of polygons, in components, with isolated points") {
-    CHECK(told(PolygonSoup{}).empty());
-    CHECK(told(soup(3, {})).empty());
-    CHECK(told(soup(3, {{0, 1, 2}})).empty());
-    CHECK(told(soup(7, {{0, 1, 2, 3}, {0, 3, 5}})).empty());
-    CHECK(told(grid_soup(4, 3, false, false)).empty());
-    CHECK(told(grid_soup(4, 3, true, true)).empty());
-    CHECK(told(beside(grid_soup(4, 3, true, false), grid_soup(3, 3, true, true))).empty());
+    CHECK(defect_lines(PolygonSoup{}).empty());
+    CHECK(defect_lines(soup(3, {})).empty());
+    CHECK(defect_lines(soup(3, {{0, 1, 2}})).empty());
+    CHECK(defect_lines(soup(7, {{0, 1, 2, 3}, {0, 3, 5}})).empty());
+    CHECK(defect_lines(grid_soup(4, 3, false, false)).empty());
+    CHECK(defect_lines(grid_soup(4, 3, true, true)).empty());
+    CHECK(defect_lines(beside(grid_soup(4, 3, true, false), grid_soup(3, 3, true, true))).empty());
     // Two squares on each other with one corner apart, and a point at which only two faces meet.
-    CHECK(told(soup(5, {{0, 1, 2, 3}, {3, 2, 1, 4}})).empty());
+    CHECK(defect_lines(soup(5, {{0, 1, 2, 3}, {3, 2, 1, 4}})).empty());
   }
 
   TEST_CASE("a corner out of range is named with its face") {
     CHECK(find_defects(soup(3, {{0, 1, 2}, {1, 0, 3}})) ==
           std::vector<SoupDefect>{{Kind::corner_out_of_range, {1, 0, 3}, {1}}});
-    CHECK(told(soup(3, {{0, 1, 2}, {1, 0, 3}})) == Lines{"corner out of range: points 1 0 3, face 1"});
-    CHECK(told(soup(0, {{0}})) == Lines{"corner out of range: point 0, face 0"});
-    // It is the only thing told of a face.
-    CHECK(told(soup(3, {{0, 0, 4294967295U}})) == Lines{"corner out of range: points 0 0 4294967295, face 0"});
+    CHECK(defect_lines(soup(3, {{0, 1, 2}, {1, 0, 3}})) == Lines{"corner out of range: points 1 0 3, face 1"});
+    CHECK(defect_lines(soup(0, {{0}})) == Lines{"corner out of range: point 0, face 0"});
+    // It is the only defect reported of a face.
+    CHECK(defect_lines(soup(3, {{0, 0, 4294967295U}})) == Lines{"corner out of range: points 0 0 4294967295, face 0"});
   }
 
   TEST_CASE("a degenerate face is named: too short, or one point twice") {
     CHECK(find_defects(soup(4, {{0, 1, 1}})) == std::vector<SoupDefect>{{Kind::degenerate_face, {0, 1, 1}, {0}}});
-    CHECK(told(soup(4, {{}, {2}, {0, 1}, {0, 1, 0}, {0, 1, 2, 1}, {0, 1, 2}})) ==
+    CHECK(defect_lines(soup(4, {{}, {2}, {0, 1}, {0, 1, 0}, {0, 1, 2, 1}, {0, 1, 2}})) ==
           Lines{"degenerate face: face 0", "degenerate face: point 2, face 1", "degenerate face: points 0 1, face 2",
                 "degenerate face: points 0 1 0, face 3", "degenerate face: points 0 1 2 1, face 4"});
   }
@@ -63,7 +63,7 @@ TEST_SUITE("soup_defects") {
   TEST_CASE("a duplicate is named with the first face of the same cycle, whatever its start and direction") {
     CHECK(find_defects(soup(3, {{0, 1, 2}, {2, 1, 0}})) ==
           std::vector<SoupDefect>{{Kind::duplicate_face, {2, 1, 0}, {0, 1}}});
-    CHECK(told(soup(4, {{3, 0, 1, 2}, {1, 2, 3, 0}, {0, 3, 2, 1}})) ==
+    CHECK(defect_lines(soup(4, {{3, 0, 1, 2}, {1, 2, 3, 0}, {0, 3, 2, 1}})) ==
           Lines{"duplicate face: points 1 2 3 0, faces 0 1", "duplicate face: points 0 3 2 1, faces 0 2"});
     // The same points in another cycle are another face.
     for (const SoupDefect& defect : find_defects(soup(4, {{0, 1, 2, 3}, {0, 2, 1, 3}})))
@@ -73,14 +73,14 @@ TEST_SUITE("soup_defects") {
   TEST_CASE("an edge of three faces is named with all of them") {
     CHECK(find_defects(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})) ==
           std::vector<SoupDefect>{{Kind::non_manifold_edge, {0, 1}, {0, 1, 2}}});
-    CHECK(told(soup(6, {{5, 0, 3}, {2, 1, 4}, {4, 3, 0}, {3, 4, 1}, {2, 4, 3}})) ==
+    CHECK(defect_lines(soup(6, {{5, 0, 3}, {2, 1, 4}, {4, 3, 0}, {3, 4, 1}, {2, 4, 3}})) ==
           Lines{"non-manifold edge: points 3 4, faces 2 3 4"});
   }
 
   TEST_CASE("two faces in the same direction are named with their edge") {
     CHECK(find_defects(soup(4, {{0, 1, 2}, {0, 1, 3}})) ==
           std::vector<SoupDefect>{{Kind::inconsistent_orientation, {0, 1}, {0, 1}}});
-    CHECK(told(soup(5, {{4, 3, 1}, {2, 4, 3}})) == Lines{"inconsistent orientation: points 3 4, faces 0 1"});
+    CHECK(defect_lines(soup(5, {{4, 3, 1}, {2, 4, 3}})) == Lines{"inconsistent orientation: points 3 4, faces 0 1"});
   }
 
   TEST_CASE("a component that is not orientable is named by its first face, once") {
@@ -104,11 +104,13 @@ TEST_SUITE("soup_defects") {
 
   TEST_CASE("a pinch is named with the first face of each fan") {
     CHECK(find_defects(soup(5, {{0, 1, 2}, {0, 3, 4}})) == std::vector<SoupDefect>{{Kind::pinch, {0}, {0, 1}}});
-    CHECK(told(soup(8, {{0, 1, 2}, {3, 4, 0}, {0, 2, 7}, {5, 6, 0}})) == Lines{"pinch: point 0, faces 0 1 3"});
+    CHECK(defect_lines(soup(8, {{0, 1, 2}, {3, 4, 0}, {0, 2, 7}, {5, 6, 0}})) == Lines{"pinch: point 0, faces 0 1 3"});
     // Two closed surfaces that touch in two points.
-    CHECK(told(soup(6, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 5, 4}, {4, 5, 1}, {5, 0, 1}})) ==
+    CHECK(defect_lines(
+              soup(6, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 5, 4}, {4, 5, 1}, {5, 0, 1}})) ==
           Lines{"non-manifold edge: points 0 1, faces 0 1 4 7"});
-    CHECK(told(soup(7, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {5, 0, 6}})) ==
+    CHECK(defect_lines(
+              soup(7, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {5, 0, 6}})) ==
           Lines{"pinch: point 0, faces 0 4"});
     // Faces in one edge of three hang together through it.
     for (const SoupDefect& defect : find_defects(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})))
@@ -116,7 +118,7 @@ TEST_SUITE("soup_defects") {
   }
 
   TEST_CASE("bad faces are passed over when looking for the rest") {
-    CHECK(told(soup(3, {{0, 1, 2}, {0, 1, 2}, {0, 2, 1}, {0, 1, 0}, {0, 1, 9}})) ==
+    CHECK(defect_lines(soup(3, {{0, 1, 2}, {0, 1, 2}, {0, 2, 1}, {0, 1, 0}, {0, 1, 9}})) ==
           Lines{"corner out of range: points 0 1 9, face 4", "degenerate face: points 0 1 0, face 3",
                 "duplicate face: points 0 1 2, faces 0 1", "duplicate face: points 0 2 1, faces 0 2"});
   }
@@ -142,7 +144,7 @@ TEST_SUITE("soup_defects") {
     for (const int times : seen) CHECK(times > 100);
   }
 
-  TEST_CASE("the edge told of a component that is not orientable is one of its edges of two faces") {
+  TEST_CASE("the edge reported for a component that is not orientable is one of its edges of two faces") {
     std::mt19937 random(2);
     for (int round = 0; round < 500; ++round) {
       const PolygonSoup s = broken_surface(random);

@@ -25,7 +25,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Random operators on a mesh, each told to a tracker. The mesh is kept between two sizes.
+/// Random operators on a mesh, each reported to a tracker. The mesh is kept between two sizes.
 class RandomWalk {
  public:
   RandomWalk(TestMesh& mesh, unsigned seed) : mesh_(mesh), random_(seed), tracker_(mesh) {}

@@ -1,4 +1,4 @@
-// Where a random walk takes its decisions from: a generator of numbers, or the bytes of a fuzzer.
+// The source of a random walk's decisions: a generator of numbers, or the bytes of a fuzzer.
 #pragma once
 
 #include <cstdint>

@@ -41,12 +41,12 @@ class FrontModel {
   /// It has faces, and they close around it in every fan.
   bool is_closed(Site s) const;
 
-  /// All that is to be said against a triangle; the next new sites may be named.
+  /// Every reason against a triangle; the next new sites may be named.
   std::set<RefusalKind> against(const std::array<Site, 3>& corners) const;
   void add(const std::array<Site, 3>& corners);
   void add_site() { ++sites_; }
 
-  /// All that is to be said against taking a face out.
+  /// Every reason against detaching a face.
   std::set<RefusalKind> against_removing(const Cycle& face) const;
   void remove(const Cycle& face);
 

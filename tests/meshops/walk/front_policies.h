@@ -1,4 +1,4 @@
-// What: advancing fronts whose policies answer anything. Whatever they say, the mesh stays sound, and the events tell what
+// What: advancing fronts whose policies return anything. Whatever they return, the mesh stays sound, and the events report what
 //       happens.
 #pragma once
 
@@ -15,7 +15,7 @@ struct AdvanceCounts {
   std::size_t thrown = 0, glued = 0, not_glued = 0, there = 0, deferred = 0, lists = 0, policies = 0;
 };
 
-/// Advances fronts with policies that answer anything, first in first out or by keys, which may be asked again, with an
+/// Advances fronts with policies that return anything, first in first out or by keys, which may be computed again, with an
 /// opinion on which sides are glued or without. Policies and visitors throw sometimes. Ends after so many proposals, or with
 /// the choices. Throws LawBroken.
 void advance_at_random(Choices& choices, std::size_t questions, AdvanceCounts& counts);

@@ -284,7 +284,8 @@ class FrontWalk {
   void next_level() {
     log("next level");
     ++counts_.levels;
-    // A halfedge that is neither active nor frozen belongs to who popped it: a transfer is asked for when there is none.
+    // A halfedge that is neither active nor frozen belongs to the caller that popped it: a transfer is chosen when there is
+    // none.
     for (const auto& [arrow, state] : std::map(model_->boundary()))
       if (state == State::popped) {
         front_->freeze(front_->boundary_between(arrow.first, arrow.second));

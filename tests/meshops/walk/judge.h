@@ -1,6 +1,6 @@
 // What: compares a step of an operator with the same step on a model (model.h), done or refused.
-// Law:  what is done leaves what the model says, sound as before; what is refused leaves every bit, and would have been
-//       bad: no manifold, not simplicial where that is asked, or what the operator says it is not for.
+// Law:  what is done agrees with the model, sound as before; what is refused leaves every bit, and would have been
+//       bad: no manifold, not simplicial where that is required, or a case that the operator excludes.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@
 
 namespace meshops::test {
 
-/// A step broke the law; says which and how.
+/// A step broke the law; the message has which and how.
 struct WalkFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -48,7 +48,7 @@ class Judge {
   const std::map<std::string, Tally>& tally() const { return tally_; }
   [[noreturn]] void fail(const std::string& what) const { throw WalkFailure(name_ + " " + what); }
 
-  /// Runs an operator, which must do as its blocker says. Returns its effect when it was done.
+  /// Runs an operator, which must agree with its blocker. Returns its effect when it was done.
   template <typename Operate>
   auto run(const std::optional<std::string>& blocker, Operate operate) -> std::optional<decltype(operate())> {
     blocker_ = blocker;
@@ -65,8 +65,8 @@ class Judge {
     }
   }
 
-  /// Compares with what `apply(model)` makes of the mesh before; it says why the step has no meaning, or "". Where the
-  /// step was done, `delta` is what it says to have done to the counts.
+  /// Compares with what `apply(model)` makes of the mesh before; it returns why the step has no meaning, or "". Where the
+  /// step was done, `delta` is the change of the counts that it returned.
   template <typename Apply>
   void compare(const std::optional<Delta>& delta, const Rules& rules, Apply apply) {
     Model expected = before_;
@@ -84,7 +84,7 @@ class Judge {
     ++tally_[name_].done;
   }
 
-  /// Of what takes an effect back: done unless there is `reason` against it; and `apply(model)` of the mesh as it is
+  /// For an undo of an effect: done unless there is `reason` against it; and `apply(model)` of the mesh as it is
   /// then gives the mesh before. Returns whether it was done.
   template <typename TakeBack, typename Apply>
   bool compare_back(const std::string& reason, TakeBack take_back, Apply apply) {

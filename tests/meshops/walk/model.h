@@ -34,7 +34,7 @@ class Model {
   /// The cycle of a face, from `first` on.
   Cycle cycle(int f, int first) const;
   void set_face(int f, Cycle cycle);
-  /// `heir` takes the place of a side in its face, when it is in one.
+  /// `heir` replaces a side in its face, when it is in one.
   void replace(int side, int heir);
   void erase_edge(int h);
   void rename_vertex(int old, int name);

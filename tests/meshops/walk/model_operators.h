@@ -1,5 +1,5 @@
 // What: the operators on a model, each by its definition: which cycles of sides become which.
-// Law:  a function says why it has no meaning for what it is given, with the model untouched; otherwise "", and the
+// Law:  a function returns why it has no meaning for its arguments, with the model untouched; otherwise "", and the
 //       model is what the definition gives, manifold or not.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace meshops::test {
 
-/// The names of new elements, in the order in which they are asked for: given ones first, then numbers beyond all.
+/// The names of new elements, in the order of use: given ones first, then numbers beyond all.
 class Names {
  public:
   explicit Names(const Model& model, std::vector<int> vertices = {}, std::vector<int> sides = {},
@@ -48,7 +48,7 @@ std::string glue(Model& model, int first, int second);
 /// Names: the second side on the boundary; a vertex for the start of h, and for its end, where they are on the boundary.
 std::string unglue(Model& model, int h, Names names);
 std::string destroy_triangle(Model& model, int f);
-/// `left` tells where the sides start that are left: in each fan at one vertex.
+/// `left` has the starts of the sides that are left: in each fan at one vertex.
 std::string remove_triangle(Model& model, int f, const Model* left);
 std::string close_curve(Model& model, int h, Names names);
 std::string open_curve(Model& model, int f);

@@ -41,7 +41,7 @@ void check_tally(const std::map<std::string, Judge::Tally>& sum, int least) {
 }  // namespace
 
 TEST_SUITE("walk") {
-  TEST_CASE("100,000 steps on manifolds: what is done is as the model says, what is refused would have been bad") {
+  TEST_CASE("100,000 steps on manifolds: what is done agrees with the model, what is refused would have been bad") {
     check_tally(walk(Walk::On::manifolds, 1, 100000), 200);
   }
 
@@ -50,7 +50,7 @@ TEST_SUITE("walk") {
   }
 }
 
-// Too long for every run: the nightly tests ask for it.
+// Too long for every run: the nightly tests run it.
 TEST_SUITE("long walk" * doctest::skip()) {
   TEST_CASE("3,000,000 steps on manifolds") { check_tally(walk(Walk::On::manifolds, 1000000, 3000000), 6000); }
   TEST_CASE("1,000,000 steps where fans touch") { check_tally(walk(Walk::On::bowties, 1000000, 1000000), 1000); }

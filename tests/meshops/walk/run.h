@@ -1,4 +1,4 @@
-// What a split of a vertex is to be given, as the ring of the vertex tells.
+// The arguments of a split of a vertex, from the ring of the vertex.
 #pragma once
 
 #include <optional>

@@ -96,7 +96,7 @@ void Walk::remember(std::vector<Done<Effect>>& all, const Effect& effect) {
   all.push_back({effect, judge_.records(), snapshot(mesh_)});
 }
 
-/// The last one most of the time, so that some can be taken back exactly; one that was made up when there is none.
+/// The last one most of the time, so that some can be undone exactly; one that was made up when there is none.
 template <typename Effect>
 Walk::Done<Effect> Walk::recall(const std::vector<Done<Effect>>& all) {
   if (all.empty()) return {Effect(), {}, {}};

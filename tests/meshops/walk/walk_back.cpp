@@ -1,4 +1,4 @@
-// The steps that take back what was done, by effects as they were returned, from another mesh by now, or made up.
+// The steps that undo what was done, by effects as they were returned, from another mesh by now, or made up.
 #include <algorithm>
 #include <cstdint>
 

@@ -94,7 +94,7 @@ void Walk::triangulate_face() {
     });
     return;
   }
-  // Taken out again from the last diagonal to the first, it is the face that was there.
+  // Removed again from the last diagonal to the first, it is the face that was there.
   judge_.compare_back(
       "", [] {},
       [&](Model& model) -> std::string {

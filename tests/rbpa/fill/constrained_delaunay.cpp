@@ -111,7 +111,7 @@ TEST_CASE("without a size rings may touch, and polygons in points where several 
 
 TEST_CASE("polygons that touch in points and share edges are triangulated as well") {
   // Two squares beside each other, and a triangle that touches both in the corner between them: as rings, which
-  // constrained_delaunay() takes.
+  // constrained_delaunay() requires.
   rbpa::Outline outline;
   outline.places = {{0, 0}, {0, 1}, {0.5, 2}, {1, 0}, {1, 1}, {1.5, 2}, {2, 0}, {2, 1}};
   outline.rings = {{.sites = {0, 3, 4, 1}}, {.sites = {3, 6, 7, 4}}, {.sites = {2, 4, 5}}};

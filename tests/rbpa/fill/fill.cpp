@@ -34,19 +34,19 @@ using rbpa_test::refusal;
 using rbpa_test::square;
 
 /// Options that go round with the number: constant, graded from the boundary, at points, the boundary kept.
-struct Asked {
+struct ChosenOptions {
   FillOptions options;
   std::vector<rbpa::SizeAt> sizes = {};
 };
-Asked asked(const PolygonCase& polygon, std::size_t number) {
-  Asked asked{.options = {.size = polygon.size}};
-  if (number / 10 % 4 == 1) asked.options.grade = 0.3;
+ChosenOptions chosen_options(const PolygonCase& polygon, std::size_t number) {
+  ChosenOptions chosen{.options = {.size = polygon.size}};
+  if (number / 10 % 4 == 1) chosen.options.grade = 0.3;
   if (number / 10 % 4 == 2)
     for (std::size_t i = 0; i < 3; ++i)
-      asked.sizes.push_back({polygon.points[(i * 7) % polygon.points.size()], polygon.size / 4});
-  asked.options.sizes = asked.sizes;
-  asked.options.keep_boundary = number / 10 % 4 == 3;
-  return asked;
+      chosen.sizes.push_back({polygon.points[(i * 7) % polygon.points.size()], polygon.size / 4});
+  chosen.options.sizes = chosen.sizes;
+  chosen.options.keep_boundary = number / 10 % 4 == 3;
+  return chosen;
 }
 
 /// Triangles as their places: the same whatever points are called.
@@ -96,24 +96,24 @@ TEST_CASE("polygons are covered once by counter-clockwise triangles that meet in
   for (std::size_t number = 0; number < 200; ++number) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     INFO(polygon.name);
-    const Asked ask = asked(polygon, number);
-    const Filling filling = fill(polygon.points, polygon.polygons, ask.options);
+    const ChosenOptions chosen = chosen_options(polygon, number);
+    const Filling filling = fill(polygon.points, polygon.polygons, chosen.options);
     retreats += filling.retreats;
     const std::string wrong =
-        rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, ask.options.keep_boundary);
+        rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, chosen.options.keep_boundary);
     CHECK_MESSAGE(wrong.empty(), wrong);
   }
   CHECK(retreats > 0);  // else nothing was seen of them
 }
 
-TEST_CASE("where there is room, edges are as long as is wanted and angles are not small") {
+TEST_CASE("where there is room, edges have about the target length and angles are not small") {
   for (std::size_t number = 0; number < 200; ++number) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
-    const Asked ask = asked(polygon, number);
-    if (!polygon.is_roomy || ask.options.keep_boundary) continue;
+    const ChosenOptions chosen = chosen_options(polygon, number);
+    if (!polygon.is_roomy || chosen.options.keep_boundary) continue;
     INFO(polygon.name);
-    const rbpa_test::FillQuality quality = rbpa_test::quality_of(fill(polygon.points, polygon.polygons, ask.options),
-                                                                 ask.options, polygon.points, polygon.polygons);
+    const rbpa_test::FillQuality quality = rbpa_test::quality_of(fill(polygon.points, polygon.polygons, chosen.options),
+                                                                 chosen.options, polygon.points, polygon.polygons);
     CHECK(double(quality.edges_in_range) >= 0.95 * double(quality.edges));
     CHECK(double(quality.with_20_degrees) >= 0.99 * double(quality.triangles));
   }
@@ -141,8 +141,8 @@ TEST_CASE("no inner edge is illegal: the triangulation is the constrained Delaun
   for (std::size_t number = 0; number < 40; ++number) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     INFO(polygon.name);
-    const Asked ask = asked(polygon, number);
-    const Filling filling = fill(polygon.points, polygon.polygons, ask.options);
+    const ChosenOptions chosen = chosen_options(polygon, number);
+    const Filling filling = fill(polygon.points, polygon.polygons, chosen.options);
     std::size_t illegal = 0;
     for (std::size_t t = 0; t < filling.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -163,9 +163,9 @@ TEST_CASE("the same triangles, wherever rings begin, whichever way they go and i
   for (const std::size_t number : {0U, 1U, 2U, 3U, 4U, 5U, 7U, 8U, 18U, 28U, 38U, 9U}) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     INFO(polygon.name);
-    const Asked ask = asked(polygon, number);
-    const Filling first = fill(polygon.points, polygon.polygons, ask.options);
-    CHECK(fill(polygon.points, polygon.polygons, ask.options).triangles == first.triangles);
+    const ChosenOptions chosen = chosen_options(polygon, number);
+    const Filling first = fill(polygon.points, polygon.polygons, chosen.options);
+    CHECK(fill(polygon.points, polygon.polygons, chosen.options).triangles == first.triangles);
     for (int turn = 0; turn < 3; ++turn) {
       std::vector<std::uint32_t> name(polygon.points.size());
       for (std::uint32_t i = 0; i < name.size(); ++i) name[i] = i;
@@ -186,7 +186,7 @@ TEST_CASE("the same triangles, wherever rings begin, whichever way they go and i
         random.shuffle(one.holes);
       }
       random.shuffle(polygons);
-      CHECK(places_of(fill(points, polygons, ask.options)) == places_of(first));
+      CHECK(places_of(fill(points, polygons, chosen.options)) == places_of(first));
     }
   }
 }
@@ -310,10 +310,10 @@ TEST_CASE("how coasts and counties are filled, and two thousand generated polygo
   for (std::size_t number = 200; number < 2200; ++number) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     INFO(polygon.name);
-    const Asked ask = asked(polygon, number);
-    const Filling filling = fill(polygon.points, polygon.polygons, ask.options);
+    const ChosenOptions chosen = chosen_options(polygon, number);
+    const Filling filling = fill(polygon.points, polygon.polygons, chosen.options);
     const std::string wrong =
-        rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, ask.options.keep_boundary);
+        rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, chosen.options.keep_boundary);
     CHECK_MESSAGE(wrong.empty(), wrong);
   }
 }

@@ -28,7 +28,7 @@ std::string wrong_with_groups(const rbpa::Filling& filling, std::span<const rbpa
 
 /// How good triangles are.
 struct FillQuality {
-  std::size_t edges = 0, edges_in_range = 0;  ///< from 0.6 to 1.6 of what is wanted in their middle
+  std::size_t edges = 0, edges_in_range = 0;  ///< from 0.6 to 1.6 of the target in their middle
   std::size_t triangles = 0, with_20_degrees = 0;
 };
 
@@ -36,7 +36,7 @@ struct FillQuality {
 FillQuality quality_of(const rbpa::Filling& filling, const rbpa::FillOptions& options,
                        std::span<const rbpa::Point> points, std::span<const rbpa::Polygon> polygons);
 
-/// What options ask for, from their definition: also of the boundary's own edges, those of the rings given.
+/// The size that options prescribe, from their definition: also of the boundary's own edges, those of the rings given.
 double wanted_size(const rbpa::Point& p, const rbpa::FillOptions& options, std::span<const rbpa::Point> points,
                    std::span<const rbpa::Polygon> polygons);
 

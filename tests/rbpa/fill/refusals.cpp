@@ -101,7 +101,7 @@ TEST_CASE("a run that is watched can be cancelled, at any time") {
                                                                 }});
   REQUIRE(asked > 3);
   CHECK(seen > whole.triangles.size() / 2);
-  // How often it is asked depends on the clock.
+  // How often it is called depends on the clock.
   for (std::size_t last = 1; last <= asked / 2; last += std::max(asked / 10, std::size_t{1})) {
     std::size_t left = last;
     CHECK_THROWS_AS(fill(polygon.points, polygon.polygons,

@@ -21,7 +21,7 @@ TEST_SUITE_BEGIN("fill");
 using rbpa_test::refusal;
 using rbpa_test::square;
 
-TEST_CASE("what takes more triangles than can be made is refused before it starts, whatever asks for them") {
+TEST_CASE("what needs more triangles than can be made is refused before it starts, whatever needs them") {
   const std::vector<rbpa::Point> unit = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<rbpa::SizeAt> tiny = {{{0.5, 0.5}, 1e-9}};
   CHECK(refusal(unit, {square()}, {.size = 1, .grade = 1e-9, .sizes = tiny}).find("would be made") !=
@@ -31,7 +31,7 @@ TEST_CASE("what takes more triangles than can be made is refused before it start
   CHECK(refusal(thin, {square()}, {.size = 1e-9}).find("would be made") != std::string::npos);
   // A boundary that stays whole has no more triangles than points.
   CHECK(refusal(thin, {square()}, {.size = 1e-9, .keep_boundary = true}) == "");
-  // The same point asks for few where sizes grow from it.
+  // The same point needs few where sizes grow from it.
   CHECK(refusal(unit, {square()}, {.size = 1, .sizes = tiny}) == "");
 }
 

@@ -294,7 +294,7 @@ TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles ar
     CHECK(rbpa_test::wrong_with_filling(filling, points, polygons, false) == "");
     return filling.passed / filling.triangles.size();
   };
-  // Ordinary ones take thirty.
+  // Ordinary ones need thirty.
   CHECK(passed({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {.size = 0.02}) < 40);
   CHECK(passed(saw, {.size = 10}) < 500);
   CHECK(passed(comb, {.size = 0.05}) < 500);

@@ -68,7 +68,7 @@ void check(const Points& points, const std::vector<Site>& sites, double alpha, S
 
 TEST_CASE("the nine cells hold what a ball can reach, once, and nothing that is not in the grid") {
   Statistics statistics;
-  for_small_sets_of_every_kind(91, 25, 10, [&](const Points& points, double alpha, Random& random) {
+  for_small_sets_of_every_kind(91, 12, 10, [&](const Points& points, double alpha, Random& random) {
     check(points, all_sites(points), alpha, statistics);
     std::vector<Site> some;
     for (const Site s : all_sites(points))

@@ -63,8 +63,8 @@ TEST_CASE("Theorem 1: RBPA finds the solid alpha complex of every kind of set") 
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
-    if (points.size() > 250) points.resize(250);
-    if (some.size() > 250) some.resize(250);
+    if (points.size() > 150) points.resize(150);
+    if (some.size() > 150) some.resize(150);
     CAPTURE(set.name);
     for (const Points& part : {points, some}) {
       for (const double alpha : usual_alphas(part)) triangles += check(part, alpha);
@@ -131,7 +131,7 @@ TEST_CASE("a visitor that throws leaves a sound mesh and a front from which the 
   }
 }
 
-TEST_CASE("progress grows, is asked in stretches without a triangle, and false or an exception ends the run") {
+TEST_CASE("progress grows, is called in stretches without a triangle, and false or an exception ends the run") {
   // Nearly all points are isolated: there is little but searches for seeds.
   Points sparse;
   for (int i = 0; i < 40000; ++i) sparse.push_back({100.0 * (i % 200), 100.0 * (i / 200)});

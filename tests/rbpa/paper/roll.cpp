@@ -101,7 +101,7 @@ void check(const Points& points, double alpha, Statistics& statistics) {
 
 }  // namespace
 
-TEST_CASE("the ball rolls on to the point whose contact starts next, as sorting the angles says") {
+TEST_CASE("the ball rolls on to the point whose contact starts next, as sorting the angles gives it") {
   Statistics statistics;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u})
     for (const double alpha : {0.45, 0.8, 1.2, 2.5, 20.0}) check(uniform(16, seed), alpha, statistics);
@@ -113,7 +113,7 @@ TEST_CASE("the ball rolls on to the point whose contact starts next, as sorting 
   CHECK(statistics.returns > 50);
 }
 
-TEST_CASE("of points that the ball comes to at once it takes the first around the point") {
+TEST_CASE("of points that the ball reaches at once the first around the point is chosen") {
   Statistics statistics;
   check(perfect_grid(4, 1), 0.5, statistics);
   check(perfect_grid(3, 2), 1.25, statistics);

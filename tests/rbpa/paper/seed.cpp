@@ -87,7 +87,7 @@ int check(const Points& points, double alpha) {
 TEST_CASE(
     "a seed is a triangle of the complex without an edge in the mesh, and there is one until nothing is missing") {
   int seeds = 0;
-  for_small_sets_of_every_kind(97, 60, 10,
+  for_small_sets_of_every_kind(97, 30, 10,
                                [&](const Points& points, double alpha, Random&) { seeds += check(points, alpha); });
   CHECK(seeds > 300);
   Random random(98);

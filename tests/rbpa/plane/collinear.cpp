@@ -13,7 +13,7 @@ using Points = std::vector<rbpa::Point>;
 
 TEST_SUITE_BEGIN("rbpa");
 
-TEST_CASE("points on a line are told from points a last bit off it") {
+TEST_CASE("points on a line are distinguished from points a last bit off it") {
   const double next = std::nextafter(1.0, 2.0);
   CHECK(are_collinear(Points{{0, 0}, {1, 1}, {3, 3}, {-2, -2}}));
   CHECK(are_collinear(Points{{1e300, 0}, {-1e300, 0}, {1e-300, -0.0}}));

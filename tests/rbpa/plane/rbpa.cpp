@@ -32,7 +32,7 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// What the call says when it refuses; "" when it does not.
+/// The message of a refusal; "" when there is none.
 std::string refusal(const Points& points, double alpha) {
   int calls = 0;
   try {

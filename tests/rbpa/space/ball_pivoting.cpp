@@ -29,7 +29,7 @@ namespace {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The same, but for who has no say in what is glued.
+/// The same without glues(): sites decide what is glued.
 struct BySites {
   BallPivoting policy;
   std::optional<BallPivoting::Triangle> seed(const meshops::Front& front) { return policy.seed(front); }
@@ -152,14 +152,14 @@ Uneven uneven_set(std::size_t kind, Random& random) {
 }
 
 /// What the rule of docs/surface_derivation.md, section 9 did.
-struct Told {
+struct Compared {
   std::size_t triangles = 0;      ///< of levels beyond the first
   std::size_t apart = 0;          ///< of those, beside no triangle that was there before: seeds
   std::size_t rolled_over = 0;    ///< glued to one of a level before, from which the ball rolls
   std::size_t rests_no_more = 0;  ///< or on which it rests no more
 };
 
-void check_same(const Points3& points, const Points3& normals, const std::vector<double>& radii, Told& told) {
+void check_same(const Points3& points, const Points3& normals, const std::vector<double>& radii, Compared& compared) {
   const Surface expected = rbpa::surface(points, normals, radii);
   Mesh mesh;
   Watcher watcher;
@@ -181,10 +181,10 @@ void check_same(const Points3& points, const Points3& normals, const std::vector
       if (other == Surface::none || found.levels[other] >= level) continue;
       is_beside = true;
       const bool rests = std::ranges::binary_search(resting[level], found.triangles[other]);
-      ++(rests ? told.rolled_over : told.rests_no_more);
+      ++(rests ? compared.rolled_over : compared.rests_no_more);
     }
-    told.triangles += level > 0;
-    told.apart += level > 0 && !is_beside;
+    compared.triangles += level > 0;
+    compared.apart += level > 0 && !is_beside;
   }
 }
 
@@ -226,39 +226,39 @@ TEST_CASE("ball pivoting on the engine is the surface: triangles, gluing, and a 
       fans += mesh.n_vertices() - std::set(site.begin(), site.end()).size();
 
       Mesh other;
-      Watcher told;
+      Watcher compared;
       by_sites_differs +=
-          advanced<BySites>(other, points, normals, {radius}, told).surface.neighbors != expected.neighbors;
-      refused_by_sites += told.refusals > 0;
+          advanced<BySites>(other, points, normals, {radius}, compared).surface.neighbors != expected.neighbors;
+      refused_by_sites += compared.refusals > 0;
     }
   CHECK(triangles > 3000);
   CHECK(boundary > 1000);
   CHECK(fans > 100);
-  CHECK(by_sites_differs > 20);  // sites do not tell what is glued
+  CHECK(by_sites_differs > 20);  // sites do not determine what is glued
   CHECK(refused_by_sites > 20);
 }
 
 TEST_CASE("ball pivoting by several radii, each a level of the front, is the surface by several radii") {
   Random random(98);
-  Told told;
+  Compared compared;
   for (int k = 0; k < space_kinds; ++k)
     for (int trial = 0; trial < 25; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       CAPTURE(trial);
       const Points3 points = space_set(static_cast<SpaceKind>(k), 5 + random.below(30), random);
-      check_same(points, some_normals(points, random), some_radii(points, random), told);
+      check_same(points, some_normals(points, random), some_radii(points, random), compared);
     }
   for (std::size_t kind = 0; kind < uneven_kinds; ++kind)
     for (int trial = 0; trial < 40; ++trial) {
       const Uneven set = uneven_set(kind, random);
       CAPTURE(set.name);
       CAPTURE(trial);
-      check_same(set.points, set.normals, set.radii, told);
+      check_same(set.points, set.normals, set.radii, compared);
     }
-  CHECK(told.triangles > 4000);
-  CHECK(told.apart > 2000);
-  CHECK(told.rolled_over > 2000);
-  CHECK(told.rests_no_more > 100);
+  CHECK(compared.triangles > 4000);
+  CHECK(compared.apart > 2000);
+  CHECK(compared.rolled_over > 2000);
+  CHECK(compared.rests_no_more > 100);
 }
 
 TEST_CASE("in any order of the points the front has the same surface by several radii") {

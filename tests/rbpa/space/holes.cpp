@@ -231,19 +231,19 @@ TEST_CASE("shuffled points have the same holes, of the same lengths to the last 
     random.shuffle(order);
     Points3 shuffled;
     for (const std::uint32_t i : order) shuffled.push_back(points[i]);
-    // Lengths, and what is said of each side.
-    using Said = std::tuple<Triangle, std::uint32_t, RimCause, Triangle>;
+    // Lengths, and the facts of each side.
+    using EdgeFacts = std::tuple<Triangle, std::uint32_t, RimCause, Triangle>;
     const auto holes_of = [&](const Points3& of, const auto& name) {
-      std::multiset<std::pair<double, std::set<Said>>> all;
+      std::multiset<std::pair<double, std::set<EdgeFacts>>> all;
       const Surface surface = rbpa::surface(of, of, radii);
       for (const Hole& hole : rbpa::holes(of, of, radii, surface, {.threads = 2})) {
-        std::set<Said> said;
+        std::set<EdgeFacts> facts;
         for (const RimEdge& e : hole.edges) {
           const Triangle next = {name(e.next[0]), name(e.next[1]), name(e.next[2])};
-          said.insert({{name(e.from), name(e.to), 0}, e.level, e.cause, canonical({next})[0]});
+          facts.insert({{name(e.from), name(e.to), 0}, e.level, e.cause, canonical({next})[0]});
         }
-        sides += said.size();
-        all.emplace(hole.length, said);
+        sides += facts.size();
+        all.emplace(hole.length, facts);
       }
       return all;
     };

@@ -88,7 +88,7 @@ TEST_CASE("a triangle agrees when its normal has a positive product with those o
         if (points[i] == points[t[0]] || points[i] == points[t[1]] || points[i] == points[t[2]])
           expected =
               expected && rbpa::space::exact::normal_sign(points[t[0]], points[t[1]], points[t[2]], normals[i]) > 0;
-      // Duplicates are asked for by the lowest index.
+      // Duplicates are queried by the lowest index.
       const auto is_lowest = [&](std::uint32_t i) {
         return std::find(points.begin(), points.end(), points[i]) == points.begin() + i;
       };

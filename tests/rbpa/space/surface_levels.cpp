@@ -80,7 +80,7 @@ TEST_CASE("surfaces by several radii are those of the rule, applied to the lette
   CHECK(glued_across > 100);
 }
 
-TEST_CASE("a radius takes nothing away, and glues nothing otherwise; the mesh is sound; one radius is surface()") {
+TEST_CASE("a radius removes nothing, and glues nothing otherwise; the mesh is sound; one radius is surface()") {
   Random random(302);
   std::size_t more = 0;
   for (int k = 0; k < space_kinds; ++k)

@@ -1,4 +1,4 @@
-// What: what the predicates must say, by rational numbers and from the textbook definitions, not from the formulas of
+// What: what the predicates must return, by rational numbers and from the textbook definitions, not from the formulas of
 //       the library.
 #pragma once
 

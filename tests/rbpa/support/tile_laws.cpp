@@ -23,13 +23,13 @@ using rbpa::TilePatch;
 
 namespace {
 
-bool is_outlined(const TilePatch& told) {
+bool is_outlined(const TilePatch& tile) {
   meshops::Outline expected;
-  survey(told.patch, expected);
-  std::vector<int> inside = told.outline.inside;
+  survey(tile.patch, expected);
+  std::vector<int> inside = tile.outline.inside;
   for (auto* sides : {&inside, &expected.inside}) std::sort(sides->begin(), sides->end());
-  return told.outline.rim == expected.rim && told.outline.holes == expected.holes &&
-         told.outline.next_hole == expected.next_hole && inside == expected.inside;
+  return tile.outline.rim == expected.rim && tile.outline.holes == expected.holes &&
+         tile.outline.next_hole == expected.next_hole && inside == expected.inside;
 }
 
 /// How large two patches are.
@@ -55,23 +55,23 @@ std::vector<Triangle> SiteSet::within(const Radius& radius) const {
   return found;
 }
 
-std::vector<TilePatch> tell(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t max_points) {
-  std::vector<TilePatch> told;
+std::vector<TilePatch> patches_of(const rbpa::PointGrid& grid, const Radius& radius, std::uint32_t max_points) {
+  std::vector<TilePatch> patches;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
   rbpa::FinderWorkspace workspace;
   for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) {
     cutter.cut(block, tile);
-    find_patch(tile, radius, workspace, told.emplace_back());
+    find_patch(tile, radius, workspace, patches.emplace_back());
   }
-  return told;
+  return patches;
 }
 
 bool same(const TilePatch& a, const TilePatch& b) {
   return a.patch.triangles == b.patch.triangles && a.patch.across == b.patch.across && a.settled == b.settled;
 }
 
-std::string wrong_with(const std::vector<TilePatch>& told, const std::vector<Triangle>& complex) {
+std::string wrong_with(const std::vector<TilePatch>& patches, const std::vector<Triangle>& complex) {
   const std::set<Triangle> expected(complex.begin(), complex.end());
   std::map<std::pair<std::uint32_t, std::uint32_t>, Triangle> at_side;
   std::map<std::uint32_t, std::vector<Triangle>> at;
@@ -82,7 +82,7 @@ std::string wrong_with(const std::vector<TilePatch>& told, const std::vector<Tri
     }
   std::set<Triangle> found;
   std::set<std::uint32_t> known;
-  for (const TilePatch& tile : told) {
+  for (const TilePatch& tile : patches) {
     const Patch& patch = tile.patch;
     if (patch.across.size() != patch.triangles.size()) return "sizes of a patch";
     if (!is_outlined(tile)) return "the outline of a patch is that of another one";
@@ -92,7 +92,7 @@ std::string wrong_with(const std::vector<TilePatch>& told, const std::vector<Tri
       const std::string name = "triangle " + std::to_string(triangle[0]) + " " + std::to_string(triangle[1]) + " " +
                                std::to_string(triangle[2]);
       if (!expected.contains(triangle)) return name + " is not of the complex";
-      if (!found.insert(triangle).second) return name + " is told twice";
+      if (!found.insert(triangle).second) return name + " is found twice";
       of_tile.insert(triangle);
     }
     for (std::size_t t = 0; t < patch.triangles.size(); ++t)
@@ -134,11 +134,11 @@ std::string wrong_on(const Points& input, std::uint32_t max_points,
       const OneTarget only(target);
       const std::string at = std::string(" by ") + hwy::TargetName(target) + ", radius " +
                              (r.is_infinite() ? "infinity" : literal(r.value()));
-      const auto told = tell(sites.grid, r, max_points);
-      if (const std::string wrong = wrong_with(told, complex); !wrong.empty()) return wrong + at;
-      if (first.empty()) first = told;
-      for (std::size_t i = 0; i < told.size(); ++i)
-        if (!same(first[i], told[i])) return "another target tells otherwise: " + unlike(first[i], told[i]) + at;
+      const auto patches = patches_of(sites.grid, r, max_points);
+      if (const std::string wrong = wrong_with(patches, complex); !wrong.empty()) return wrong + at;
+      if (first.empty()) first = patches;
+      for (std::size_t i = 0; i < patches.size(); ++i)
+        if (!same(first[i], patches[i])) return "another target finds others: " + unlike(first[i], patches[i]) + at;
     }
   }
   return "";

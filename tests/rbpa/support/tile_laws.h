@@ -1,4 +1,4 @@
-// What: what tiles must tell, whatever way they find it.
+// What: what tiles must find, by whatever finder.
 // Law:  each check names the first law that is broken, or returns "".
 #pragma once
 
@@ -24,15 +24,16 @@ struct SiteSet {
   std::vector<Triangle> within(const rbpa::Radius& radius) const;
 };
 
-/// What each tile tells.
-std::vector<rbpa::TilePatch> tell(const rbpa::PointGrid& grid, const rbpa::Radius& radius, std::uint32_t max_points);
+/// The patch of each tile.
+std::vector<rbpa::TilePatch> patches_of(const rbpa::PointGrid& grid, const rbpa::Radius& radius,
+                                        std::uint32_t max_points);
 
 bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 
-/// Triangles are of the complex and told once, sides and outlines are right, and nothing is missing at known sites.
-std::string wrong_with(const std::vector<rbpa::TilePatch>& told, const std::vector<Triangle>& complex);
+/// Triangles are of the complex and found once, sides and outlines are right, and nothing is missing at settled sites.
+std::string wrong_with(const std::vector<rbpa::TilePatch>& patches, const std::vector<Triangle>& complex);
 
-/// The same of every vector unit that this processor has, and that all tell the same.
+/// The same of every vector unit that this processor has, and that all find the same.
 std::string wrong_on(const Points& input, std::uint32_t max_points,
                      const std::function<std::vector<rbpa::Radius>(const SiteSet&)>& radii);
 

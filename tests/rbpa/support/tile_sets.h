@@ -22,11 +22,11 @@ std::vector<TileSet> tile_sets();
 TileSet few_points(Random& random);
 
 /// Points of a lattice of at most `columns` columns and rows, some of them moved by next to nothing where doubles are
-/// fine enough to tell.
+/// fine enough to distinguish them.
 Points nearly_a_lattice(int columns, double kept, double moved, Random& random);
 
 /// Integer points around one that is off them by so little that differences from it round to integers. It has a column
-/// of its own, or a row as well: no other point has a coordinate by which to tell.
+/// of its own, or a row as well: no other point has a coordinate that distinguishes them.
 Points lattice_around_a_stranger(Random& random);
 
 /// The Delaunay triangles, without any two points on a circle by the perturbation, in canonical order, by the winner

@@ -62,7 +62,7 @@ inline Expansion<2> difference(double a, double b) {
 
 template <int N>
 Expansion<N> operator-(const Expansion<N>& e) {
-  Expansion<N> result;  // of which only what is used is touched
+  Expansion<N> result;  // only the components in use are written
   for (int i = 0; i < e.size; ++i) result.append(-e.component[static_cast<unsigned>(i)]);
   return result;
 }

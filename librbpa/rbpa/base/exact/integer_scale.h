@@ -15,7 +15,7 @@ using Integer = boost::multiprecision::cpp_int;
 
 class IntegerScale {
  public:
-  /// Before the first number is asked for.
+  /// Before the first number is computed.
   void include(double value) {
     if (value == 0) return;
     int exponent;

@@ -1,6 +1,6 @@
 // What: how many bits the input spans, which decides the arithmetic that its predicates need.
 // Why:  in an arithmetic whose exponents cannot leave their range, the error bounds of the filters count roundings
-//       only: no underflow to zero and no infinity has to be thought of.
+//       only: underflow to zero and infinity need no consideration.
 #pragma once
 
 #include <span>

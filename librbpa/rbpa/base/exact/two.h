@@ -1,5 +1,5 @@
 // What: two numbers with which the same is computed, in one register where they are double.
-// Why:  half as many instructions. What a compiler puts into one register by itself comes too late, and is waited for.
+// Why:  half as many instructions. A compiler that combines them by itself does so late, and the instructions stall.
 #pragma once
 
 #include <cmath>

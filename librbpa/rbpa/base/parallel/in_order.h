@@ -15,9 +15,8 @@
 namespace rbpa {
 
 /// For each i below `count`, calls work(i, workspace) in any thread, then join(i, workspace) in the order of i, then
-/// finish(i, workspace) in any thread. A workspace is one item's at a time, and is used again afterwards: the one that
-/// was left last, which is the one that is still in a cache. Throws what one of the calls throws; then some of the
-/// calls are never made.
+/// finish(i, workspace) in any thread. A workspace is one item's at a time, and is used again afterwards: the one that was
+/// released last, which is still in a cache. Rethrows what one of the calls throws; then some of the calls are never made.
 template <typename Workspace, typename Work, typename Join, typename Finish>
 void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish finish) {
   if (threads.count() == 1 || count <= 1) {

@@ -20,7 +20,7 @@
 
 namespace rbpa::plain_threads {
 
-/// What threads that share work agree on.
+/// The state shared by threads at one job.
 class Shared {
  public:
   explicit Shared(std::size_t count) : count_(count) {}

@@ -15,7 +15,7 @@ namespace rbpa {
 namespace {
 
 constexpr std::size_t corners_per_bucket = 1u << 11;  // whose triangles, up to six each, fit a cache of half a megabyte
-// Memory is asked for in parts so small that there may be some that was in use before, and need not be cleared again.
+// Memory is requested in parts so small that the allocator may reuse freed parts, which need not be cleared again.
 constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers
 constexpr std::size_t max_buckets = 1u << 11;         // whose ends fit the nearest cache
 
@@ -26,7 +26,7 @@ int bucket_shift(std::size_t bound, std::size_t most_open_blocks) {
   return shift;
 }
 
-/// What is left of an item when its smallest corner is known: the second and third one, to be compared at once.
+/// An item without its smallest corner: the second and third one, to be compared at once.
 struct Rest {
   std::uint64_t key;
 };
@@ -41,7 +41,7 @@ Triangle corners_of(std::size_t first, std::uint64_t key) {
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
 }
 
-/// All bits if b comes before a, or none: which is a toss of a coin, so that nothing may branch. (Of a choice between two
+/// All bits if b comes before a, or none: which is unpredictable, so that nothing may branch. (Of a choice between two
 /// values the compiler makes a branch where the next one depends on it.)
 template <typename R>
 std::uint64_t all_if_behind(const R& a, const R& b) {

@@ -1,7 +1,7 @@
 // What: brings triangles into canonical order: lexicographic, each from its smallest corner on.
 // Law:  the order depends on the triangles, and on nothing else: not on the order in which they come, nor on threads.
-// How:  a triangle is put into a bucket as soon as it comes. A bucket takes a range of smallest corners, and is a list of
-//       blocks of common memory, so that nobody has to know how many triangles it will have, and nothing is moved:
+// How:  a triangle is put into a bucket as soon as it comes. A bucket covers a range of smallest corners, and is a list of
+//       blocks of common memory, so that its size is not needed in advance, and nothing is moved:
 //
 //           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
 //
@@ -59,7 +59,7 @@ class CanonicalOrder {
     std::vector<Block> blocks_;  // all that were begun
   };
 
-  /// Calls write(Writer&) with a writer that nobody else has meanwhile. From as many threads at a time as were announced.
+  /// Calls write(Writer&) with a writer that no other thread has meanwhile. From as many threads at a time as were announced.
   template <typename Write>
   void with_writer(Write write) {
     Writer* const writer = take();
@@ -76,7 +76,7 @@ class CanonicalOrder {
 
  private:
   static constexpr std::size_t items_in_block = 256;  // 3 kilobytes
-  static constexpr std::size_t items_ahead = 16;      // memory of a bucket is asked for before it is written
+  static constexpr std::size_t items_ahead = 16;      // memory of a bucket is prefetched before it is written
   /// A part of a bucket.
   struct Run {
     const Item* first;

@@ -1,4 +1,4 @@
-// What: points, and what they are called.
+// What: points, and their names.
 #pragma once
 
 #include <cstddef>

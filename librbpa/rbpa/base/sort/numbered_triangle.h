@@ -18,8 +18,8 @@ struct NumberedTriangle {
   std::uint32_t number;
 };
 
-/// The names of a triangle's corners, turned so that the least comes first. Which is the least is a toss of a coin, so
-/// that nothing branches.
+/// The names of a triangle's corners, turned so that the least comes first. Which is the least cannot be predicted, so that
+/// nothing branches.
 inline Triangle from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
   const std::uint32_t a = names[corner[0]], b = names[corner[1]], c = names[corner[2]];
   const std::uint32_t b_first = (b < a) & (b < c), c_first = (c < a) & (c < b);
@@ -32,7 +32,7 @@ inline Triangle from_least(std::span<const std::uint32_t> names, const std::arra
 /// Calls visit(Triangle) for each triangle of a patch, in order.
 template <typename Visit>
 void for_each_triangle(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
-  constexpr std::size_t ahead = 32;  // names are asked for that long before
+  constexpr std::size_t ahead = 32;  // names are prefetched this many triangles before
   const std::size_t count = patch.triangles.size();
   for (std::size_t t = 0; t < count; ++t) {
     for (const meshops::Site corner : patch.triangles[std::min(t + ahead, count - 1)])

@@ -1,4 +1,4 @@
-// What:   what of the alpha complex is in no triangle, from the Delaunay triangulation.
+// What:   the edges of the alpha complex that are in no triangle, from the Delaunay triangulation.
 // Source: Edelsbrunner, Kirkpatrick, Seidel (1983); design: an edge is in the complex when a triangle at it is, or when its
 //         diametral circle is empty and of a radius ≤ alpha.
 #pragma once
@@ -18,7 +18,7 @@ namespace rbpa {
 std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
                                                          const Triangulation& delaunay);
 
-/// Takes the triangles of circumradius > alpha out, and out of the neighbours.
+/// Removes the triangles of circumradius > alpha, also from the neighbours.
 void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay);
 
 }  // namespace rbpa

@@ -1,7 +1,7 @@
-// What: the triangles of patches in canonical order, and which lies across of which.
+// What: the triangles of patches in canonical order, with their neighbours.
 // Law:  the result depends on the triangles, and on nothing else.
-// Why:  only the rim of a patch has to do with others: it is placed by one thread at a time, and what is left, nearly all,
-//       is filled in by any.
+// Why:  only the rim of a patch depends on others: it is placed by one thread at a time, and the rest, nearly all, is
+//       filled in by any.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class LinkedTriangles {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// For triangles on so many sites; `names`, less than `bound`, are what corners are called.
+  /// For triangles on so many sites; `names`, less than `bound`, are the names of corners.
   LinkedTriangles(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads);
 
   /// What one patch has to remember between the steps.
@@ -54,7 +54,7 @@ class LinkedTriangles {
     meshops::Site to;
     std::uint32_t triangle, corner;
   };
-  /// Where in the list of neighbours what lies across a side of a triangle belongs.
+  /// The place in the list of neighbours of the one across a side of a triangle.
   static std::size_t across_from(std::size_t side, std::size_t turn) { return (side + 5 - turn) % 3; }
 
   std::span<const std::uint32_t> names_;

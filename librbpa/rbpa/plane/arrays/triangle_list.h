@@ -1,6 +1,6 @@
 // What: the triangles of patches in canonical order.
 // Why:  as with a mesh (meshops/patch/assembler.h), patches are placed by one thread at a time, and filled in by any. But
-//       nothing here depends on other patches, so that placing one is nothing but to count.
+//       nothing here depends on other patches, so that placing one only counts.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace rbpa {
 
 class TriangleList {
  public:
-  /// For triangles on so many sites; `names`, less than `bound`, are what corners are called.
+  /// For triangles on so many sites; `names`, less than `bound`, are the names of corners.
   TriangleList(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads)
       : names_(names), order_(bound, 2 * sites, threads.count()) {}
 

@@ -216,7 +216,7 @@ class DivideAndConquer {
     std::size_t size = 0, first = 0;  // how many; where in the patch
   };
 
-  /// Loops have no branch that could not be foreseen, and read what is still at hand.
+  /// Loops have no unpredictable branch, and read what is still in a cache.
   void extract(Corner on_hull, const Fate& fate, meshops::Patch& patch) {
     open_hull(on_hull);
     patch.triangles.resize(2 * places_.size());

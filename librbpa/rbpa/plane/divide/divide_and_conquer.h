@@ -1,4 +1,4 @@
-// What:   the Delaunay triangulation of points, by dividing them in two and merging what each half gives: a finder
+// What:   the Delaunay triangulation of points, by dividing them in two and merging the halves: a finder
 //         (tile/finder.h) on a tile that has no ghosts, and beyond which there is nothing.
 // Law:    the triangles are those of the symbolic perturbation (docs/predicates.md), a function of the set of points
 //         alone; no point set is bad.
@@ -16,14 +16,14 @@
 
 namespace rbpa {
 
-/// What becomes of a triangle: 0 when it is kept; else what the patch stores for the triangles beside it. Called in any thread,
+/// The fate of a triangle: 0 when it is kept; else what the patch stores for the triangles beside it. Called in any thread,
 /// several at a time.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
 /// all points are on a line. Puts the places in another order.
 /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
-/// Requires: distinct points, no more than rbpa() takes, whose predicates `Real` can decide: double where they fit
+/// Requires: distinct points, no more than rbpa() accepts, whose predicates `Real` can decide: double where they fit
 ///           (fits_double()), long double wherever they are.
 template <typename Real>
 meshops::Patch divide_and_conquer(

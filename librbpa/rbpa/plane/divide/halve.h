@@ -62,7 +62,7 @@ void sort_few(std::span<SitePoint> places, Order before) {
   std::copy_n(sorted.begin(), places.size(), places.begin());
 }
 
-/// Some points, taken at distances.
+/// A sample of the points, with a stride.
 class Sample {
  public:
   explicit Sample(std::span<const SitePoint> places) : count_(places.size() < 32 * some ? some : many) {

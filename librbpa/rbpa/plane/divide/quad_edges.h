@@ -1,8 +1,8 @@
-// What: a plane graph as the quad-edge structure without its dual: directed edges that know their neighbours around the
-//       point they leave, in 32 bits a number.
+// What: a plane graph as the quad-edge structure without its dual: directed edges, each with its neighbours around its
+//       origin (Onext, Oprev), 32 bits a number.
 // Law:  e and sym(e) are one edge in both directions; following onext() goes around a point counter-clockwise and comes
 //       back.
-// Cost: 12 bytes a directed edge; edges that are taken out are used again, first those that were last.
+// Cost: 12 bytes a directed edge; deleted edges are used again, the last deleted first.
 // Source: Guibas, Stolfi, Primitives for the manipulation of general subdivisions (1985): Org, Dest, Sym, Onext, …
 #pragma once
 
@@ -17,8 +17,8 @@ class QuadEdges {
   using Edge = std::uint32_t;
   using Corner = std::uint32_t;
 
-  /// Edges that are not in use, of which none is another list's: who has a list of their own may add and remove beside
-  /// others.
+  /// Edges that are not in use, which no other list has: threads with lists of their own may add and remove at the same
+  /// time.
   struct Unused {
     Edge first, last;
   };

@@ -27,7 +27,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// A few points at a time, in steps: who is near, which pairs of those are within alpha with the point, which of these
-/// triples have nobody in their circle. A step's result is a list whose next entry is always written and counted if it is
+/// triples have no point in their circle. A step's result is a list whose next entry is always written and counted if it is
 /// one: nothing foretells it.
 class Enumeration {
  public:
@@ -85,7 +85,7 @@ class Enumeration {
   struct Near {
     alignas(64) float x[max_near + near_padding], y[max_near + near_padding];
     std::int32_t label[max_near + near_padding];
-    std::size_t point, place;  ///< which of the tile, and which of those taken
+    std::size_t point, place;  ///< its number in the tile, and among those chosen
     Bits near;                 ///< who is within reach, among all around
     std::size_t count, next;
   };

@@ -1,4 +1,4 @@
-// What: what all that follows from a Delaunay triangulation requires of it, and the corners and areas of its triangles.
+// What: the requirements on a Delaunay triangulation as an input, and the corners and areas of its triangles.
 #pragma once
 
 #include <algorithm>

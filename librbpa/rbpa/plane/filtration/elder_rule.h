@@ -1,4 +1,4 @@
-// What:   who is born, and who dies, while the cells of a triangulation come in ascending order: births and deaths of
+// What:   the elder rule, while the cells of a triangulation are added in ascending order: births and deaths of
 //         components and holes, each with a cell in which it was from its birth, or will be to its death.
 // Law:    of two that meet the younger dies; of two that came at the same alpha the one of the greater number.
 // Cost:   near-linear.
@@ -18,7 +18,7 @@
 
 namespace rbpa {
 
-/// A cell and when it comes.
+/// A cell and the alpha at which it is added.
 struct Arrival {
   double alpha;
   std::uint32_t cell;  ///< a vertex, or a face
@@ -46,7 +46,7 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
     if (components.find(v) == v) pair(first[v], std::optional<double>());
 }
 
-/// Edges descending: taking an edge away joins the gaps on its sides. A gap fills up with the last of its triangles; of
+/// Edges descending: removing an edge joins the gaps on its sides. A gap fills up with the last of its triangles; of
 /// two that are separate above this alpha the one that fills up first is a hole from here to there.
 /// Calls pair(birth, last face's arrival) for each hole, which dies as that face comes.
 /// Requires: the edges of `cells` are sorted by alpha.

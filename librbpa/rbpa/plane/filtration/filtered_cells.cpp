@@ -105,7 +105,7 @@ FilteredCells filtered_cells(const Triangulation& delaunay, std::span<const Poin
         .sides = {side.triangle, is_inner ? side.beyond : cells.outside()}};
     if (kind == ComplexKind::full) {
       // An edge with no point inside its diametral circle comes at half its length, any other with its first triangle.
-      // Whether it is crowded is asked last: on grids, where right angles are the rule, both radii are the same.
+      // Whether it is crowded is tested last: on grids, where right angles are the rule, both radii are the same.
       const double half = least_alpha(points[from], points[to]);
       if (half != edge.alpha && !is_crowded(delaunay, points, side, points[from], points[to])) edge.alpha = half;
     } else {

@@ -1,5 +1,5 @@
 // What: the cells of a Delaunay triangulation, each with the least alpha at which it is in a complex.
-// Law:  a cell is never there before its faces: vertices[end] ≤ edge.alpha ≤ faces[side].
+// Law:  a cell is never in the complex before its faces: vertices[end] ≤ edge.alpha ≤ faces[side].
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What:   the least double alpha at which a triangle, or an edge, is there.
+// What:   the least double alpha at which a triangle, or an edge, is in the complex.
 // Law:    exact: least_alpha(a, b, c) ≤ alpha exactly when the circumradius of (a, b, c) is ≤ alpha, for every double
 //         alpha > 0. So a complex "at alpha" is the cells whose least alpha is ≤ alpha, compared as plain doubles.
 // How:    an interval that holds the radius, in long double; nearly always one double only rounds it up. Else the exact

@@ -1,4 +1,4 @@
-// What:   the sizes of the parts of something that grows, and how much the largest of them hold.
+// What:   the sizes of the components of a growing complex, and the sum of the k largest.
 // Cost:   the logarithm of the greatest size, each call.
 // Source: Fenwick, A new data structure for cumulative frequency tables (1994).
 #pragma once
@@ -25,7 +25,7 @@ class PartSizes {
   /// The sum of the `k` largest, or of all where there are fewer.
   std::size_t largest(std::size_t k) const {
     if (k >= parts_) return all_;
-    std::size_t left = parts_ - k, smallest = 0;  // so many of the smallest are not asked for
+    std::size_t left = parts_ - k, smallest = 0;  // so many of the smallest are left out
     std::size_t at = 0;
     for (std::size_t step = top_; step > 0; step /= 2)
       if (at + step < count_.size() && count_[at + step] <= left) {
@@ -46,7 +46,7 @@ class PartSizes {
     }
   }
 
-  // At i, of the sizes from i with its lowest bit taken away, exclusive, to i.
+  // At i, of the sizes from i without its lowest bit, exclusive, to i.
   std::vector<std::uint32_t> count_;
   std::vector<std::size_t> sum_;
   std::size_t top_;

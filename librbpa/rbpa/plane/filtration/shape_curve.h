@@ -1,5 +1,6 @@
 // What: how much the solid alpha complex has changed, at every step of its filtration.
-// Law:  each number is one of the set of points alone, and of no unit: sums are taken in an order that coordinates decide.
+// Law:  each number is one of the set of points alone, and of no unit: sums are computed in an order that coordinates
+//       determine.
 // How:  docs/which_alpha.md.
 #pragma once
 

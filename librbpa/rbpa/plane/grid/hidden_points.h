@@ -1,4 +1,4 @@
-// What: points that are not in a grid, and where they lie, for who must not overlook them.
+// What: points that are not in a grid, and where they lie, for searches that must not miss them.
 // Law:  in_box() counts every hidden point of a box, are_left() and the others of every side on which one lies outside
 //       of the grid.
 #pragma once
@@ -15,7 +15,7 @@ class HiddenPoints {
  public:
   /// None are hidden.
   HiddenPoints() = default;
-  /// The places may be rounded by less than what is nothing beside a cell. Some may lie outside of `box`.
+  /// The places may be rounded by amounts that are negligible against a cell. Some may lie outside of `box`.
   HiddenPoints(std::span<const Point> places, const Box& box) : places_(places) {
     for (const Point& p : places) {
       left_ |= p.x <= box.low.x;

@@ -31,7 +31,7 @@ class Sites {
   const Window& window() const { return window_; }
   /// The points beyond the window, as they are; the first is the site behind those of the grid.
   std::span<const Point> beyond() const { return beyond_; }
-  /// Where these lie, as the points in the window see it.
+  /// Where these lie, in the scale of the window.
   const HiddenPoints& hidden() const { return hidden_; }
 
   /// The point as it was given.
@@ -46,7 +46,7 @@ class Sites {
   std::vector<Duplicate> duplicates() const;
   /// No two are farther apart than this.
   long double diameter_bound() const;
-  /// The radius alpha, or none where it is known to be above every circumradius.
+  /// The radius alpha, or none where it is certainly above every circumradius.
   Radius reachable(double alpha) const {
     const Radius radius = Radius::of(alpha);
     return beyond_.empty() && window_.scaled(radius).is_infinite() ? Radius() : radius;

@@ -70,8 +70,8 @@ class EqualSquares {
     }
   }
 
-  /// Back to the squares of which these are quarters. Requires a depth above 0; nothing but max_held() and merge() is
-  /// known of them.
+  /// Back to the squares of which these are quarters. Requires a depth above 0; only max_held() and merge() may be called
+  /// then.
   void merge() {
     const std::size_t columns = std::size_t{1} << depth_--;
     std::vector<std::uint32_t> merged(held_.size() / 4);

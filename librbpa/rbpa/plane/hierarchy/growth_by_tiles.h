@@ -1,8 +1,8 @@
 // What:   the complex from level to level where tiles find all triangles at once.
 // Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every boundary
 //         halfedge is frozen.
-// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and
-//         are put beside what is there when their level comes.
+// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and are
+//         added to the mesh when their level comes.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.
 // Source: docs/hrbpa.md.
 #pragma once
@@ -30,7 +30,7 @@ class GrowthByTiles {
   /// The front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
 
-  /// Puts the triangles of a level into the mesh, levels being taken in ascending order from 0 on.
+  /// Puts the triangles of a level into the mesh, called for levels in ascending order from 0 on.
   /// Returns: how many sites have one of them.
   std::size_t grow(int level, meshops::Front& front);
 

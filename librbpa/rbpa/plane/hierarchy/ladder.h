@@ -58,7 +58,7 @@ class Ladder {
   int end_ = 0;
 };
 
-/// The ladder as the points in a window see it, scaled as they are.
+/// The ladder in the scale of the points in a window.
 class ScaledLadder {
  public:
   /// Keeps a reference to the ladder. Cost: linear in the levels.
@@ -70,7 +70,7 @@ class ScaledLadder {
   int end() const { return ladder_.end(); }
   bool is_last(int level) const { return ladder_.is_last(level); }
   const Radius& radius(int level) const { return radii_[static_cast<std::size_t>(level)]; }
-  /// As that of the ladder, of a radius as the points in the window see it.
+  /// As that of the ladder, of a radius in the scale of the window.
   int first_reaching(double radius) const { return ladder_.first_reaching(radius * per_scaled_); }
 
  private:

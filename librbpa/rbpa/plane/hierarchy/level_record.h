@@ -1,4 +1,4 @@
-// What: the levels of a hierarchy as a run goes through them: what is kept of each, and who is called when it ends.
+// What: the levels of a hierarchy as a run goes through them: the record of each, and the callback at its end.
 // Law:  a level between the first and the last on which no triangle came is left out.
 #pragma once
 
@@ -20,12 +20,12 @@ class LevelRecord {
               std::span<const std::uint32_t> input_index, Hierarchy& result)
       : alpha_(alpha), ended_(ended), input_index_(input_index), result_(result) {}
 
-  /// The mesh of the front is the complex of `radius`. Throws what the function of the caller throws.
+  /// The mesh of the front is the complex of `radius`. Rethrows what the caller's function throws.
   void end(Level level, const Radius& radius, bool is_last, const meshops::Front& front) {
     // The last has alpha as it was given: a radius beyond all circumradii is infinite to the run.
     level.alpha = is_last ? alpha_ : radius.value();
     level.triangles = front.faces();
-    // Sites may have been looked at in vain: which, depends on the order of the input.
+    // Sites may have been visited in vain: which, depends on the order of the input.
     if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
       result_.looked_in_vain += level.taking_part;
       return;

@@ -1,4 +1,4 @@
-// What:   the leaves of a quadtree over points, which measure how dense they lie.
+// What:   the leaves of a quadtree over points, which measure their density.
 // Law:    a square with more than `capacity` distinct points is cut in four, the first is the least square that begins
 //         at the lower left corner of the points' box and covers it. A function of the set of points.
 // Cost:   linear in the points where these lie evenly; otherwise at most in points times depth. A square whose points
@@ -57,7 +57,7 @@ class Quadtree {
     if (ask) ask();
     if (points.size() <= capacity_) return square.side;
     square = around(points, square);
-    // So deep that where all is even nothing is left to be cut; and that the counts stay in a cache.
+    // So deep that evenly spaced points need no further cut, and that the counts stay in a cache.
     int depth = 1;
     while (depth < 8 && (capacity_ << 2 * depth) < 16 * points.size()) ++depth;
     EqualSquares<Real> squares(square, depth);

@@ -1,4 +1,4 @@
-// What: what every run has in common: points to sites and an empty mesh, and a mesh on sites to a complex.
+// What: the beginning and the end of every run: points to sites and an empty mesh, and a mesh on sites to a complex.
 #pragma once
 
 #include <bit>
@@ -22,7 +22,7 @@ namespace rbpa {
 
 class Assembly {
  public:
-  /// Keeps references; the complex is empty yet. Asks `progress`, if any, while points are sorted. Throws Cancelled.
+  /// Keeps references; the complex is empty yet. Calls `progress`, if any, while points are sorted. Throws Cancelled.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads,
            const std::function<bool(const Progress&)>& progress = {})
       : sites_(input, threads, asking(progress, input.size())), threads_(threads), complex_(begin(complex)) {}

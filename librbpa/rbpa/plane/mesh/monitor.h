@@ -1,5 +1,6 @@
-// What: the visitor of every run: asks the caller, now and then, whether to go on. In the debug build, validates the mesh
-//       after every triangle while it is small, and each time it has grown by a sixteenth when it is large.
+// What: the visitor of every run: now and then calls the caller's progress function, which may cancel it. In the debug
+//       build, validates the mesh after every triangle while it is small, and each time it has grown by a sixteenth when it
+//       is large.
 #pragma once
 
 #include <algorithm>
@@ -51,8 +52,8 @@ class Monitor : public meshops::FrontVisitor {
     }
     step(front);
   }
-  /// A triangle takes a microsecond in one run and milliseconds in another: the clock is looked at after as many steps
-  /// as took about a millisecond before.
+  /// A triangle takes a microsecond in one run and milliseconds in another: the clock is read after as many steps as took
+  /// about a millisecond before.
   void step(const meshops::Front& front) {
     if (++steps_ < stride_ || !progress_) return;
     steps_ = 0;

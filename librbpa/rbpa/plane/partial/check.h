@@ -1,4 +1,4 @@
-// What: what the functions of this room require of alpha and of a region.
+// What: the requirements of this folder's functions on alpha and on a region.
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 
 namespace rbpa {
 
-/// Throws: InvalidInput that names what is wrong: numbers of what is not there, an order that is another, coordinates that are
+/// Throws: InvalidInput that names what is wrong: numbers of items that do not exist, a wrong order, coordinates that are
 ///         not finite. Cost: linear, and n log n in the corners of the cover.
 void check_state(const PartialState& state);
 

@@ -2,7 +2,7 @@
 // How:  the sum of their indicator functions is a sum of quadrants, one at each corner of each region, with a sign. Where
 //       regions lie side by side, corners cancel: what is left are the corners of the part covered.
 // Law:  a function of the part covered, not of how it was cut.
-// Cost: as many corners as that part has; n log n to look at them.
+// Cost: as many corners as that part has; n log n to check them.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// What is left open, in any order. Calls closed(chain) with what became a closed curve: each point of it once, in order.
+/// Returns: the chains that stay open, in any order. Calls closed(chain) for each closed curve: its points once, in order.
 /// Throws: InvalidInput when several chains begin, or end, with the same edge. Cost: n log n in the chains, and linear in
 ///         what is put together, but for the first of each.
 std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<void(Chain&&)>& closed);

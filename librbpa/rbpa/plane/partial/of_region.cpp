@@ -21,7 +21,7 @@ constexpr unsigned all = 7;  // corners are owned
 
 using Ask = std::function<void()>;
 
-/// Asks now and then whether to go on.
+/// Calls `ask` now and then, which throws to cancel.
 void ask_at(std::size_t step, const Ask& ask) {
   if (ask && step % 65536 == 0) ask();
 }
@@ -39,7 +39,7 @@ struct Pass {
   std::vector<OpenSide> boundary;          // sides that have an owned end
 };
 
-/// A region counts a side that has an owned end: then both of its triangles are known here.
+/// A region counts a side that has an owned end: then both of its triangles are here.
 void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pass& pass) {
   const auto& corners = of.triangulation().triangles[t];
   const auto& neighbors = of.triangulation().neighbors[t];

@@ -38,7 +38,7 @@ void check_frame(std::span<const std::uint8_t> bytes) {
   if (crc64(bytes.first(end)) != word_at(bytes, end)) refuse("the checksum is another, the bytes were changed");
 }
 
-/// Takes words one by one, and never more than there are.
+/// Reads words one by one, and never beyond the end.
 class Reader {
  public:
   Reader(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}

@@ -1,6 +1,6 @@
-// What: the triangles of a region and its halo, and what of them belongs to the region.
-// Law:  every triangle with a corner that the region owns is one of the whole complex, and so is what lies across of its
-//       sides at such a corner; of others nothing is known (docs/partial.md, section 3).
+// What: the triangles of a region and its halo, and which of them belong to the region.
+// Law:  every triangle with a corner that the region owns is one of the whole complex, and so are its neighbours across the
+//       sides at such a corner; others need not be (docs/partial.md, section 3).
 #pragma once
 
 #include <cstdint>

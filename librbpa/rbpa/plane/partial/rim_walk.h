@@ -1,4 +1,4 @@
-// What: walks along the boundary sides of a region's triangles, as far as the region knows how they go on.
+// What: walks along the boundary sides of a region's triangles, as far as the region determines how they go on.
 #pragma once
 
 #include <cstddef>

@@ -20,10 +20,11 @@ bool ring_before(const CornerRing& a, const CornerRing& b);
 /// Throws: InvalidInput when the rings are not those of a component.
 CornerPolygon polygon_of(OpenComponent&& component);
 
-/// Takes the holes out, in order, if they have so many corners, and remembers what has to be known of them under that name.
+/// Removes the holes and returns them in order, if they have so many corners; keeps their sums in the component, under that
+/// name.
 std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
 
-/// Of holes taken out of two components that are one.
+/// Adds the sums of holes removed from two components that are one.
 void add_taken(OpenComponent& to, OpenComponent&& from);
 
 }  // namespace rbpa

@@ -67,8 +67,8 @@ void number_chains(PartialState& state, const Numbers& number) {
             [&](const Chain& a, const Chain& b) { return edge(a) < edge(b); });
 }
 
-/// Takes out members that cannot come first: of finished polygons all but the first, and this one as well where the least
-/// point of an open component is known to be less. An open component may yet turn out to begin anywhere.
+/// Removes members that cannot come first: of finished polygons all but the first, and this one as well where an open
+/// component already has a lesser point. An open component may still turn out to begin anywhere.
 void drop_losers(Pinch& pinch, const PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::uint32_t first = no_index;

@@ -1,4 +1,4 @@
-// What: what a Partial consists of.
+// What: the data of a Partial.
 // Law:  in canonical form, but for the order of rings and of polygons, which bytes sort: components are numbered by their
 //       first shared triangle, groups by their first component.
 #pragma once
@@ -28,7 +28,7 @@ struct Chain {
   std::vector<Corner> path;
 };
 
-/// Of holes that were taken out of a component.
+/// The sums of holes that were removed from a component.
 struct HoleSums {
   std::uint64_t holes = 0;
   std::vector<ComponentName> names = {};  // ascending, none twice
@@ -37,9 +37,9 @@ struct HoleSums {
 
 /// A solid component of which regions are missing: it has a shared triangle.
 struct OpenComponent {
-  /// Components that hang together through points have the same.
+  /// Components that are connected through points have the same.
   std::uint32_t group = 0;
-  std::uint64_t points = 0;  // that count in it whatever comes
+  std::uint64_t points = 0;  // that count in it in any case
   /// The least of its chains and rings, at infinity where there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};

@@ -1,8 +1,8 @@
-// What: the solid alpha complex, patch by patch: those of tiles, then one of what tiles leave over.
+// What: the solid alpha complex, patch by patch: those of tiles, then one of the triangles that tiles leave over.
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
 // How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
 //       2. A finder makes a patch of each, and marks the stars that are settled (patches/find_patch.h).
-//       3. A sink puts patches together, one at a time where they have to do with each other.
+//       3. A sink puts patches together, one at a time where they depend on each other.
 //       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
 // Cost: linear where density is even; at worst O(n log n).
 #pragma once
@@ -17,7 +17,8 @@
 
 namespace rbpa {
 
-/// What becomes of patches. For each tile, in this order and with one Share, which is the tile's alone until fill() returns and is
+/// The receiver of patches. For each tile, in this order and with one Share, which is the tile's alone until fill() returns
+/// and is
 /// then used again: prepare(tile, share) in any thread; place(tile, share), one tile after another, in their order;
 /// fill(tile, share) in any thread. worked() is called after each place(), one call at a time, and now and then in the remainder.
 /// Each of them may throw, which ends the run.
@@ -30,7 +31,7 @@ concept PatchSink = requires(Sink& sink, const TilePatch& tile, typename Sink::S
   { Sink::needs_outline } -> std::convertible_to<bool>;  // whether patches come with their outlines
 };
 
-/// Returns: what tiles leave over, to be put beside the others.
+/// Returns: the patch that tiles leave over, to be added to the others.
 template <PatchSink Sink>
 meshops::Patch for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Sink& sink) {
   struct Workspace {

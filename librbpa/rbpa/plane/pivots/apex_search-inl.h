@@ -1,6 +1,6 @@
 // What: which point does a ball that rolls over a→b to its left touch first? For sixteen edges at a time, on the points
 //       of a tile. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  the answer is the Delaunay apex of the edge among all points, or none where the tile's points do not decide it.
+// Law:  the result is the Delaunay apex of the edge among all points, or none where the tile's points do not decide it.
 // How:  the circle through a, b and p has its centre k half-chords left of the chord's middle, and
 //       the least k wins. Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
 #if defined(RBPA_PIVOTS_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -50,7 +50,7 @@ class ApexSearch {
 
   EdgeBatch& edges() { return edges_; }
 
-  /// What edges have cost that needed more than a first look, in points looked at.
+  /// The cost of edges that needed more than the first window, in points scanned.
   std::size_t work() const { return work_; }
 
   /// Finds the apexes of the first `size` edges, at least one.
@@ -88,7 +88,8 @@ class ApexSearch {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t max_candidates = 64;
   static constexpr float max_reach = 4;  // the whole tile, from any point of it
-  // Measured: as many points looked at take as long as a window, what is done with an apex in it, and an exact decision.
+  // Measured: the number of points that can be scanned in the time of a search window, of an apex in it, and of an exact
+  // decision.
   static constexpr std::size_t work_of_window = 64, work_of_apex = 192, work_of_candidate = 16;
 
   /// What rounding can do to the numbers of an edge in a box so wide.
@@ -149,7 +150,7 @@ class ApexSearch {
     return ends;
   }
 
-  /// Among the points of at most three short rows; none: look again. Every point has a bit:
+  /// Among the points of at most three short rows; none: search again. Every point has a bit:
   ///     47 … 32  third row    31 … 16  second row    15 … 0  first row, its first point last
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
@@ -184,27 +185,27 @@ class ApexSearch {
     return decide(edge);
   }
 
-  /// Where vectors are emulated, MinOfLanes() does not know more than the largest finite number.
+  /// Where vectors are emulated, MinOfLanes() returns no more than the largest finite number.
   static HWY_INLINE float least_lane(V v) {
     const float least = hn::GetLane(hn::MinOfLanes(D(), v));
     return least < std::numeric_limits<float>::max() ? least : infinity;
   }
 
-  /// What the bounds left undecided.
+  /// Decides exactly what the bounds left undecided.
   HWY_NOINLINE Index decide(std::size_t edge) const {
     const auto a = static_cast<std::size_t>(edges_.a[edge]), b = static_cast<std::size_t>(edges_.b[edge]);
     return error_cross_[edge] == 0 ? exact_.winner_on_lattice(a, b, candidates_)
                                    : exact_.winner(a, b, candidates_, none);
   }
 
-  /// Where the first look finds more than three short rows.
+  /// Where the first window has more than three short rows.
   Index among_more(std::size_t edge) {
     const auto [winner, high] = among(edge, {edges_.c0[edge], edges_.c1[edge], edges_.r0[edge], edges_.r1[edge], true});
     edges_.high[edge] = high;
     return winner;
   }
 
-  /// From near to far, as far as it takes.
+  /// From near to far, as far as necessary.
   HWY_NOINLINE Index search(std::size_t edge) {
     const float dx = edges_.bx[edge] - edges_.ax[edge], dy = edges_.by[edge] - edges_.ay[edge];
     const float length = std::sqrt(dx * dx + dy * dy);
@@ -233,7 +234,7 @@ class ApexSearch {
     Index point;
     float high;  // infinity when there is none
   };
-  /// Loops end where none can foresee; within them nothing branches.
+  /// The ends of loops are unpredictable; within them nothing branches.
   HWY_NOINLINE Winner among(std::size_t edge, const Cells& cells) {
     const D d;
     constexpr std::size_t N = lanes;

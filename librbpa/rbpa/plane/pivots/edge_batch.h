@@ -1,4 +1,4 @@
-// What: sixteen edges of a front, and what is known of each while a ball rolls over it.
+// What: sixteen edges of a front, and for each the state of its pivot.
 // Why:  as arrays, so that a register holds the same number of many edges.
 #pragma once
 
@@ -12,27 +12,27 @@ struct EdgeBatch {
   static constexpr Index none = 0xffff;
   static constexpr std::size_t size = 16;
   static constexpr std::size_t rows_at_once = 3,
-                               row_length = 16;  ///< rows of cells, and points of one, at a first look
+                               row_length = 16;  ///< rows of cells, and points of one, in the first window
 
-  /// The edges, and how large a circle is worth a look at first: that of a triangle at the edge. One more of each, so that
-  /// a loop may write before it looks.
+  /// The edges, and the radius to try first: that of a triangle at the edge. One more of each, so that a loop may write
+  /// before it tests.
   alignas(64) std::int32_t a[size + 1], b[size + 1];
   alignas(64) float expected[size + 1];
 
   alignas(64) float ax[size], ay[size], bx[size], by[size];
-  /// The cells to look at, their extent, and whether all points there are known but for those of unknown cells.
+  /// The cells to search, their extent, and whether the tile has all points there but for those of unknown cells.
   alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size], is_inside[size];
   alignas(64) float extent[size];
   /// Whether these are at most three rows of at most sixteen points; the points of each row, and which are ends of the edge.
   alignas(64) std::int32_t fits[size];
   alignas(64) std::int32_t first[rows_at_once][size], count[rows_at_once][size], ends[rows_at_once][size];
 
-  /// How far left of the chord's middle, in half-chords, centres of circles are worth a look; how far the winner's is at
+  /// How far left of the chord's middle, in half-chords, centres of circles are of interest; how far the winner's is at
   /// most, infinite without one; and whether no other point can win.
   alignas(64) float k[size], high[size];
   alignas(64) std::int32_t is_verified[size];
 
-  /// The answers, and the radii of the circles.
+  /// The apexes, and the radii of the circles.
   Index apex[size];
   alignas(64) float found_radius[size];
 };

@@ -1,6 +1,6 @@
 // What:   the Delaunay triangles of a tile by ball pivoting, as far as its points decide them: a finder (tile/finder.h).
-// Law:    every triangle of the patch is one of the solid alpha complex of all points, and none is left out whose circle
-//         lies where all points are known and to which a front of such triangles leads.
+// Law:    every triangle of the patch is one of the solid alpha complex of all points, and none is left out whose
+//         circumcircle lies where the tile has all points and to which a front of such triangles leads.
 // Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic where these
 //         leave two points. See docs/tiles.md.
 // Source: Restricted BPA, sections 3.1 and 3.2.
@@ -19,8 +19,8 @@ struct PivotWorkspace {
   std::vector<float> circumradius;         // of each triangle
 };
 
-/// False where points lie along curves: their triangles reach across the void, where a search from near to far sees nothing
-/// for long.
+/// False where points lie along curves: their triangles reach across empty regions, where a search from near to far takes
+/// long.
 bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
                     TilePatch& found);
 

@@ -1,7 +1,7 @@
-// What: where the points are that can be first at an edge: which cells to look at, for sixteen edges at a time, and
-//       whether that was enough. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  a verified apex has no rival: the circle, left of the edge, lies in the cells that were looked at, and where all
-//       points are known.
+// What: the search window of a pivot: the cells to search for the apex, for sixteen edges at a time, and whether they were
+//       enough. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
+// Law:  a verified apex has no rival: the circle, left of the edge, lies in the cells that were searched, and where the
+//       tile has all points.
 #if defined(RBPA_PIVOTS_SEARCH_WINDOW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
 #undef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
@@ -80,8 +80,8 @@ class SearchWindow {
     }
   }
 
-  /// Which apexes are verified: the circle lies in the cells of the window, and where all points are known. Leaves the
-  /// cells in which to look for the others.
+  /// Which apexes are verified: the circle lies in the cells of the window, and where the tile has all points. Leaves the
+  /// cells in which to search for the others.
   HWY_NOINLINE void verify() {
     const D d;
     const I di;
@@ -116,7 +116,7 @@ class SearchWindow {
   bool is_known(const Cells& cells) const {
     return cells.inside && at_.is_known(cells.c0, cells.c1, cells.r0, cells.r1);
   }
-  /// The cells of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
+  /// The cells of the part left of the chord of the disc whose centre is k half-chords left of the chord's middle.
   Cells cells_for(std::size_t edge, float k) const {
     const D d;
     const Box box = box_of(hn::Set(d, edges_.ax[edge]), hn::Set(d, edges_.ay[edge]), hn::Set(d, edges_.bx[edge]),
@@ -133,7 +133,7 @@ class SearchWindow {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
   static constexpr int rows_at_once = EdgeBatch::rows_at_once;
   static constexpr int row_length = EdgeBatch::row_length;
-  // Measured: a first look this far finds the apex of nearly all edges, and seldom has to leave three rows.
+  // Measured: a first window of this size has the apex of nearly all edges, and seldom has to leave three rows.
   static constexpr float first_reach_in_cells = 1;
   static constexpr float first_reach_in_chords = 0.52f;
   static constexpr float first_reach_in_circles = 3;
@@ -142,9 +142,9 @@ class SearchWindow {
   struct Box {
     hn::Vec<I> c0, c1, r0, r1;
     V radius;
-    hn::Mask<D> inside;  // all points are known there, but for those of unknown cells
+    hn::Mask<D> inside;  // the tile has all points there, but for those of unknown cells
   };
-  /// The cells of what lies left of the chord in the disc whose centre is k half-chords left of the chord's middle.
+  /// The cells of the part left of the chord of the disc whose centre is k half-chords left of the chord's middle.
   HWY_INLINE Box box_of(V ax, V ay, V bx, V by, V k) const {
     const D d;
     const I di;

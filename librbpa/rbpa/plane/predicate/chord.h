@@ -1,7 +1,7 @@
 // What: points that compete for a circle through the ends of a chord: of those left of it, the one with the least circle
 //       has the least k = dot / cross: docs/pivot.md, section 1.
-// Law:  the answers are those of the predicates.
-// Why:  what a point and a chord have in common is computed once for each point, not for each pair of them.
+// Law:  the results are those of the predicates.
+// Why:  the products of a point and a chord are computed once for each point, not for each pair of them.
 #pragma once
 
 #include <bit>

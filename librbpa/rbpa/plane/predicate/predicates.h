@@ -1,8 +1,8 @@
 // What:   the exact decisions: side of a line, in-circle, circumradius against alpha, distances.
 // Law:    each returns the sign of a real number that its comment names, for every finite input. Exchange of arguments
 //         changes the sign as it does for the real number.
-// How:    a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); what it
-//         leaves goes to double-double, to expansions, or to integers of any length where exponents are extreme.
+// How:    a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); the rest
+//         goes to double-double, to expansions, or to integers of any length where exponents are extreme.
 // Cost:   a few nanoseconds; 0.1–1 µs when the filter fails.
 #pragma once
 
@@ -83,7 +83,7 @@ class Predicates {
 
   /// The side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically largest of
   /// the four is lifted most: if that is q, it leaves the circle; if it is a corner, the side depends on where the lift
-  /// of that corner tilts the circle. Three points of a circle are not on a line, so that there is no next to ask.
+  /// of that corner tilts the circle. Three points of a circle are not on a line, so that the sign is never zero.
   static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
     if (a < q && b < q && p < q) return -1;
     if (b < a && p < a) return orientation(q, b, p);
@@ -100,7 +100,7 @@ class Predicates {
     const Real difference = sides - factor * area * area;
     const Real bound =
         unit_roundoff * (32 * sides + factor * area_magnitude * (24 * area + 64 * unit_roundoff * area_magnitude));
-    // Which of the two is a toss of a coin at a radius like that of many triangles: no branch but for what is undecided.
+    // Which of the two holds is unpredictable at a radius like that of many triangles: a branch for the undecided only.
     if (std::abs(difference) > bound) [[likely]]
       return difference > 0 ? 1 : -1;
     return exact_integer::compare_circumradius(a, b, c, alpha);

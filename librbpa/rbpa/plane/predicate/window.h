@@ -1,6 +1,6 @@
 // What: the window through which doubles see a set of points: scaled by a power of two, most of them fit double. The few
 //       that are far larger or far finer than the others lie beyond it.
-// Why:  what fits double is decided by filters that need not think of underflow and overflow (magnitude.h), and nearly all
+// Why:  points that fit double are decided by filters without regard to underflow and overflow (magnitude.h), and nearly all
 //       input does, if not at its own scale.
 #pragma once
 
@@ -19,7 +19,7 @@ struct Window {
   std::vector<std::uint32_t> beyond;  ///< the positions of the others, ascending
   RadiusBounds bounds{};              ///< of the circumradii of those in the window, scaled
 
-  /// Alpha as the points in the window see it: 2^exponent alpha, or as good, where all circles are larger or smaller.
+  /// Alpha in the scale of the window: 2^exponent alpha, or an equivalent value, where all circles are larger or smaller.
   Radius scaled(const Radius& alpha) const;
 };
 

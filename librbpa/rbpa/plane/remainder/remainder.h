@@ -1,8 +1,9 @@
-// What:   what is missing when the patches of all tiles are there: found at once, from the points that matter for it.
+// What:   the triangles that the patches of all tiles lack: found in one triangulation, of the sites that are not settled
+//         and their neighbours.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
 // How:    a star is settled when every triangle of the complex around its site is in some patch. What is missing has no
 //         settled corner, and is in the Delaunay triangulation of those sites and their neighbours.
-// Cost:   linear in what comes with the patches; O(r log r) for the r sites that are not done: at worst all.
+// Cost:   linear in the lists of the patches; O(r log r) for the r sites that are not done: at worst all.
 // Source: docs/remainder.md.
 #pragma once
 
@@ -46,8 +47,8 @@ class Remainder {
 
   const Sites& sites_;
   Radius alpha_;
-  std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while nobody has seen the whole star
-  std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // sites whose stars are seen, and who is beside them
+  std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while no tile has seen the whole star
+  std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // sites whose stars are seen, with a neighbour each
   std::vector<Corners> loose_triangles_;                   // of patches, those that may have no settled corner
 };
 

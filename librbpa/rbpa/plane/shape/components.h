@@ -1,4 +1,4 @@
-// What: the solid components of a complex: triangles that hang together through edges.
+// What: the solid components of a complex: triangles connected through edges.
 #pragma once
 
 #include <cstdint>

@@ -42,7 +42,7 @@ class LengthSum {
   bool infinite_ = false;
 };
 
-/// What the edges of a polygon's rings, each with the polygon on its left, enclose, and how long they are.
+/// The area that the edges of a polygon's rings enclose, each with the polygon on its left, and their length.
 class BoundaryMeasure {
  public:
   BoundaryMeasure() = default;

@@ -105,7 +105,7 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
   std::vector<bool> known(polygons.size(), false);
   std::vector<std::size_t> waiting;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
-    // Over a shell lies what lies beside it: go down until a hole, the ground, or a polygon that knows.
+    // Over a shell lies what lies beside it: go down until a hole, the ground, or a polygon whose nesting is determined.
     std::size_t at = p;
     for (; !known[at]; at = below[at]->polygon) {
       waiting.push_back(at);

@@ -99,7 +99,7 @@ Polygon polygon_of(std::vector<Ring> rings, const Order& order, Steps& step) {
   return polygon;
 }
 
-/// Takes holes that are too small out of their polygons, and the polygons in those holes.
+/// Removes holes that are too small from their polygons, and the polygons in those holes.
 void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, double min_area, Steps& step) {
   std::vector<std::vector<bool>> filled;
   bool any = false;

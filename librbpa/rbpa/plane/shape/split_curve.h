@@ -24,7 +24,7 @@ class CurveSplitter {
  private:
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-  /// What was walked from `first` on is a ring.
+  /// The points walked from `first` on are a ring.
   Ring take(std::size_t first);
 
   std::vector<std::uint32_t> walked_;  // no point twice

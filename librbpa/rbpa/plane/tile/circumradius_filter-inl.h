@@ -19,7 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What a component of a difference of two points may be off, when none of them is larger than `extent`.
+/// The error bound of a component of a difference of two points, when none of them is larger than `extent`.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V error_of_difference(D d, V extent) {
   return hn::Set(d, 2 * TileCoordinates::rounding) + hn::Set(d, 1.1f * TileCoordinates::unit_roundoff) * extent;

@@ -1,7 +1,7 @@
 // What: a tile's points in single precision, relative to one of them, scaled so that the tile is within −1 … 1.
 // Law:  every coordinate is within `rounding` of the true one; on a lattice it is exact.
-// Why:  sixteen fit a vector register, and nothing can overflow. What is decided with them is decided with bounds that
-//       count the rounding; docs/tiles.md derives them.
+// Why:  sixteen fit a vector register, and nothing can overflow. Decisions with them use bounds that count the rounding;
+//       docs/tiles.md derives them.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace rbpa {
 
 struct TileCoordinates {
   static constexpr float unit_roundoff = 0x1p-24f;
-  static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and what is lost before
+  static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and the error before
   static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
 
   double scale = 1;  ///< a power of two
@@ -23,7 +23,7 @@ struct TileCoordinates {
   std::vector<std::int32_t> start, unknown;  ///< as the tile's; behind the last, three rows that are empty
   int columns = 0, rows = 0;
   float x0 = 0, y0 = 0, cell = 0, per_cell = 0;
-  /// Where all points are known, but for those of unknown cells; infinite where there is nothing beyond.
+  /// The box in which the tile has all points, but for those of unknown cells; infinite where there is nothing beyond.
   float x_low = 0, x_high = 0, y_low = 0, y_high = 0;
   /// Points in a box of at most this extent have differences whose products, and sums of two, are exact in single
   /// precision. 0 where the points are not on a lattice.

@@ -1,6 +1,5 @@
 // What: cuts the plane into tiles along the cells of the point grid.
-// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells that it lists as not
-//       know.
+// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells that it lists as unknown.
 // Cost: linear in the points of the tile and the cells of its block.
 #pragma once
 
@@ -28,11 +27,11 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 /// Cuts tiles out of a grid, one after another with the same memory.
 class Cutter {
  public:
-  /// Keeps references. Where a hidden point lies, and beyond it, a tile does not know what there is.
+  /// Keeps references. A tile lists the cells of hidden points as unknown, and does not assume that nothing lies beyond them.
   explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
-  /// The tile of a block: its points, and all around them that is worth knowing. Replaces `tile`. A block of more
-  /// points than a tile can have gives an empty tile.
+  /// The tile of a block: its points, and the ghosts around them. Replaces `tile`. The tile is empty if the block has more
+  /// points than a tile can have.
   void cut(const Block& block, Tile& tile);
 
  private:

@@ -89,7 +89,7 @@ class PatchExtraction {
   }
 
   /// The tile owns triangles whose least corner is its own. Of few, the corners must be compared: these come by
-  /// themselves, as none could be foreseen among the others.
+  /// themselves, as branches among the others would be unpredictable.
   void find_owned() {
     const std::size_t triangles = front_.triangles();
     std::uint16_t* const owned = room_for(workspace_.owned, triangles);
@@ -206,8 +206,8 @@ class PatchExtraction {
     result_.outline.inside.assign(inside.begin(), inside.end());
   }
 
-  /// Tells holes from other sides at which nothing of the patch lies. Most often a single one of them ends at a site, and
-  /// if that is a hole, it is the next of the one that begins there.
+  /// Distinguishes holes from other sides at which nothing of the patch lies. Most often a single one of them ends at a
+  /// site, and if that is a hole, it is the next of the one that begins there.
   void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;

@@ -1,6 +1,6 @@
 // What: the patch of a tile out of the triangles found on it, and the status of the stars around its points.
-// Cost: linear in the points and triangles of the tile. As a tile's points come in no order that could be foreseen, lists
-//       are written without branches: the next entry always, and counted if it is one.
+// Cost: linear in the points and triangles of the tile. As the order of a tile's points is unpredictable, lists are written
+//       without branches: the next entry always, and counted if it is one.
 #pragma once
 
 #include <cstdint>
@@ -25,14 +25,14 @@ struct ExtractionWorkspace {
       ending;  // of each point: the side that leaves it in an outline; one of the rim that ends there
   std::vector<CircumradiusFilter> within;  // of each triangle, alpha
   std::vector<std::uint8_t> star;          // of each point, its status
-  // Lists of the result, before their length is known.
+  // Lists of the result, before their length is determined.
   std::vector<std::uint32_t> settled, ghost_corners;
   std::vector<TilePatch::SharedStar> shared;
   std::vector<TilePatch::Neighbors> unsettled_neighbors;
   std::vector<int> outer;
 };
 
-/// Replaces `result` by what follows from the triangles on the front: those within alpha that the tile owns, and what is settled.
+/// Replaces `result` by the triangles on the front within alpha that the tile owns, and the sites that are settled.
 /// Requires the tile's coordinates.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);

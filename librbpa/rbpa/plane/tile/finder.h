@@ -1,6 +1,6 @@
-// What: what is common to those who find the triangles of a tile, by pivots (pivots/) or by enumeration (enumeration/).
-// Law:  a finder replaces `found` by a patch of the complex and what is settled by it, a function of the tile and alpha
-//       alone. It returns false where it can decide nothing or would be too slow; what is in `found` is of no use then.
+// What: the common part of the finders of a tile's triangles, by pivots (pivots/) or by enumeration (enumeration/).
+// Law:  a finder replaces `found` by a patch of the complex and the sites that it settles, a function of the tile and alpha
+//       alone. It returns false where it can decide nothing or would be too slow; `found` is unspecified then.
 #pragma once
 
 #include "rbpa/plane/tile/coordinates.h"
@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// What one thread finds patches with, from tile to tile; a finder has memory of its own besides.
+/// The memory of one thread, from tile to tile; a finder has memory of its own besides.
 struct TileWorkspace {
   TileCoordinates coordinates;  ///< of the tile; all else is for the finder to replace
   LocalFront front;             ///< the triangles found

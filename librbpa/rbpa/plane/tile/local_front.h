@@ -1,7 +1,7 @@
 // What: triangles of a tile and the front around them, in 16 bits a number.
 // Law:  a side of a triangle is glued as soon as the triangle across it is there.
 // Why:  an advancing front on a tile needs neither vertices nor curves: fans on one point are separated when the
-//       triangles come to the mesh. It stays in the fastest cache, and nothing waits for a branch that cannot be foreseen.
+//       triangles come to the mesh. It stays in the fastest cache, and has no unpredictable branch.
 #pragma once
 
 #include <cstddef>
@@ -64,8 +64,8 @@ class LocalFront {
     touched_[c] = 1;
   }
 
-  /// At the points that are marked there is no further triangle: they are touched, and no longer on the front. What is
-  /// stored of others is of no use from then on.
+  /// At the points that are marked there is no further triangle: they are touched, and no longer on the front. The records
+  /// of others are unspecified from then on.
   void seal(const std::vector<std::uint8_t>& marked) {
     for (std::size_t v = 0; v < head_.size(); ++v) {
       head_[v] = marked[v] ? none : head_[v];
@@ -93,7 +93,7 @@ class LocalFront {
     across_[s] = other;
     across_[other] = s;
   }
-  /// Whether there is a side to be glued to is a toss of a coin: both are done, and one of them has no effect.
+  /// Whether there is a side to be glued to is unpredictable: both cases are computed, and one of them has no effect.
   template <typename Added>
   void glue_or_add(Index s, Index from, Index to, Added added) {
     // Across lies a side that runs from `to` to `from`: it is listed where it ends.

@@ -1,6 +1,6 @@
-// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and where nothing is
-//       known.
-// Law:  plain data. What is computed from a tile depends on nothing else, so tiles can be run in any order, by any
+// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and the cells whose
+//       points it lacks.
+// Law:  plain data. Results of a tile depend on nothing else, so tiles can be run in any order, by any
 //       thread, or be sent elsewhere.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Tile {
   /// Beyond the cells on this side there are no points at all.
   bool nothing_left = false, nothing_right = false, nothing_below = false, nothing_above = false;
   std::vector<Point> points;
-  std::vector<std::uint32_t> site;  ///< of each point, what it is called outside
+  std::vector<std::uint32_t> site;  ///< of each point, its site
   std::vector<std::uint8_t>
       owned;  ///< of each point: 1 when the tile owns it, 0 when it is a ghost, of the halo around
   std::vector<std::uint16_t> start;  ///< of each cell its first point; and the end

@@ -1,4 +1,4 @@
-// What: what is found on a tile: a patch of the solid alpha complex, and what is settled by it.
+// What: the result of a tile: a patch of the solid alpha complex, and the sites that it settles.
 // Law:  a triangle comes from the tile that owns its least corner, and from no other.
 #pragma once
 
@@ -11,15 +11,15 @@
 
 namespace rbpa {
 
-/// The star of a site is the triangles of the complex around it. A tile has seen it when it owns the site and knows all of
+/// The star of a site is the triangles of the complex around it. A tile has seen it when it owns the site and found all of
 /// them; it is settled when they are all in its patch.
 struct TilePatch {
-  bool with_outline = true;  ///< the outline is wanted
+  bool with_outline = true;  ///< whether to compute the outline
   meshops::Patch patch;      ///< on the sites
   meshops::Outline outline;
   std::vector<std::uint32_t> settled;  ///< sites whose stars are settled
 
-  // What settles more stars when all tiles are done (remainder/remainder.h).
+  // Data that settle more stars when all tiles are done (remainder/remainder.h).
   struct SharedStar {
     std::uint32_t site, elsewhere;
   };

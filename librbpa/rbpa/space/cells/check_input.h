@@ -8,7 +8,7 @@
 
 namespace rbpa::space {
 
-/// Each throws InvalidInput, naming what is wrong, unless the input is as required.
+/// Each throws InvalidInput that names the violated requirement.
 /// Requires: finite points, fewer than 2^32 − 1.
 void check_points(std::span<const Point3> points);
 /// Requires: 0 < radius < infinity.

@@ -1,4 +1,4 @@
-// What: the points near to some of them, as a point set of its own.
+// What: the points near a subset, as a point set of its own.
 // Law:  a ball that touches a wanted point touches, holds and rests on the same points in the subset as in the whole set.
 // Cost: a sort of the points.
 #pragma once

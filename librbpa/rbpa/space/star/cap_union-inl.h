@@ -49,7 +49,7 @@ class CapUnion {
   std::size_t count() const { return count_; }
   const Neighbor& operator[](std::size_t i) const { return points_[i]; }
 
-  /// No cap covers a centre that is known up to `error`.
+  /// No cap covers a centre that has an error of up to `error`.
   bool misses(const Vector& center, double error) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = points_[i];

@@ -213,7 +213,7 @@ class FreeRegion {
             .spared = signs.covered & ends & signs.reverse_on};
   }
 
-  /// Step 2b: p may cut the arc's interior though its ends say otherwise; test the extremes. Drops the arcs that p does not
+  /// Step 2b: p may cut an arc's interior although its ends are not covered; test the extremes. Drops the arcs that p does not
   /// cut.
   /// Returns: whether all is certain.
   bool test_interiors(const Neighbor& p, double size, Cut& cut) const {

@@ -142,7 +142,7 @@ class InitialRegion {
     return deepest;
   }
 
-  /// Of the wanted lanes those that are certain.
+  /// Of the given lanes those that are certain.
   struct Sides {
     std::uint64_t free, covered;
   };

@@ -18,7 +18,7 @@ inline constexpr double flatness = 1e-10;
 static_assert(192 * 2200.0 * 2200.0 * unit_roundoff > error);
 static_assert(flatness > 4 * (16 * 2200 + 32) * unit_roundoff && flatness > 4 * 480 * unit_roundoff);
 
-/// Least sine of an angle between directions to two corners that is taken for above 0. A corner that is off by `error` radii
+/// Least sine of an angle between directions to two corners that counts as above 0. A corner that is off by `error` radii
 /// turns such a direction by about as much, and thrice that when two corners and a middle are compared.
 inline constexpr double slack = 1e-6;
 static_assert(slack >= 10 * error);

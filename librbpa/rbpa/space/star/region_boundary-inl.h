@@ -177,7 +177,7 @@ class RegionBoundary {
     return std::all_of(entries.begin(), entries.end(), [&](int entry) { return subdivide(entry, p); });
   }
 
-  /// What is known of corners and arcs for a point p.
+  /// The signs of corners and arcs with respect to a point p.
   struct Signs {
     std::uint64_t covered, uncertain;        // corners in p's cap, and those of which that is not certain
     std::uint64_t direction_on, reverse_on;  // arcs that the direction of p may be on, and the one away from it

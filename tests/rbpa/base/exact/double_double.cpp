@@ -28,7 +28,7 @@ bool is_normal(const DoubleDouble& t) { return std::abs(t.low) <= 0x1p-53 * std:
 
 }  // namespace
 
-TEST_CASE("differences of doubles are exact; products and sums are as near as the derivation says") {
+TEST_CASE("differences of doubles are exact; products and sums are as near as derived") {
   Random random(12);
   const Rational unit = rational(0x1p-53), unit_squared = unit * unit;
   int rounded = 0;

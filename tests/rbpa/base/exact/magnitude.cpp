@@ -70,7 +70,7 @@ TEST_CASE("magnitude_bound() is as if every coordinate had all its bits") {
   CHECK(rbpa::magnitude_bound({}).highest == rbpa::magnitude({}).highest);
 }
 
-TEST_CASE("zeros have no magnitude, and the limits of double are where fits_double() says") {
+TEST_CASE("zeros have no magnitude, and the limits of double are those of fits_double()") {
   const auto fits = [](double value) { return rbpa::fits_double(rbpa::magnitude(std::array{Point{value, 0}})); };
   CHECK(fits(0.0));
   CHECK(fits(-0.0));

@@ -73,7 +73,7 @@ TEST_CASE("as many points as many tiles have, some of them equal") {
   for (const double alpha : {0.7, infinity}) check_threads(points, alpha, 256);
 }
 
-TEST_CASE("points of which tiles can tell little") {
+TEST_CASE("points of which tiles decide little") {
   for (const Points& points : {rounded_concentric(40'000), along_curves(15'000)})
     for (const double alpha : {0.07, infinity}) check_threads(points, alpha, 256);
 }

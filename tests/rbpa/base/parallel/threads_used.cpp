@@ -14,7 +14,7 @@ using rbpa::threads_used;
 
 TEST_SUITE_BEGIN("parallel");
 
-TEST_CASE("as many as wanted, and no more than there are processors; all of them where 0 are wanted") {
+TEST_CASE("as many as given, and no more than there are processors; all of them for 0") {
   const unsigned processors = threads_used(1'000'000, 0);
   REQUIRE(processors >= 1);
   for (unsigned wanted = 1; wanted <= processors; ++wanted) CHECK(threads_used(1'000'000, wanted) == wanted);
@@ -26,7 +26,7 @@ TEST_CASE("one for a few points") {
   for (const unsigned wanted : {0u, 1u, 2u, 1024u}) CHECK(threads_used(100, wanted) == 1);
 }
 
-TEST_CASE("a run tells its progress from no more threads than threads_used says") {
+TEST_CASE("a run reports its progress from no more threads than threads_used returns") {
   const Points points = uniform(50'000, 4);
   for (const unsigned wanted : {0u, 1u, 2u}) {
     std::set<std::thread::id> tellers;

@@ -55,7 +55,7 @@ Patch triangulated(const Points& points) {
   return patch;
 }
 
-/// What a patch says of itself that is not so, "" when it is all right: turns, what is across, one hull.
+/// What is wrong with a patch, "" when nothing is: turns, what is across, one hull.
 std::string wrong_in(const Patch& patch, const Points& points) {
   const auto name = [&](std::size_t t) { return "triangle " + std::to_string(t); };
   if (patch.across.size() != patch.triangles.size()) return "sizes";
@@ -167,7 +167,7 @@ TEST_CASE("the triangles do not depend on the order of the points") {
   }
 }
 
-TEST_CASE("subsets agree: triangles whose corners are kept stay, whatever else is taken out") {
+TEST_CASE("subsets agree: triangles whose corners are kept stay, whatever else is removed") {
   Random random(5);
   for (const Points& points : {perfect_grid(25, 1), rotated_integer_grid(20), integer_concentric(1105, true)}) {
     const std::vector<Triangle> all = triangles_of(triangulated(points));
@@ -229,7 +229,7 @@ TEST_CASE("the number of threads changes no triangle, nor their order") {
   }
 }
 
-TEST_CASE("what is not kept is what those beside it are told") {
+TEST_CASE("what is not kept is replaced by its mark in the neighbours") {
   const Points points = uniform(2000, 14);
   const Patch all = triangulated(points);
   const auto by_sum = [](unsigned sum) { return sum % 4 == 0 ? Patch::open : sum % 4 == 1 ? Patch::nothing : 0; };

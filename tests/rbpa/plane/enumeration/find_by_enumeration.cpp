@@ -88,7 +88,7 @@ std::vector<Radius> least_radii(const SiteSet& sites) {
   return some;
 }
 
-/// Lattice points, some of which are taken.
+/// Lattice points, some of which are chosen.
 Points thinned_lattice(int columns, double unit, double kept, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -140,7 +140,7 @@ TEST_CASE("of all triangles within alpha those with a corner of the tile are fou
   }
 }
 
-TEST_CASE("what a tile tells is true, and the same by every vector unit: radii that few triangles are within") {
+TEST_CASE("the results of a tile are true, and the same by every vector unit: radii that few triangles are within") {
   Random random(11);
   const auto check = [](const TileSet& set, std::uint32_t most) {
     CAPTURE(set.name);
@@ -159,35 +159,35 @@ TEST_CASE("what a tile tells is true, and the same by every vector unit: radii t
   }
 }
 
-TEST_CASE("a tile that enumerates tells of every pair within a diameter, one of which it owns and another does not") {
+TEST_CASE("a tile that enumerates lists every pair within a diameter, one of which it owns and another does not") {
   const SiteSet sites(uniform(1500, 12));
   const Radius radius(0.5 * mean_spacing(sites.points));
   std::size_t pairs = 0;
   for (const Tile& tile : tiles_of(sites.grid, 300)) {
     Workspace workspace;
     REQUIRE(is_enumerated(tile, radius, workspace));
-    std::set<std::array<std::uint32_t, 2>> told(workspace.own.near_rim.begin(), workspace.own.near_rim.end());
+    std::set<std::array<std::uint32_t, 2>> near_rim(workspace.own.near_rim.begin(), workspace.own.near_rim.end());
     for (std::size_t v = 0; v < tile.points.size(); ++v)
       for (std::size_t u = 0; u < tile.points.size(); ++u) {
         if (!tile.owned[v] || tile.owned[u] || !radius.spans<double>(tile.points[v], tile.points[u])) continue;
-        CHECK(told.contains({tile.site[v], tile.site[u]}));
+        CHECK(near_rim.contains({tile.site[v], tile.site[u]}));
         ++pairs;
-        // Its site may turn out not to be known: who is near it then is to be told as well.
+        // Its site may turn out not to be settled: the points near it are listed then as well.
         for (std::size_t w = 0; w < tile.points.size(); ++w)
           if (w != v && tile.owned[w] && radius.spans<double>(tile.points[v], tile.points[w]))
-            CHECK(told.contains({tile.site[w], tile.site[v]}));
+            CHECK(near_rim.contains({tile.site[w], tile.site[v]}));
       }
   }
   CHECK(pairs > 100);
 }
 
-TEST_CASE("where alpha is small a tile knows all of its sites but those beside others, also without a triangle") {
+TEST_CASE("where alpha is small a tile settles all of its sites but those beside others, also without a triangle") {
   const SiteSet sites(uniform(1500, 13));
   for (const double alpha : {0.01, 0.3, 0.5}) {
     CAPTURE(alpha);
     const Radius radius(alpha * mean_spacing(sites.points));
     std::size_t known = 0, shared = 0;
-    for (const auto& tile : tell(sites.grid, radius, 2048)) {
+    for (const auto& tile : patches_of(sites.grid, radius, 2048)) {
       known += tile.settled.size();
       shared += tile.shared.size();
     }
@@ -196,7 +196,7 @@ TEST_CASE("where alpha is small a tile knows all of its sites but those beside o
   }
 }
 
-TEST_CASE("nothing is enumerated where it would not pay, or where points are not known") {
+TEST_CASE("nothing is enumerated where it would not pay, or where points are unknown") {
   Workspace workspace;
   const auto is_first_enumerated = [&](const Points& points, double alpha) {
     const Tile tile = tiles_of(rbpa::PointGrid(points), 2048).front();

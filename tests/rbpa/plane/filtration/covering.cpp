@@ -76,7 +76,7 @@ TEST_CASE("smallest_covering of a share is the least alpha at which the complex 
   CHECK(one_less_helps > 200);
 }
 
-TEST_CASE("a share in decimals means what it says") {
+TEST_CASE("a share in decimals is met exactly") {
   for (std::size_t all = 1; all <= 1000; all = all * 10)
     for (std::size_t count = 1; count <= all; ++count) {
       const double share = std::stod(std::to_string(count) + "e-" + std::to_string(std::to_string(all).size() - 1));
@@ -86,7 +86,7 @@ TEST_CASE("a share in decimals means what it says") {
     }
 }
 
-TEST_CASE("outliers and dust less than the share change nothing of what the points ask for") {
+TEST_CASE("outliers and dust less than the share do not change the alpha of the other points") {
   const Points points = uniform(400, 31);
   const std::optional<double> alone = covering_of(points, {0.98, 1});
   const std::optional<double> every_point = covering_of(points, {1, 1});
@@ -104,7 +104,7 @@ TEST_CASE("outliers and dust less than the share change nothing of what the poin
   }
 }
 
-TEST_CASE("a greater share and fewer components ask for a greater alpha") {
+TEST_CASE("a greater share and fewer components need a greater alpha") {
   for (const Points& points :
        {uniform(300, 32), clusters(20, 33), tiny_components(40, 34), random_grid(20, 150, true, 35)}) {
     const auto delaunay = delaunay_arrays(points);
@@ -166,7 +166,7 @@ TEST_CASE("false from go_on cancels a search for a share, in every phase") {
   }
 }
 
-TEST_CASE("the largest parts hold what a sorted list says") {
+TEST_CASE("the largest parts hold as much as by a sorted list") {
   Random random(40);
   rbpa::PartSizes sizes(50);
   std::vector<std::uint32_t> list;

@@ -29,7 +29,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 Filtration filtration_of(const Points& points) { return rbpa::filtration(delaunay_arrays(points), points); }
 
-/// What a step must say of this alpha, from the complex built anew.
+/// What a step must count at this alpha, from the complex built anew.
 FiltrationStep recounted(const Points& points, double alpha, double area) {
   const rbpa::ComplexCounts counts = rbpa::count(rbpa::rbpa(points, alpha));
   return {alpha, counts.triangles, counts.solid_components, counts.components, counts.holes, counts.points_covered,

@@ -97,7 +97,7 @@ TEST_CASE("the triangles of a step are a prefix, and those of the complex at its
   }
 }
 
-TEST_CASE("pairs are those of persistence, and their triangles come when they say") {
+TEST_CASE("pairs are those of persistence, and their triangles come at their alphas") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const Made made(set.points);

@@ -66,7 +66,7 @@ double half_diagonal(const Points& points) {
   return std::hypot(right->x - left->x, high->y - low->y) / 2;
 }
 
-// Shapes, by as many points as are said, in the square or disc that they are asked for.
+// Shapes, by a given number of points, in a given square or disc.
 
 Points in_disc(std::size_t count, rbpa::Point middle, double inside, double radius, Random& random) {
   Points points;

@@ -60,7 +60,7 @@ TEST_CASE("every distinct point is a site, where it was given, with the least of
     check_sites(repeated(points, 8));
 }
 
-TEST_CASE("no two are farther apart than is said, however they are scaled") {
+TEST_CASE("no two are farther apart than the bound, however they are scaled") {
   rbpa::Threads one;
   for (const Points& points :
        {uniform(50, 9), scaled(uniform(50, 10), -800), mixed_exponents(10, 11), corners_of_range()}) {

@@ -40,7 +40,7 @@ std::size_t check(Kind kind, Random& random) {
     const Real r = circumradius<Real>(p[0], p[1], p[2]);
     REQUIRE(r > 0);
     REQUIRE(std::isfinite(r));
-    // What double can say of it without rounding of its own.
+    // The bound in double, without rounding of its own.
     if (r < Real(1e-290) || r > Real(1e290)) continue;
     const auto number = static_cast<double>(r);
     REQUIRE(exact::compare_circumradius(p[0], p[1], p[2], number * (1 - digits)) >= 0);

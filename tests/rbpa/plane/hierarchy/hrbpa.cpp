@@ -62,7 +62,7 @@ void check_law_of_the_levels(const Points& points, double alpha, std::size_t lea
   FAIL_CHECK(wrong, "\nshrunk: ", wrong_with_hierarchy(few, alpha, leaf_capacity), "\n", literal(few));
 }
 
-/// What the call says when it refuses; "" when it does not.
+/// The message of a refusal; "" when there is none.
 std::string refusal(const Points& points, double alpha, std::size_t leaf_capacity = 64) {
   try {
     rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = [](const rbpa::Progress&) -> bool {
@@ -183,7 +183,7 @@ TEST_CASE("random sets on small grids obey the law of the levels for any capacit
 }
 
 TEST_CASE("the triangles and the levels that add some do not depend on the order of the input") {
-  // How a site is asked depends on the order of sites: there may be a level more on which nothing happens.
+  // How a site is tested depends on the order of sites: there may be a level more on which nothing happens.
   using Growth = std::vector<std::pair<double, std::size_t>>;
   const auto growth = [](const Hierarchy& h) {
     Growth found;

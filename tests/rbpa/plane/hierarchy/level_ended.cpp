@@ -94,7 +94,7 @@ void for_small_sets(const Check& check) {
 
 }  // namespace
 
-TEST_CASE("the levels that are told are those of the result, each with as many faces as it has triangles") {
+TEST_CASE("the levels that are reported are those of the result, each with as many faces as it has triangles") {
   std::size_t levels = 0, in_vain = 0;
   for_small_sets([&](const Points& points, std::size_t k) {
     const auto& [hierarchy, seen] = watch(points, infinity, k);
@@ -166,7 +166,7 @@ TEST_CASE("what the visitor throws ends the run at that level") {
   }
 }
 
-TEST_CASE("where there are no levels nothing is told") {
+TEST_CASE("where there are no levels nothing is reported") {
   for (const Points& points : {Points{}, Points{{1, 2}, {3, 4}}, Points{{0, 0}, {1, 1}, {3, 3}}})
     CHECK(watch(points, infinity, 1).seen.empty());
 }

@@ -24,7 +24,7 @@ Points distinct(Points points) {
   return points;
 }
 
-/// As the law says it, square by square.
+/// By the definition, square by square.
 template <typename Real>
 Real textbook(const Points& points, Real x, Real y, Real side, std::size_t capacity) {
   const Real middle_x = x + side / 2, middle_y = y + side / 2;

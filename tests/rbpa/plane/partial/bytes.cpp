@@ -82,7 +82,7 @@ TEST_CASE("the checksum is that of the XZ format") {
   CHECK(rbpa::crc64(text("This is a test of the emergency broadcast system.")) == 0x27DB'187F'C15B'BC72);
 }
 
-TEST_CASE("bytes say all, and the same bytes are written again") {
+TEST_CASE("bytes hold everything, and the same bytes are written again") {
   Partial without_holes = with_all_lists();
   CHECK(rbpa::take_holes(without_holes).size() == 1);
   for (const Partial& partial : {Partial(), with_all_lists(), without_holes}) {
@@ -119,7 +119,7 @@ TEST_CASE("cut off anywhere, or a bit changed anywhere: refused") {
   }
 }
 
-TEST_CASE("what is wrong is said") {
+TEST_CASE("a refusal names what is wrong") {
   const Bytes bytes = rbpa::to_bytes(with_all_lists());
   CHECK(refusal({}).find("RBPAPART") != std::string::npos);
   CHECK(refusal(Bytes(100, 7)).find("100 bytes that do not begin with RBPAPART") != std::string::npos);

@@ -45,7 +45,7 @@ Region random_region(Random& random) {
   return {x0, y0, x1, y1};
 }
 
-/// Every kind of place that borders on integers from −4 to 4 can tell apart.
+/// Every kind of place that borders on integers from −4 to 4 distinguish.
 std::vector<Point> places() {
   std::vector<double> along{-infinity, -5};
   for (int i = -4; i <= 4; ++i) along.push_back(i);

@@ -203,7 +203,7 @@ TEST_CASE("what is finished does not stay: a long row of islands has a small rim
   CHECK(rbpa::finish(std::move(all)).polygons.empty());
 }
 
-TEST_CASE("a polygon is finished when an open component that it touches is known to come first") {
+TEST_CASE("a polygon is finished when an open component that it touches certainly comes first") {
   // A block of squares, and one that touches it in (14, 14).
   Points points{{16, 14}, {14, 16}, {16, 16}, {15, 15}};
   for (int x = 0; x <= 14; ++x)
@@ -282,7 +282,7 @@ TEST_CASE("other radii and regions that overlap are not merged") {
              "from (5, 8) on is in both"));
 }
 
-TEST_CASE("what is missing is said") {
+TEST_CASE("a refusal names what is missing") {
   const Points points = uniform(400, 1);
   const auto part = [&](const Region& region) { return rbpa::partial(region, given(region, points, 1), 1); };
   CHECK(says(refusal([&] { rbpa::finish(part(halves[0])); }), "none has the place from (10, -inf) on"));
@@ -292,7 +292,7 @@ TEST_CASE("what is missing is said") {
 
 TEST_CASE("halos that are not complete are found when they matter") {
   const Points points = uniform(400, 1);
-  // The second half knows its own points only.
+  // The second half has its own points only.
   const auto both = [&] {
     return rbpa::merge(rbpa::partial(halves[0], given(halves[0], points, 1), 1),
                        rbpa::partial(halves[1], given(halves[1], points, 0x1p-60), 1));

@@ -66,16 +66,16 @@ void check(const TileSet& set, std::uint32_t max_points) {
 
 }  // namespace
 
-TEST_CASE("what a tile tells is true, and the same by every vector unit: all points in a tile") {
+TEST_CASE("the results of a tile are true, and the same by every vector unit: all points in a tile") {
   for (const TileSet& set : tile_sets()) check(set, 2048);
 }
 
-TEST_CASE("what a tile tells is true, and the same by every vector unit: small tiles") {
+TEST_CASE("the results of a tile are true, and the same by every vector unit: small tiles") {
   for (const TileSet& set : tile_sets())
     for (const std::uint32_t most : {5u, 40u}) check(set, most);
 }
 
-TEST_CASE("what a tile tells is true, and the same by every vector unit: a few points") {
+TEST_CASE("the results of a tile are true, and the same by every vector unit: a few points") {
   Random random(2);
   for (int round = 0; round < 600; ++round) {
     CAPTURE(round);
@@ -84,7 +84,7 @@ TEST_CASE("what a tile tells is true, and the same by every vector unit: a few p
   }
 }
 
-TEST_CASE("what a tile tells is true, and the same by every vector unit: beside crowds that it does not know") {
+TEST_CASE("the results of a tile are true, and the same by every vector unit: beside unknown crowds") {
   Random random(6);
   for (int round = 0; round < 150; ++round) {
     CAPTURE(round);
@@ -96,7 +96,7 @@ TEST_CASE("what a tile tells is true, and the same by every vector unit: beside 
   }
 }
 
-TEST_CASE("a point that is off a lattice by less than differences can tell is not of the lattice") {
+TEST_CASE("a point that is off a lattice by less than differences can resolve is not of the lattice") {
   // Differences from the third point round to those from (0, 0), which would be on a circle with the others.
   const Points five = {{1, 2}, {-2, 1}, {0x1p-60, 0}, {-2, -1}, {-1, 0}};
   const Points nine = {{2, 1}, {3, 2}, {-3, 3}, {-3, -2}, {2, -2}, {-1, -3}, {3, -1}, {1e-20, 1e-20}, {3, 1}};
@@ -104,7 +104,7 @@ TEST_CASE("a point that is off a lattice by less than differences can tell is no
     for (const std::uint32_t most : {1u, 6u, 2048u}) check({"lattice around a stranger", points}, most);
 }
 
-TEST_CASE("a tile tells the same whatever the workspace and the result were used for before") {
+TEST_CASE("a tile finds the same whatever the workspace and the result were used for before") {
   Random random(3);
   FinderWorkspace used;
   TilePatch again;
@@ -120,10 +120,10 @@ TEST_CASE("a tile tells the same whatever the workspace and the result were used
     for (const Block& block : blocks) {
       cutter.cut(block, tile);
       FinderWorkspace fresh;
-      TilePatch told;
-      find_patch(tile, Radius(), fresh, told);
+      TilePatch found;
+      find_patch(tile, Radius(), fresh, found);
       find_patch(tile, Radius(), used, again);
-      CHECK(same(told, again));
+      CHECK(same(found, again));
     }
   }
   find_patch(Tile(), Radius(), used, again);
@@ -132,7 +132,7 @@ TEST_CASE("a tile tells the same whatever the workspace and the result were used
   CHECK(again.settled.empty());
 }
 
-TEST_CASE("tiles along streets give up and tell nothing, at every vector unit") {
+TEST_CASE("tiles along streets give up and find nothing, at every vector unit") {
   Random random(8);
   Points streets;
   for (int i = 0; i < 20000; ++i) {
@@ -143,12 +143,12 @@ TEST_CASE("tiles along streets give up and tell nothing, at every vector unit") 
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     const OneTarget only(target);
     std::size_t triangles = 0;
-    for (const TilePatch& tile : tell(grid, Radius(), 2048)) triangles += tile.patch.triangles.size();
+    for (const TilePatch& tile : patches_of(grid, Radius(), 2048)) triangles += tile.patch.triangles.size();
     CHECK(triangles < streets.size() / 8);
   }
 }
 
-TEST_CASE("a tile that has all points knows most sites and triangles of a set of even density") {
+TEST_CASE("a tile that has all points settles most sites and finds most triangles of a set of even density") {
   for (const TileSet& set :
        {TileSet{"uniform", uniform(1500, 5)}, TileSet{"grid", perfect_grid(40, 1)},
         TileSet{"fine grid far out", moved(perfect_grid(40, 0x1p-20), 0x1p30, 0x1p31)},
@@ -159,9 +159,9 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
       const OneTarget only(target);
       for (const std::uint32_t most : {300u, 2048u}) {
         std::size_t triangles = 0, known = 0;
-        const auto told = tell(sites.grid, Radius(), most);
-        CHECK(wrong_with(told, sites.delaunay) == "");
-        for (const TilePatch& tile : told) {
+        const auto patches = patches_of(sites.grid, Radius(), most);
+        CHECK(wrong_with(patches, sites.delaunay) == "");
+        for (const TilePatch& tile : patches) {
           triangles += tile.patch.triangles.size();
           known += tile.settled.size();
         }
@@ -177,7 +177,7 @@ TEST_CASE("a tile that has all points knows most sites and triangles of a set of
             if (!radius.admits<double>(sites.points[t[0]], sites.points[t[1]], sites.points[t[2]]))
               sides.insert({t[i], t[(i + 1) % 3]});
         std::size_t nothing = 0, open = 0;
-        for (const TilePatch& tile : tell(sites.grid, radius, most))
+        for (const TilePatch& tile : patches_of(sites.grid, radius, most))
           for (std::size_t t = 0; t < tile.patch.triangles.size(); ++t)
             for (std::size_t i = 0; i < 3; ++i) {
               const auto from = static_cast<std::uint32_t>(tile.patch.triangles[t][i]),

@@ -48,7 +48,7 @@ std::vector<Triangle> triangles_on(const meshops::Front& front) {
   return canonical(std::move(found));
 }
 
-/// Lays the tiles of a set: returns how many sites are known.
+/// Lays the tiles of a set: returns how many sites are settled.
 std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   rbpa::Threads threads(2);
   const rbpa::Sites sites(input, threads);
@@ -125,7 +125,7 @@ Points together(Points a, const Points& b) {
 
 }  // namespace
 
-TEST_CASE("what is laid is sound and of the complex; nothing is missing at known sites, nor beyond frozen sides") {
+TEST_CASE("what is laid is sound and of the complex; nothing is missing at settled sites, nor beyond frozen sides") {
   std::ptrdiff_t known = 0;
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);

@@ -1,4 +1,4 @@
-// Tiles beside points that are not in the grid: what they tell is true of all points.
+// Tiles beside points that are not in the grid: their results are true of all points.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Counts {
   std::size_t triangles = 0, known = 0;
 };
 
-/// Hides some points, and lets tiles of the others tell what they know.
+/// Hides some points, and computes the tiles of the others.
 Counts check_hidden(const Points& points, const Points& hidden, const Radius& radius) {
   const PointGrid grid(points);
   const auto& all = grid.levels()[0];
@@ -39,7 +39,7 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
     if (radius.admits<double>(together[t[0]], together[t[1]], together[t[2]])) complex.insert(t);
 
   Counts counts;
-  std::set<Triangle> told;
+  std::set<Triangle> found;
   std::vector<std::uint32_t> known;
   rbpa::Cutter cutter(grid, places);
   rbpa::Tile tile;
@@ -48,21 +48,22 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
   for (const rbpa::Block& block : rbpa::blocks(grid, 200)) {
     cutter.cut(block, tile);
     find_patch(tile, radius, workspace, triangles);
-    for (const auto& t : triangles.patch.triangles) told.insert(canonical({{{t[0], t[1], t[2]}}})[0]);
+    for (const auto& t : triangles.patch.triangles) found.insert(canonical({{{t[0], t[1], t[2]}}})[0]);
     known.insert(known.end(), triangles.settled.begin(), triangles.settled.end());
   }
-  for (const Triangle& t : told) CHECK(complex.contains(t));
+  for (const Triangle& t : found) CHECK(complex.contains(t));
   const std::set<std::uint32_t> complete(known.begin(), known.end());
   for (const Triangle& t : complex)
-    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t s) { return complete.contains(s); })) CHECK(told.contains(t));
-  counts.triangles = told.size();
+    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t s) { return complete.contains(s); }))
+      CHECK(found.contains(t));
+  counts.triangles = found.size();
   counts.known = known.size();
   return counts;
 }
 
 }  // namespace
 
-TEST_CASE("a tile tells no triangle whose circle holds a hidden point, and knows no site that has one beside it") {
+TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settles no site that has one beside it") {
   Random random(1);
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);

@@ -13,7 +13,7 @@ using rbpa::Point;
 
 TEST_SUITE_BEGIN("predicates");
 
-TEST_CASE("integers of any length say what rational numbers say") {
+TEST_CASE("integers of any length agree with rational numbers") {
   Random random(21);
   std::vector<Kind> kinds(kinds_that_fit_double.begin(), kinds_that_fit_double.end());
   kinds.push_back(Kind::extreme);

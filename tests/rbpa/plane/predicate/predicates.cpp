@@ -26,7 +26,7 @@ std::vector<Kind> kinds() {
   return all;
 }
 
-/// About the circumradius of (a, b, c), or about half of |ab|, or anything: within what the predicates take.
+/// About the circumradius of (a, b, c), or about half of |ab|, or anything: within the domain of the predicates.
 double radius_near(const Point& a, const Point& b, const Point& c, Random& random) {
   using Long = Predicates<long double>;
   const auto ab = Long::from(a, b), bc = Long::from(b, c), ca = Long::from(c, a);
@@ -51,7 +51,7 @@ bool make_left_turn(std::array<Point, 4>& s) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("every predicate says what rational numbers say", Real, double, long double) {
+TEST_CASE_TEMPLATE("every predicate agrees with rational numbers", Real, double, long double) {
   using P = Predicates<Real>;
   Random random(31);
   for (const Kind kind : kinds<Real>()) {

@@ -31,15 +31,15 @@ TEST_SUITE_BEGIN("remainder");
 
 namespace {
 
-/// What each tile tells, in any order; of some tiles nothing.
-std::vector<TilePatch> tell(const PointGrid& grid, const Radius& radius, std::uint32_t max_points, double share_told,
-                            Random& random) {
+/// The patch of each tile, in any order; of some tiles nothing.
+std::vector<TilePatch> patches_of(const PointGrid& grid, const Radius& radius, std::uint32_t max_points,
+                                  double share_found, Random& random) {
   std::vector<TilePatch> told;
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
   rbpa::FinderWorkspace workspace;
   for (const rbpa::Block& block : rbpa::blocks(grid, max_points)) {
-    if (!random.chance(share_told)) continue;
+    if (!random.chance(share_found)) continue;
     cutter.cut(block, tile);
     find_patch(tile, radius, workspace, told.emplace_back());
   }
@@ -57,7 +57,7 @@ struct Counts {
 };
 
 /// The first law that is broken, "" when none is.
-std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t max_points, double share_told,
+std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t max_points, double share_found,
                        std::uint64_t seed, Counts& counts) {
   Random random(seed);
   rbpa::Threads one;
@@ -73,7 +73,7 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   }
   Remainder remainder(sites, radius);
   std::set<Triangle> told;
-  for (const TilePatch& tile : tell(grid, radius, max_points, share_told, random)) {
+  for (const TilePatch& tile : patches_of(grid, radius, max_points, share_found, random)) {
     remainder.add(tile);
     for (const auto& t : tile.patch.triangles) told.insert(corners(t));
   }
@@ -119,18 +119,18 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
                               std::to_string(all.size());
 }
 
-Counts check(const TileSet& set, const Radius& radius, std::uint32_t max_points, double share_told) {
+Counts check(const TileSet& set, const Radius& radius, std::uint32_t max_points, double share_found) {
   constexpr std::uint64_t seed = 5;
   Counts counts, ignored;
-  const std::string wrong = wrong_with(set.points, radius, max_points, share_told, seed, counts);
+  const std::string wrong = wrong_with(set.points, radius, max_points, share_found, seed, counts);
   if (wrong.empty()) return counts;
   const auto fails = [&](const Points& p) {
-    return p.size() > 2 && !wrong_with(p, radius, max_points, share_told, seed, ignored).empty();
+    return p.size() > 2 && !wrong_with(p, radius, max_points, share_found, seed, ignored).empty();
   };
   const Points few = shrink(set.points, fails);
   FAIL_CHECK(set.name << ", radius " << (radius.is_infinite() ? "infinity" : literal(radius.value())) << ", at most "
                       << max_points << " in a tile: " << wrong << "; less points: " << literal(few) << ": "
-                      << wrong_with(few, radius, max_points, share_told, seed, ignored));
+                      << wrong_with(few, radius, max_points, share_found, seed, ignored));
   return counts;
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: a few points
   }
 }
 
-TEST_CASE("tiles and remainder are the complex, each triangle once: when some tiles tell nothing") {
+TEST_CASE("tiles and remainder are the complex, each triangle once: when some tiles find nothing") {
   Random random(3);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);

@@ -118,7 +118,7 @@ TEST_CASE("which points lie in filled holes can be cancelled, wherever it is") {
     std::size_t left = last;
     CHECK_THROWS_AS(rbpa::polygon_of_points(complex, polygons, filled, points, [&] { return --left > 0; }),
                     rbpa::Cancelled);
-    CHECK(left == 0);  // and was not asked again
+    CHECK(left == 0);  // and was not called again
   }
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("the order does not matter") {
   }
 }
 
-TEST_CASE("sums of parts are the sum, and digits say all of it") {
+TEST_CASE("sums of parts are the sum, and its digits hold all of it") {
   Random random(3);
   for (int run = 0; run < 500; ++run) {
     const Products products = random_products(random, 300);

@@ -167,7 +167,7 @@ TEST_CASE("random pictures: parts, holes, areas and perimeters are those of a fl
     for (int run = 0; run < 25; ++run) checked(random_picture(12, 15, solid, random));
 }
 
-TEST_CASE("filters: random pictures, filled and dropped as flood fill says") {
+TEST_CASE("filters: random pictures, filled and dropped as by a flood fill") {
   Random random(4);
   for (const double solid : {0.5, 0.6, 0.7, 0.8})
     for (int run = 0; run < 10; ++run) {
@@ -185,7 +185,7 @@ TEST_CASE("filters: random pictures, filled and dropped as flood fill says") {
     }
 }
 
-TEST_CASE("filters: a hole that is filled takes the islands in it along, one that stays keeps them") {
+TEST_CASE("filters: a hole that is filled covers the islands in it, one that stays keeps them") {
   const Picture picture = {"#######",  //
                            "#.....#",  //
                            "#.###.#",  //
@@ -226,21 +226,21 @@ TEST_CASE("arrays of other points are refused, and a cancelled run ends") {
   CHECK_THROWS_AS(rbpa::polygons(points, arrays, {}, [] { return false; }), rbpa::Cancelled);
 }
 
-TEST_CASE("dust, and a plate with many holes: every sort asks whether to go on") {
+TEST_CASE("dust, and a plate with many holes: every sort can be cancelled") {
   const Points points = uniform(60000, 5);
   for (const double alpha : {0.6, 0.9}) {  // some triangles and a few holes; most of them
     CAPTURE(alpha);
     const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
     const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true});
-    std::size_t asked = 0;
+    std::size_t calls = 0;
     const auto count_asks = [&](const PolygonFilter& filter) {
-      asked = 0;
-      const auto go_on = [&] { return ++asked > 0; };
+      calls = 0;
+      const auto go_on = [&] { return ++calls > 0; };
       const std::vector<Polygon> made = rbpa::polygons(points, arrays, filter, go_on);
-      const std::size_t of_arrays = asked;
-      asked = 0;
+      const std::size_t of_arrays = calls;
+      calls = 0;
       CHECK(rbpa::polygons(complex, filter, go_on) == made);
-      CHECK(2 * asked > of_arrays);
+      CHECK(2 * calls > of_arrays);
       return of_arrays;
     };
     const auto edges = static_cast<double>(arrays.boundary.size());
@@ -252,7 +252,7 @@ TEST_CASE("dust, and a plate with many holes: every sort asks whether to go on")
       std::size_t left = last;
       CHECK_THROWS_AS(rbpa::polygons(points, arrays, {.min_hole_area = infinity}, [&] { return --left > 0; }),
                       rbpa::Cancelled);
-      CHECK(left == 0);  // and was not asked again
+      CHECK(left == 0);  // and was not called again
     }
   }
 }

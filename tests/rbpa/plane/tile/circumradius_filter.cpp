@@ -68,7 +68,7 @@ struct Counts {
   std::size_t inside = 0, outside = 0, uncertain = 0;
 };
 
-/// What is told of all triangles, checked. The front and the coordinates are used again, as they are from tile to tile.
+/// The filter's result for all triangles, checked. The front and the coordinates are used again, as they are from tile to tile.
 class Checked {
  public:
   Counts operator()(const Sample& sample, double alpha) {
@@ -81,17 +81,17 @@ class Checked {
     Counts counts;
     for (std::size_t i = 0; i < sample.triangles.size(); ++i) {
       const Corners& t = sample.triangles[i];
-      const CircumradiusFilter told = filtered_[i + 1];
-      (told == CircumradiusFilter::inside    ? counts.inside
-       : told == CircumradiusFilter::outside ? counts.outside
-                                             : counts.uncertain) += 1;
-      if (told == CircumradiusFilter::uncertain) continue;
+      const CircumradiusFilter decided = filtered_[i + 1];
+      (decided == CircumradiusFilter::inside    ? counts.inside
+       : decided == CircumradiusFilter::outside ? counts.outside
+                                                : counts.uncertain) += 1;
+      if (decided == CircumradiusFilter::uncertain) continue;
       const bool is_within = P::compare_circumradius(sample.tile.points[t[0]], sample.tile.points[t[1]],
                                                      sample.tile.points[t[2]], alpha) <= 0;
-      if ((told == CircumradiusFilter::inside) == is_within) continue;
+      if ((decided == CircumradiusFilter::inside) == is_within) continue;
       CAPTURE(circumradius(sample.tile, t));
       CAPTURE(alpha);
-      FAIL_CHECK("triangle " << i << " is said to be within alpha: " << (told == CircumradiusFilter::inside));
+      FAIL_CHECK("triangle " << i << " is said to be within alpha: " << (decided == CircumradiusFilter::inside));
     }
     return counts;
   }
@@ -104,7 +104,7 @@ class Checked {
 
 }  // namespace
 
-TEST_CASE("what single precision tells of a radius is true, on every kind of vector unit") {
+TEST_CASE("what single precision decides of a radius is true, on every kind of vector unit") {
   struct Kind {
     double corner, size, reach, pitch;
   };
@@ -146,7 +146,7 @@ TEST_CASE("little is left to exact arithmetic") {
     CHECK(counts.outside > 100);
     CHECK(counts.uncertain < 10);
   }
-  // Nothing is outside a radius beyond all that can be told apart.
+  // Nothing is outside a radius beyond all that can be distinguished.
   CHECK(check(made, 1e12).outside == 0);
 }
 

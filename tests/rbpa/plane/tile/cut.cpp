@@ -104,7 +104,7 @@ int check_tiles(const Points& points, std::uint32_t max_points) {
 
 }  // namespace
 
-TEST_CASE("every site has one owner, and a tile has every point of its box or says where not: small sets") {
+TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: small sets") {
   int with_unknown = 0;
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
@@ -113,7 +113,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or sa
   CHECK(with_unknown > 0);
 }
 
-TEST_CASE("every site has one owner, and a tile has every point of its box or says where not: a few points") {
+TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: a few points") {
   Random random(1);
   for (int round = 0; round < 400; ++round) {
     const TileSet set = few_points(random);
@@ -123,7 +123,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or sa
   }
 }
 
-TEST_CASE("every site has one owner, and a tile has every point of its box or says where not: generated sets") {
+TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: generated sets") {
   int with_unknown = 0;
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
@@ -138,7 +138,7 @@ TEST_CASE("a tile has no more points than it can have: what is around it is unkn
   CHECK(check_tiles(uniform(31000, 4), Tile::max_points) > 0);
 }
 
-TEST_CASE("a tile in a grid of its own has what is beyond, or says where not: a crowd beside a crowd") {
+TEST_CASE("a tile in a grid of its own has the points beyond, or lists where not: a crowd beside a crowd") {
   Random random(5);
   int with_unknown = 0;
   for (int round = 0; round < 40; ++round) {

@@ -252,7 +252,7 @@ TEST_CASE("points on a line have the direction across it that is nearest to z, o
   }
   CHECK(estimate_normals(upright) == Points3(50, {0, 1, 0}));
   for (const Point3& n : estimate_normals(slanted)) CHECK(dot(n, {-0.8, 0, 0.6}) > 1 - 1e-12);
-  // As far as double can tell: none of these is on the line of two others.
+  // As far as double resolves it: none of these is on the line of two others.
   Points3 rounded;
   for (int i = 0; i < 50; ++i) rounded.push_back({0.1 * i, 0.7 * i, 0.3 * i});
   const double beside = std::hypot(0.1, 0.7), length = std::hypot(beside, 0.3);
@@ -294,7 +294,7 @@ TEST_CASE("scans and models: the side of nearly all normals is that in the file,
   }
 }
 
-TEST_CASE("what is not taken is refused with its place") {
+TEST_CASE("bad input is refused with its place") {
   constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   CHECK_THROWS_WITH_AS(estimate_normals({{{0, 0, 0}, {0, nan, 0}}}),
@@ -308,7 +308,7 @@ TEST_CASE("what is not taken is refused with its place") {
   CHECK(estimate_normals(points, {.neighbors = 1'000'000}) == estimate_normals(points));
 }
 
-TEST_CASE("progress is asked in every part of the work, and cancels it there") {
+TEST_CASE("progress is called in every part of the work, and cancels it there") {
   const Known ball = sphere(20'000, 0, 1, 9);
   for (const unsigned threads : {1u, 2u}) {
     std::size_t asked = 0;

@@ -23,7 +23,7 @@ Points3 oriented(Points3 points, std::vector<std::uint32_t> nearest, Points3 nor
 
 }  // namespace
 
-TEST_CASE("an edge along a surface tells of one side, one through a plate of opposite sides") {
+TEST_CASE("an edge along a surface indicates one side, one through a plate opposite sides") {
   const Point3 up = {0, 0, 1}, down = {0, 0, -1};
   for (const Point3& given : {up, down}) {
     CHECK(oriented({{0, 0, 0}, {1, 0, 0.1}}, {1, 0}, {given, up}) == Points3{up, up});
@@ -33,7 +33,7 @@ TEST_CASE("an edge along a surface tells of one side, one through a plate of opp
   }
 }
 
-TEST_CASE("an edge around a corner tells of the outside of both faces") {
+TEST_CASE("an edge around a corner indicates the outside of both faces") {
   const Point3 up = {0, 0, 1}, down = {0, 0, -1};
   for (const double sign : {1.0, -1.0}) {
     CHECK(oriented({{0, 0, 1}, {1, 0, 0}}, {1, 0}, {up, {sign, 0, 0}}) == Points3{up, {1, 0, 0}});

@@ -85,7 +85,7 @@ bool draw(SpaceKind kind, Random& random, Points3& s, double& radius) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a ball says what rational numbers say", Real, double, long double) {
+TEST_CASE_TEMPLATE("a ball agrees with rational numbers", Real, double, long double) {
   Random random(61);
   int touching = 0, level = 0, just = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -108,7 +108,7 @@ TEST_CASE_TEMPLATE("a ball says what rational numbers say", Real, double, long d
       if (side != 0)
         CHECK(ball.contains(s[3]) == (side > 0));
       else if (above != 0)
-        CHECK(ball.contains(s[3]) == (above > 0));  // what grows takes what is above
+        CHECK(ball.contains(s[3]) == (above > 0));  // a growing ball contains what is above
       touching += side == 0 && above != 0;
       level += side == 0 && above == 0;
     }
@@ -215,7 +215,7 @@ TEST_CASE("a ball of exactly the circumradius rests; one a double smaller does n
   CHECK(!Ball<double>({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, 1e9).rests());  // on a line
 }
 
-TEST_CASE("points and a radius that a power of two brings into the range of double are told by it") {
+TEST_CASE("points and a radius that a power of two brings into the range of double are decided by it") {
   using rbpa::space::scale_to_double;
   CHECK(scale_to_double(Points3{}, 1) == 0);
   CHECK(scale_to_double(Points3{{0, 0, 0}, {1, -2, 3}}, 0.1) == 0);
@@ -230,7 +230,7 @@ TEST_CASE("points and a radius that a power of two brings into the range of doub
   CHECK(scale_to_double(Points3{{0x1p-1074, 0, 0}}, 0x1p-1070) == 1074 - 150);
 }
 
-TEST_CASE("a triangle's normal says what rational numbers say") {
+TEST_CASE("a triangle's normal agrees with rational numbers") {
   Random random(63);
   int none = 0;
   for (int k = 0; k < space_kinds; ++k)

@@ -51,7 +51,7 @@ Found turns_of(const Cells& cells, bool by_regions) {
 
 }  // namespace
 
-TEST_CASE("around a point, the free region tells what rolling about every edge tells") {
+TEST_CASE("around a point, the free region gives what rolling about every edge gives") {
   Random random(91);
   Threads threads;
   std::size_t sites = 0, rolled = 0, turns = 0;

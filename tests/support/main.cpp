@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/arguments.h"
+#include "support/arguments.h"
 
 namespace rbpa_test {
 namespace {
