@@ -15,7 +15,6 @@
 #include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
-#include "io/mesh/polylines.h"
 #include "io/mesh/write_mesh.h"
 #include "picture/surface_picture.h"
 #include "rbpa/auto_radii.h"

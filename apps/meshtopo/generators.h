@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/mesh/polylines.h"
+#include "io/mesh/write_mesh.h"
 #include "meshops/core/connectivity.h"
 
 namespace rbpa::app {

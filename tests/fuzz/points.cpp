@@ -104,15 +104,10 @@ void read_before(bool compressed, const std::string& bytes) {
     }
     return;
   }
-  std::string text;
-  std::size_t size = 0;
-  gunzip(
-      bytes, "FILE",
-      [&](std::size_t room) {
-        text.resize(size + room);
-        return text.data() + size;
-      },
-      [&](std::size_t written) { size += written; });
+  const std::string name = "FILE";
+  std::string text(1U << 20U, '\0');
+  std::string_view packed = bytes;
+  for (Gunzip gunzip(name); !packed.empty();) gunzip.inflate(packed, text.data(), text.size());
 }
 
 }  // namespace

@@ -2,18 +2,17 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/descriptor.h"
 #include "io/bytes/gunzip.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 
@@ -25,75 +24,47 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is n
 }  // namespace
 
 /// A file that is read from its beginning to its end.
-class Content::File {
- public:
-  File(const std::string& path, bool unpacks);
-  ~File() { close(descriptor_); }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
+struct Content::File {
+  File(const std::string& path, bool may_unpack);
 
   /// Puts the next bytes at `to`; fewer than `size` at the end only.
   std::size_t read(char* to, std::size_t size);
   /// Passes over so many bytes, or to the end.
   void skip(std::uint64_t size);
 
-  const std::string& path() const { return name_; }
-  bool unpacks() const { return unpacks_; }
-  bool is_packed() const { return unpacking_ != nullptr; }
-  std::uint64_t file_size() const { return file_size_; }
-  std::uint64_t bytes_read() const { return bytes_read_; }
-
- private:
-  struct Unpacking;
-
   std::size_t read_file(char* to, std::size_t size);
   std::size_t unpack(char* to, std::size_t size);
-  bool refill();
   void require_unchanged() const;
 
-  std::string name_;
-  bool unpacks_;
-  int descriptor_;
-  std::uint64_t file_size_ = 0, bytes_read_ = 0;
-  long long changed_seconds_ = 0, changed_nanoseconds_ = 0;
-  std::unique_ptr<Unpacking> unpacking_;
+  struct Unpacking {
+    explicit Unpacking(const std::string& path) : gunzip(path), buffer(at_once) {}
+
+    Gunzip gunzip;
+    std::vector<char> buffer;
+    std::string_view packed = {};  // of the buffer, what is left
+  };
+
+  std::string name;
+  bool unpacks;
+  Descriptor file;
+  struct stat status {};
+  std::uint64_t bytes_read = 0;
+  std::optional<Unpacking> unpacking = std::nullopt;  // where it is packed
 };
 
-struct Content::File::Unpacking {
-  Unpacking() : packed(at_once) {
-    constexpr int widest_window = 15, gzip_only = 16;
-    if (inflateInit2(&state, widest_window + gzip_only) != Z_OK) throw std::bad_alloc();
-  }
-  ~Unpacking() { inflateEnd(&state); }
-  Unpacking(const Unpacking&) = delete;
-  Unpacking& operator=(const Unpacking&) = delete;
-
-  z_stream state{};
-  std::vector<char> packed;
-  bool between_members = false;
-};
-
-Content::File::File(const std::string& path, bool unpacks)
+Content::File::File(const std::string& path, bool may_unpack)
     // A pipe that nobody writes to would keep a blocking open waiting for ever.
-    : name_(path), unpacks_(unpacks), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
+    : name(path), unpacks(may_unpack), file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
   const std::string expected = "a file of points";
-  if (descriptor_ < 0 && errno == ENXIO) bad_input(path, "a socket or a device", "a file, which can be read twice");
-  if (descriptor_ < 0) bad_input(path, errno == ENOENT ? "no such file" : std::strerror(errno), expected);
-  try {
-    const struct stat status = status_of(descriptor_, name_);
-    if (S_ISDIR(status.st_mode)) bad_input(name_, "a folder", expected);
-    if (!S_ISREG(status.st_mode)) bad_input(name_, "a pipe or a device", "a file, which can be read twice");
-    file_size_ = static_cast<std::uint64_t>(status.st_size);
-    changed_seconds_ = status.st_mtim.tv_sec;
-    changed_nanoseconds_ = status.st_mtim.tv_nsec;
-    posix_fadvise(descriptor_, 0, 0, POSIX_FADV_SEQUENTIAL);
-    char first[3];
-    const ssize_t count = pread(descriptor_, first, sizeof first, 0);
-    if (unpacks && count == sizeof first && is_gzip({first, sizeof first})) unpacking_ = std::make_unique<Unpacking>();
-  } catch (...) {
-    close(descriptor_);
-    throw;
-  }
+  if (file.number() < 0 && errno == ENXIO) bad_input(path, "a socket or a device", "a file, which can be read twice");
+  if (file.number() < 0) bad_input(path, errno == ENOENT ? "no such file" : std::strerror(errno), expected);
+  status = status_of(file.number(), name);
+  if (S_ISDIR(status.st_mode)) bad_input(name, "a folder", expected);
+  if (!S_ISREG(status.st_mode)) bad_input(name, "a pipe or a device", "a file, which can be read twice");
+  posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);
+  char first[3];
+  const ssize_t count = pread(file.number(), first, sizeof first, 0);
+  if (unpacks && count == sizeof first && is_gzip({first, sizeof first})) unpacking.emplace(name);
 }
 
 std::size_t Content::File::read(char* to, std::size_t size) {
@@ -101,7 +72,7 @@ std::size_t Content::File::read(char* to, std::size_t size) {
   while (done < size) {
     stop_if_interrupted();
     const std::size_t some = std::min(size - done, at_once);
-    const std::size_t count = unpacking_ ? unpack(to + done, some) : read_file(to + done, some);
+    const std::size_t count = unpacking ? unpack(to + done, some) : read_file(to + done, some);
     if (count == 0) break;
     done += count;
   }
@@ -109,8 +80,8 @@ std::size_t Content::File::read(char* to, std::size_t size) {
 }
 
 void Content::File::skip(std::uint64_t size) {
-  if (!unpacking_) {
-    bytes_read_ = std::min(file_size_, bytes_read_ + size);
+  if (!unpacking) {
+    bytes_read = std::min(static_cast<std::uint64_t>(status.st_size), bytes_read + size);
     return;
   }
   std::vector<char> passed(std::min<std::uint64_t>(size, at_once));
@@ -124,56 +95,36 @@ void Content::File::skip(std::uint64_t size) {
 /// At least a byte, unless the end has come.
 std::size_t Content::File::read_file(char* to, std::size_t size) {
   while (true) {
-    const ssize_t count = pread(descriptor_, to, size, static_cast<off_t>(bytes_read_));
+    const ssize_t count = pread(file.number(), to, size, static_cast<off_t>(bytes_read));
     if (count > 0) {
-      bytes_read_ += static_cast<std::uint64_t>(count);
+      bytes_read += static_cast<std::uint64_t>(count);
       return static_cast<std::size_t>(count);
     }
     if (count == 0) {
       require_unchanged();
       return 0;
     }
-    if (errno != EINTR) throw Failure(name_ + ": cannot read: " + std::strerror(errno));
+    if (errno != EINTR) throw Failure(name + ": cannot read: " + std::strerror(errno));
     stop_if_interrupted();
   }
 }
 
-bool Content::File::refill() {
-  z_stream& state = unpacking_->state;
-  if (state.avail_in > 0) return true;
-  const std::size_t count = read_file(unpacking_->packed.data(), unpacking_->packed.size());
-  state.next_in = reinterpret_cast<Bytef*>(unpacking_->packed.data());
-  state.avail_in = static_cast<uInt>(count);
-  return count > 0;
-}
-
 std::size_t Content::File::unpack(char* to, std::size_t size) {
-  z_stream& state = unpacking_->state;
-  state.next_out = reinterpret_cast<Bytef*>(to);
-  state.avail_out = static_cast<uInt>(size);
-  while (state.avail_out == size) {
-    if (!refill()) {
-      if (unpacking_->between_members) return 0;
-      bad_input(name_, "the end of the file inside compressed data", "a whole gzip file");
-    }
-    if (unpacking_->between_members) inflateReset(&state);
-    const int code = inflate(&state, Z_NO_FLUSH);
-    if (code != Z_OK && code != Z_STREAM_END) {
-      const std::string why = state.msg == nullptr ? "" : " (" + std::string(state.msg) + ")";
-      bad_input(name_, "damaged gzip data" + why, "a whole gzip file");
-    }
-    unpacking_->between_members = code == Z_STREAM_END;
+  auto& [gunzip, buffer, packed] = *unpacking;
+  std::size_t count = 0;
+  while (count == 0) {
+    if (packed.empty()) packed = {buffer.data(), read_file(buffer.data(), buffer.size())};
+    if (packed.empty() && gunzip.is_between_members()) break;
+    count = gunzip.inflate(packed, to, size);
   }
-  return size - state.avail_out;
+  return count;
 }
 
 /// What somebody else writes meanwhile is half of the old and half of the new.
 void Content::File::require_unchanged() const {
-  const struct stat now = status_of(descriptor_, name_);
-  if (static_cast<std::uint64_t>(now.st_size) == file_size_ && now.st_mtim.tv_sec == changed_seconds_ &&
-      now.st_mtim.tv_nsec == changed_nanoseconds_)
-    return;
-  bad_input(name_, "a change while it was read", "a file that stays as it is while it is read");
+  const struct stat now = status_of(file.number(), name);
+  if (now.st_size == status.st_size && same_time(now.st_mtim, status.st_mtim)) return;
+  bad_input(name, "a change while it was read", "a file that stays as it is while it is read");
 }
 
 Content::Content(std::string_view bytes, std::string name)
@@ -190,7 +141,7 @@ Content Content::of_file(const std::string& path, bool unpacks) {
   return content;
 }
 
-Content Content::again() const { return file_ ? of_file(file_->path(), file_->unpacks()) : Content(all_, name_); }
+Content Content::again() const { return file_ ? of_file(file_->name, file_->unpacks) : Content(all_, name_); }
 
 std::string_view Content::ahead(std::size_t size) {
   if (bytes_.size() >= size || ended_) return bytes_;
@@ -212,9 +163,9 @@ void Content::skip(std::uint64_t size) {
 }
 
 std::size_t Content::size() const {
-  return !file_ ? all_.size() : file_->is_packed() ? unknown_size : file_->file_size();
+  return !file_ ? all_.size() : is_packed() ? unknown_size : static_cast<std::size_t>(file_->status.st_size);
 }
-bool Content::is_packed() const { return file_ && file_->is_packed(); }
-std::uint64_t Content::bytes_read() const { return file_ ? file_->bytes_read() : all_.size() - bytes_.size(); }
+bool Content::is_packed() const { return file_ && file_->unpacking.has_value(); }
+std::uint64_t Content::bytes_read() const { return file_ ? file_->bytes_read : all_.size() - bytes_.size(); }
 
 }  // namespace rbpa::app

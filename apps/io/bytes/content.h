@@ -45,7 +45,7 @@ class Content {
   std::uint64_t bytes_read() const;
 
  private:
-  class File;
+  struct File;
 
   std::string name_;
   std::string_view bytes_;         // ahead, of those in memory

@@ -27,6 +27,8 @@ class Descriptor {
 /// Of the open file that messages call `name`. Throws Failure.
 struct stat status_of(int descriptor, const std::string& name);
 
+inline bool same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
+
 /// Returns when `descriptor` can be read or written, or a signal has come: it may have been set not to wait by itself.
 void wait_to_read(int descriptor);
 void wait_to_write(int descriptor);

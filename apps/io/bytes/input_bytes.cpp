@@ -10,9 +10,9 @@
 #include <new>
 #include <utility>
 
+#include "io/bytes/available_memory.h"
 #include "io/bytes/descriptor.h"
 #include "io/bytes/gunzip.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "meshops/core/large_pages.h"
@@ -28,28 +28,56 @@ int open_for_reading(const std::string& name, const std::string& expected) {
   bad_input(name, reason, expected);
 }
 
-bool same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
+/// So long a header may be; and what may lie behind the data, as readers of files that are not packed leave it alone.
+constexpr std::size_t slack = std::size_t{1} << 20U;
+
+/// Four bytes of text, "0 0" and a line end, become a point of 16.
+constexpr double bytes_for_each = 5;
+
+/// How much of a packed file is unpacked: what its header claims, and what memory suffices for.
+class UnpackLimit {
+ public:
+  UnpackLimit(const std::string& name, const Claim& claim, const std::string& way_out)
+      : name_(name), claim_(claim), way_out_(way_out), next_(claim.size == nullptr ? any_size : slack) {}
+
+  /// What is unpacked so far. Throws BadInput when that is more than the first of it claims, or when memory would not
+  /// suffice for more of it and for what reading makes of it.
+  void require(std::string_view unpacked) {
+    const auto size = static_cast<double>(unpacked.size());
+    if (size > most_)
+      bad_input(name_, "more than " + bytes_text(most_) + " unpacked",
+                "at most a fifth of the " + bytes_text(bytes_for_each * most_) +
+                    " of memory there are, as reading takes several times as much" + way_out_);
+    if (size <= next_) return;
+    const double claimed = claimed_by(unpacked);
+    if (size > claimed + slack)
+      bad_input(name_, "more than " + counted(static_cast<std::size_t>(claimed) + slack, "byte") + " unpacked",
+                counted(static_cast<std::size_t>(claimed), "byte") + " as the header claims, or at most " +
+                    std::to_string(slack) + " more" + std::string(claim_.hint));
+    next_ = std::max(claimed + slack, 2 * size);
+  }
+
+ private:
+  /// A message about a header says how much was unpacked, since more of the file may follow.
+  double claimed_by(std::string_view unpacked) const {
+    try {
+      return claim_.size(unpacked, name_);
+    } catch (const BadInput& refusal) {
+      throw BadInput(std::string(refusal.what()) + " (in the first " + counted(unpacked.size(), "byte") + " unpacked)");
+    }
+  }
+
+  const std::string& name_;
+  const Claim& claim_;
+  const std::string& way_out_;
+  double most_ = available_memory().value_or(any_size) / bytes_for_each;  // for which memory suffices
+  double next_;                                                           // the size at which the claim is asked for
+};
 
 }  // namespace
 
-void InputBytes::gunzip(const Claim& claim, const std::string& way_out) {
-  const std::unique_ptr<char, Free> packed = std::move(data_);
-  const std::string_view bytes(packed.get(), size_);
-  room_ = size_ = 0;
-  UnpackLimit limit(name_, claim, way_out);
-  app::gunzip(
-      bytes, name_,
-      [this](std::size_t size) {
-        if (room_ - size_ < size) make_room(std::max(2 * room_, size_ + size));
-        return data_.get() + size_;
-      },
-      [&](std::size_t size) {
-        size_ += size;
-        limit.require(this->bytes());
-      });
-}
-
-InputBytes::InputBytes(const std::string& name, const std::string& expected)
+InputBytes::InputBytes(const std::string& name, const std::string& expected, const Claim& claim,
+                       const std::string& way_out)
     : name_(name == "-" ? "standard input" : name) {
   const Descriptor file(name == "-" ? STDIN_FILENO : open_for_reading(name, expected));
   const struct stat status = status_of(file.number(), name_);
@@ -58,6 +86,24 @@ InputBytes::InputBytes(const std::string& name, const std::string& expected)
     read_file(file.number());
   } else {
     read_all(file.number());
+  }
+  if (is_gzip(bytes()) && claim.may_be_packed) unpack(claim, way_out);
+}
+
+void InputBytes::unpack(const Claim& claim, const std::string& way_out) {
+  constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
+  const std::unique_ptr<char, Free> all = std::move(data_);
+  std::string_view packed(all.get(), size_);
+  room_ = size_ = 0;
+  UnpackLimit limit(name_, claim, way_out);
+  Gunzip gunzip(name_);
+  while (!packed.empty() || !gunzip.is_between_members()) {
+    stop_if_interrupted();
+    if (gunzip.is_between_members() && !is_gzip(packed))
+      bad_input(name_, counted(packed.size(), "byte") + " behind the compressed data", "the end of the file");
+    if (room_ - size_ < at_once) make_room(std::max(2 * room_, size_ + at_once));
+    size_ += gunzip.inflate(packed, data_.get() + size_, at_once);
+    limit.require(bytes());
   }
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/bytes/unpack_limit.h"
+#include "io/bytes/claim.h"
 
 namespace rbpa::app {
 
@@ -15,13 +15,12 @@ namespace rbpa::app {
 /// costs is in docs/io.md.
 class InputBytes {
  public:
-  /// `name` is a path, or "-" for standard input; `expected` is what it should hold. Throws BadInput when there is no
-  /// such file, or when a regular file changes while it is read; Failure when reading breaks off; Cancelled.
-  InputBytes(const std::string& name, const std::string& expected);
-
-  /// Replaces the bytes of a gzip file by those that were compressed. Its header and memory limit how many those are, and
-  /// `way_out` ends the message that memory does not suffice (UnpackLimit). Throws BadInput, Cancelled.
-  void gunzip(const Claim& claim, const std::string& way_out = "");
+  /// `name` is a path, or "-" for standard input; `expected` is what it should hold. Of a gzip file the bytes are those that
+  /// were compressed, unless the claim excludes it: its header and memory limit how many those are, and `way_out` ends the
+  /// message that memory does not suffice. Throws BadInput when there is no such file, or when a regular file
+  /// changes while it is read; Failure when reading breaks off; Cancelled.
+  InputBytes(const std::string& name, const std::string& expected, const Claim& claim = {},
+             const std::string& way_out = "");
 
   std::string_view bytes() const { return {data_.get(), size_}; }
   /// What messages call it.
@@ -36,6 +35,7 @@ class InputBytes {
   bool read_some(int descriptor);
   void read_all(int descriptor);
   void read_file(int descriptor);
+  void unpack(const Claim& claim, const std::string& way_out);
 
   std::string name_;
   std::unique_ptr<char, Free> data_;

@@ -74,12 +74,8 @@ std::optional<NumberType> parse_type(std::string_view descr) {
   if (descr.front() == '<') order = std::endian::little;
   if (descr.front() == '>') order = std::endian::big;
   if (std::string_view("<>|=").find(descr.front()) != std::string_view::npos) descr.remove_prefix(1);
-  constexpr std::pair<std::string_view, Scalar> known[] = {
-      {"f8", Scalar::float64}, {"f4", Scalar::float32}, {"i8", Scalar::int64},  {"i4", Scalar::int32},
-      {"i2", Scalar::int16},   {"i1", Scalar::int8},    {"u8", Scalar::uint64}, {"u4", Scalar::uint32},
-      {"u2", Scalar::uint16},  {"u1", Scalar::uint8}};
-  for (const auto& [text, type] : known)
-    if (descr == text) return NumberType{type, order};
+  if (const std::optional<Scalar> type = scalar_of(descr.substr(0, 1), descr.substr(1)))
+    return NumberType{*type, order};
   return std::nullopt;
 }
 

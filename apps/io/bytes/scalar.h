@@ -5,27 +5,45 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace rbpa::app {
 
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-constexpr std::size_t size_of(Scalar type) {
+/// Calls use() with a value of the type that `type` stands for.
+template <typename Use>
+constexpr auto with_type(Scalar type, const Use& use) {
   switch (type) {
     case Scalar::int8:
+      return use(std::int8_t());
     case Scalar::uint8:
-      return 1;
+      return use(std::uint8_t());
     case Scalar::int16:
+      return use(std::int16_t());
     case Scalar::uint16:
-      return 2;
+      return use(std::uint16_t());
     case Scalar::int32:
+      return use(std::int32_t());
     case Scalar::uint32:
+      return use(std::uint32_t());
+    case Scalar::int64:
+      return use(std::int64_t());
+    case Scalar::uint64:
+      return use(std::uint64_t());
     case Scalar::float32:
-      return 4;
-    default:
-      return 8;
+      return use(float());
+    case Scalar::float64:
+      break;
   }
+  return use(double());
+}
+
+constexpr std::size_t size_of(Scalar type) {
+  return with_type(type, [](auto value) { return sizeof value; });
 }
 
 constexpr bool is_integer(Scalar type) { return type != Scalar::float32 && type != Scalar::float64; }
@@ -51,29 +69,18 @@ T load(const char* bytes, std::endian order) {
 
 /// The number of the given type at `bytes` as the nearest double.
 inline double load_number(Scalar type, const char* bytes, std::endian order) {
-  switch (type) {
-    case Scalar::int8:
-      return load<std::int8_t>(bytes, order);
-    case Scalar::uint8:
-      return load<std::uint8_t>(bytes, order);
-    case Scalar::int16:
-      return load<std::int16_t>(bytes, order);
-    case Scalar::uint16:
-      return load<std::uint16_t>(bytes, order);
-    case Scalar::int32:
-      return load<std::int32_t>(bytes, order);
-    case Scalar::uint32:
-      return load<std::uint32_t>(bytes, order);
-    case Scalar::int64:
-      return static_cast<double>(load<std::int64_t>(bytes, order));
-    case Scalar::uint64:
-      return static_cast<double>(load<std::uint64_t>(bytes, order));
-    case Scalar::float32:
-      return static_cast<double>(load<float>(bytes, order));
-    case Scalar::float64:
-      break;
-  }
-  return load<double>(bytes, order);
+  return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });
+}
+
+/// The type whose kind is "i", "u" or "f" and whose size in bytes is "1", "2", "4" or "8".
+constexpr std::optional<Scalar> scalar_of(std::string_view kind, std::string_view size) {
+  constexpr std::pair<std::string_view, Scalar> known[] = {
+      {"i1", Scalar::int8},    {"u1", Scalar::uint8},  {"i2", Scalar::int16}, {"u2", Scalar::uint16},
+      {"i4", Scalar::int32},   {"u4", Scalar::uint32}, {"i8", Scalar::int64}, {"u8", Scalar::uint64},
+      {"f4", Scalar::float32}, {"f8", Scalar::float64}};
+  for (const auto& [text, type] : known)
+    if (kind == text.substr(0, 1) && size == text.substr(1)) return type;
+  return std::nullopt;
 }
 
 }  // namespace rbpa::app

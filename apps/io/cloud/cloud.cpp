@@ -16,37 +16,14 @@
 namespace rbpa::app {
 namespace {
 
-constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, names_of_columns, true},
-                                         {Format::las, open_las, names_of_las_fields, true},
-                                         {Format::npy, open_npy, nullptr, true},
-                                         {Format::raw, open_raw, nullptr, true},
-                                         {Format::ply, open_ply, names_of_properties},
-                                         {Format::pcd, open_pcd, names_of_properties},
-                                         {Format::off, open_off},
+constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, nullptr, names_of_columns, true},
+                                         {Format::las, open_las, claimed_las_size, names_of_las_fields, true},
+                                         {Format::npy, open_npy, claimed_npy_size, nullptr, true},
+                                         {Format::raw, open_raw, nullptr, nullptr, true},
+                                         {Format::ply, open_ply, claimed_ply_size, names_of_properties},
+                                         {Format::pcd, open_pcd, claimed_pcd_size, names_of_properties},
+                                         {Format::off, open_off, claimed_off_size},
                                          {Format::obj, open_obj}};
-
-struct FormatClaim {
-  Format format;
-  double (*size)(std::string_view first, const std::string& name);
-};
-constexpr FormatClaim claims[] = {{Format::npy, claimed_npy_size}, {Format::las, claimed_las_size},
-                                  {Format::ply, claimed_ply_size}, {Format::off, claimed_off_size},
-                                  {Format::pcd, claimed_pcd_size}, {Format::pgm, claimed_pgm_size}};
-
-template <typename T>
-void load_all(std::vector<double>& column, const char* at, std::size_t stride, std::endian order) {
-  if (order == std::endian::native) {
-    for (double& value : column) {
-      value = static_cast<double>(load<T>(at, std::endian::native));
-      at += stride;
-    }
-    return;
-  }
-  for (double& value : column) {
-    value = static_cast<double>(load<T>(at, order));
-    at += stride;
-  }
-}
 
 }  // namespace
 
@@ -64,10 +41,10 @@ std::optional<FieldNames> fields_of(Format format) {
 
 Claim claim_of(Format format, bool skip_invalid) {
   if (format == Format::las && skip_invalid) return {};
-  for (const FormatClaim& claim : claims)
-    if (claim.format == format)
-      return {claim.size, format == Format::las ? " (--skip-invalid reads what is there)" : ""};
-  return {};
+  if (format == Format::pgm) return {claimed_pgm_size};
+  const CloudFormat* known = cloud_format(format);
+  return {known == nullptr ? nullptr : known->claim,
+          format == Format::las ? " (--skip-invalid reads what is there)" : ""};
 }
 
 void require_finite(const CloudBlock& block, std::size_t first, const std::string& name) {
@@ -85,33 +62,24 @@ void require_finite(const CloudBlock& block, std::size_t first, const std::strin
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order) {
   column.resize(count);
-  switch (type) {
-    case Scalar::int8:
-      return load_all<std::int8_t>(column, at, stride, order);
-    case Scalar::uint8:
-      return load_all<std::uint8_t>(column, at, stride, order);
-    case Scalar::int16:
-      return load_all<std::int16_t>(column, at, stride, order);
-    case Scalar::uint16:
-      return load_all<std::uint16_t>(column, at, stride, order);
-    case Scalar::int32:
-      return load_all<std::int32_t>(column, at, stride, order);
-    case Scalar::uint32:
-      return load_all<std::uint32_t>(column, at, stride, order);
-    case Scalar::int64:
-      return load_all<std::int64_t>(column, at, stride, order);
-    case Scalar::uint64:
-      return load_all<std::uint64_t>(column, at, stride, order);
-    case Scalar::float32:
-      return load_all<float>(column, at, stride, order);
-    case Scalar::float64:
-      return load_all<double>(column, at, stride, order);
-  }
+  const auto load_all = [&](auto value, std::endian known) {
+    for (double& number : column) {
+      number = static_cast<double>(load<decltype(value)>(at, known));
+      at += stride;
+    }
+  };
+  with_type(type, [&](auto value) {  // the order of nearly all files is known where it is compiled
+    order == std::endian::native ? load_all(value, std::endian::native) : load_all(value, order);
+  });
 }
 
 void clear_fields(CloudBlock& block, std::size_t columns) {
   block.fields.resize(columns);
   for (std::vector<double>& field : block.fields) field.clear();
+}
+
+void append_fields(std::span<const double> values, CloudBlock& block) {
+  for (std::size_t k = 0; k < values.size(); ++k) block.fields[k].push_back(values[k]);
 }
 
 void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields) {
@@ -120,20 +88,15 @@ void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fi
     fields[k].insert(fields[k].end(), block.fields[k].begin(), block.fields[k].end());
 }
 
-void PointSelection::remark(std::vector<std::string>& remarks) const {
-  if (selects_)
-    remarks.push_back(std::to_string(selected_) + " of " + counted(points_, "point") + " are as --where asks");
-}
-
-void PointSelection::select(CloudBlock& block, std::span<const std::vector<double>> fields, std::size_t first,
-                            const std::string& name) {
+void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
+                   std::size_t first, const std::string& name) {
   std::vector<std::uint8_t> kept(block.count);
-  clear_fields(block, columns_);
+  clear_fields(block, selection.column_values().size());
   for (std::size_t i = 0; i < block.count; ++i) {
-    for (std::size_t k = 0; k < fields.size(); ++k) values_[k] = fields[k][i];
-    kept[i] = holds() ? 1 : 0;
+    for (std::size_t k = 0; k < fields.size(); ++k) selection.values()[k] = fields[k][i];
+    kept[i] = selection.holds() ? 1 : 0;
     if (kept[i] != 0) {
-      append_columns(block);
+      append_fields(selection.column_values(), block);
       continue;
     }
     for (std::vector<double>& column : block.column)

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/content.h"
 #include "io/bytes/scalar.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/formats.h"
 #include "io/point_file.h"
 #include "io/text/columns.h"
@@ -88,6 +88,9 @@ class Cloud {
 /// Before the fields of a block are appended: `columns` of them, empty.
 void clear_fields(CloudBlock& block, std::size_t columns);
 
+/// Appends those of one point.
+void append_fields(std::span<const double> values, CloudBlock& block);
+
 /// Appends those of a block behind those of other blocks.
 void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields);
 
@@ -96,6 +99,7 @@ struct CloudFormat {
   Format format;
   /// Throws BadInput, and WrongUsage when two columns turn out to be one.
   std::unique_ptr<Cloud> (*open)(Content content, const CloudRequest& request);
+  double (*claim)(std::string_view first, const std::string& name) = nullptr;  ///< Claim::size
   FieldNames (*fields)() = nullptr;  ///< what CloudRequest::where may name; null where points have nothing beside them
   bool streams = false;              ///< reads a file as it goes; else it has to be in memory
 };
@@ -116,40 +120,9 @@ void require_finite(const CloudBlock& block, std::size_t first, const std::strin
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order);
 
-/// The condition of `--where` on one point after the other.
-class PointSelection {
- public:
-  explicit PointSelection(const Condition& condition)
-      : values_(condition.fields().size()),
-        columns_(condition.columns()),
-        selects_(condition.selects()),
-        holds_(condition) {}
-
-  /// Where the values of the condition's fields belong, of the point that holds() judges.
-  std::span<double> values() { return values_; }
-  bool holds() {
-    ++points_;
-    const bool selected = holds_(values_);
-    selected_ += selected ? 1 : 0;
-    return selected;
-  }
-  std::size_t columns() const { return columns_; }
-  /// Those of the point that was judged last.
-  void append_columns(CloudBlock& block) const {
-    for (std::size_t k = 0; k < columns_; ++k) block.fields[k].push_back(values_[k]);
-  }
-  /// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of
-  /// each field of the condition.
-  void select(CloudBlock& block, std::span<const std::vector<double>> fields, std::size_t first,
-              const std::string& name);
-  void remark(std::vector<std::string>& remarks) const;
-
- private:
-  std::vector<double> values_;
-  std::size_t columns_;
-  bool selects_;
-  Decision holds_;
-  std::size_t points_ = 0, selected_ = 0;
-};
+/// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of each
+/// field of the condition.
+void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
+                   std::size_t first, const std::string& name);
 
 }  // namespace rbpa::app

@@ -75,7 +75,7 @@ class LasCloud final : public Cloud {
 
   void finish() override {
     std::vector<std::string>& remarks = facts_.file.remarks;
-    if (selection_) selection_->remark(remarks);
+    if (selection_) selection_->remark("point", remarks);
     if (withheld_points_ > 0)
       remarks.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
                         " marked as withheld (--where \"not withheld\" leaves them out)");
@@ -107,12 +107,12 @@ class LasCloud final : public Cloud {
     double* const y = block.column[CloudBlock::y].data();
     double* const z = in_space_ ? block.column[CloudBlock::z].data() : nullptr;
     for (std::size_t k = 0; red_ && k < 3; ++k) block.column[CloudBlock::color + k].resize(count);
-    if (selection_) clear_fields(block, selection_->columns());
+    if (selection_) clear_fields(block, selection_->column_values().size());
     std::size_t taken = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const char* const record = records + i * length;
       if (selection_ && !is_selected(record)) continue;
-      if (selection_) selection_->append_columns(block);
+      if (selection_) append_fields(selection_->column_values(), block);
       x[taken] = axes_[0](las_value<std::int32_t>(record));
       y[taken] = axes_[1](las_value<std::int32_t>(record + 4));
       if (z != nullptr) z[taken] = axes_[2](las_value<std::int32_t>(record + 8));
@@ -152,7 +152,7 @@ class LasCloud final : public Cloud {
   bool in_space_, skip_invalid_;
   LasHeader header_ = {};
   std::vector<ScaledInteger> axes_ = {};
-  std::optional<PointSelection> selection_ = std::nullopt;
+  std::optional<Selection> selection_ = std::nullopt;
   std::vector<LasPlace> places_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue are behind red
   std::size_t first_ = 0, count_ = 0, withheld_points_ = 0;

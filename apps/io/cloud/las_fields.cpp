@@ -1,6 +1,6 @@
 #include "io/cloud/las_fields.h"
 
-#include <bit>
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -37,13 +37,14 @@ constexpr unsigned first_of_new_family = 6;
 
 enum class Since { any, version_1_1, new_family };
 
-/// A field and where each family of formats has it.
+/// A field and where each family of formats has it, or where it is from the place of `behind` on.
 struct Known {
   std::string_view name;
   LasField old_family, new_family;
   Since since = Since::any;
+  std::size_t FieldLayout::*behind = nullptr;
 };
-constexpr Scalar u8 = Scalar::uint8, u16 = Scalar::uint16;
+constexpr Scalar u8 = Scalar::uint8, u16 = Scalar::uint16, f64 = Scalar::float64;
 constexpr LasField none{};
 constexpr Known fields[] = {{"intensity", {12, u16}, {12, u16}},
                             {"return_number", {14, u8, 0, 3}, {14, u8, 0, 4}},
@@ -58,8 +59,12 @@ constexpr Known fields[] = {{"intensity", {12, u16}, {12, u16}},
                             {"scanner_channel", none, {15, u8, 4, 2}, Since::new_family},
                             {"scan_angle", {16, Scalar::int8}, {18, Scalar::int16, 0, 0, 0.006}},  // degrees
                             {"user_data", {17, u8}, {17, u8}},
-                            {"point_source_id", {18, u16}, {20, u16}}};
-constexpr std::string_view further[] = {"gps_time", "red", "green", "blue", "infrared"};
+                            {"point_source_id", {18, u16}, {20, u16}},
+                            {"gps_time", {0, f64}, {0, f64}, Since::any, &FieldLayout::time},
+                            {"red", {0, u16}, {0, u16}, Since::any, &FieldLayout::colour},
+                            {"green", {2, u16}, {2, u16}, Since::any, &FieldLayout::colour},
+                            {"blue", {4, u16}, {4, u16}, Since::any, &FieldLayout::colour},
+                            {"infrared", {0, u16}, {0, u16}, Since::any, &FieldLayout::infrared}};
 constexpr std::string_view axes[] = {"x", "y", "z"};
 
 std::string folded(std::string_view name) {
@@ -96,20 +101,18 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
     // Version 1.0 knows no flags there: the class is the whole byte.
     if (!is_new && minor == 0 && field.since == Since::version_1_1) return std::nullopt;
     if (!is_new && minor == 0 && field.name == "classification") return LasField{15, u8};
-    return is_new ? field.new_family : field.old_family;
+    LasField found = is_new ? field.new_family : field.old_family;
+    if (field.behind == nullptr) return found;
+    if (layout.*field.behind == 0) return std::nullopt;
+    found.offset += layout.*field.behind;
+    return found;
   }
-  if (is(name, "gps_time") && layout.time > 0) return LasField{layout.time, Scalar::float64};
-  for (std::size_t i = 0; i < 3; ++i)
-    if (is(name, further[1 + i]) && layout.colour > 0) return LasField{layout.colour + 2 * i, u16};
-  if (is(name, "infrared") && layout.infrared > 0) return LasField{layout.infrared, u16};
   return std::nullopt;
 }
 
 bool is_las_field(std::string_view name) {
   for (const Known& field : fields)
     if (is(name, field.name)) return true;
-  for (const std::string_view field : further)
-    if (is(name, field)) return true;
   return las_axis(name).has_value();
 }
 
@@ -122,7 +125,6 @@ std::optional<std::size_t> las_axis(std::string_view name) {
 std::string las_field_names() {
   std::string names = "x, y, z";
   for (const Known& field : fields) names += ", " + std::string(field.name);
-  for (const std::string_view field : further) names += ", " + std::string(field);
   return names;
 }
 
@@ -137,38 +139,6 @@ struct Decimal {
   int places;
 };
 
-/// The shortest decimal that reads back to the value, when it has few enough digits and places.
-std::optional<Decimal> decimal_of(double value) {
-  char text[32];
-  const char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
-  const std::string_view all(text, static_cast<std::size_t>(end - text));
-  const std::size_t e = all.find('e');
-  if (e == std::string_view::npos) return std::nullopt;
-  Decimal decimal{0, 0};
-  bool fraction = false;
-  for (const char c : all.substr(0, e)) {
-    if (c == '-') continue;
-    if (c == '.') {
-      fraction = true;
-      continue;
-    }
-    decimal.digits = 10 * decimal.digits + (c - '0');  // at most 17 digits
-    decimal.places += fraction ? 1 : 0;
-  }
-  int exponent = 0;
-  const char* first = all.data() + e + 1;
-  std::from_chars(*first == '+' ? first + 1 : first, end, exponent);
-  decimal.places -= exponent;
-  if (all.front() == '-') decimal.digits = -decimal.digits;
-  if (decimal.digits == 0) return Decimal{0, 0};
-  for (; decimal.places < 0; ++decimal.places) {
-    if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
-    decimal.digits *= 10;
-  }
-  if (decimal.places > max_places) return std::nullopt;
-  return decimal;
-}
-
 /// The digits with so many places, when they stay small enough.
 std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   for (; decimal.places < places; ++decimal.places) {
@@ -176,6 +146,24 @@ std::optional<std::int64_t> with_places(Decimal decimal, int places) {
     decimal.digits *= 10;
   }
   return decimal.digits;
+}
+
+/// The shortest decimal that reads back to the value, when it has few enough digits and places.
+std::optional<Decimal> decimal_of(double value) {
+  char text[32];
+  char* const end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
+  char* const e = std::find(text, end, 'e');
+  if (e == end) return std::nullopt;
+  char* const point = std::find(text, e, '.');
+  int exponent = 0;
+  std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, exponent);
+  Decimal decimal{0, static_cast<int>(point == e ? 0 : e - point - 1) - exponent};
+  std::from_chars(text, std::remove(text, e, '.'), decimal.digits);  // at most 17 of them
+  if (decimal.digits == 0) return Decimal{0, 0};
+  if (decimal.places > max_places) return std::nullopt;
+  if (decimal.places >= 0) return decimal;
+  const std::optional<std::int64_t> whole = with_places(decimal, 0);
+  return whole ? std::optional(Decimal{*whole, 0}) : std::nullopt;
 }
 
 }  // namespace

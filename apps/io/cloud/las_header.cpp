@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/number.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"

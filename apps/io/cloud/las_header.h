@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/scalar.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/crs.h"
 
 namespace rbpa::app {

@@ -8,7 +8,6 @@
 #include "io/cloud/colors.h"
 #include "io/cloud/readers.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 #include "io/text/vertex_lines.h"
 #include "rbpa/base/point3.h"
 
@@ -55,20 +54,16 @@ class ObjCloud final : public Cloud {
     block = {};
     if (is_read_) return false;
     is_read_ = true;
-    for (std::size_t step = 0; lines_.next_with_content(); ++step) {
-      if (step % 16384 == 0) stop_if_interrupted();
-      line_ = lines_.number();
-      std::string_view rest = take_obj_line(lines_, joined_);
-      const std::string_view word = take_word(rest);
+    for_each_obj_line(lines_, [&](std::string_view word, std::string_view rest, std::size_t line) {
       if (word == "v") {
         const auto position = take_position(rest, lines_, name_);
         for (std::size_t k = 0; k < 3; ++k) block.column[k].push_back(position[k]);
         ++block.count;
-        colors_.take(rest, line_, block);
+        colors_.take(rest, line, block);
       }
       if (word == "vn") normals_.push_back(take_point(rest));
-      if (word == "f") take_face(rest, block.count);
-    }
+      if (word == "f") take_face(rest, block.count, line);
+    });
     if (block.count == 0) bad_input(name_, "no line 'v x y z'", "points");
     if (!normals_.empty()) settle_normals(block);
     colors_.settle(false, facts_);
@@ -90,13 +85,13 @@ class ObjCloud final : public Cloud {
   }
 
   /// Of a corner v//vn or v/vt/vn both count.
-  void take_face(std::string_view rest, std::size_t points) {
+  void take_face(std::string_view rest, std::size_t points, std::size_t line) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       const std::size_t first = word.find('/'), second = word.find('/', std::min(first, word.size() - 1) + 1);
       if (second == std::string_view::npos) continue;
-      corners_.push_back({take_obj_number(word, word.substr(0, first), "vertex", points, name_, line_),
-                          take_obj_number(word, word.substr(second + 1), "normal", normals_.size(), name_, line_),
-                          line_});
+      corners_.push_back({take_obj_number(word, word.substr(0, first), "vertex", points, name_, line),
+                          take_obj_number(word, word.substr(second + 1), "normal", normals_.size(), name_, line),
+                          line});
     }
   }
 
@@ -143,8 +138,6 @@ class ObjCloud final : public Cloud {
   Content content_;
   Lines lines_;
   const std::string& name_;
-  std::size_t line_ = 0;  ///< the first of those that are continued
-  std::string joined_ = {};
   std::vector<Point3> normals_ = {};  ///< in the order of their lines
   std::vector<Corner> corners_ = {};
   TextColors colors_ = TextColors();

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/number.h"
-#include "io/bytes/unpack_limit.h"
-#include "io/cloud/colors.h"
+#include "io/cloud/element_cloud.h"
 #include "io/cloud/readers.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -72,61 +71,19 @@ std::string announced(const OffHeader& header, std::size_t count, std::string_vi
   return counted(count, noun) + " as line " + std::to_string(header.line) + " says";
 }
 
-namespace {
-
-class OffCloud final : public Cloud {
- public:
-  OffCloud(Content content, const CloudRequest& request)
-      : content_(std::move(content)),
-        header_(read_off_header(content_.ahead(), content_.ahead().size(), content_.name())),
-        lines_(header_.lines),
-        in_space_(request.in_space) {
-    facts_.expected = header_.vertices;
-    facts_.normals = in_space_ && header_.normals;
-    if (in_space_ && header_.colors) facts_.colors = Channels::bytes;
-  }
-
-  bool next(CloudBlock& block) override {
-    stop_if_interrupted();
-    const std::size_t numbers = !in_space_ ? 2 : facts_.normals ? 6 : 3;
-    block.count = std::min(points_at_once, header_.vertices - first_);
-    for (std::size_t k = 0; k < numbers; ++k) block.column[k].resize(block.count);
-    clear_colors(block);
-    double* target[CloudBlock::color] = {};
-    for (std::size_t k = 0; k < numbers; ++k) target[k] = block.column[k].data();
-    const std::string& name = content_.name();
-    for (std::size_t i = 0; i < block.count; ++i) {
-      if (!lines_.next_with_content())
-        bad_input(content_.name(), counted(first_ + i, "vertex line"),
-                  announced(header_, header_.vertices, "vertex line"));
-      std::string_view rest = lines_.line();
-      for (std::size_t k = 0; k < numbers; ++k) target[k][i] = take_coordinate(rest, lines_, name);
-      if (facts_.colors) colors_.take(rest.substr(0, rest.find('#')), lines_.number(), block);
-      if (!in_space_ && !facts_.file.heights.differ()) take_height(rest);
-    }
-    first_ += block.count;
-    if (block.count == 0 && facts_.colors) colors_.settle(header_.vertices > 0, facts_);
-    return block.count > 0;
-  }
-
- private:
-  void take_height(std::string_view rest) {
-    const ParsedNumber z = parse_whole_number(take_word(rest));
-    if (z.fault == NumberFault::none) facts_.file.heights.take(z.value);
-  }
-
-  Content content_;
-  OffHeader header_;
-  Lines lines_;
-  bool in_space_;
-  TextColors colors_ = TextColors();
-  std::size_t first_ = 0;
-};
-
-}  // namespace
-
 std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
-  return std::make_unique<OffCloud>(std::move(content), request);
+  const std::string_view text = content.ahead();
+  const OffHeader off = read_off_header(text, text.size(), content.name());
+  PointLayout layout{.has_room = true};
+  layout.facts.normals = request.in_space && off.normals;
+  layout.colors_behind = request.in_space && off.colors;
+  if (layout.colors_behind) layout.facts.colors = Channels::bytes;
+  if (!request.in_space) layout.height = 2;
+  PlyElement vertex{.name = "vertex", .noun = "vertex line", .count = off.vertices, .line = off.line};
+  vertex.properties.resize(!request.in_space ? 2 : off.normals ? 6 : 3, {.name = "", .type = Scalar::float64});
+  for (std::size_t k = 0; k < vertex.properties.size(); ++k) layout.columns.emplace_back(k, k);
+  PlyHeader header{.elements = {std::move(vertex)}, .lines = off.lines.number(), .data = off.lines.rest()};
+  return open_elements(std::move(content), std::move(header), std::move(layout), request);
 }
 
 }  // namespace rbpa::app

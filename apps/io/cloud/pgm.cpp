@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 
-#include "io/bytes/unpack_limit.h"
+#include "io/bytes/claim.h"
 #include "io/cloud/images.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/text/lines.h"
+#include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
 namespace {
@@ -16,16 +16,11 @@ constexpr std::size_t pixel_limit = std::size_t{1} << 30U;  // as many points ar
 
 Shade ground_of(const Shades& image) {
   std::array<std::size_t, 3> count{};
-  const auto add = [&](std::size_t row, std::size_t column) {
-    ++count[static_cast<std::size_t>(image.pixels[row * image.width + column])];
-  };
-  for (std::size_t column = 0; column < image.width; ++column) {
-    add(0, column);
-    if (image.height > 1) add(image.height - 1, column);
-  }
-  for (std::size_t row = 1; row + 1 < image.height; ++row) {
-    add(row, 0);
-    if (image.width > 1) add(row, image.width - 1);
+  for (std::size_t row = 0; row < image.height; ++row) {
+    const bool is_of_border = row == 0 || row + 1 == image.height;  // else its ends are
+    const std::size_t step = is_of_border ? 1 : std::max<std::size_t>(image.width - 1, 1);
+    for (std::size_t column = 0; column < image.width; column += step)
+      ++count[static_cast<std::size_t>(image.pixels[row * image.width + column])];
   }
   const auto pixels_of = [&](Shade shade) { return count[static_cast<std::size_t>(shade)]; };
   Shade ground = Shade::clear;
@@ -73,12 +68,10 @@ class Numbers {
   std::size_t take(std::size_t least, std::size_t greatest, const std::string& expected) {
     const std::string_view word = next_word();
     if (word.empty()) bad_input(at_line(name_, line_), "the end of the file", expected);
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value < least || value > greatest)
-      bad_input(at_line(name_, line_), in_quotes(word), expected);
+    const std::optional<std::size_t> value = parse_count(word);
+    if (!value || *value < least || *value > greatest) bad_input(at_line(name_, line_), in_quotes(word), expected);
     rest_.remove_prefix(word.size());
-    return value;
+    return *value;
   }
   /// Passes over the next word; false, and at the end, where it may go on behind the text.
   bool pass() {

@@ -1,9 +1,8 @@
 #include "io/cloud/ply.h"
 
 #include <algorithm>
-#include <charconv>
 
-#include "io/bytes/unpack_limit.h"
+#include "io/bytes/claim.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
 #include "io/text/vertex_lines.h"
@@ -74,11 +73,10 @@ class HeaderReader {
     }
   }
   void read_element(std::string_view rest) {
-    const std::string_view element = take_word(rest), number = take_word(rest);
-    std::size_t count = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), count);
-    if (error != std::errc() || end != number.data() + number.size()) refuse("element NAME COUNT");
-    header_.elements.push_back({std::string(element), count, lines_.number(), {}});
+    const std::string_view element = take_word(rest);
+    const std::optional<std::size_t> count = parse_count(take_word(rest));
+    if (!count) refuse("element NAME COUNT");
+    header_.elements.push_back({std::string(element), shown(element) + " element", *count, lines_.number(), {}});
   }
   void read_property(std::string_view rest) {
     if (header_.elements.empty()) refuse("an element before its properties");
@@ -108,15 +106,20 @@ bool PlyElement::has_lists() const {
 
 std::size_t PlyElement::least_size() const {
   std::size_t size = 0;
-  for (const PlyProperty& property : properties) size += size_of(property.count_type.value_or(property.type));
+  for (const PlyProperty& property : properties) size += property.least_size();
   return size;
+}
+
+std::size_t PlyElement::least_words() const {
+  std::size_t words = 0;
+  for (const PlyProperty& property : properties) words += property.count;
+  return words;
 }
 
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name) { return HeaderReader(bytes, name).read(); }
 
 std::string announced(const PlyElement& element) {
-  return counted(element.count, shown(element.name) + " element") + " as line " + std::to_string(element.line) +
-         " says";
+  return counted(element.count, element.noun) + " as line " + std::to_string(element.line) + " says";
 }
 
 const PlyElement& vertices_of(const PlyHeader& header, const std::string& name) {
@@ -132,6 +135,13 @@ std::optional<std::size_t> number_place(const PlyElement& element, std::string_v
   return std::nullopt;
 }
 
+std::vector<std::size_t> number_places(const PlyElement& element, std::span<const std::string_view> names) {
+  std::vector<std::size_t> places;
+  for (const std::string_view name : names)
+    if (const std::optional<std::size_t> place = number_place(element, name)) places.push_back(*place);
+  return places;
+}
+
 std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
                         const std::string& name) {
   if (const std::optional<std::size_t> place = number_place(element, property)) return *place;
@@ -144,7 +154,7 @@ namespace {
 /// Where in `data` the element that begins at `at` ends; nothing when a length of its lists is not there.
 std::optional<double> end_of_element(const PlyElement& element, double at, std::string_view data, std::endian order) {
   for (const PlyProperty& property : element.properties) {
-    double values = 1;
+    auto values = static_cast<double>(property.count);
     if (property.count_type) {
       const double length = at;
       at += static_cast<double>(size_of(*property.count_type));
@@ -174,7 +184,10 @@ double end_of_elements(const PlyHeader& header) {
 }  // namespace
 
 double claimed_ply_size(std::string_view first, const std::string& name) {
-  const PlyHeader header = read_ply_header(first, name);
+  return claimed_size(read_ply_header(first, name), first);
+}
+
+double claimed_size(const PlyHeader& header, std::string_view first) {
   if (header.binary) return static_cast<double>(first.size() - header.data.size()) + end_of_elements(header);
   double lines = 0;
   for (const PlyElement& element : header.elements) lines += static_cast<double>(element.count);
@@ -188,12 +201,12 @@ void PlyBinary::require_room(const PlyElement& element) const {
 }
 
 void PlyBinary::skip(const PlyElement& element) {
-  if (element.has_lists()) return pass(element, [](std::size_t, const std::vector<const char*>&) {});
+  if (element.has_lists()) return pass(element, 0, element.count, [](std::size_t, const std::vector<const char*>&) {});
   at_ += element.count * element.least_size();
 }
 
 void PlyBinary::pass_any(const PlyProperty& property, const PlyElement& element, std::size_t index) {
-  std::size_t values = 1;
+  std::size_t values = property.count;
   if (property.count_type) {
     const char* length = at_;
     take(size_of(*property.count_type), element, index);
@@ -206,7 +219,7 @@ void PlyBinary::pass_any(const PlyProperty& property, const PlyElement& element,
 }
 
 void PlyBinary::take(std::size_t size, const PlyElement& element, std::size_t index) {
-  if (size > left()) bad_input(name_, counted(index, "whole " + shown(element.name) + " element"), announced(element));
+  if (size > left()) bad_input(name_, counted(index, "whole " + element.noun), announced(element));
   at_ += size;
 }
 
@@ -214,20 +227,19 @@ void PlyText::require_room(const PlyElement& element) const {
   if (element.properties.empty()) return;
   // Each value takes a character, and another behind it unless it is the last of the file.
   const std::size_t left = lines_.rest().size();
-  if (element.count > (left + 1) / (2 * element.properties.size()))
+  if (element.count > (left + 1) / (2 * element.least_words()))
     bad_input(name_, counted(left, "byte") + " of data", announced(element));
 }
 
-void PlyText::pass_words(const PlyProperty& property, std::string_view& rest) const {
-  double values = 1;
+void PlyText::pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read) const {
+  auto values = static_cast<double>(property.count - read);
   if (property.count_type) values = take_coordinate(rest, lines_, name_);
   for (double i = 0; i < values; ++i)
     if (take_word(rest).empty()) bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), "more values");
 }
 
 void PlyText::next(const PlyElement& element, std::size_t index) {
-  if (!lines_.next_with_content())
-    bad_input(name_, counted(index, shown(element.name) + " element"), announced(element));
+  if (!lines_.next_with_content()) bad_input(name_, counted(index, element.noun), announced(element));
 }
 
 }  // namespace rbpa::app

@@ -1,9 +1,11 @@
-// What: the header of a PLY file, and the elements behind it, passed over one kind after the other.
+// What: the header of a PLY file, and the elements behind it, passed over one kind after the other. PCD and OFF describe their
+//       points as one kind of elements.
 // Law:  each step stays inside the data, or throws BadInput naming the element and what the header announces.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,26 +18,33 @@ namespace rbpa::app {
 
 struct PlyProperty {
   std::string name;
-  Scalar type;                       ///< of the value, or of each value of the list
-  std::optional<Scalar> count_type;  ///< of the length before the values, when it is a list
+  Scalar type;                                      ///< of the value, or of each value of the list
+  std::optional<Scalar> count_type = std::nullopt;  ///< of the length before the values, when it is a list
+  std::size_t count = 1;                            ///< of the values, when it is none; of PLY always one
+
+  /// Bytes that it takes in a binary file, as a list when it is empty.
+  std::size_t least_size() const { return count_type ? size_of(*count_type) : count * size_of(type); }
 };
 
 struct PlyElement {
   std::string name;
-  std::size_t count;
-  std::size_t line;  ///< of the header, that says so
-  std::vector<PlyProperty> properties;
+  std::string noun;  ///< what messages call one: "vertex element"
+  std::size_t count = 0;
+  std::size_t line = 0;  ///< of the header, that says so
+  std::vector<PlyProperty> properties = {};
 
   bool has_lists() const;
   /// Bytes that one takes in a binary file, with every list empty.
   std::size_t least_size() const;
+  /// Words that one takes in text.
+  std::size_t least_words() const;
 };
 
 struct PlyHeader {
-  std::optional<std::endian> binary;  ///< the byte order; none when the file is ASCII
-  std::vector<PlyElement> elements;
-  std::size_t lines;      ///< of the header
-  std::string_view data;  ///< what follows it
+  std::optional<std::endian> binary = std::nullopt;  ///< the byte order; none when the file is ASCII
+  std::vector<PlyElement> elements = {};
+  std::size_t lines = 0;       ///< of the header
+  std::string_view data = {};  ///< what follows it
 };
 
 /// Throws BadInput naming the line.
@@ -50,12 +59,17 @@ const PlyElement& vertices_of(const PlyHeader& header, const std::string& name);
 /// Where the property that is one number lies among those of `element`; nothing when there is none.
 std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property);
 
+/// The same of those of `names` that are there.
+std::vector<std::size_t> number_places(const PlyElement& element, std::span<const std::string_view> names);
+
 /// Where the property that is one number lies among those of `element`. Throws BadInput when there is none, naming the
 /// `wanted` properties.
 std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
                         const std::string& name);
 
-/// A Claim: the bytes of all elements, or as many lines. A binary list says how long it is where it stands.
+/// For a Claim: the bytes of all elements, or as many lines. A binary list says how long it is where it stands. `header` is that of
+/// `first`.
+double claimed_size(const PlyHeader& header, std::string_view first);
 double claimed_ply_size(std::string_view first, const std::string& name);
 
 /// The data of a binary file.
@@ -67,12 +81,7 @@ class PlyBinary {
   /// What comes next is long enough for `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over all of `element`, which has room, or from one to another. `visit(index, offsets)` gets where each property
-  /// begins.
-  template <typename Visit>
-  void pass(const PlyElement& element, Visit&& visit) {
-    pass(element, 0, element.count, visit);
-  }
+  /// Passes over `element`, which has room, from one to another. `visit(index, offsets)` gets where each property begins.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     std::vector<const char*> offsets(element.properties.size());
@@ -124,26 +133,21 @@ class PlyText {
   /// What comes next is long enough for `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over the lines of `element`, or from one to another. `visit(index, rest)` gets the line, of which it may take words.
-  template <typename Visit>
-  void pass(const PlyElement& element, Visit&& visit) {
-    pass(element, 0, element.count, visit);
-  }
+  /// Passes over the lines of `element`, from one to another. `visit(index, rest)` gets the line, of which it may take words.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     for (std::size_t i = first; i < last; ++i) {
-      if (i % 16384 == 0) stop_if_interrupted();
       next(element, i);
       std::string_view rest = lines_.line();
       visit(i, rest);
     }
   }
   void skip(const PlyElement& element) {
-    pass(element, [](std::size_t, std::string_view&) {});
+    pass(element, 0, element.count, [](std::size_t, std::string_view&) {});
   }
 
-  /// Passes over the words of one property in `rest`.
-  void pass_words(const PlyProperty& property, std::string_view& rest) const;
+  /// Passes over the words of one property in `rest`, of which so many have been read.
+  void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }
 

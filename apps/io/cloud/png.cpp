@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
-#include <span>
 
 #include "io/cloud/images.h"
 #include "io/failure.h"
@@ -33,30 +32,26 @@ class PngDecoder {
   PngDecoder& operator=(const PngDecoder&) = delete;
 
   bool read_header() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_read_fn(png_, this, read);
-    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // our limits have messages of their own
-    png_read_info(png_, info_);
-    return true;
+    return attempt([this] {
+      png_set_read_fn(png_, this, read);
+      png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // our limits have messages of their own
+      png_read_info(png_, info_);
+    });
   }
   /// From here on every row is red, green, blue, opacity of 16 bits, whatever the file has.
   bool begin_rows() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_expand_16(png_);
-    png_set_gray_to_rgb(png_);
-    png_set_add_alpha(png_, 0xFFFF, PNG_FILLER_AFTER);
-    png_start_read_image(png_);
-    return true;
+    return attempt([this] {
+      png_set_expand_16(png_);
+      png_set_gray_to_rgb(png_);
+      png_set_add_alpha(png_, 0xFFFF, PNG_FILLER_AFTER);
+      png_start_read_image(png_);
+    });
   }
   bool read_row(png_byte* row) {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_row(png_, row, nullptr);
-    return true;
+    return attempt([this, row] { png_read_row(png_, row, nullptr); });
   }
   bool read_end() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_end(png_, nullptr);
-    return true;
+    return attempt([this] { png_read_end(png_, nullptr); });
   }
 
   png_uint_32 width() const { return png_get_image_width(png_, info_); }
@@ -66,6 +61,12 @@ class PngDecoder {
   const char* message() const { return message_.data(); }
 
  private:
+  template <typename Step>
+  bool attempt(const Step& step) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    step();
+    return true;
+  }
   static void fail(png_struct* png, const char* message) {
     auto& self = *static_cast<PngDecoder*>(png_get_error_ptr(png));
     std::snprintf(self.message_.data(), self.message_.size(), "%s", message);
@@ -92,37 +93,24 @@ Shade shade_of_pixel(const png_byte* pixel, double threshold) {
   return shade_of(grey, 10000.0 * 65535.0, threshold);
 }
 
-/// Every `step`-th pixel of a row or of a column, from `first` on.
-struct Steps {
-  std::size_t first, step;
-  std::size_t count(std::size_t size) const { return size <= first ? 0 : (size - first - 1) / step + 1; }
-};
-
-/// A part of an image whose rows follow one another in the file.
-struct Pass {
-  Steps columns, rows;
-};
-
-/// An interlaced image is a sequence of ever finer ones, each of which has the pixels that those before it left out.
-std::span<const Pass> passes_of(bool interlaced) {
-  static constexpr Pass whole[] = {{{0, 1}, {0, 1}}};
-  static constexpr Pass adam7[] = {{{0, 8}, {0, 8}}, {{4, 8}, {0, 8}}, {{0, 4}, {4, 8}}, {{2, 4}, {0, 4}},
-                                   {{0, 2}, {2, 4}}, {{1, 2}, {0, 2}}, {{0, 1}, {1, 2}}};
-  return interlaced ? std::span<const Pass>(adam7) : std::span<const Pass>(whole);
-}
-
-/// Fills in the pixels, or returns false.
+/// Fills in the pixels, or returns false. An interlaced image is a sequence of ever finer ones, each of which has the pixels
+/// that those before it left out.
 bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
   if (!decoder.begin_rows()) return false;
   std::vector<png_byte> row(bytes_per_pixel * image.width);
-  for (const auto& [columns, rows] : passes_of(decoder.interlaced())) {
-    const std::size_t width = columns.count(image.width), height = width == 0 ? 0 : rows.count(image.height);
-    for (std::size_t y = 0; y < height; ++y) {
+  const bool interlaced = decoder.interlaced();
+  for (int pass = 0; pass < (interlaced ? PNG_INTERLACE_ADAM7_PASSES : 1); ++pass) {
+    const auto of_pass = [&](int value, std::size_t whole) {
+      return interlaced ? static_cast<std::size_t>(value) : whole;
+    };
+    const std::size_t left = of_pass(PNG_PASS_START_COL(pass), 0), column_step = of_pass(PNG_PASS_COL_OFFSET(pass), 1);
+    const std::size_t top = of_pass(PNG_PASS_START_ROW(pass), 0), row_step = of_pass(PNG_PASS_ROW_OFFSET(pass), 1);
+    for (std::size_t y = top; y < image.height && left < image.width; y += row_step) {
       stop_if_interrupted();
       if (!decoder.read_row(row.data())) return false;
-      Shade* to = &image.pixels[image.width * (rows.first + y * rows.step)];
-      for (std::size_t x = 0; x < width; ++x)
-        to[columns.first + x * columns.step] = shade_of_pixel(&row[bytes_per_pixel * x], threshold);
+      const png_byte* pixel = row.data();
+      for (std::size_t x = left; x < image.width; x += column_step, pixel += bytes_per_pixel)
+        image.pixels[image.width * y + x] = shade_of_pixel(pixel, threshold);
     }
   }
   return decoder.read_end();

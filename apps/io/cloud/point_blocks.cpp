@@ -16,9 +16,7 @@ namespace {
 class CloudBlocks final : public PointBlocks {
  public:
   explicit CloudBlocks(const PointSource& source)
-      // Numbers may begin like a gzip file.
-      : cloud_(open_plane_cloud(
-            Content::of_file(source.path, source.format != Format::raw || is_gzip_name(source.path)), source)) {}
+      : source_(source), cloud_(open_plane_cloud(Content::of_file(source.path, may_be_packed(source)), source)) {}
 
   bool next(std::vector<Point>& block) override {
     block.clear();
@@ -26,16 +24,20 @@ class CloudBlocks final : public PointBlocks {
       ended_ = !cloud_->next(columns_);
       if (!ended_) append_points(columns_, block);
     }
+    if (source_.shift_longitude) shift_longitude(block, source_.path);
     if (block.empty() && !is_finished_) {
       is_finished_ = true;
       cloud_->finish();
       about_ = std::move(cloud_->facts().file);
+      settle_crs(about_, source_.crs);
+      if (source_.shift_longitude) about_.degrees = true;
     }
     return !block.empty();
   }
   std::uint64_t bytes_read() const override { return cloud_->bytes_read(); }
 
  private:
+  PointSource source_;
   std::unique_ptr<Cloud> cloud_;
   CloudBlock columns_ = {};
   bool ended_ = false, is_finished_ = false;
@@ -67,39 +69,12 @@ class WholeFile final : public PointBlocks {
   std::uint64_t size_ = 0;
 };
 
-/// What the command line says of the points, as read_points() obeys it.
-class Settled final : public PointBlocks {
- public:
-  Settled(std::unique_ptr<PointBlocks> blocks, const PointSource& source)
-      : blocks_(std::move(blocks)), source_(source) {}
-
-  bool next(std::vector<Point>& block) override {
-    if (blocks_->next(block)) {
-      if (source_.shift_longitude) {
-        PointFile file{.points = std::move(block)};
-        shift_longitude(file, source_.path);
-        block = std::move(file.points);
-      }
-      return true;
-    }
-    about_ = blocks_->about();
-    settle_crs(about_, source_.crs);
-    if (source_.shift_longitude) about_.degrees = true;
-    return false;
-  }
-  std::uint64_t bytes_read() const override { return blocks_->bytes_read(); }
-
- private:
-  std::unique_ptr<PointBlocks> blocks_;
-  PointSource source_;
-};
-
 }  // namespace
 
 std::unique_ptr<PointBlocks> open_point_blocks(const PointSource& source) {
   const CloudFormat* const format = cloud_format(source.format);
   if (format == nullptr || !format->streams) return std::make_unique<WholeFile>(source);
-  return std::make_unique<Settled>(std::make_unique<CloudBlocks>(source), source);
+  return std::make_unique<CloudBlocks>(source);
 }
 
 }  // namespace rbpa::app

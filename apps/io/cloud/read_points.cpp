@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "io/bytes/gunzip.h"
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
@@ -31,7 +30,10 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
 
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
-  if (source.shift_longitude) shift_longitude(file, name);
+  if (source.shift_longitude) {
+    shift_longitude(file.points, name);
+    file.degrees = true;
+  }
   if (file.degrees) remark_on_degrees(file);
   return file;
 }
@@ -78,14 +80,15 @@ void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (file.crs && file.crs->degrees) file.degrees = true;
 }
 
+bool may_be_packed(const PointSource& source) { return source.format != Format::raw || is_gzip_name(source.path); }
+
 PointFile read_points(const PointSource& source) {
   if (source.format == Format::ogr)
     return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
-  InputBytes input(source.path, "a file of points");
-  // Numbers may begin like a gzip file.
-  if (is_gzip(input.bytes()) && (source.format != Format::raw || is_gzip_name(source.path)))
-    input.gunzip(claim_of(source.format, source.skip_invalid),
-                 " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
+  Claim claim = claim_of(source.format, source.skip_invalid);
+  claim.may_be_packed = may_be_packed(source);
+  const InputBytes input(source.path, "a file of points", claim,
+                         " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
   return points_in(input.bytes(), input.name(), source);
 }
 

@@ -29,6 +29,9 @@ struct PointSource {
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
 };
 
+/// Whether a file that begins as a gzip file does is one: numbers may begin like it.
+bool may_be_packed(const PointSource& source);
+
 /// The points in the order of the file, all finite. A gzip file is read as what was compressed. Throws BadInput naming
 /// the file, the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);

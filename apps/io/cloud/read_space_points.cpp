@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "io/bytes/gunzip.h"
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/colors.h"
 #include "io/cloud/units.h"
@@ -68,8 +67,7 @@ void require_directions(const SpacePoints& file, const std::string& name) {
 }  // namespace
 
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request) {
-  InputBytes input(path, "a file of points");
-  if (is_gzip(input.bytes())) input.gunzip(claim_of(format, request.skip_invalid));
+  const InputBytes input(path, "a file of points", claim_of(format, request.skip_invalid));
   return space_points_in(input.bytes(), input.name(), format, request);
 }
 

@@ -160,7 +160,7 @@ class TableCloud final : public Cloud {
   void append(const Numbers& value, CloudBlock& block) {
     if (is_by_content_) look_at_last({value[3], value[4], value[5]});
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
-    for (std::size_t k = 0; k < block.fields.size(); ++k) block.fields[k].push_back(selection_.column_values()[k]);
+    append_fields(selection_.column_values(), block);
     ++block.count;
   }
 

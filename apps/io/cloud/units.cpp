@@ -174,13 +174,12 @@ std::string share_of_latitude(const Box& box) {
 
 }  // namespace
 
-void shift_longitude(PointFile& file, const std::string& name) {
-  for (Point& p : file.points) {
+void shift_longitude(std::vector<Point>& points, const std::string& name) {
+  for (Point& p : points) {
     if (p.x < -180 || p.x > 360)
       bad_input(name, "x = " + in_quotes(ShortestText(p.x)), "a longitude of -180 to 360, as --shift-longitude asks");
     if (p.x < 0) p.x += 360;
   }
-  file.degrees = true;
 }
 
 std::string remark_on_degrees(const std::vector<Point3>& points) {

@@ -21,7 +21,7 @@ std::optional<std::string_view> unit_of(const PointFile& file);
 
 /// `--shift-longitude`: adds 360 to longitudes below 0, so that what lies around the antimeridian hangs together.
 /// Throws BadInput when a longitude is none: beyond -180 to 360.
-void shift_longitude(PointFile& file, const std::string& name);
+void shift_longitude(std::vector<Point>& points, const std::string& name);
 
 /// What is to be said of points of space of which x and y are degrees and z is none; nothing where there are no such.
 std::string remark_on_degrees(const std::vector<Point3>& points);

@@ -4,7 +4,6 @@
 
 #include "io/cloud/obj.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 #include "io/mesh/read_mesh.h"
 #include "io/text/vertex_lines.h"
 
@@ -16,32 +15,29 @@ class ObjReader {
   ObjReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
 
   MeshFile read() {
-    for (std::size_t step = 0; lines_.next_with_content(); ++step) {
-      if (step % 16384 == 0) stop_if_interrupted();
-      first_line_ = lines_.number();
-      std::string_view rest = take_obj_line(lines_, joined_);
-      const std::string_view word = take_word(rest);
+    for_each_obj_line(lines_, [&](std::string_view word, std::string_view rest, std::size_t line) {
       if (word == "v") {
         mesh_.positions.push_back(take_position(rest, lines_, name_));
-        mesh_.point_lines.push_back(first_line_);
+        mesh_.point_lines.push_back(line);
       } else if (word == "f") {
-        read_face(rest);
+        read_face(rest, line);
       }
-    }
+    });
     if (mesh_.positions.empty()) bad_input(name_, "no line 'v x y z'", "the vertices of a mesh");
     check_later_corners();
     return std::move(mesh_);
   }
 
  private:
-  void read_face(std::string_view rest) {
+  void read_face(std::string_view rest, std::size_t line) {
     corners_.clear();
     while (take_plain_corner(rest)) continue;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
-      corners_.push_back(corner(word));
-    if (corners_.empty()) bad_input(at_line(name_, first_line_), "a face without corners", "vertex numbers behind 'f'");
+      corners_.push_back(
+          take_obj_number(word, word.substr(0, word.find('/')), "vertex", mesh_.positions.size(), name_, line));
+    if (corners_.empty()) bad_input(at_line(name_, line), "a face without corners", "vertex numbers behind 'f'");
     mesh_.soup.add_face(corners_);
-    mesh_.face_lines.push_back(first_line_);
+    mesh_.face_lines.push_back(line);
   }
 
   /// Takes a corner that is a number without sign and nothing else, as nearly all are.
@@ -56,10 +52,6 @@ class ObjReader {
     return true;
   }
 
-  std::uint32_t corner(std::string_view word) const {
-    return take_obj_number(word, word.substr(0, word.find('/')), "vertex", mesh_.positions.size(), name_, first_line_);
-  }
-
   /// A face may name vertices that come behind it.
   void check_later_corners() const {
     for (std::size_t f = 0; f < mesh_.soup.faces(); ++f)
@@ -71,8 +63,6 @@ class ObjReader {
 
   Lines lines_;
   const std::string& name_;
-  std::size_t first_line_ = 0;  ///< of a line that is continued
-  std::string joined_ = {};
   std::vector<std::uint32_t> corners_ = {};
   MeshFile mesh_ = {};
 };

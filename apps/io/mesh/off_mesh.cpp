@@ -1,6 +1,5 @@
 #include "io/cloud/off.h"
 #include "io/failure.h"
-#include "io/interrupt.h"
 #include "io/mesh/read_mesh.h"
 #include "io/text/vertex_lines.h"
 
@@ -18,7 +17,6 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   mesh.positions.reserve(header.vertices);
   mesh.point_lines.reserve(header.vertices);
   for (std::size_t i = 0; i < header.vertices; ++i) {
-    if (i % 16384 == 0) stop_if_interrupted();
     if (!lines.next_with_content())
       bad_input(name, counted(i, "vertex line"), announced(header, header.vertices, "vertex line"));
     std::string_view rest = lines.line();
@@ -33,7 +31,6 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   mesh.face_lines.reserve(*faces);
   std::vector<std::uint32_t> corners;
   for (std::size_t f = 0; f < *faces; ++f) {
-    if (f % 16384 == 0) stop_if_interrupted();
     if (!lines.next_with_content()) bad_input(name, counted(f, "face line"), announced(header, *faces, "face line"));
     std::string_view rest = lines.line();
     take_corner_list(rest, lines, name, mesh.positions.size(), corners);

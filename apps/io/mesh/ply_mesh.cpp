@@ -52,10 +52,10 @@ void pass_all(Data& data, const PlyHeader& header, const PlyMeshLayout& layout, 
     data.require_room(element);
     if (&element == layout.vertex) {
       mesh.positions.reserve(element.count);
-      data.pass(element, read_vertex);
+      data.pass(element, 0, element.count, read_vertex);
     } else if (&element == layout.face) {
       mesh.reserve_faces(element.count);
-      data.pass(element, read_face);
+      data.pass(element, 0, element.count, read_face);
     } else {
       data.skip(element);
     }

@@ -7,10 +7,13 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "io/bytes/npy.h"
 #include "io/bytes/number.h"
 #include "io/bytes/output_file.h"
+#include "io/formats.h"
 
 namespace rbpa::app {
 
@@ -103,6 +106,21 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
     file.write_binary(corners);
     if constexpr (requires { mesh.face_properties(); }) mesh.write_face_properties(file, f);
   }
+}
+
+/// `format`: OFF, OBJ or PLY.
+template <typename Mesh>
+void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
+  if (format == Format::off) write_off(file, mesh);
+  if (format == Format::obj) write_obj(file, mesh);
+  if (format == Format::ply) write_ply(file, mesh);
+}
+
+/// An .npy array of as many columns as the rows have.
+template <std::size_t columns>
+void write_npy_rows(OutputFile& file, std::span<const std::array<std::uint32_t, columns>> rows) {
+  file.write(npy_header("<u4", rows.size(), ", " + std::to_string(columns)));
+  if (!rows.empty()) file.write_binary(std::span(rows.front().data(), columns * rows.size()));
 }
 
 }  // namespace rbpa::app

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "io/bytes/gunzip.h"
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/cloud.h"
 #include "io/failure.h"
@@ -27,9 +26,8 @@ MeshFile parse(Format format, std::string_view bytes, const std::string& name) {
 }  // namespace
 
 MeshFile read_mesh(const MeshSource& source) {
-  InputBytes input(source.path, "a mesh file");
-  if (is_gzip(input.bytes()))
-    input.gunzip(source.format == Format::stl ? Claim{claimed_stl_size} : claim_of(source.format));
+  const InputBytes input(source.path, "a mesh file",
+                         source.format == Format::stl ? Claim{claimed_stl_size} : claim_of(source.format));
   return mesh_in(input.bytes(), input.name(), source.format);
 }
 

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
+#include "io/bytes/claim.h"
 #include "io/bytes/number.h"
 #include "io/bytes/scalar.h"
-#include "io/bytes/unpack_limit.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/equal_positions.h"
@@ -44,17 +43,12 @@ std::size_t announced_facets(std::string_view bytes) {
   return load<std::uint32_t>(bytes.data() + header_size - 4, std::endian::little);
 }
 
-bool is_word(std::string_view word, std::string_view keyword) {
-  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
-                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-}
-
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);
   if (!lines.next_with_content()) return false;
   std::string_view rest = lines.line();
-  return !is_word(take_word(rest), "solid") || bytes.find('\0') != std::string_view::npos;
+  return !same_letters(take_word(rest), "solid") || bytes.find('\0') != std::string_view::npos;
 }
 
 MeshFile read_binary(std::string_view bytes, const std::string& name) {
@@ -95,10 +89,7 @@ class AsciiReader {
   MeshFile read() {
     while (lines_.next_with_content()) {
       if (!begins_with("solid")) refuse("solid");
-      for (std::size_t facet = 0; !next_ends_solid(); ++facet) {
-        if (facet % 16384 == 0) stop_if_interrupted();
-        read_facet();
-      }
+      while (!next_ends_solid()) read_facet();
     }
     return std::move(mesh_);
   }
@@ -137,7 +128,7 @@ class AsciiReader {
   bool begins_with(std::string_view words) const {
     std::string_view rest = lines_.line();
     while (!words.empty())
-      if (!is_word(take_word(rest), take_word(words))) return false;
+      if (!same_letters(take_word(rest), take_word(words))) return false;
     return true;
   }
   [[noreturn]] void refuse(const std::string& expected) const {

@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/bytes/npy.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/mesh/polygon_files.h"
 
 namespace rbpa::app {
@@ -25,17 +26,7 @@ struct SoupPolygons {
 
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup) {
-  const SoupPolygons mesh{positions, soup};
-  switch (format) {
-    case Format::off:
-      return write_off(file, mesh);
-    case Format::ply:
-      return write_ply(file, mesh);
-    case Format::obj:
-      return write_obj(file, mesh);
-    default:
-      break;
-  }
+  write_polygons(file, format, SoupPolygons{positions, soup});
 }
 
 namespace {
@@ -107,22 +98,44 @@ void write_stl(OutputFile& file, const SpaceMesh& mesh) {
 }  // namespace
 
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {
-  switch (format) {
-    case Format::off:
-      return write_off(file, SurfacePolygons{mesh});
-    case Format::obj:
-      return write_obj(file, SurfacePolygons{mesh});
-    case Format::ply:
-      return write_ply(file, SurfacePolygons{mesh});
-    case Format::stl:
-      return write_stl(file, mesh);
-    case Format::npy:
-      file.write(npy_header("<u4", mesh.triangles.size(), ", 3"));
-      for (const auto& triangle : mesh.triangles) file.write_binary(std::span<const std::uint32_t>(triangle));
-      return;
-    default:
-      break;
+  if (format == Format::stl) return write_stl(file, mesh);
+  if (format == Format::npy) return write_npy_rows(file, mesh.triangles);
+  write_polygons(file, format, SurfacePolygons{mesh});
+}
+
+namespace {
+
+void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
+                     std::span<const Polyline> loops) {
+  for (const std::array<double, 3>& p : positions) write_obj_vertex(file, p);
+  for (Polyline loop : loops) {
+    loop.push_back(loop.front());
+    file.write("l");
+    write_corners(file, loop, 1);
   }
+}
+
+void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
+                      std::span<const Polyline> loops) {
+  using Json = nlohmann::ordered_json;
+  file.write("[");
+  std::string_view before = "";
+  for (const Polyline& loop : loops) {
+    stop_if_interrupted();
+    Json points = Json::array();
+    for (const std::uint32_t v : loop) points.push_back(positions[v]);
+    file.write(before);
+    file.write(Json{{"vertices", loop}, {"positions", points}}.dump());
+    before = ",";
+  }
+  file.write("]\n");
+}
+
+}  // namespace
+
+void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
+                     std::span<const Polyline> loops) {
+  format == Format::obj ? write_obj_lines(file, positions, loops) : write_json_lines(file, positions, loops);
 }
 
 }  // namespace rbpa::app

@@ -1,10 +1,12 @@
-// What: polygons in space as a mesh file, and surfaces, with normals and colours.
+// What: polygons in space as a mesh file, surfaces, with normals and colours, and closed polylines on them.
 // Law:  what read_mesh() makes of the file is the same points, to the last bit (but for STL), and the same faces.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
@@ -33,5 +35,13 @@ struct SpaceMesh {
 /// the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is written, when a
 /// coordinate is too large for STL. Requires: not a picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
+
+/// Points one after the other, each once; the first follows the last.
+using Polyline = std::vector<std::uint32_t>;
+
+/// OBJ: all of `positions` as vertices, each loop as one element 'l', which names its first vertex again at the end.
+/// JSON: a list of {"vertices": [numbers from 0], "positions": [[x, y, z], …]}.
+void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
+                     std::span<const Polyline> loops);
 
 }  // namespace rbpa::app

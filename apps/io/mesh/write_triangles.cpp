@@ -1,7 +1,6 @@
 #include "io/mesh/write_triangles.h"
 
 #include <string>
-#include <tuple>
 
 #include "io/bytes/npy.h"
 #include "io/mesh/polygon_files.h"
@@ -66,40 +65,23 @@ void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
   }
 }
 
-/// `columns`: as npy_header() has them.
-void write_npy(OutputFile& file, std::size_t rows, std::string_view columns, std::span<const std::uint32_t> values) {
-  file.write(npy_header("<u4", rows, columns));
-  if (!values.empty()) file.write_binary(values);
-}
-
-/// The indices of all rows one after another.
-template <typename Rows>
-std::span<const std::uint32_t> flat(const Rows& rows) {
-  static_assert(sizeof(rows[0]) == sizeof(std::uint32_t) * std::tuple_size_v<typename Rows::value_type>);
-  if (rows.empty()) return {};
-  return {rows.front().data(), rows.size() * rows.front().size()};
-}
-
 }  // namespace
 
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) {
   switch (format) {
-    case Format::off:
-      return write_off(file, InSpace{mesh});
     case Format::obj:
       return write_obj_with_all(file, mesh);
-    case Format::ply:
-      return write_ply(file, InSpace{mesh});
     case Format::npy:
-      return write_npy(file, mesh.triangles.size(), ", 3", flat(mesh.triangles));
+      return write_npy_rows(file, mesh.triangles);
     case Format::npy_edges:
-      return write_npy(file, mesh.edges.size(), ", 2", flat(mesh.edges));
+      return write_npy_rows(file, mesh.edges);
     case Format::npy_points:
-      return write_npy(file, mesh.points.size(), ",", mesh.points);
+      file.write(npy_header("<u4", mesh.points.size(), ","));
+      return file.write_binary(mesh.points);
     case Format::vtu:
       return write_vtu(file, mesh);
     default:
-      break;
+      return write_polygons(file, format, InSpace{mesh});
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "io/bytes/gunzip.h"
 #include "io/bytes/input_bytes.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -29,8 +28,7 @@ PolygonFile parse(std::string_view bytes, const std::string& name, Format format
 }  // namespace
 
 PolygonFile read_polygons(const std::string& path, Format format) {
-  InputBytes input(path, "a file of polygons");
-  if (is_gzip(input.bytes())) input.gunzip({});
+  const InputBytes input(path, "a file of polygons");
   if (input.bytes().empty()) bad_input(input.name(), "an empty file", "polygons");
   return parse(input.bytes(), input.name(), format);
 }
@@ -53,8 +51,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }  // namespace
 
 std::vector<SizeAt> read_sizes(const std::string& path) {
-  InputBytes input(path, "a file of sizes");
-  if (is_gzip(input.bytes())) input.gunzip({});
+  const InputBytes input(path, "a file of sizes");
   std::vector<SizeAt> sizes;
   Lines lines(input.bytes());
   for (bool is_first = true; lines.next_with_content(); is_first = false) {

@@ -25,6 +25,16 @@ Column parse_column(std::string_view text) {
   return column;
 }
 
+std::vector<std::string_view> words_between_commas(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', first), text.size());
+    words.push_back(trimmed(text.substr(first, comma - first)));
+    first = comma + 1;
+  }
+  return words;
+}
+
 }  // namespace
 
 void refuse_one_column(std::string_view columns) {
@@ -36,12 +46,10 @@ void refuse_repeated_column(std::string_view columns) {
 }
 
 std::vector<Column> parse_columns(const std::string& text) {
-  const std::size_t comma = std::min(text.find(','), text.size());
-  const std::string_view x = trimmed(std::string_view(text).substr(0, comma));
-  const std::string_view y = trimmed(std::string_view(text).substr(std::min(comma + 1, text.size())));
-  if (x.empty() || y.empty() || y.find(',') != std::string_view::npos)
+  const std::vector<std::string_view> words = words_between_commas(text);
+  if (words.size() != 2 || words[0].empty() || words[1].empty())
     throw WrongUsage("--columns: found " + in_quotes(text) + ", expected X,Y (two column numbers or names)");
-  std::vector<Column> columns = {parse_column(x), parse_column(y)};
+  std::vector<Column> columns = {parse_column(words[0]), parse_column(words[1])};
   if (columns[0] == columns[1]) refuse_one_column(text);
   return columns;
 }
@@ -52,12 +60,9 @@ std::vector<Column> parse_space_columns(const std::string& text) {
                      ", expected X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
   };
   std::vector<Column> columns;
-  for (std::size_t first = 0; first <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', first), text.size());
-    const std::string_view word = trimmed(std::string_view(text).substr(first, comma - first));
+  for (const std::string_view word : words_between_commas(text)) {
     if (word.empty()) refuse();
     columns.push_back(parse_column(word));
-    first = comma + 1;
   }
   if (columns.size() != 3 && columns.size() != 6) refuse();
   for (std::size_t i = 0; i < columns.size(); ++i)
@@ -110,6 +115,14 @@ std::optional<std::size_t> find_first(const std::vector<std::string>& header, co
   return static_cast<std::size_t>(found - header.begin());
 }
 
+/// The columns of all three, or none.
+std::vector<std::size_t> find_three(const std::vector<std::string>& header, const std::string_view (&known)[3][4]) {
+  std::vector<std::size_t> places;
+  for (const auto& names : known)
+    if (const std::optional<std::size_t> place = find_first(header, names)) places.push_back(*place);
+  return places.size() == 3 ? places : std::vector<std::size_t>();
+}
+
 std::vector<std::string> all_folded(const std::vector<std::string_view>& header) {
   std::vector<std::string> names;
   for (const std::string_view name : header) names.push_back(folded(name));
@@ -141,18 +154,13 @@ std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>&
   const std::optional<std::size_t> z = find_first(names, height_names);
   if (!plane || !z) return {};
   std::vector<std::size_t> places = {plane->x, plane->y, *z};
-  for (const auto& axis : normal_names)
-    if (const std::optional<std::size_t> n = find_first(names, axis)) places.push_back(*n);
-  if (places.size() < 6) places.resize(3);
+  const std::vector<std::size_t> normal = find_three(names, normal_names);
+  places.insert(places.end(), normal.begin(), normal.end());
   return places;
 }
 
 std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>& header) {
-  const std::vector<std::string> names = all_folded(header);
-  std::vector<std::size_t> places;
-  for (const auto& channel : color_names)
-    if (const std::optional<std::size_t> place = find_first(names, channel)) places.push_back(*place);
-  return places.size() == 3 ? places : std::vector<std::size_t>();
+  return find_three(all_folded(header), color_names);
 }
 
 std::optional<std::size_t> find_height(const std::vector<std::string_view>& header) {

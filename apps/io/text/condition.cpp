@@ -8,6 +8,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/text/lines.h"
 
 namespace rbpa::app {
 namespace {
@@ -70,9 +71,7 @@ class Parser {
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
   bool is(std::string_view word, std::string_view sign = "") const {
-    if (!sign.empty() && word_ == sign) return true;
-    return std::equal(word_.begin(), word_.end(), word.begin(), word.end(),
-                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+    return (!sign.empty() && word_ == sign) || same_letters(word_, word);
   }
 
   bool take_if(std::string_view word, std::string_view sign = "") {
@@ -258,15 +257,15 @@ Condition::Condition(const std::string& text, const FieldNames& names, std::vect
   selects_ ? Parser(text, names, instructions_, fields_, texts_).parse() : instructions_.push_back({Step::number, 1});
 }
 
-bool Decision::operator()(std::span<const double> values) {
+bool Selection::holds() {
   stack_.clear();
   for (const Condition::Instruction& instruction : instructions_) {
     if (instruction.step == Step::number) {
       stack_.push_back(instruction.number);
     } else if (instruction.step == Step::field) {
-      stack_.push_back(values[instruction.field]);
+      stack_.push_back(values_[instruction.field]);
     } else if (instruction.step == Step::text) {
-      stack_.push_back(values[first_text_ + instruction.field]);
+      stack_.push_back(values_[first_text_ + instruction.field]);
     } else if (instruction.step == Step::negation) {
       stack_.back() = stack_.back() == 0 ? 1 : 0;
     } else {
@@ -275,7 +274,13 @@ bool Decision::operator()(std::span<const double> values) {
       stack_.back() = evaluated(instruction.step, stack_.back(), right);
     }
   }
+  ++judged_;
+  if (stack_.back() != 0) ++selected_;
   return stack_.back() != 0;
+}
+
+void Selection::remark(std::string_view noun, std::vector<std::string>& remarks) const {
+  if (selects_) remarks.push_back(std::to_string(selected_) + " of " + counted(judged_, noun) + " are as --where asks");
 }
 
 }  // namespace rbpa::app

@@ -71,19 +71,35 @@ class Condition {
   bool selects_ = true;
 };
 
-/// Says of one point after the other whether a condition holds.
-class Decision {
+/// Judges one point after the other, and counts.
+class Selection {
  public:
-  explicit Decision(const Condition& condition)
-      : instructions_(condition.instructions()), first_text_(condition.fields().size()) {}
+  explicit Selection(const Condition& condition)
+      : instructions_(condition.instructions()),
+        columns_(condition.columns()),
+        selects_(condition.selects()),
+        first_text_(condition.fields().size()),
+        values_(first_text_ + condition.texts().size()) {}
 
-  /// `values` are those of the condition's fields, and behind them 1 or 0 for each of its texts.
-  bool operator()(std::span<const double> values);
+  /// Where the values of the condition's fields belong, of the point that holds() judges, and behind them 1 or 0 for each of
+  /// its texts.
+  std::span<double> values() { return values_; }
+  bool holds();
+
+  bool all_held() const { return selected_ == judged_; }
+  /// The condition's columns(), of the point that was judged last.
+  std::span<const double> column_values() const { return {values_.data(), columns_}; }
+  /// "2 of 3 points are as --where asks"; nothing where all count.
+  void remark(std::string_view noun, std::vector<std::string>& remarks) const;
 
  private:
   std::vector<Condition::Instruction> instructions_;
+  std::size_t columns_;
+  bool selects_;
   std::size_t first_text_;
-  std::vector<double> stack_;
+  std::vector<double> values_;
+  std::vector<double> stack_ = {};
+  std::size_t judged_ = 0, selected_ = 0;
 };
 
 }  // namespace rbpa::app

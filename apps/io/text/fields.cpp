@@ -1,7 +1,6 @@
 #include "io/text/fields.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <iterator>
 
@@ -19,6 +18,12 @@ bool may_be_decimal(std::string_view field) {
   if (comma == std::string_view::npos) return true;
   return comma > 0 && is_digit(field[comma - 1]) && comma + 1 < field.size() && is_digit(field[comma + 1]) &&
          field.find(',', comma + 1) == std::string_view::npos;
+}
+
+std::string with_point(std::string_view field) {
+  std::string text(field);
+  std::replace(text.begin(), text.end(), ',', '.');
+  return text;
 }
 
 }  // namespace
@@ -39,17 +44,6 @@ char separator_of(std::string_view line) {
   return blanks;
 }
 
-namespace {
-
-bool same_name(std::string_view a, std::string_view b) {
-  const auto same_letter = [](char p, char q) {
-    return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
-  };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_letter);
-}
-
-}  // namespace
-
 std::string_view beyond_byte_order_mark(std::string_view text, const std::string& name) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
@@ -61,14 +55,13 @@ std::string_view beyond_byte_order_mark(std::string_view text, const std::string
 bool is_separator_hint(std::string_view line) { return line.size() == 5 && line.starts_with("sep="); }
 
 bool is_number(std::string_view field) {
-  std::string text(field);
-  std::replace(text.begin(), text.end(), ',', '.');
-  return parse_whole_number(text).fault != NumberFault::not_a_number;
+  return parse_whole_number(with_point(field)).fault != NumberFault::not_a_number;
 }
 
 bool is_missing(std::string_view field) {
   constexpr std::string_view signs[] = {"", "NA", "N/A", "#N/A", "NaN", "-NaN", "null", "none", "nil", "-", "\\N"};
-  return std::any_of(std::begin(signs), std::end(signs), [&](std::string_view sign) { return same_name(field, sign); });
+  return std::any_of(std::begin(signs), std::end(signs),
+                     [&](std::string_view sign) { return same_letters(field, sign); });
 }
 
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
@@ -76,21 +69,11 @@ std::size_t find_column(const std::vector<std::string_view>& header, const std::
   auto found = std::find(header.begin(), header.end(), wanted);
   if (found == header.end())
     found =
-        std::find_if(header.begin(), header.end(), [&](std::string_view field) { return same_name(field, wanted); });
+        std::find_if(header.begin(), header.end(), [&](std::string_view field) { return same_letters(field, wanted); });
   if (found == header.end())
     bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "a header with a column " + in_quotes(wanted));
   return static_cast<std::size_t>(found - header.begin());
 }
-
-namespace {
-
-std::string with_point(std::string_view field) {
-  std::string text(field);
-  std::replace(text.begin(), text.end(), ',', '.');
-  return text;
-}
-
-}  // namespace
 
 double DecimalComma::read(std::string_view field, const std::string& here) const {
   const bool one = std::count(field.begin(), field.end(), ',') == 1 && field.find('.') == std::string_view::npos;

@@ -11,16 +11,13 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
   for (const std::string& field : where_->fields()) columns_.push_back(find_column(names, field, lines, name));
   for (const Condition::Text& text : where_->texts())
     text_columns_.push_back(find_column(names, text.field, lines, name));
-  values_.resize(columns_.size() + text_columns_.size());
-  holds_.emplace(*where_);
+  selection_.emplace(*where_);
 }
 
 void LineSelection::add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const {
-  if (holds_ && where_->selects())
-    remarks.push_back(std::to_string(selected_) + " of " + counted(selected_ + deselected_, "line") +
-                      " are as --where asks");
+  if (selection_) selection_->remark("line", remarks);
   if (skipped_ == 0) return;
-  if (!any_points && deselected_ == 0)
+  if (!any_points && (!selection_ || selection_->all_held()))
     bad_input(name, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
   remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
                     " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);

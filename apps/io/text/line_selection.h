@@ -27,7 +27,9 @@ class LineSelection {
 
   bool has_condition() const { return where_.has_value(); }
   /// Of the condition's columns(), in the line that was judged last.
-  std::span<const double> column_values() const { return {values_.data(), where_ ? where_->columns() : 0}; }
+  std::span<const double> column_values() const {
+    return selection_ ? selection_->column_values() : std::span<const double>();
+  }
 
   /// The columns of the condition, by the header of the file `name`, in the current line. `names` are its fields; none
   /// where there is no header, which is refused. Throws BadInput.
@@ -48,12 +50,10 @@ class LineSelection {
       }
       const double value = read(fields);
       for (std::size_t i = 0; i < columns_.size(); ++i)  // which may have been named in two ways
-        if (columns_[i] == count) values_[i] = value;
+        if (columns_[i] == count) selection_->values()[i] = value;
     }
     take_width(count);
-    const bool counts = (*holds_)(values_);
-    ++(counts ? selected_ : deselected_);
-    return counts;
+    return selection_->holds();
   }
 
   /// Takes a line; one that take() refuses is left out, or the refusal stands.
@@ -76,16 +76,16 @@ class LineSelection {
  private:
   void compare_texts(std::size_t column, std::string_view found) {
     for (std::size_t i = 0; i < text_columns_.size(); ++i)
-      if (text_columns_[i] == column) values_[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
+      if (text_columns_[i] == column)
+        selection_->values()[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
   }
 
   std::optional<Condition> where_;
   bool skip_invalid_;
   std::vector<std::size_t> columns_ = {};       // of the condition's fields
   std::vector<std::size_t> text_columns_ = {};  // of its texts
-  std::vector<double> values_ = {};
-  std::optional<Decision> holds_ = std::nullopt;
-  std::size_t selected_ = 0, deselected_ = 0, skipped_ = 0;
+  std::optional<Selection> selection_ = std::nullopt;
+  std::size_t skipped_ = 0;
   std::string first_skipped_ = {};
 };
 

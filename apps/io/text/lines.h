@@ -1,6 +1,8 @@
 // What: a text as its lines, and a line as its words.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -18,6 +20,13 @@ inline std::string_view trimmed(std::string_view text) {
   while (first != last && is_blank(*first)) ++first;
   while (first != last && is_blank(last[-1])) --last;
   return {first, static_cast<std::size_t>(last - first)};
+}
+
+/// Whether two words are the same but for the case of their letters.
+inline bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
+    return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
+  });
 }
 
 /// How often a line ends in `text`. Throws Cancelled.

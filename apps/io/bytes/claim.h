@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +18,7 @@ struct Claim {
   /// Null: the format claims nothing.
   double (*size)(std::string_view first, const std::string& name) = nullptr;
   std::string_view hint = {};  ///< what reads a longer file, for the end of a sentence
+  bool may_be_packed = true;   ///< else a file that begins as a gzip file does is none
 };
 
 /// Of a file that claims nothing.
@@ -26,24 +26,5 @@ constexpr double any_size = std::numeric_limits<double>::infinity();
 
 /// What a header may claim of a file that is packed, of which nobody knows how long it will be.
 constexpr std::size_t unknown_size = std::numeric_limits<std::size_t>::max() / 2;
-
-class UnpackLimit {
- public:
-  /// Of the file `name`. Without a claim memory alone is the limit; `way_out` ends the sentence that says so.
-  UnpackLimit(const std::string& name, const Claim& claim, const std::string& way_out);
-
-  /// What is unpacked so far. Throws BadInput when that is more than the first of it claims, or when memory would not
-  /// suffice for more of it and for what reading makes of it.
-  void require(std::string_view unpacked);
-
- private:
-  double claimed_by(std::string_view unpacked) const;
-
-  const std::string& name_;
-  Claim claim_;
-  const std::string& way_out_;
-  std::optional<double> most_;  // for which memory suffices
-  double next_;                 // the size at which the claim is asked for
-};
 
 }  // namespace rbpa::app

@@ -1,0 +1,203 @@
+#include "io/cloud/element_cloud.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "io/bytes/number.h"
+#include "io/cloud/colors.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/text/vertex_lines.h"
+
+namespace rbpa::app {
+namespace {
+
+/// The three bytes 0xRRGGBB behind the colours of a block.
+void append_color(std::uint32_t bits, CloudBlock& block) {
+  for (std::size_t k = 0; k < 3; ++k) block.column[CloudBlock::color + k].push_back(bits >> (16 - 8 * k) & 0xFFU);
+}
+
+/// The bits of a colour in text: of a float those of the number that is written.
+std::uint32_t color_bits(double number, Scalar type, const std::string& here) {
+  const bool bits_of_float = type == Scalar::float32;
+  const double least = bits_of_float ? -0x1.fffffep127 : -0x1p31,
+               greatest = bits_of_float ? 0x1.fffffep127 : 0x1p32 - 1;
+  if (!(number >= least && number <= greatest)) bad_input(here, in_quotes(ShortestText(number)), "a colour of 4 bytes");
+  if (bits_of_float) return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed, or not
+}
+
+class ElementCloud final : public Cloud {
+ public:
+  ElementCloud(Content content, PlyHeader header, PointLayout layout, const CloudRequest& request)
+      : content_(std::move(content)),
+        name_(content_.name()),
+        header_(std::move(header)),
+        layout_(std::move(layout)),
+        vertex_(header_.elements[layout_.element]),
+        fields_(layout_.asked.size()) {
+    facts_ = std::move(layout_.facts);
+    facts_.expected = vertex_.count;
+    if (request.where) selection_.emplace(*request.where);
+    if (header_.binary) {
+      binary_.emplace(header_, name_);
+    } else {
+      text_.emplace(header_, name_);
+    }
+    for (const PlyElement& element : header_.elements) {
+      if (&element == &vertex_) break;
+      if (binary_) binary_->require_room(element);
+      binary_ ? binary_->skip(element) : text_->skip(element);
+    }
+    if (layout_.has_room) return;
+    binary_ ? binary_->require_room(vertex_) : text_->require_room(vertex_);
+  }
+
+  bool next(CloudBlock& block) override {
+    block.count = 0;
+    while (block.count == 0 && first_ < vertex_.count) {
+      stop_if_interrupted();
+      block.count = std::min(points_at_once, vertex_.count - first_);
+      for (const auto& [column, property] : layout_.columns) block.column[column].resize(block.count);
+      for (std::vector<double>& field : fields_) field.resize(block.count);
+      if (layout_.color || layout_.colors_behind) clear_colors(block);
+      if (text_)
+        read_text(block);
+      else if (vertex_.has_lists())
+        read_with_lists(block);
+      else
+        read_rows(block);
+      const std::size_t first = std::exchange(first_, first_ + block.count);
+      selection_ ? select_points(*selection_, block, fields_, first, name_) : require_finite(block, first, name_);
+    }
+    if (block.count == 0 && binary_) pass_rest();
+    if (block.count == 0 && layout_.colors_behind) colors_.settle(vertex_.count > 0, facts_);
+    return block.count > 0;
+  }
+
+  void finish() override {
+    if (selection_) selection_->remark("point", facts_.file.remarks);
+  }
+
+ private:
+  bool looks_at_heights() const { return layout_.height && !facts_.file.heights.differ(); }
+
+  void read_rows(CloudBlock& block) {
+    std::vector<std::size_t> offsets;
+    std::size_t size = 0;
+    for (const PlyProperty& property : vertex_.properties) {
+      offsets.push_back(size);
+      size += property.least_size();
+    }
+    const char* const rows = binary_->take_rows(vertex_, block.count);
+    const auto load_all = [&](std::vector<double>& column, std::size_t property) {
+      load_column(column, vertex_.properties[property].type, rows + offsets[property], size, block.count,
+                  *header_.binary);
+    };
+    for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
+    for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], layout_.asked[k]);
+    for (std::size_t i = 0; layout_.color && i < block.count; ++i)
+      append_color(load<std::uint32_t>(rows + i * size + offsets[*layout_.color], *header_.binary), block);
+    if (!looks_at_heights()) return;
+    std::vector<double> heights;
+    load_all(heights, *layout_.height);
+    for (const double z : heights) facts_.file.heights.take(z);
+  }
+
+  void read_with_lists(CloudBlock& block) {
+    binary_->pass(vertex_, first_, first_ + block.count, [&](std::size_t i, const std::vector<const char*>& at) {
+      const auto number = [&](std::size_t property) {
+        return load_number(vertex_.properties[property].type, at[property], *header_.binary);
+      };
+      for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
+      for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(layout_.asked[k]);
+      if (looks_at_heights()) facts_.file.heights.take(number(*layout_.height));
+    });
+  }
+
+  void read_text(CloudBlock& block) {
+    std::vector<double*> target(vertex_.properties.size(), nullptr);  // where the numbers of a property go
+    std::vector<double> color(layout_.color ? block.count : 0);
+    for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.asked[k]] = fields_[k].data();
+    if (layout_.color) target[*layout_.color] = color.data();
+    for (const auto& [column, property] : layout_.columns) target[property] = block.column[column].data();
+    std::vector<char> is_channel(target.size(), 0);
+    for (const auto& [column, property] : layout_.columns) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
+    while (!layout_.whole_lines && target.back() == nullptr) target.pop_back();
+    const std::size_t size = target.size(), first = first_;
+    text_->pass(vertex_, first, first + block.count, [&](std::size_t i, std::string_view& rest) {
+      for (std::size_t k = 0; k < size; ++k) {
+        const bool is_wanted = target[k] != nullptr;
+        if (is_wanted) target[k][i - first] = take_coordinate(rest, text_->lines(), name_);
+        if (is_channel[k] != 0) require_channel(target[k][i - first]);
+        if (!is_wanted || vertex_.properties[k].count > 1)
+          text_->pass_words(vertex_.properties[k], rest, is_wanted ? 1 : 0);
+      }
+      if (layout_.color)
+        append_color(color_bits(color[i - first], vertex_.properties[*layout_.color].type, here()), block);
+      if (layout_.colors_behind) colors_.take(rest.substr(0, rest.find('#')), text_->lines().number(), block);
+      if (looks_at_heights()) take_height();
+    });
+    for (std::size_t k = 0; k < fields_.size(); ++k)  // which may be a column as well
+      std::copy_n(target[layout_.asked[k]], block.count, fields_[k].data());
+  }
+
+  std::string here() const { return at_line(name_, text_->lines().number()); }
+
+  void require_channel(double number) const {
+    if (!(number >= 0 && number <= 255 && number == std::floor(number)))
+      bad_input(here(), in_quotes(ShortestText(number)), "a channel of a colour, from 0 to 255");
+  }
+
+  /// Lists before it are none of a file with heights that we would know.
+  void take_height() {
+    if (vertex_.has_lists()) return layout_.height.reset();
+    std::string_view line = text_->lines().line();
+    for (std::size_t k = 0; k < *layout_.height; ++k) take_word(line);
+    const ParsedNumber z = parse_whole_number(take_word(line));
+    if (z.fault == NumberFault::none) facts_.file.heights.take(z.value);
+  }
+
+  /// The elements behind the vertices of a binary file.
+  void pass_rest() {
+    for (std::size_t i = layout_.element + 1; i < header_.elements.size(); ++i) {
+      binary_->require_room(header_.elements[i]);
+      binary_->skip(header_.elements[i]);
+    }
+    binary_.reset();
+  }
+
+  Content content_;
+  const std::string& name_;
+  PlyHeader header_;
+  PointLayout layout_;
+  const PlyElement& vertex_;
+  std::vector<std::vector<double>> fields_;  // columns of what the condition asks for
+  std::optional<Selection> selection_ = std::nullopt;
+  std::optional<PlyBinary> binary_ = std::nullopt;
+  std::optional<PlyText> text_ = std::nullopt;
+  TextColors colors_ = TextColors();
+  std::size_t first_ = 0;
+};
+
+}  // namespace
+
+void lay_out_normal(const PlyElement& element, const std::string_view (&names)[3], PointLayout& layout) {
+  const std::vector<std::size_t> places = number_places(element, names);
+  layout.facts.normals = places.size() == 3;
+  for (std::size_t k = 0; layout.facts.normals && k < 3; ++k)
+    layout.columns.emplace_back(CloudBlock::normal + k, places[k]);
+  if (places.size() == 1 || places.size() == 2)
+    layout.facts.file.remarks.push_back("normals are left out, as not all of " + std::string(names[0]) + ", " +
+                                        std::string(names[1]) + " and " + std::string(names[2]) + " are there");
+}
+
+std::unique_ptr<Cloud> open_elements(Content content, PlyHeader header, PointLayout layout,
+                                     const CloudRequest& request) {
+  return std::make_unique<ElementCloud>(std::move(content), std::move(header), std::move(layout), request);
+}
+
+}  // namespace rbpa::app
