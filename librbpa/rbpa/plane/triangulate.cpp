@@ -94,7 +94,7 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   };
   if (options.neighbors || options.boundary) {
     LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
-    LinkedTriangles::Sorted sorted = find(list);
+    OwnedTriangles sorted = find(list);
     result.triangles = std::move(sorted.triangles);
     result.neighbors = std::move(sorted.neighbors);
   } else {

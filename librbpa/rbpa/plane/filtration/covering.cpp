@@ -32,7 +32,7 @@ std::optional<double> smallest_covering(const Triangulation& delaunay, const Fil
   const std::vector<std::uint32_t> faces = ascending(filtration, pulse);
   const std::size_t points = delaunay.distinct + delaunay.duplicates.size();
   require_linked(delaunay, points, go_on);
-  const OrderedTriangles triangles = in_order(delaunay, faces);
+  const OwnedTriangles triangles = in_order(delaunay, faces);
   SolidParts parts(triangles, points);
   // So many triangles, joined by edges, have at most two vertices more.
   PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
