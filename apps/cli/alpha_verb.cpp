@@ -39,12 +39,12 @@ struct AlphaRequest {
 };
 
 AlphaReport examine(const std::vector<Point>& points, const AlphaRequest& request, const RunOptions& run) {
-  const Triangulation delaunay = build_delaunay(points, run);
+  const Delaunay delaunay = build_delaunay(points, run);
   AlphaReport report{.radii = {.max_components = request.max_components, .cover = request.cover}};
-  find_radii(report.radii, delaunay, points, request.with_plateaus, run.quiet);
+  find_radii(report.radii, delaunay, request.with_plateaus, run.quiet);
   if (request.with_pairs) {
     const ProgressLine line("rbpa", !run.quiet, "persistence");
-    report.pairs = persistence(delaunay, points, report.radii.filtration, request.kind, until_interrupted());
+    report.pairs = persistence(delaunay, report.radii.filtration, request.kind, until_interrupted());
   }
   return report;
 }

@@ -1,6 +1,5 @@
 #include "cli/build.h"
 
-#include <limits>
 #include <optional>
 
 #include "cli/progress.h"
@@ -21,8 +20,9 @@ PointFile read(const PointSource& source, bool quiet) {
   return file;
 }
 
-Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run) {
-  return build_arrays(points, std::numeric_limits<double>::infinity(), Complex::solid, true, run);
+Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run) {
+  TriangleProgress progress(!run.quiet);
+  return Delaunay(points, {.threads = run.threads, .progress = progress.watch()});
 }
 
 Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,

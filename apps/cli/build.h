@@ -5,6 +5,7 @@
 
 #include "cli/run_options.h"
 #include "io/cloud/read_points.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {
@@ -12,9 +13,9 @@ namespace rbpa::app {
 /// read_points() with a progress line, what there is to remark, and that heights are left out, unless quiet.
 PointFile read(const PointSource& source, bool quiet);
 
-/// The Delaunay triangulation with neighbours, of which radii are chosen, with a progress line unless quiet. Throws Cancelled
+/// The Delaunay triangulation, of which radii are chosen, with a progress line unless quiet. Throws Cancelled
 /// after a signal.
-Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run);
+Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run);
 
 /// triangulate(), with neighbours if asked for, and a progress line unless quiet. Throws Cancelled after a signal.
 Triangulation build_arrays(const std::vector<Point>& points, double alpha, Complex kind, bool neighbors,

@@ -9,12 +9,12 @@
 
 namespace rbpa::app {
 
-void find_radii(Radii& radii, const Triangulation& delaunay, const std::vector<Point>& points, bool with_plateaus,
-                bool quiet) {
-  radii.points = points.size();
+void find_radii(Radii& radii, const Delaunay& delaunay, bool with_plateaus, bool quiet) {
+  radii.points = delaunay.points().size();
   {
-    const ProgressLine line("rbpa", !quiet, "radii of " + counted(delaunay.triangles.size(), "triangle"));
-    radii.filtration = filtration(delaunay, points, until_interrupted());
+    const ProgressLine line("rbpa", !quiet,
+                            "radii of " + counted(delaunay.triangulation().triangles.size(), "triangle"));
+    radii.filtration = filtration(delaunay, until_interrupted());
   }
   stop_if_interrupted();
   const auto least = [&](std::optional<std::size_t> max_components) {
@@ -24,7 +24,7 @@ void find_radii(Radii& radii, const Triangulation& delaunay, const std::vector<P
   radii.least_connected = least(radii.max_components);
   if (!with_plateaus) return;
   const ProgressLine line("rbpa", !quiet, "plateaus");
-  radii.plateaus = plateaus(delaunay, points, radii.filtration, until_interrupted());
+  radii.plateaus = plateaus(delaunay, radii.filtration, until_interrupted());
 }
 
 }  // namespace rbpa::app

@@ -33,13 +33,12 @@ void check_output(const std::string& output) {
 
 /// What is to be said of the points, and what is to be drawn.
 Report examine(const std::string& source, const PointFile& file, const Radii& asked, const RunOptions& run) {
-  const std::vector<Point>& points = file.points;
-  const Triangulation delaunay = build_delaunay(points, run);
+  const Delaunay delaunay = build_delaunay(file.points, run);
   Report report{.source = source, .unit = unit_of(file), .radii = asked};
-  find_radii(report.radii, delaunay, points, true, run.quiet);
+  find_radii(report.radii, delaunay, true, run.quiet);
   report.recommended = recommended(report.radii);
   const ProgressLine line("rbpa", !run.quiet, "persistence");
-  report.arrays = filtration_arrays(delaunay, points, report.radii.filtration, until_interrupted());
+  report.arrays = filtration_arrays(delaunay, report.radii.filtration, until_interrupted());
   return report;
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "rbpa/base/api.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/triangulate.h"
 
@@ -31,9 +32,12 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// the share is left when the K largest solid components stay, and the others are taken away with all their points. A
 /// component is as large as it has vertices in rbpa()'s mesh, where a point that several fans meet in counts for each.
 /// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or K is 0.
-/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
-/// Throws:   ContractViolation when one is visibly of something else, or the share is out of its bounds; Cancelled when
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation, or the share is out of its bounds; Cancelled when
 ///           `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
+                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+/// The same of triangulate(points, infinity, {.neighbors = true}), where its neighbours matter checked by require_linked().
 RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
 

@@ -7,7 +7,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/plane/filtration/ascending.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/ordered_triangles.h"
 #include "rbpa/plane/filtration/solid_parts.h"
 
@@ -87,8 +87,9 @@ Wide eighth_root(Wide x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 
 }  // namespace
 
-std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<const Point> points,
-                                    const Filtration& filtration, Steps& pulse) {
+std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtration, Steps& pulse) {
+  const Triangulation& delaunay = of.triangulation();
+  const std::span<const Point> points = of.points();
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<Wide> areas(delaunay.triangles.size());
   for (std::size_t t = 0; t < areas.size(); ++t) {
