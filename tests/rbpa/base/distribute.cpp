@@ -16,7 +16,7 @@ TEST_SUITE_BEGIN("parallel");
 
 TEST_CASE("items come bucket by bucket, those of one in their order, by any number of threads") {
   rbpa_test::Random random(11);
-  for (const std::size_t items : {0u, 1u, 99u, 100u, 101u, 1000u})
+  for (const std::size_t items : {0u, 1u, 99u, 100u, 101u, 20000u})
     for (const int buckets : {1, 2, 7, 300})
       for (const unsigned threads : {1u, 2u, 5u}) {
         CAPTURE(items);
