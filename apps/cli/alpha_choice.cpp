@@ -109,15 +109,15 @@ std::string name_of(const AlphaChoice& choice) {
 
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
-  const Triangulation delaunay = build_delaunay(points, run);
+  const Delaunay delaunay = build_delaunay(points, run);
   std::optional<ProgressLine> line(std::in_place, "rbpa", !run.quiet, "choosing alpha");
-  const Filtration all = filtration(delaunay, points, until_interrupted());
+  const Filtration all = filtration(delaunay, until_interrupted());
   if (choice.rule != AlphaRule::plateau) {
     Covering covering{.share = choice.cover};
     if (choice.rule == AlphaRule::automatic) covering.max_components = choice.max_components;
     return smallest_covering(delaunay, all, covering, until_interrupted());
   }
-  const std::vector<Plateau> found = plateaus(delaunay, points, all, until_interrupted());
+  const std::vector<Plateau> found = plateaus(delaunay, all, until_interrupted());
   line.reset();  // nothing may be said beside it
   if (found.empty()) return std::nullopt;
   if (choice.rank > found.size())

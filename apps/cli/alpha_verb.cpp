@@ -56,7 +56,7 @@ void run_alpha(const AlphaArguments& arguments) {
   AlphaReport report{.radii = run.radii};
   if (arguments.persistence || arguments.picture) {
     const ProgressLine line = options.line("persistence");
-    report.pairs = persistence(run.delaunay, run.file.points, run.radii.filtration, kind, until_interrupted());
+    report.pairs = persistence(run.delaunay(), run.radii.filtration, kind, until_interrupted());
   }
   run.stats.build_seconds = run.lap();
 

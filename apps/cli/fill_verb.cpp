@@ -137,9 +137,11 @@ Triangulation arrays_of(const Filling& filling) {
                        .distinct = filling.points.size(),
                        .edges = {},
                        .points = {}};
-  for (std::size_t i = 0; i < filling.points.size(); ++i)
-    if (filling.mesh.is_isolated(Mesh::VertexHandle(static_cast<int>(i))))
-      arrays.isolated.push_back(static_cast<std::uint32_t>(i));
+  std::vector<bool> is_used(filling.points.size(), false);
+  for (const Triangle& triangle : filling.triangles)
+    for (const std::uint32_t i : triangle) is_used[i] = true;
+  for (std::uint32_t i = 0; i < is_used.size(); ++i)
+    if (!is_used[i]) arrays.isolated.push_back(i);
   return arrays;
 }
 

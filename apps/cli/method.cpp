@@ -1,6 +1,5 @@
 #include "cli/method.h"
 
-#include <limits>
 #include <utility>
 
 #include "cli/progress.h"
@@ -71,8 +70,9 @@ Triangulation build(const std::vector<Point>& points, double alpha, const Method
   return arrays;
 }
 
-Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run) {
-  return build(points, std::numeric_limits<double>::infinity(), {}, Complex::solid, true, run);
+Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run) {
+  TriangleProgress progress(!run.quiet, "triangulating", progress_text);
+  return Delaunay(points, {.threads = run.threads, .progress = progress.watch()});
 }
 
 }  // namespace rbpa::app

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/run.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/triangulate.h"
 
@@ -38,7 +39,7 @@ Method parse_method(const MethodArguments& arguments);
 Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, bool neighbors,
                     const RunOptions& run, std::optional<Hierarchy>* mesh = nullptr);
 
-/// The Delaunay triangulation with neighbours, of which radii are chosen, likewise.
-Triangulation build_delaunay(const std::vector<Point>& points, const RunOptions& run);
+/// The Delaunay triangulation, of which radii are chosen, likewise.
+Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run);
 
 }  // namespace rbpa::app

@@ -21,21 +21,21 @@ RadiiRun::RadiiRun(const PointSource& source, const std::vector<std::string>& ou
     : Run(source.path, outputs, options), file(read_points(source)), radii(asked) {
   stats.points = radii.points = file.points.size();
   stats.read_seconds = lap();
-  delaunay = build_delaunay(file.points, options);
+  delaunay_.emplace(build_delaunay(file.points, options));
   {
-    const ProgressLine line = options.line("radii of " + counted(delaunay.triangles.size(), "triangle"));
-    radii.filtration = filtration(delaunay, file.points, until_interrupted());
+    const ProgressLine line = options.line("radii of " + counted(delaunay().triangulation().triangles.size(), "triangle"));
+    radii.filtration = filtration(delaunay(), until_interrupted());
   }
   stats.distinct = radii.filtration.distinct;
   stop_if_interrupted();
   const auto least = [&](std::optional<std::size_t> max_components) {
-    return smallest_covering(delaunay, radii.filtration, {radii.cover, max_components}, until_interrupted());
+    return smallest_covering(delaunay(), radii.filtration, {radii.cover, max_components}, until_interrupted());
   };
   radii.least_covering = least(std::nullopt);
   radii.least_connected = least(radii.max_components);
   if (!with_plateaus) return;
   const ProgressLine line = options.line("plateaus");
-  radii.plateaus = plateaus(delaunay, file.points, radii.filtration, until_interrupted());
+  radii.plateaus = plateaus(delaunay(), radii.filtration, until_interrupted());
 }
 
 void RadiiRun::write_stats(OutputFile& report) {

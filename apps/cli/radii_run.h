@@ -1,13 +1,14 @@
 // What: what the verbs alpha and report share: from points to all radii that follow from them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/verbs.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/delaunay.h"
 #include "report/radii.h"
 
 namespace rbpa::app {
@@ -26,9 +27,14 @@ struct RadiiRun : Run {
   void say_empty() const;
 
   PointFile file;
-  Triangulation delaunay = {};  ///< with neighbours
   Radii radii;
   Stats stats = {};
+
+  /// Of the points of `file`.
+  const Delaunay& delaunay() const { return *delaunay_; }
+
+ private:
+  std::optional<Delaunay> delaunay_ = std::nullopt;
 };
 
 }  // namespace rbpa::app

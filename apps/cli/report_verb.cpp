@@ -42,7 +42,7 @@ void run_report(const ReportArguments& arguments) {
                 .recommended = recommended(run.radii)};
   {
     const ProgressLine line = options.line("persistence");
-    report.arrays = filtration_arrays(run.delaunay, run.file.points, run.radii.filtration, until_interrupted());
+    report.arrays = filtration_arrays(run.delaunay(), run.radii.filtration, until_interrupted());
   }
   run.stats.build_seconds = run.lap();
 

@@ -11,17 +11,17 @@
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/covering.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/persistence.h"
 #include "rbpa/plateaus.h"
-#include "rbpa/triangulate.h"
 
 namespace rbpa::python {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Triangulation delaunay_of(std::span<const Point> points, unsigned threads, Watch& watch) {
-  return triangulate(points, infinity, {.neighbors = true, .threads = threads, .progress = watch.progress()});
+Delaunay delaunay_of(std::span<const Point> points, unsigned threads, Watch& watch) {
+  return Delaunay(points, {.threads = threads, .progress = watch.progress()});
 }
 
 /// The least alpha that covers a share of the points, in at most so many solid components if that is asked for.
@@ -29,8 +29,8 @@ std::optional<double> least_alpha(const Doubles& points, double share, std::opti
                                   unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   return watched(input.size(), progress, [&](Watch& watch) {
-    const Triangulation delaunay = delaunay_of(input, threads, watch);
-    return smallest_covering(delaunay, filtration(delaunay, input, watch.until_stopped()),
+    const Delaunay delaunay = delaunay_of(input, threads, watch);
+    return smallest_covering(delaunay, filtration(delaunay, watch.until_stopped()),
                              {.share = share, .max_components = components}, watch.until_stopped());
   });
 }
@@ -39,8 +39,8 @@ std::optional<double> least_alpha(const Doubles& points, double share, std::opti
 py::list plateaus_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   const std::vector<Plateau> found = watched(input.size(), progress, [&](Watch& watch) {
-    const Triangulation delaunay = delaunay_of(input, threads, watch);
-    return plateaus(delaunay, input, filtration(delaunay, input, watch.until_stopped()), watch.until_stopped());
+    const Delaunay delaunay = delaunay_of(input, threads, watch);
+    return plateaus(delaunay, filtration(delaunay, watch.until_stopped()), watch.until_stopped());
   });
   py::list list;
   for (const Plateau& p : found)
@@ -55,7 +55,7 @@ py::list plateaus_of(const Doubles& points, unsigned threads, const py::object& 
 py::dict filtration_steps(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   Filtration made = watched(input.size(), progress, [&](Watch& watch) {
-    return filtration(delaunay_of(input, threads, watch), input, watch.until_stopped());
+    return filtration(delaunay_of(input, threads, watch), watch.until_stopped());
   });
   const std::size_t distinct = made.distinct;
   const Kept steps(std::move(made.steps));
@@ -84,11 +84,11 @@ std::tuple<Doubles, Doubles> persistence_intervals(const Doubles& points, bool f
                                                    const py::object& progress) {
   const auto input = points_of(points);
   auto intervals = watched(input.size(), progress, [&](Watch& watch) {
-    const Triangulation delaunay = delaunay_of(input, threads, watch);
-    const Filtration made = filtration(delaunay, input, watch.until_stopped());
+    const Delaunay delaunay = delaunay_of(input, threads, watch);
+    const Filtration made = filtration(delaunay, watch.until_stopped());
     std::array<std::vector<Interval>, 2> of_dimension;
     for (const PersistencePair& pair :
-         persistence(delaunay, input, made, full ? ComplexKind::full : ComplexKind::solid, watch.until_stopped()))
+         persistence(delaunay, made, full ? ComplexKind::full : ComplexKind::solid, watch.until_stopped()))
       of_dimension[static_cast<std::size_t>(pair.dimension)].push_back({pair.birth, pair.death.value_or(infinity)});
     return of_dimension;
   });

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "rbpa/base/api.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/triangulate.h"
 
@@ -32,9 +33,12 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// moreover that share is left when all solid components but the K largest are removed with all their points. The size of a
 /// component is its number of vertices in rbpa()'s mesh, where a point in which several fans meet counts once for each.
 /// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or K is 0.
-/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
-/// Throws:   ContractViolation when one is visibly of something else, or the share is out of its bounds; Cancelled when
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation, or the share is out of its bounds; Cancelled when
 ///           `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
+                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+/// The same of triangulate(points, infinity, {.neighbors = true}), where its neighbours matter checked by require_linked().
 RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
 

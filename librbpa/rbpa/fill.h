@@ -3,11 +3,11 @@
 //         are exact, so that this holds for every valid multipolygon (validity.h), and for groups of such. The triangles do
 //         not depend on the direction of the rings, where they begin, or their order.
 // Cost:   about linear in the triangles, n log n in the boundary.
+// Note:   knows nothing of OpenMesh; filling_mesh.h makes a halfedge mesh of it.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
 //         generation method revisited (1994); docs/fill.md.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -19,7 +19,6 @@
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/mesh.h"
 #include "rbpa/shape.h"
 
 namespace rbpa {
@@ -62,17 +61,12 @@ struct Filling {
   std::vector<Point> points;
   std::size_t boundary_points = 0;  ///< the points before this number are of the input, or on edges that were cut
   /// Counter-clockwise, the smallest index first, in lexicographic order.
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Triangle> triangles;
   std::vector<std::size_t> groups;  ///< for each triangle, the group that it fills
   /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none. Groups are neighbours along
   /// the edges that they share; but where two triangles have the same edge on their left, their groups overlap, and have
   /// no neighbours but in themselves.
-  std::vector<std::array<std::uint32_t, 3>> neighbors;
-  /// The same as a mesh: vertex v stands on point v, face f is triangle f; z = 0. Points that were not used are isolated.
-  /// Where rings touch or groups overlap, several fans stand on a point: those after the first have the vertices behind the
-  /// last point.
-  Mesh mesh;
-  std::vector<std::uint32_t> point_of_vertex;  ///< of the mesh
+  std::vector<Triangle> neighbors;
   /// The polygons with the points that were put on their edges; areas are exact sums, rounded once.
   std::vector<Polygon> polygons;
   /// How often the front had to retreat.

@@ -13,6 +13,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa {
@@ -31,16 +32,18 @@ struct FiltrationStep {
 
 struct Filtration {
   std::vector<FiltrationStep> steps;   ///< ascending in alpha and in triangles
-  std::vector<double> triangle_alpha;  ///< of each triangle of `delaunay`, the least double alpha that admits it
+  std::vector<double> triangle_alpha;  ///< of each Delaunay triangle, the least double alpha that admits it
   std::size_t distinct = 0;            ///< number of distinct points
 };
 
-/// The filtration of `points` by circumradius.
-/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `points` are the same.
-/// Throws:   ContractViolation when it is visibly of other points, or without neighbours; Cancelled when `go_on`, which
-///           is called every few milliseconds, returns false. Empty: never called.
-RBPA_API Filtration filtration(const Triangulation& delaunay, std::span<const Point> points,
-                               const std::function<bool()>& go_on = {});
+/// The filtration of the points by circumradius.
+/// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on = {});
+/// The same of triangulate(points, infinity, {.neighbors = true}), which is checked first, as by Delaunay.
+inline Filtration filtration(const Triangulation& delaunay, std::span<const Point> points,
+                             const std::function<bool()>& go_on = {}) {
+  return filtration(Delaunay(delaunay, points, go_on, "filtration"), go_on);
+}
 
 /// The least alpha at which every distinct point is in a triangle; with `max_components`, at which moreover there are
 /// at most that many solid components (their number is not monotone in alpha: it may exceed the bound again above).

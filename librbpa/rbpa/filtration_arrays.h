@@ -13,6 +13,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
 #include "rbpa/triangulate.h"
@@ -44,10 +45,15 @@ struct FiltrationArrays {
   std::vector<PlacedPair> pairs;     ///< as persistence() sorts them, equal ones by triangle
 };
 
-/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
-/// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
-RBPA_API FiltrationArrays filtration_arrays(const Triangulation& delaunay, std::span<const Point> points,
-                                            const Filtration& filtration, const std::function<bool()>& go_on = {});
+RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
+                                            const std::function<bool()>& go_on = {});
+/// The same of triangulate(points, infinity, {.neighbors = true}), which is checked first, as by Delaunay.
+inline FiltrationArrays filtration_arrays(const Triangulation& delaunay, std::span<const Point> points,
+                                          const Filtration& filtration, const std::function<bool()>& go_on = {}) {
+  return filtration_arrays(Delaunay(delaunay, points, go_on, "filtration_arrays"), filtration, go_on);
+}
 
 }  // namespace rbpa

@@ -13,6 +13,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/triangulate.h"
 
@@ -34,11 +35,17 @@ struct PersistencePair {
 };
 
 /// Sorted by dimension, birth, death, those without a death last. A function of the set of points alone.
-/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
-/// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
-                                                  const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
+RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
+                                                  ComplexKind kind = ComplexKind::solid,
                                                   const std::function<bool()>& go_on = {});
+/// The same of triangulate(points, infinity, {.neighbors = true}), which is checked first, as by Delaunay.
+inline std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
+                                                const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
+                                                const std::function<bool()>& go_on = {}) {
+  return persistence(Delaunay(delaunay, points, go_on, "persistence"), filtration, kind, go_on);
+}
 
 }  // namespace rbpa

@@ -14,6 +14,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/triangulate.h"
 
@@ -51,10 +52,15 @@ inline constexpr double plateau_settles = 2;
 ///   H  the product of all steps of 1 − hole_share so far, each, up or down, as a factor ≥ 1;
 ///   E  the area of complex and holes, whose root lets it double, nearly, within a plateau.
 /// Returns:  none when there is no triangle.
-/// Requires: `delaunay` is triangulate(points, infinity, {.neighbors = true}), and `filtration` is filtration(delaunay, points).
-/// Throws:   ContractViolation when one is visibly of something else; Cancelled when `go_on`, which is called every few
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<Plateau> plateaus(const Triangulation& delaunay, std::span<const Point> points,
-                                       const Filtration& filtration, const std::function<bool()>& go_on = {});
+RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
+                                       const std::function<bool()>& go_on = {});
+/// The same of triangulate(points, infinity, {.neighbors = true}), which is checked first, as by Delaunay.
+inline std::vector<Plateau> plateaus(const Triangulation& delaunay, std::span<const Point> points,
+                                     const Filtration& filtration, const std::function<bool()>& go_on = {}) {
+  return plateaus(Delaunay(delaunay, points, go_on, "plateaus"), filtration, go_on);
+}
 
 }  // namespace rbpa

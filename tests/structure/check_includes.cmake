@@ -18,7 +18,7 @@ set(allowed
   "rbpa: meshops/front rbpa/base"
   "rbpa/plane: meshops/core meshops/topology rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/arrays
     rbpa/plane/grid rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
-  "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
+  "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/divide: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/predicate"
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/predicate"
@@ -36,7 +36,7 @@ set(allowed
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/levels
     rbpa/space/normals rbpa/space/pivot rbpa/space/predicate rbpa/space/spacing rbpa/space/star"
-  "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel"
+  "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort"
   "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
   "rbpa/space/normals: rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"
   "rbpa/space/pivot: rbpa/space/predicate"

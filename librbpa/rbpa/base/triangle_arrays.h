@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/triangle.h"
@@ -19,6 +20,12 @@ struct TriangleArrays {
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
   std::span<const Triangle> neighbors;  ///< number k is the triangle across from corner k, or none
+};
+
+/// The same, owned.
+struct OwnedTriangles {
+  std::vector<Triangle> triangles, neighbors;
+  operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
 /// Requires: corners are three different numbers below `points`; neighbours are triangles, and each is the other's

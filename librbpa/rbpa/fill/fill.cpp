@@ -18,6 +18,7 @@
 #include "rbpa/fill/polygon_rings.h"
 #include "rbpa/fill/size_estimate.h"
 #include "rbpa/fill/size_field.h"
+#include "rbpa/mesh.h"
 #include "rbpa/plane/mesh/monitor.h"
 #include "rbpa/plane/shape/measure.h"
 

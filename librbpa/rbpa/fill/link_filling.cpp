@@ -1,114 +1,89 @@
 #include "rbpa/fill/link_filling.h"
 
 #include <algorithm>
-#include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
-
-#include "meshops/topology/build_mesh.h"
 
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
+/// A side of a triangle, by its edge and its group.
 struct GroupSide {
-  std::uint32_t from, to;
+  std::uint64_t edge;  // the lesser end, then the greater one
   std::size_t group;
-  friend auto operator<=>(const GroupSide&, const GroupSide&) = default;
+  std::uint32_t triangle;
+  std::uint8_t across;  // from this corner
+  bool ascends;
+  friend bool operator<(const GroupSide& a, const GroupSide& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.group < b.group;
+  }
 };
 
-/// Groups that are neighbours of no other: of each of two triangles that have the same edge on their left.
-std::vector<std::size_t> overlapping(const Filling& filling) {
-  if (filling.groups.empty()) return {};
-  const auto [least, greatest] = std::minmax_element(filling.groups.begin(), filling.groups.end());
-  if (*least == *greatest) return {};
+std::vector<GroupSide> sorted_sides(const Filling& filling) {
   std::vector<GroupSide> sides;
-  for (std::size_t t = 0; t < filling.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      sides.push_back({filling.triangles[t][k], filling.triangles[t][(k + 1) % 3], filling.groups[t]});
-  std::sort(sides.begin(), sides.end());
-  std::vector<std::size_t> groups;
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-    if (sides[i].from == sides[i + 1].from && sides[i].to == sides[i + 1].to) {
-      groups.push_back(sides[i].group);
-      groups.push_back(sides[i + 1].group);
+  sides.reserve(3 * filling.triangles.size());
+  for (std::uint32_t t = 0; t < filling.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = filling.triangles[t][(k + 1) % 3], to = filling.triangles[t][(k + 2) % 3];
+      const std::uint64_t low = std::min(from, to), high = std::max(from, to);
+      sides.push_back({low << 32 | high, filling.groups[t], t, static_cast<std::uint8_t>(k), from < to});
     }
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  return groups;
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
-/// The triangles on sites of which each is a point; a point has several where overlapping groups have it.
-struct Sites {
-  meshops::PolygonSoup soup;
-  std::vector<std::uint32_t> point;
-};
+/// Calls visit(first, last) for the sides at each edge.
+template <typename Visit>
+void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
+  for (auto first = sides.begin(); first != sides.end();) {
+    auto last = first + 1;
+    while (last != sides.end() && last->edge == first->edge) ++last;
+    visit(first, last);
+    first = last;
+  }
+}
 
-Sites sites_of(const Filling& filling) {
-  Sites sites;
-  for (std::uint32_t i = 0; i < filling.points.size(); ++i) sites.point.push_back(i);
-  const std::vector<std::size_t> apart = overlapping(filling);
-  const auto is_apart = [&](std::size_t t) {
-    return std::binary_search(apart.begin(), apart.end(), filling.groups[t]);
-  };
-  // The points of groups that are apart; the first group with a point uses the point itself, if no other does.
-  std::vector<std::pair<std::size_t, std::uint32_t>> owned;
-  std::vector<bool> taken(filling.points.size(), false);
-  for (std::size_t t = 0; t < filling.triangles.size(); ++t)
-    for (const std::uint32_t i : filling.triangles[t]) {
-      if (is_apart(t))
-        owned.emplace_back(filling.groups[t], i);
-      else
-        taken[i] = true;
+/// Of each group, whether it is a neighbour of no other: it has an edge on its left that another has there too.
+std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
+  std::size_t groups = 0;
+  for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);
+  std::vector<bool> apart(groups, false);
+  for_each_shared_edge(sides, [&](auto first, auto last) {
+    for (const bool ascends : {false, true}) {
+      const auto is_one = [&](const GroupSide& side) { return side.ascends == ascends; };
+      if (std::count_if(first, last, is_one) < 2) continue;
+      for (auto side = first; side != last; ++side)
+        if (is_one(*side)) apart[side->group] = true;
     }
-  std::sort(owned.begin(), owned.end());
-  owned.erase(std::unique(owned.begin(), owned.end()), owned.end());
-  std::vector<std::uint32_t> site_of_owned;
-  for (const auto& [group, i] : owned) {
-    if (taken[i]) {
-      site_of_owned.push_back(static_cast<std::uint32_t>(sites.point.size()));
-      sites.point.push_back(i);
-    } else {
-      site_of_owned.push_back(i);
-      taken[i] = true;
-    }
-  }
-  sites.soup.points = sites.point.size();
-  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
-    Triangle corners = filling.triangles[t];
-    if (is_apart(t))
-      for (std::uint32_t& i : corners) {
-        const auto own = std::lower_bound(owned.begin(), owned.end(), std::pair(filling.groups[t], i));
-        i = site_of_owned[static_cast<std::size_t>(own - owned.begin())];
-      }
-    sites.soup.add_face(corners);
-  }
-  return sites;
+  });
+  return apart;
 }
 
 }  // namespace
 
 void link(Filling& filling) {
-  const Sites sites = sites_of(filling);
-  Mesh& mesh = filling.mesh;
-  filling.point_of_vertex = meshops::build_mesh(mesh, sites.soup);
-  for (std::uint32_t& point : filling.point_of_vertex) point = sites.point[point];
-  for (std::size_t v = 0; v < filling.point_of_vertex.size(); ++v) {
-    const Point& p = filling.points[filling.point_of_vertex[v]];
-    mesh.set_point(meshops::Vertex(static_cast<int>(v)), {p.x, p.y, 0});
-  }
-  for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
-    const meshops::Halfedge first = mesh.halfedge_handle(meshops::Face(static_cast<int>(t)));
-    const auto beyond = [&](meshops::Halfedge h) {
-      const meshops::Face f = mesh.face_handle(mesh.opposite_halfedge_handle(h));
-      return f.is_valid() ? static_cast<std::uint32_t>(f.idx()) : TriangleArrays::none;
-    };
-    filling.neighbors.push_back(
-        {beyond(mesh.next_halfedge_handle(first)), beyond(mesh.prev_halfedge_handle(first)), beyond(first)});
-  }
+  const std::vector<GroupSide> sides = sorted_sides(filling);
+  const std::vector<bool> apart = are_apart(sides);
+  filling.neighbors.assign(filling.triangles.size(),
+                           {TriangleArrays::none, TriangleArrays::none, TriangleArrays::none});
+  const auto join = [&](const GroupSide& a, const GroupSide& b) {
+    filling.neighbors[a.triangle][a.across] = b.triangle;
+    filling.neighbors[b.triangle][b.across] = a.triangle;
+  };
+  for_each_shared_edge(sides, [&](auto first, auto last) {
+    auto shared = last;  // a side of a group that is not apart: there are two at most
+    for (auto side = first; side != last; ++side) {
+      if (apart[side->group]) {
+        if (side != first && (side - 1)->group == side->group) join(*(side - 1), *side);
+      } else if (shared == last) {
+        shared = side;
+      } else {
+        join(*shared, *side);
+      }
+    }
+  });
 }
 
 }  // namespace rbpa

@@ -1,11 +1,11 @@
-// What: neighbours and mesh of triangles that fill groups of polygons.
+// What: neighbours of triangles that fill groups of polygons.
 #pragma once
 
 #include "rbpa/fill.h"
 
 namespace rbpa {
 
-/// Fills in `neighbors`, `mesh` and `point_of_vertex`.
+/// Fills in `neighbors`.
 /// Requires: points, triangles and their groups; the triangles of one group meet in whole edges. Cost: n log n.
 void link(Filling& filling);
 

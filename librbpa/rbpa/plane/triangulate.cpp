@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "rbpa/base/distinct.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/collinear.h"
@@ -64,13 +65,9 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, c
 /// The indices that are not marked and not those of duplicates, ascending.
 std::vector<std::uint32_t> others(const std::vector<std::uint8_t>& marked, const std::vector<Duplicate>& duplicates) {
   std::vector<std::uint32_t> found;
-  auto duplicate = duplicates.begin();
-  for (std::uint32_t i = 0; i < marked.size(); ++i) {
-    if (duplicate != duplicates.end() && duplicate->index == i)
-      ++duplicate;
-    else if (marked[i] == 0)
-      found.push_back(i);
-  }
+  for_each_distinct(marked.size(), duplicates, [&](std::uint32_t i) {
+    if (marked[i] == 0) found.push_back(i);
+  });
   return found;
 }
 
@@ -97,7 +94,7 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   };
   if (options.neighbors || options.boundary) {
     LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
-    LinkedTriangles::Sorted sorted = find(list);
+    OwnedTriangles sorted = find(list);
     result.triangles = std::move(sorted.triangles);
     result.neighbors = std::move(sorted.neighbors);
   } else {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/distinct.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/neighborhood_subset.h"
@@ -23,10 +24,10 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
       meshops::require(corner < points, "unused_points: expected triangles of these points");
       is_used[corner] = 1;
     }
-  for (const Duplicate& d : surface.duplicates) is_used[d.index] = 1;
   std::vector<UnusedPoint> unused;
-  for (std::uint32_t i = 0; i < points; ++i)
+  for_each_distinct(points, surface.duplicates, [&](std::uint32_t i) {
     if (is_used[i] == 0) unused.push_back({i, UnusedCause::no_ball_rests});
+  });
   return unused;
 }
 
@@ -66,15 +67,12 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
 /// Changes `no_ball_rests` to `hidden` where it is so, for wanted points in the subset.
 void find_hidden(const space::NeighborhoodSubset& near, const Surface& exposed, double radius,
                  std::vector<UnusedCause>& causes, const std::vector<std::uint8_t>& wanted) {
-  std::vector<std::uint8_t> is_distinct(near.points.size(), 1);
-  for (const Duplicate& d : exposed.duplicates) is_distinct[d.index] = 0;
   std::vector<Point3> places;
   std::vector<std::uint32_t> input;
-  for (std::size_t i = 0; i < near.points.size(); ++i)
-    if (is_distinct[i] != 0) {
-      places.push_back(near.points[i]);
-      input.push_back(near.input[i]);
-    }
+  for_each_distinct(near.points.size(), exposed.duplicates, [&](std::uint32_t i) {
+    places.push_back(near.points[i]);
+    input.push_back(near.input[i]);
+  });
   Threads threads;
   const space::Cells cells(places, radius, threads);
   const auto index_of = [&](space::Site site) { return input[cells.input_index()[site]]; };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "meshops/core/validate.h"
-#include "meshops/topology/build_mesh.h"
+#include "rbpa/filling_mesh.h"
 #include "rbpa/plane/shape/exact_sum.h"
 #include "support/exact.h"
 
@@ -105,21 +105,29 @@ std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const 
 std::string wrong_with_mesh(const rbpa::Filling& filling) {
   const auto& triangles = filling.triangles;
   require_linked(filling, filling.points.size());
-  if (const auto defects = meshops::validate(filling.mesh); !defects.empty()) return describe(defects.front());
-  if (filling.mesh.n_faces() != triangles.size() || filling.mesh.n_vertices() != filling.point_of_vertex.size())
+  const auto& [mesh, point_of_vertex] = rbpa::filling_mesh(filling);
+  if (const auto defects = meshops::validate(mesh); !defects.empty()) return describe(defects.front());
+  if (mesh.n_faces() != triangles.size() || mesh.n_vertices() != point_of_vertex.size())
     return "the mesh has other elements than the arrays";
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     Triangle corners{};
     std::size_t k = 0;
-    for (const auto v : filling.mesh.fv_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f))))
-      corners[k++] = filling.point_of_vertex[static_cast<std::size_t>(v.idx())];
+    for (const auto v : mesh.fv_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f))))
+      corners[k++] = point_of_vertex[static_cast<std::size_t>(v.idx())];
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     if (corners != triangles[f]) return "a face of the mesh is not the triangle of its number";
+    for (const auto h : mesh.fh_ccw_range(rbpa::Mesh::FaceHandle(static_cast<int>(f)))) {
+      const std::uint32_t end = point_of_vertex[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())];
+      const auto at = std::find(corners.begin(), corners.end(), end) - corners.begin();
+      const auto beyond = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+      if (filling.neighbors[f][static_cast<std::size_t>(at + 1) % 3] != static_cast<std::uint32_t>(beyond.idx()))
+        return "the mesh is not glued as its triangles are";
+    }
   }
-  for (std::size_t i = 0; i < filling.point_of_vertex.size(); ++i) {
-    const std::uint32_t under = filling.point_of_vertex[i];
+  for (std::size_t i = 0; i < point_of_vertex.size(); ++i) {
+    const std::uint32_t under = point_of_vertex[i];
     if (i < filling.points.size() && under != i) return "a vertex does not stand on the point of its number";
-    const auto& p = filling.mesh.point(rbpa::Mesh::VertexHandle(static_cast<int>(i)));
+    const auto& p = mesh.point(rbpa::Mesh::VertexHandle(static_cast<int>(i)));
     if (Point{p[0], p[1]} != filling.points[under] || p[2] != 0)
       return "a vertex of the mesh is not where its point is";
   }
@@ -182,7 +190,7 @@ std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Poi
 
 namespace {
 
-/// One group as if it had been filled alone, but for its neighbours and its mesh, which are made here.
+/// One group as if it had been filled alone, but for its neighbours, which are found here.
 rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t given,
                     std::span<const Polygon> polygons) {
   rbpa::Filling part;
@@ -197,7 +205,6 @@ rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t
     part.points.push_back(filling.points[i]);
     part.boundary_points += i < filling.boundary_points;
   }
-  meshops::PolygonSoup soup{.points = part.points.size(), .corners = {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> left;  // of directed sides
   for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
     if (filling.groups[t] != group) continue;
@@ -206,7 +213,6 @@ rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t
     for (std::size_t k = 0; k < 3; ++k)
       left[{triangle[k], triangle[(k + 1) % 3]}] = static_cast<std::uint32_t>(part.triangles.size());
     part.triangles.push_back(triangle);
-    soup.add_face(triangle);
   }
   for (const auto& triangle : part.triangles) {
     auto& neighbors = part.neighbors.emplace_back();
@@ -214,11 +220,6 @@ rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t
       const auto beyond = left.find({triangle[(k + 1) % 3], triangle[k]});
       neighbors[(k + 2) % 3] = beyond == left.end() ? rbpa::TriangleArrays::none : beyond->second;
     }
-  }
-  part.point_of_vertex = meshops::build_mesh(part.mesh, soup);
-  for (std::size_t v = 0; v < part.point_of_vertex.size(); ++v) {
-    const Point& p = part.points[part.point_of_vertex[v]];
-    part.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {p.x, p.y, 0});
   }
   part.polygons.assign(polygons.begin(), polygons.end());
   for (Polygon& polygon : part.polygons) {

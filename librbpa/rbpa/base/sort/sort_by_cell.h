@@ -13,6 +13,7 @@
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/sort/distribute.h"
 #include "rbpa/base/sort/named_points.h"
 
 namespace rbpa {
@@ -55,35 +56,14 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, P
 
   int shift = 0;  // a band has 2^shift rows
   while ((rows >> shift) > wanted) ++shift;
-  const std::size_t bands = ((rows - 1) >> shift) + 1, parts = (n + at_a_time - 1) / at_a_time;
-  const auto band_of = [&](const Point& p) { return static_cast<std::size_t>(level.row(p.y) >> shift); };
-
-  // Of each part, where its points of each band go.
-  std::vector<std::uint32_t> place(parts * bands, 0);
-  for_each_part(threads, n, at_a_time, [&](std::size_t from, std::size_t to) {
-    std::uint32_t* const count = &place[from / at_a_time * bands];
-    for (std::size_t i = from; i < to; ++i) ++count[band_of(input.points[i])];
-  });
-  std::vector<std::uint32_t> band_start(bands + 1, 0);
-  std::uint32_t sum = 0;
-  for (std::size_t band = 0; band < bands; ++band) {
-    band_start[band] = sum;
-    for (std::size_t part = 0; part < parts; ++part) {
-      std::uint32_t& at = place[part * bands + band];
-      sum += at;
-      at = sum - at;
-    }
-  }
-  band_start[bands] = sum;
-
-  for_each_part(threads, n, at_a_time, [&](std::size_t from, std::size_t to) {
-    std::uint32_t* const next = &place[from / at_a_time * bands];
-    for (std::size_t i = from; i < to; ++i) {
-      const std::uint32_t at = next[band_of(input.points[i])]++;
-      sorted[at] = input.points[i];
-      names[at] = input.name(i);
-    }
-  });
+  const std::size_t bands = ((rows - 1) >> shift) + 1;
+  const std::vector<std::uint32_t> band_start = distribute(
+      n, bands, at_a_time, threads,
+      [&](std::size_t i) { return static_cast<std::size_t>(level.row(input.points[i].y) >> shift); },
+      [&](std::size_t i, std::uint32_t at) {
+        sorted[at] = input.points[i];
+        names[at] = input.name(i);
+      });
   for_each_index(threads, bands, [&](std::size_t band) {
     const std::uint32_t from = band_start[band], to = band_start[band + 1];
     const meshops::FreshVector<Point> parted(sorted + from, sorted + to);

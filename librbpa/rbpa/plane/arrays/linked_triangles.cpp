@@ -63,10 +63,10 @@ void LinkedTriangles::fill(const Patch& patch, const Place& place) {
     }
 }
 
-LinkedTriangles::Sorted LinkedTriangles::sorted(Threads& threads, const std::function<void()>& ask) {
+OwnedTriangles LinkedTriangles::sorted(Threads& threads, const std::function<void()>& ask) {
   constexpr std::size_t triangles_at_a_time = 1u << 16;
   seams_.end();
-  Sorted result;
+  OwnedTriangles result;
   meshops::FreshVector<std::uint32_t> rank(size_);
   result.triangles = order_.sorted(threads, rank.data(), ask);
   order_.end();

@@ -16,12 +16,13 @@
 #include "meshops/patch/seams.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/sort/canonical_order.h"
+#include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa {
 
 class LinkedTriangles {
  public:
-  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// For triangles on so many sites; `names`, less than `bound`, are the names of corners.
   LinkedTriangles(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads);
@@ -41,12 +42,8 @@ class LinkedTriangles {
 
   /// How many were placed.
   std::size_t size() const { return size_; }
-  /// Triangles, and of each those across from its corners.
-  struct Sorted {
-    std::vector<Triangle> triangles, neighbors;
-  };
   /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
-  Sorted sorted(Threads& threads, const std::function<void()>& ask = {});
+  OwnedTriangles sorted(Threads& threads, const std::function<void()>& ask = {});
 
  private:
   /// An open side that waits for the one beyond: where it ends, and where to write what lies beyond.

@@ -52,6 +52,11 @@ class DivideAndConquer {
   DivideAndConquer(std::span<SitePoint> places, Threads& threads, const std::function<void()>& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
 
+  /// 1. cut the points in two, across the longer side of their box, until few are left: triangulate();
+  /// 2. sort these few and triangulate them from left to right: triangulate_sorted();
+  /// 3. merge halves, from the edge below both hulls up to the one above: merge();
+  /// 4. read the triangles off the edges, and ask of each whether it is kept: extract().
+  /// Halves of many points are given to two threads, and so are parts of the edges.
   void run(const Fate& fate, meshops::Patch& patch) {
     const Part all = triangulate(0, places_.size());
     extract(all.first_x, fate, patch);

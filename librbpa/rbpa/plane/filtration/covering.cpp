@@ -7,14 +7,16 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/plane/filtration/ascending.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/part_sizes.h"
 #include "rbpa/plane/filtration/solid_parts.h"
 
 namespace rbpa {
 
-std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
-                                        const Covering& covering, const std::function<bool()>& go_on) {
+namespace {
+
+std::optional<double> smallest(const Triangulation& delaunay, bool is_checked, const Filtration& filtration,
+                               const Covering& covering, const std::function<bool()>& go_on) {
   require_same(filtration, delaunay, "smallest_covering");
   meshops::require(covering.share > 0 && covering.share <= 1, "smallest_covering: a share is above 0 and at most 1");
   if (covering.share == 1) return smallest_covering(filtration, covering.max_components);
@@ -31,8 +33,8 @@ std::optional<double> smallest_covering(const Triangulation& delaunay, const Fil
   const std::vector<double>& alpha = filtration.triangle_alpha;
   const std::vector<std::uint32_t> faces = ascending(filtration, pulse);
   const std::size_t points = delaunay.distinct + delaunay.duplicates.size();
-  require_linked(delaunay, points, go_on);
-  const OrderedTriangles triangles = in_order(delaunay, faces);
+  if (!is_checked) require_linked(delaunay, points, go_on);
+  const OwnedTriangles triangles = in_order(delaunay, faces);
   SolidParts parts(triangles, points);
   // So many triangles, joined by edges, have at most two vertices more.
   PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
@@ -45,6 +47,18 @@ std::optional<double> smallest_covering(const Triangulation& delaunay, const Fil
       return alpha[faces[i]];
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
+                                        const Covering& covering, const std::function<bool()>& go_on) {
+  return smallest(delaunay.triangulation(), true, filtration, covering, go_on);
+}
+
+std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
+                                        const Covering& covering, const std::function<bool()>& go_on) {
+  return smallest(delaunay, false, filtration, covering, go_on);
 }
 
 }  // namespace rbpa

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
-#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/base/distinct.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 #include "rbpa/plane/predicate/predicates.h"
 
@@ -61,31 +60,24 @@ FilteredCells cells_on_line(const Triangulation& delaunay, std::span<const Point
   return cells;
 }
 
-/// Of each point its number among the distinct ones. That of a duplicate has no meaning.
-std::vector<std::uint32_t> numbers_of(const Triangulation& delaunay, std::size_t points) {
-  std::vector<std::uint32_t> number(points, 1);
-  for (const Duplicate& duplicate : delaunay.duplicates) number[duplicate.index] = 0;
-  std::exclusive_scan(number.begin(), number.end(), number.begin(), 0u);
-  return number;
-}
-
 }  // namespace
 
-std::vector<std::uint32_t> distinct_points(const Triangulation& delaunay) {
-  std::vector<std::uint32_t> distinct;
-  distinct.reserve(delaunay.distinct);
-  auto duplicate = delaunay.duplicates.begin();
-  for (std::uint32_t i = 0; distinct.size() < delaunay.distinct; ++i)
-    if (duplicate != delaunay.duplicates.end() && duplicate->index == i)
-      ++duplicate;
-    else
-      distinct.push_back(i);
+DistinctPoints distinct_points(const Delaunay& delaunay) {
+  DistinctPoints distinct;
+  distinct.index.reserve(delaunay.triangulation().distinct);
+  distinct.number.resize(delaunay.points().size());
+  for_each_distinct(distinct.number.size(), delaunay.triangulation().duplicates, [&](std::uint32_t i) {
+    distinct.number[i] = static_cast<std::uint32_t>(distinct.index.size());
+    distinct.index.push_back(i);
+  });
   return distinct;
 }
 
-FilteredCells filtered_cells(const Triangulation& delaunay, std::span<const Point> points, const Filtration& filtration,
+FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse) {
-  const std::vector<std::uint32_t> number = numbers_of(delaunay, points.size());
+  const Triangulation& delaunay = of.triangulation();
+  const std::span<const Point> points = of.points();
+  const std::vector<std::uint32_t>& number = distinct.number;
   if (delaunay.triangles.empty())
     return kind == ComplexKind::full ? cells_on_line(delaunay, points, number, pulse) : FilteredCells();
 

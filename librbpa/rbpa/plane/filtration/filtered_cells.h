@@ -4,14 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "rbpa/base/point.h"
 #include "rbpa/base/steps.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
-#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -27,11 +25,15 @@ struct FilteredCells {
   std::uint32_t outside() const { return static_cast<std::uint32_t>(faces.size()); }
 };
 
-/// The input indices of the distinct points, ascending.
-std::vector<std::uint32_t> distinct_points(const Triangulation& delaunay);
+/// The distinct points, ascending by input index.
+struct DistinctPoints {
+  std::vector<std::uint32_t> index;   ///< in the input, of each
+  std::vector<std::uint32_t> number;  ///< of each input point among them; that of a duplicate has no meaning
+};
+DistinctPoints distinct_points(const Delaunay& delaunay);
 
-/// Requires and throws: as persistence(), but that the triangulation is of the points. The step beats with every edge.
-FilteredCells filtered_cells(const Triangulation& delaunay, std::span<const Point> points, const Filtration& filtration,
+/// Requires: the filtration and the distinct points of `of`. Counts each edge as a step.
+FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse);
 
 }  // namespace rbpa

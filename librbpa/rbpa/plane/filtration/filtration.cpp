@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "rbpa/base/steps.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/growth.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 
@@ -35,10 +35,10 @@ FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double ar
 
 }  // namespace
 
-Filtration filtration(const Triangulation& delaunay, std::span<const Point> points,
-                      const std::function<bool()>& go_on) {
+Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on) {
+  const Triangulation& delaunay = of.triangulation();
+  const std::span<const Point> points = of.points();
   Steps pulse(go_on);
-  require_delaunay(delaunay, points, "filtration", go_on);
   Filtration result{.steps = {}, .triangle_alpha = {}, .distinct = delaunay.distinct};
   result.triangle_alpha.resize(delaunay.triangles.size());
   std::vector<Entry> entries(delaunay.triangles.size());

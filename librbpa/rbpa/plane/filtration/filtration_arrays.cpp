@@ -6,9 +6,9 @@
 
 #include "rbpa/base/steps.h"
 #include "rbpa/base/triangle.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/elder_rule.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 
 namespace rbpa {
 namespace {
@@ -34,22 +34,17 @@ Numbers inverse(const Numbers& order) {
 }
 
 /// Returns the place of each distinct point among the points of the arrays.
-Numbers add_points(FiltrationArrays& arrays, const Numbers& distinct, std::span<const Point> points, Steps& pulse) {
-  const Numbers order = sorted_numbers(distinct.size(), pulse, [&](std::uint32_t a, std::uint32_t b) {
-    return points[distinct[a]] < points[distinct[b]];
-  });
-  for (const std::uint32_t v : order) arrays.points.push_back(points[distinct[v]]);
+Numbers add_points(FiltrationArrays& arrays, const Numbers& index, std::span<const Point> points, Steps& pulse) {
+  const Numbers order = sorted_numbers(
+      index.size(), pulse, [&](std::uint32_t a, std::uint32_t b) { return points[index[a]] < points[index[b]]; });
+  for (const std::uint32_t v : order) arrays.points.push_back(points[index[v]]);
   return inverse(order);
 }
 
 /// The same triangles by the places of their corners, the smallest first.
-std::vector<Triangle> on_places(const Triangulation& delaunay, const Numbers& distinct, const Numbers& place,
-                                std::size_t points) {
-  Numbers place_of_point(points);
-  for (std::size_t v = 0; v < distinct.size(); ++v) place_of_point[distinct[v]] = place[v];
-  std::vector<Triangle> triangles(delaunay.triangles);
+std::vector<Triangle> on_places(std::vector<Triangle> triangles, const Numbers& number, const Numbers& place) {
   for (auto& corners : triangles) {
-    for (std::uint32_t& corner : corners) corner = place_of_point[corner];
+    for (std::uint32_t& corner : corners) corner = place[number[corner]];
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   }
   return triangles;
@@ -124,19 +119,19 @@ void add_free_edges(FiltrationArrays& arrays, const FilteredCells& cells, Steps&
 
 }  // namespace
 
-FiltrationArrays filtration_arrays(const Triangulation& delaunay, std::span<const Point> points,
-                                   const Filtration& filtration, const std::function<bool()>& go_on) {
-  require_same(filtration, delaunay, "filtration_arrays");
-  require_delaunay(delaunay, points, "filtration_arrays", go_on);
+FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
+                                   const std::function<bool()>& go_on) {
+  const std::vector<Triangle>& triangles = delaunay.triangulation().triangles;
+  require_same(filtration, delaunay.triangulation(), "filtration_arrays");
   Steps pulse(go_on);
   FiltrationArrays arrays;
-  const Numbers distinct = distinct_points(delaunay);
-  const Numbers place = add_points(arrays, distinct, points, pulse);
-  if (delaunay.triangles.empty()) return arrays;
+  const DistinctPoints distinct = distinct_points(delaunay);
+  const Numbers place = add_points(arrays, distinct.index, delaunay.points(), pulse);
+  if (triangles.empty()) return arrays;
   const Numbers faces =
-      add_triangles(arrays, on_places(delaunay, distinct, place, points.size()), filtration.triangle_alpha, pulse);
+      add_triangles(arrays, on_places(triangles, distinct.number, place), filtration.triangle_alpha, pulse);
   const auto cells = [&](ComplexKind kind) {
-    return renumbered(filtered_cells(delaunay, points, filtration, kind, pulse), place, faces, pulse);
+    return renumbered(filtered_cells(delaunay, distinct, filtration, kind, pulse), place, faces, pulse);
   };
   add_pairs(arrays, cells(ComplexKind::solid), pulse);
   add_free_edges(arrays, cells(ComplexKind::full), pulse);

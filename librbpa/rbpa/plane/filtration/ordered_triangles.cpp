@@ -2,10 +2,10 @@
 
 namespace rbpa {
 
-OrderedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order) {
+OwnedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  OrderedTriangles ordered;
+  OwnedTriangles ordered;
   ordered.triangles.resize(order.size());
   ordered.neighbors.resize(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) {

@@ -4,9 +4,9 @@
 #include <tuple>
 
 #include "rbpa/base/steps.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
 #include "rbpa/plane/filtration/elder_rule.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 
 namespace rbpa {
 namespace {
@@ -20,13 +20,11 @@ bool before(const PersistencePair& a, const PersistencePair& b) {
 
 }  // namespace
 
-std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
-                                         const Filtration& filtration, ComplexKind kind,
+std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration, ComplexKind kind,
                                          const std::function<bool()>& go_on) {
-  require_same(filtration, delaunay, "persistence");
-  require_delaunay(delaunay, points, "persistence", go_on);
+  require_same(filtration, delaunay.triangulation(), "persistence");
   Steps pulse(go_on);
-  FilteredCells cells = filtered_cells(delaunay, points, filtration, kind, pulse);
+  FilteredCells cells = filtered_cells(delaunay, distinct_points(delaunay), filtration, kind, pulse);
   // In which order equal alphas come changes pairs of no length only.
   std::sort(cells.edges.begin(), cells.edges.end(), [&](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
     pulse();

@@ -8,7 +8,7 @@
 
 #include "rbpa/base/steps.h"
 #include "rbpa/covering.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/shape_curve.h"
 
 namespace rbpa {
@@ -140,18 +140,17 @@ void rank(std::vector<Plateau>& plateaus, std::size_t distinct) {
 
 }  // namespace
 
-std::vector<Plateau> plateaus(const Triangulation& delaunay, std::span<const Point> points,
-                              const Filtration& filtration, const std::function<bool()>& go_on) {
-  require_same(filtration, delaunay, "plateaus");
-  require_delaunay(delaunay, points, "plateaus", go_on);
+std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
+                              const std::function<bool()>& go_on) {
+  require_same(filtration, delaunay.triangulation(), "plateaus");
   Steps pulse(go_on);
-  std::vector<ShapeState> curve = shape_curve(delaunay, points, filtration, pulse);
+  std::vector<ShapeState> curve = shape_curve(delaunay, filtration, pulse);
   if (curve.empty()) return {};
   const auto begin = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const FiltrationStep& step) {
     return is_share(step.covered, filtration.distinct, least_share);
   });
   const Range all{static_cast<std::size_t>(begin - filtration.steps.begin()), filtration.steps.size()};
-  const StillRanges ranges(filtration, std::move(curve), reach_of(points));
+  const StillRanges ranges(filtration, std::move(curve), reach_of(delaunay.points()));
   std::vector<Plateau> found;
   for (const Range& range : longest_ranges(ranges, all)) found.push_back(ranges.plateau_of(range));
   rank(found, filtration.distinct);

@@ -7,7 +7,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/plane/filtration/ascending.h"
-#include "rbpa/plane/filtration/delaunay_input.h"
+#include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/ordered_triangles.h"
 #include "rbpa/plane/filtration/solid_parts.h"
 
@@ -59,7 +59,7 @@ class Gaps {
 };
 
 /// Of each face, the first step at which it is in the complex or in a hole of it. Faces are in the order of their steps.
-std::vector<std::uint32_t> enclosed_from(const OrderedTriangles& of, const std::vector<std::uint32_t>& step_of,
+std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());
   std::vector<std::uint32_t> enclosed(of.triangles.size());
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> enclosed_from(const OrderedTriangles& of, const std::
 }
 
 /// The area of complex and holes at each step.
-std::vector<Wide> enclosed_areas(const OrderedTriangles& of, const std::vector<std::uint32_t>& step_of,
+std::vector<Wide> enclosed_areas(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                  const std::vector<Wide>& areas, Steps& pulse) {
   const std::vector<std::uint32_t> from = enclosed_from(of, step_of, pulse);
   std::vector<Wide> enclosed(step_of.empty() ? 0 : step_of.back() + std::size_t{1});
@@ -87,8 +87,9 @@ Wide eighth_root(Wide x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 
 }  // namespace
 
-std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<const Point> points,
-                                    const Filtration& filtration, Steps& pulse) {
+std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtration, Steps& pulse) {
+  const Triangulation& delaunay = of.triangulation();
+  const std::span<const Point> points = of.points();
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<Wide> areas(delaunay.triangles.size());
   for (std::size_t t = 0; t < areas.size(); ++t) {
@@ -96,7 +97,7 @@ std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<con
     areas[t] = area(corners_of(points, delaunay.triangles[t]));
   }
   const std::vector<std::uint32_t> order = by_alpha_and_area(filtration, areas, pulse);
-  const OrderedTriangles ordered = in_order(delaunay, order);
+  const OwnedTriangles ordered = in_order(delaunay, order);
   std::vector<std::uint32_t> step_of(order.size());
   std::vector<Wide> ordered_areas(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -5,13 +5,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "rbpa/base/point.h"
 #include "rbpa/base/steps.h"
+#include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
-#include "rbpa/triangulate.h"
 
 namespace rbpa {
 
@@ -23,7 +21,6 @@ struct ShapeState {
 };
 
 /// One for every step. Requires and throws: as plateaus().
-std::vector<ShapeState> shape_curve(const Triangulation& delaunay, std::span<const Point> points,
-                                    const Filtration& filtration, Steps& pulse);
+std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtration, Steps& pulse);
 
 }  // namespace rbpa

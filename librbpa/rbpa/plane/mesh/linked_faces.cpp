@@ -2,8 +2,8 @@
 
 namespace rbpa {
 
-LinkedFaces linked_faces(const Mesh& mesh) {
-  LinkedFaces faces;
+OwnedTriangles linked_faces(const Mesh& mesh) {
+  OwnedTriangles faces;
   faces.triangles.resize(mesh.n_faces());
   faces.neighbors.resize(mesh.n_faces());
   for (std::size_t f = 0; f < faces.triangles.size(); ++f) {

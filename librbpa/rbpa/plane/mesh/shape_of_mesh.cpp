@@ -9,8 +9,8 @@
 namespace rbpa {
 namespace {
 
-LinkedFaces faces_on_points(const SolidAlphaComplex& complex) {
-  LinkedFaces faces = linked_faces(complex.mesh);
+OwnedTriangles faces_on_points(const SolidAlphaComplex& complex) {
+  OwnedTriangles faces = linked_faces(complex.mesh);
   for (auto& corners : faces.triangles)
     for (std::uint32_t& corner : corners) corner = complex.input_index[corner];
   return faces;

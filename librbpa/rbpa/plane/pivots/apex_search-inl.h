@@ -53,7 +53,20 @@ class ApexSearch {
   /// The cost of edges that needed more than the first window, in points scanned.
   std::size_t work() const { return work_; }
 
-  /// Finds the apexes of the first `size` edges, at least one.
+  /// Finds the apexes of the first `size` edges, at least one:
+  ///   1. open a window of cells beside each edge;
+  ///   2. bound what rounding can do there;
+  ///   3. find the winner among the window's points, edge by edge;
+  ///   4. verify that the winner's circle lies in the window;
+  ///   5. search on, from near to far, for the edges where it does not.
+  /// Vectors of four to sixteen lanes cover a batch so:
+  ///
+  ///     steps 1 and 4: a lane is an edge              step 3: a lane is a point, and the edge is in all of them
+  ///     ax    | ax 0 | ax 1 | ax 2 | … | ax 15 |      row 0 of the window   | p | p | p | p | · | … |   up to 16 points
+  ///     ay    | ay 0 | ay 1 | ay 2 | … | ay 15 |      row 1                 | q | q | · | · | · | … |
+  ///     first | start of row r of window i     |      row 2                 | a | s | s | b | · | … |   a, b: its own ends
+  ///     count | points in that row             |      k, low … high         | of each; the least high is the bound
+  ///     ends  | which of them are a or b       |      can win               | 48 bits: low ≤ bound, and neither a nor b
   void run(std::size_t size) {
     for (std::size_t i = size; i < EdgeBatch::size; ++i) {
       edges_.a[i] = edges_.a[0];

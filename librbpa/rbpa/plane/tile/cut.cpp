@@ -112,6 +112,11 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points) {
   return found;
 }
 
+/// 1. lay cells over the block and the halo around it, of a size that suits the density;
+/// 2. gather the points of the block, which the tile owns, then the ghosts around it;
+/// 3. gather ghosts of other levels, where the halo leaves the box of the block's level;
+/// 4. mark the cells in which points were left out, or hidden ones lie: what is there is not known;
+/// 5. sort the points into the cells, by counting.
 void Cutter::cut(const Block& block, Tile& tile) {
   const Level& level = grid_.levels()[block.level];
   tile.clear();

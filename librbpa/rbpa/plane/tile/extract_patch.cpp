@@ -59,6 +59,12 @@ class PatchExtraction {
   PatchExtraction(const Tile& tile, const LocalFront& front, ExtractionWorkspace& workspace, TilePatch& result)
       : tile_(tile), front_(front), workspace_(workspace), result_(result) {}
 
+  /// 1. mark the triangles that the tile owns;
+  /// 2. filter by circumradius, and number the sides of those that the patch keeps;
+  /// 3. see which stars are settled;
+  /// 4. write what lies across of each side, and list what is marginal;
+  /// 5. if wanted, order the outline;
+  /// 6. list what is around stars that are not settled, for the remainder.
   void run(const TileCoordinates& coordinates, const Radius& radius) {
     find_owned();
     if (radius.is_infinite()) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "rbpa/base/sort/distribute.h"
+
 namespace rbpa::space {
 namespace {
 
@@ -71,28 +73,11 @@ std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) 
     return input;
   }
   const int shift = std::max(0, bits - digits);
-  const std::size_t parts = (n + at_a_time - 1) / at_a_time, values = std::size_t{1} << digits;
-  std::vector<std::uint32_t> place(parts * values, 0);
-  for_each_part(threads, n, at_a_time, [&](std::size_t from, std::size_t to) {
-    std::uint32_t* const count = &place[from / at_a_time * values];
-    for (std::size_t i = from; i < to; ++i) ++count[input[i].cell >> shift];
-  });
-  std::vector<std::uint32_t> start(values + 1);
-  std::uint32_t sum = 0;
-  for (std::size_t value = 0; value < values; ++value) {
-    start[value] = sum;
-    for (std::size_t part = 0; part < parts; ++part) {
-      std::uint32_t& at = place[part * values + value];
-      sum += at;
-      at = sum - at;
-    }
-  }
-  start[values] = sum;
+  constexpr std::size_t values = std::size_t{1} << digits;
   std::vector<Keyed> output(n);
-  for_each_part(threads, n, at_a_time, [&](std::size_t from, std::size_t to) {
-    std::uint32_t* const next = &place[from / at_a_time * values];
-    for (std::size_t i = from; i < to; ++i) output[next[input[i].cell >> shift]++] = input[i];
-  });
+  const std::vector<std::uint32_t> start = distribute(
+      n, values, at_a_time, threads, [&](std::size_t i) { return input[i].cell >> shift; },
+      [&](std::size_t i, std::uint32_t at) { output[at] = input[i]; });
   for_each_index(threads, values, [&](std::size_t value) {
     std::sort(output.begin() + start[value], output.begin() + start[value + 1]);
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "rbpa/base/distinct.h"
 #include "rbpa/space/cells/cells.h"
 
 namespace rbpa::space {
@@ -10,15 +11,13 @@ namespace rbpa::space {
 NeighborhoodSubset neighborhood_subset(std::span<const Point3> points, std::span<const Point3> normals,
                                        std::span<const Duplicate> duplicates, const std::vector<std::uint8_t>& wanted,
                                        double radius) {
-  std::vector<std::uint8_t> is_near(points.size(), 0), is_distinct(points.size(), 1);
-  for (const Duplicate& d : duplicates) is_distinct[d.index] = 0;
+  std::vector<std::uint8_t> is_near(points.size(), 0);
   std::vector<std::uint32_t> distinct;
   std::vector<Point3> places;
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (is_distinct[i] != 0) {
-      distinct.push_back(i);
-      places.push_back(points[i]);
-    }
+  for_each_distinct(points.size(), duplicates, [&](std::uint32_t i) {
+    distinct.push_back(i);
+    places.push_back(points[i]);
+  });
 
   Threads threads;
   const Cells cells(places, radius, threads);

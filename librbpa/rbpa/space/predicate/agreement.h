@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -43,10 +42,10 @@ class Agreement {
   bool operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (normals_.empty()) return true;
     if (fits_double_ && further_.empty()) {
-      const InDouble normal(places_[a], places_[b], places_[c]);
+      const RoundedNormal<double> normal(places_[a], places_[b], places_[c]);
       int certain = 0;
       for (const std::uint32_t corner : {a, b, c}) {
-        const int sign = normal.sign_along(normals_[corner]);
+        const int sign = sign_along(normal, normals_[corner]);
         if (sign < 0) return false;
         certain += sign;
       }
@@ -69,34 +68,18 @@ class Agreement {
     if (!fits_double_ || normals_.empty()) return true;
     for (std::size_t k = 0; k < cycle.size(); ++k) {
       const std::uint32_t x = cycle[k], y = cycle[k == 0 ? cycle.size() - 1 : k - 1];
-      if (InDouble(places_[v], places_[x], places_[y]).sign_along(normals_[v]) >= 0) return true;
+      if (sign_along({places_[v], places_[x], places_[y]}, normals_[v]) >= 0) return true;
     }
     return false;
   }
 
  private:
-  /// The normal of a triangle whose corners fit double.
-  class InDouble {
-   public:
-    InDouble(const Point3& a, const Point3& b, const Point3& c) {
-      const Vector3<double> u = from<double>(a, b), v = from<double>(a, c);
-      normal_ = cross(u, v);
-      magnitude_ = {std::abs(u.y * v.z) + std::abs(u.z * v.y), std::abs(u.z * v.x) + std::abs(u.x * v.z),
-                    std::abs(u.x * v.y) + std::abs(u.y * v.x)};
-    }
-
-    /// Sign of the product; 0 when it is not certain.
-    int sign_along(const Point3& m) const {
-      const double product = normal_.x * m.x + normal_.y * m.y + normal_.z * m.z;
-      const double bound =
-          0x1p-50 * (magnitude_.x * std::abs(m.x) + magnitude_.y * std::abs(m.y) + magnitude_.z * std::abs(m.z));
-      if (!(bound > 0x1p-900)) return 0;  // products may have underflown
-      return product > bound ? 1 : product < -bound ? -1 : 0;
-    }
-
-   private:
-    Vector3<double> normal_, magnitude_;
-  };
+  /// Sign of the product of a normal, of a triangle whose corners fit double, with a vector; 0 when it is not certain.
+  static int sign_along(const RoundedNormal<double>& normal, const Point3& v) {
+    const double product = normal.product(v), bound = 0x1p-50 * normal.magnitude(v);
+    if (!(bound > 0x1p-900)) return 0;  // products may have underflown
+    return product > bound ? 1 : product < -bound ? -1 : 0;
+  }
 
   static std::vector<Further> further_of(std::span<const Point3> normals, std::span<const Duplicate> duplicates) {
     std::vector<Further> further;

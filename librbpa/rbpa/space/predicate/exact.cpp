@@ -3,18 +3,13 @@
 #include <initializer_list>
 
 #include "rbpa/base/exact/integer_scale.h"
+#include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space::exact {
 namespace {
 
-struct Vector {
-  Integer x, y, z;
-};
+using Vector = Vector3<Integer>;
 
-Integer dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-Vector cross(const Vector& u, const Vector& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
 Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
 
 /// Scales points and a length to integers.

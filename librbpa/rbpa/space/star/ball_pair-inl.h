@@ -20,7 +20,10 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+
 #include "rbpa/space/star/limits.h"
+#include "rbpa/space/star/neighbor.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {
@@ -96,6 +99,36 @@ class BallPair {
   Vector n_;
   V nn_, product_, whole_, clearance_;  // n², p²q², 4r²n² and D
 };
+
+/// The two balls that rest on v, p and q: where the circles of p and q cross.
+struct Crossing {
+  Vector3<double> left{}, right{};  // centres of the balls on (v, p, q) and (v, q, p)
+  double error = 0;
+  // Not bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
+  std::uint32_t is_certain = 0, is_impossible = 0;
+};
+inline Crossing crossing_of(const Neighbor& p, const Neighbor& q, double radius) {
+  const hn::CappedTag<double, 1> d;
+  using Pair = BallPair<decltype(d)>;
+  const auto lane = [&](const Neighbor& x) {
+    return typename Pair::Point{{hn::Set(d, x.at.x), hn::Set(d, x.at.y), hn::Set(d, x.at.z)}, hn::Set(d, x.power)};
+  };
+  const auto vector = [&](const typename Pair::Vector& x) {
+    return Vector3<double>{hn::GetLane(x.x), hn::GetLane(x.y), hn::GetLane(x.z)};
+  };
+  const Pair pair(d, lane(p), lane(q), radius);
+  Crossing both;
+  both.is_certain = !hn::AllFalse(d, pair.exist());
+  both.is_impossible = !hn::AllFalse(d, pair.are_apart());
+  if (!both.is_certain) return both;
+  const auto error = pair.error();
+  const auto centers = pair.centers();
+  both.left = vector(centers.left);
+  both.right = vector(centers.right);
+  both.error = hn::GetLane(error);
+  both.is_certain = !hn::AllFalse(d, pair.is_accurate(error));
+  return both;
+}
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -141,14 +141,6 @@ class FreeRegion {
     lost
   };
 
-  /// The two balls that rest on v, p and q: where the circles of p and q cross.
-  struct Crossing {
-    Vector left{}, right{};  // centres of the balls on (v, p, q) and (v, q, p)
-    double error = 0;
-    // Not bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
-    std::uint32_t is_certain = 0, is_impossible = 0;
-  };
-
   /// What a cap does to the boundary: sets of corners, and of arcs by their first corners.
   struct Cut {
     std::uint64_t covered;  // corners in the cap
@@ -275,7 +267,7 @@ class FreeRegion {
           at = 0;
         else
           ++known_count;
-        known[at] = crossing(p, caps_[q]);
+        known[at] = crossing_of(p, caps_[q], radius_);
         known_about[at] = q;
         if (!known[at].is_certain) return false;
       }
@@ -322,7 +314,7 @@ class FreeRegion {
   bool await_crossing(const Neighbor& p, IsInBall is_in_ball) {
     for (std::size_t i = 0; i < waiting_; ++i) {
       const Neighbor q = waits_[i];
-      const Crossing both = crossing(p, q);
+      const Crossing both = crossing_of(p, q, radius_);
       if (both.is_impossible) continue;
       waits_[i] = waits_[--waiting_];
       const Outcome of_q = cut(q, is_in_ball);  // the region may have changed since q was tried
@@ -360,29 +352,6 @@ class FreeRegion {
     for (std::size_t k = 0; k < count; ++k)
       if (!subtract(again[k], is_in_ball)) return false;
     return true;
-  }
-
-  Crossing crossing(const Neighbor& p, const Neighbor& q) const {
-    const hn::CappedTag<double, 1> d;
-    using Pair = BallPair<decltype(d)>;
-    const auto lane = [&](const Neighbor& x) {
-      return typename Pair::Point{{hn::Set(d, x.at.x), hn::Set(d, x.at.y), hn::Set(d, x.at.z)}, hn::Set(d, x.power)};
-    };
-    const auto vector = [&](const typename Pair::Vector& x) {
-      return Vector{hn::GetLane(x.x), hn::GetLane(x.y), hn::GetLane(x.z)};
-    };
-    const Pair pair(d, lane(p), lane(q), radius_);
-    Crossing both;
-    both.is_certain = !hn::AllFalse(d, pair.exist());
-    both.is_impossible = !hn::AllFalse(d, pair.are_apart());
-    if (!both.is_certain) return both;
-    const auto error = pair.error();
-    const auto centers = pair.centers();
-    both.left = vector(centers.left);
-    both.right = vector(centers.right);
-    both.error = hn::GetLane(error);
-    both.is_certain = !hn::AllFalse(d, pair.is_accurate(error));
-    return both;
   }
 
   double radius_ = 0, square_ = 0;

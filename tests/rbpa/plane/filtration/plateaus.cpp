@@ -34,12 +34,12 @@ struct Found {
 };
 
 Found find(const Points& points) {
-  const auto delaunay = delaunay_arrays(points);
-  Found found{.filtration = rbpa::filtration(delaunay, points), .curve = {}, .plateaus = {}};
+  const rbpa::Delaunay delaunay(points);
+  Found found{.filtration = rbpa::filtration(delaunay), .curve = {}, .plateaus = {}};
   const std::function<bool()> on;
   rbpa::Steps pulse(on);
-  found.curve = rbpa::shape_curve(delaunay, points, found.filtration, pulse);
-  found.plateaus = rbpa::plateaus(delaunay, points, found.filtration);
+  found.curve = rbpa::shape_curve(delaunay, found.filtration, pulse);
+  found.plateaus = rbpa::plateaus(delaunay, found.filtration);
   return found;
 }
 

@@ -28,10 +28,10 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<ShapeState> curve_of(const Points& points) {
-  const auto delaunay = delaunay_arrays(points);
+  const rbpa::Delaunay delaunay(points);
   const std::function<bool()> on;
   rbpa::Steps pulse(on);
-  return rbpa::shape_curve(delaunay, points, rbpa::filtration(delaunay, points), pulse);
+  return rbpa::shape_curve(delaunay, rbpa::filtration(delaunay), pulse);
 }
 
 Wide area_of(const Points& points, const Triangle& triangle) {

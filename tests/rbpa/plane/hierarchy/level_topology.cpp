@@ -106,7 +106,7 @@ TEST_SUITE("filtration") {
       std::vector<std::uint32_t> order(complex.mesh.n_faces());
       std::iota(order.begin(), order.end(), 0);
       random.shuffle(order);
-      const rbpa::LinkedFaces faces = rbpa::linked_faces(complex.mesh);
+      const rbpa::OwnedTriangles faces = rbpa::linked_faces(complex.mesh);
       rbpa::Growth growth(faces, complex.mesh.n_vertices(), complex.input_index);
       meshops::PolygonSoup so_far;
       for (const std::uint32_t face : order) {

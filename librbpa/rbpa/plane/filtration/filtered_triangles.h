@@ -1,14 +1,13 @@
-// What: the requirements on a Delaunay triangulation as an input, and the corners and areas of its triangles.
+// What: the corners and areas of the triangles of a filtration, and whether it is that of a triangulation.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <span>
+#include <string>
 
+#include "meshops/core/contract.h"
 #include "rbpa/base/point.h"
 #include "rbpa/filtration.h"
 #include "rbpa/triangulate.h"
@@ -31,13 +30,10 @@ inline long double area(Corners corners) {
   return std::abs(cross) / 2;
 }
 
-/// Throws ContractViolation, which begins with `function`, when `delaunay` is visibly not the Delaunay triangulation of the
-/// points with neighbours: numbers do not fit, or triangles turn right.
-/// Cost: linear.
-void require_delaunay(const Triangulation& delaunay, std::span<const Point> points, const char* function,
-                      const std::function<bool()>& go_on);
-
 /// Throws ContractViolation, which begins with `function`, when the filtration is visibly of another triangulation.
-void require_same(const Filtration& filtration, const Triangulation& delaunay, const char* function);
+inline void require_same(const Filtration& filtration, const Triangulation& delaunay, const std::string& function) {
+  if (filtration.triangle_alpha.size() != delaunay.triangles.size() || filtration.distinct != delaunay.distinct)
+    throw meshops::ContractViolation(function + ": the filtration is of another triangulation");
+}
 
 }  // namespace rbpa

@@ -1,0 +1,46 @@
+// What: distributes items over buckets: a bucket sort's first pass.
+// Law:  items of one bucket keep their order, so that nothing depends on the number of threads.
+// Cost: linear in the items, and in the buckets of each part.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+
+namespace rbpa {
+
+/// Calls put(i, place) for each of the items 0 … `items` − 1, bucket_of(i) being below `buckets`; `part` of them at a time in
+/// one thread. bucket_of() is called twice for each, as to store what it returns would take longer.
+/// Returns: the first place of each bucket, and the end.
+template <typename BucketOf, typename Put>
+std::vector<std::uint32_t> distribute(std::size_t items, std::size_t buckets, std::size_t part, Threads& threads,
+                                      const BucketOf& bucket_of, const Put& put) {
+  const std::size_t parts = (items + part - 1) / part;
+  // Of each part, where its items of each bucket go.
+  std::vector<std::uint32_t> place(parts * buckets, 0);
+  for_each_part(threads, items, part, [&](std::size_t first, std::size_t last) {
+    std::uint32_t* const count = &place[first / part * buckets];
+    for (std::size_t i = first; i < last; ++i) ++count[bucket_of(i)];
+  });
+  std::vector<std::uint32_t> start;
+  start.reserve(buckets + 1);
+  std::uint32_t sum = 0;
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+    start.push_back(sum);
+    for (std::size_t at = bucket; at < place.size(); at += buckets) {
+      const std::uint32_t count = place[at];
+      place[at] = sum;
+      sum += count;
+    }
+  }
+  start.push_back(sum);
+  for_each_part(threads, items, part, [&](std::size_t first, std::size_t last) {
+    std::uint32_t* const next = &place[first / part * buckets];
+    for (std::size_t i = first; i < last; ++i) put(i, next[bucket_of(i)]++);
+  });
+  return start;
+}
+
+}  // namespace rbpa

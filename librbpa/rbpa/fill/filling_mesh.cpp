@@ -1,0 +1,67 @@
+#include "rbpa/filling_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "meshops/core/disjoint_sets.h"
+#include "meshops/topology/build_mesh.h"
+
+namespace rbpa {
+namespace {
+
+/// Corner k of triangle t is 3t + k.
+std::uint32_t corner_on(const Filling& filling, std::uint32_t triangle, std::uint32_t point) {
+  const Triangle& corners = filling.triangles[triangle];
+  const auto k = std::find(corners.begin(), corners.end(), point) - corners.begin();
+  return 3 * triangle + static_cast<std::uint32_t>(k);
+}
+
+/// Corners of one fan are a set.
+meshops::DisjointSets fans_of_filling(const Filling& filling) {
+  meshops::DisjointSets fans(3 * filling.triangles.size());
+  for (std::uint32_t t = 0; t < filling.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = filling.neighbors[t][k];
+      if (other == TriangleArrays::none || other < t) continue;
+      for (const std::size_t end : {(k + 1) % 3, (k + 2) % 3}) {
+        const std::uint32_t point = filling.triangles[t][end];
+        fans.join(corner_on(filling, t, point), corner_on(filling, other, point));
+      }
+    }
+  return fans;
+}
+
+}  // namespace
+
+FillingMesh filling_mesh(const Filling& filling) {
+  require_linked(filling, filling.points.size());
+  meshops::DisjointSets fans = fans_of_filling(filling);
+  // Each fan is a point of its own for the builder, so that none is glued to another that runs along the same edge.
+  std::vector<std::uint32_t> point(filling.points.size()), own(fans.size());
+  std::iota(point.begin(), point.end(), 0U);
+  std::vector<bool> is_taken(point.size(), false);
+  meshops::PolygonSoup soup;
+  for (std::uint32_t corner = 0; corner < own.size(); ++corner) {
+    const std::uint32_t first = fans.find(corner), on = filling.triangles[corner / 3][corner % 3];
+    if (first == corner) {
+      own[corner] = is_taken[on] ? static_cast<std::uint32_t>(point.size()) : on;
+      if (is_taken[on]) point.push_back(on);
+      is_taken[on] = true;
+    }
+    own[corner] = own[first];
+    if (corner % 3 == 2) soup.add_face(std::span(own).subspan(corner - 2, 3));
+  }
+  soup.points = point.size();
+
+  FillingMesh result;
+  result.point_of_vertex = meshops::build_mesh(result.mesh, soup);  // its points, as each has one fan
+  for (std::uint32_t& p : result.point_of_vertex) p = point[p];
+  for (std::size_t v = 0; v < result.point_of_vertex.size(); ++v) {
+    const Point& p = filling.points[result.point_of_vertex[v]];
+    result.mesh.set_point(meshops::Vertex(static_cast<int>(v)), {p.x, p.y, 0});
+  }
+  return result;
+}
+
+}  // namespace rbpa
