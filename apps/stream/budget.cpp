@@ -1,10 +1,19 @@
 #include "stream/budget.h"
 
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+
+#include "io/failure.h"
+#include "io/progress_line.h"
+#include "stream/pack_block.h"
 
 namespace rbpa::app {
 namespace {
@@ -12,6 +21,16 @@ namespace {
 /// What there is beside tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for triangles that wait
 /// to be written to their files, and as much for what is open between tiles.
 std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
+
+/// A disk that says nothing has room.
+void require_room(const std::string& folder, double needed, const std::string& where, const std::string& what) {
+  struct statvfs status {};
+  if (statvfs(folder.c_str(), &status) != 0) return;
+  const double free = static_cast<double>(std::uint64_t{status.f_bavail} * status.f_frsize);
+  if (free >= needed) return;
+  throw Failure(where + ": found " + short_number(free) + "B free on its disk, expected " + short_number(needed) +
+                "B for " + what);
+}
 
 }  // namespace
 
@@ -50,6 +69,37 @@ void return_free_pages() {
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
   const std::uint64_t used = program_bytes + tile_points * bytes_of_tile_point * std::max(threads, 1U);
   return std::max(least_memory, used * 16 / 13 + used / 16);
+}
+
+void PackedSample::add(std::span<const Point> points, std::uint64_t first) {
+  if (points.empty()) return;
+  // The first blocks, and from then on ever fewer.
+  if (blocks_++ < 2 * taken_ && taken_ > 8) return;
+  ++taken_;
+  const std::span<const Point> some = points.first(std::min(points.size(), most_in_packed_block));
+  std::vector<std::uint64_t> indices(some.size());
+  std::iota(indices.begin(), indices.end(), first);
+  PackingHint hint;
+  std::string bytes;
+  pack_block(some, indices, hint, bytes);
+  points_ += some.size();
+  bytes_ += bytes.size();
+}
+
+double PackedSample::bytes_per_point() const {
+  return points_ == 0 ? 0 : static_cast<double>(bytes_) / static_cast<double>(points_);
+}
+
+void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
+  // In a tile, indices of points are farther apart, and coordinates nearer to each other: not less than this.
+  require_room(folder, points * sample.bytes_per_point() * 0.8, folder, "the files of tiles");
+}
+
+void require_room_for_output(const std::string& path, std::uint64_t bytes) {
+  struct stat file {};
+  if (path == "-" || (stat(path.c_str(), &file) == 0 && !S_ISREG(file.st_mode))) return;
+  const std::string folder = path.rfind('/') == std::string::npos ? "." : path.substr(0, path.rfind('/') + 1);
+  require_room(folder, static_cast<double>(bytes), path, "the triangles");
 }
 
 }  // namespace rbpa::app

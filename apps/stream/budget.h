@@ -1,8 +1,13 @@
-// What: how the memory of a run is divided.
+// What: how the memory that a run may take is divided, and whether a disk has room for what is about to be written, as far as that
+//       can be known.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+
+#include "rbpa/base/point.h"
 
 namespace rbpa::app {
 
@@ -34,5 +39,21 @@ void return_free_pages();
 
 /// The memory with which a tile of so many points would do, by so many threads.
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads);
+
+/// How many bytes points take in the files of tiles, by some of them.
+class PackedSample {
+ public:
+  void add(std::span<const Point> points, std::uint64_t first);
+  double bytes_per_point() const;
+
+ private:
+  std::uint64_t blocks_ = 0, taken_ = 0, points_ = 0, bytes_ = 0;
+};
+
+/// Throws Failure saying how much is free and how much is needed, here as below.
+void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample);
+
+/// For the file at `path`, unless that is no file.
+void require_room_for_output(const std::string& path, std::uint64_t bytes);
 
 }  // namespace rbpa::app

@@ -30,13 +30,8 @@ CellCounts::CellCounts(std::size_t most) : most_(most), table_(64) {}
 
 double CellCounts::side() const { return std::ldexp(1.0, exponent_); }
 
-/// The first points determine the size of cells; later ones may make them larger.
-void CellCounts::begin(std::span<const Point> points) {
-  least_ = greatest_ = points.front();
-  for (const Point& p : points) {
-    least_ = {std::min(least_.x, p.x), std::min(least_.y, p.y)};
-    greatest_ = {std::max(greatest_.x, p.x), std::max(greatest_.y, p.y)};
-  }
+/// The first points say how large cells are; those that come may make them larger.
+void CellCounts::begin() {
   const double extent = std::max(greatest_.x / 2 - least_.x / 2, greatest_.y / 2 - least_.y / 2);
   constexpr int cells_across = 12;  // as a power of two
   exponent_ = extent > 0 ? std::max(std::ilogb(extent) + 1 - cells_across, least_exponent) : least_exponent;
@@ -44,11 +39,12 @@ void CellCounts::begin(std::span<const Point> points) {
 
 void CellCounts::add(std::span<const Point> points) {
   if (points.empty()) return;
-  if (points_ == 0) begin(points);
+  if (points_ == 0) least_ = greatest_ = points.front();
   for (const Point& p : points) {
     least_ = {std::min(least_.x, p.x), std::min(least_.y, p.y)};
     greatest_ = {std::max(greatest_.x, p.x), std::max(greatest_.y, p.y)};
   }
+  if (points_ == 0) begin();
   const double largest =
       std::max({std::abs(least_.x), std::abs(least_.y), std::abs(greatest_.x), std::abs(greatest_.y)});
   // Columns are counted from 0, either way, by numbers of 60 bits.

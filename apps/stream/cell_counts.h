@@ -33,7 +33,7 @@ class CellCounts {
   const Point& greatest() const { return greatest_; }  ///< likewise
 
  private:
-  void begin(std::span<const Point> points);
+  void begin();
   void add(std::int64_t column, std::int64_t row, std::uint64_t count);
   void grow_side(int doublings);
   void rebuild(std::size_t size, int doublings);

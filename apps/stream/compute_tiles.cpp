@@ -1,32 +1,102 @@
-#include "stream/compute_tiles.h"
+#include "stream/passes.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <map>
+#include <cstring>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/base/error.h"
-#include "stream/compute_state.h"
+#include "rbpa/base/parallel/join_in_order.h"
+#include "rbpa/partial_bytes.h"
 #include "stream/compute_tile.h"
-#include "stream/cut_tiles.h"
 #include "stream/pass_progress.h"
+#include "stream/scratch_file.h"
 #include "stream/tile_file.h"
-#include "stream/tile_mesh.h"
 
 namespace rbpa::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+void write_partials(const std::vector<Partial>& partials, const std::string& path) {
+  ScratchFile file(path, ScratchFile::Mode::write);
+  for (const Partial& partial : partials) {
+    const std::vector<std::uint8_t> bytes = to_bytes(partial);
+    const std::uint64_t size = bytes.size();
+    file.write({reinterpret_cast<const char*>(&size), sizeof size});
+    file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+}
+
+std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
+  const std::string bytes = scratch_content(path);
+  std::vector<Partial> partials;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t size = 0;
+    if (bytes.size() - at < sizeof size) throw std::runtime_error("a file that was cut off");
+    std::memcpy(&size, bytes.data() + at, sizeof size);
+    at += sizeof size;
+    if (bytes.size() - at < size) throw std::runtime_error("a file that was cut off");
+    partials.push_back(partial_from_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()) + at, size}));
+    at += size;
+  }
+  return partials;
+}
+
+/// How far the computation has come, in files of scratch. It is written as a whole or not at all: progress.json names the file of
+/// what is open, which is whole before.
+struct ComputeState {
+  std::uint64_t generation = 0;
+  std::size_t tiles_done = 0;  ///< in the order of the tree
+  std::uint64_t points_done = 0;
+  std::vector<Partial> open = {};  ///< parts of the tree that are done, and not yet merged with others
+  RowsState rows = {};
+  LogState polygons = {};
+};
+
+void save(const ComputeState& state, const Scratch& scratch) {
+  write_partials(state.open, scratch.partials(state.generation));
+  const Json json = {{"generation", state.generation},
+                     {"tiles_done", state.tiles_done},
+                     {"points_done", state.points_done},
+                     {"open", state.open.size()},
+                     {"rows", state.rows.rows},
+                     {"sums", state.rows.sums},
+                     {"polygons", {state.polygons.polygons.bytes, state.polygons.polygons.checksum}},
+                     {"holes", {state.polygons.holes.bytes, state.polygons.holes.checksum}}};
+  replace_checked(scratch.progress(), json.dump());
+  if (state.generation > 0) unlink(scratch.partials(state.generation - 1).c_str());
+}
+
+/// Nothing where no tile was done. Throws BadInput when the files are not what was written.
+std::optional<ComputeState> load_state(const Scratch& scratch) {
+  const std::string text = checked_content(scratch.progress());
+  if (text.empty()) return std::nullopt;
+  try {
+    const Json json = Json::parse(text);
+    ComputeState state{.generation = json.at("generation"),
+                       .tiles_done = json.at("tiles_done"),
+                       .points_done = json.at("points_done")};
+    state.open = read_partials(scratch.partials(state.generation), json.at("open"));
+    state.rows = {json.at("rows"), json.at("sums")};
+    const auto log = [&](const char* name) { return RecordState{json.at(name).at(0), json.at(name).at(1)}; };
+    state.polygons = {log("polygons"), log("holes")};
+    return state;
+  } catch (const std::exception& error) {
+    begin_anew(scratch.progress(), "no progress of rbpa stream (" + std::string(error.what()) + "), expected it",
+               scratch.folder());
+  }
+}
 
 /// How many parts of the tree are done with each tile, in their order, that was the last of them.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
@@ -65,76 +135,30 @@ class Computation {
     } else {
       scratch.clear_rows();
     }
-    begun_ = cleared_ = next_ = state_.tiles_done;
+    begun_ = cleared_ = state_.tiles_done;
   }
 
-  Computed run() {
-    {
-      std::vector<std::jthread> others;
-      const std::size_t workers = std::min<std::size_t>(budget_.workers, order_.size() - begun_);
-      for (std::size_t i = 1; i < workers; ++i) others.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
+  PartialCounts run() {
+    const auto tile = [&](std::size_t i) { return order_[begun_ + i]; };
+    // What a small tile has made is a small part of what computing one takes.
+    const auto is_small = [&](std::size_t i) { return manifest_.tiles[tile(i)].points <= budget_.tile_points / 8; };
+    join_in_order(
+        budget_.workers, order_.size() - begun_, [&](std::size_t i) { return compute(tile(i)); }, is_small,
+        [&](std::size_t i, PartialAndItems made) { commit(begun_ + i, std::move(made)); });
     const WholeComplex rest = finish(std::move(state_.open.front()));
     if (request_.wants_polygons()) polygons_.add(rest.polygons);
     rows_.flush();
     polygons_.flush();
-    return {rest.counts};
+    return rest.counts;
   }
 
  private:
-  void work() {
-    try {
-      while (const std::optional<std::size_t> position = take()) {
-        PartialAndItems made = compute(order_[*position]);
-        if (!hand_in(*position, std::move(made))) return;
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      turned_.notify_all();
-    }
-  }
-
-  /// The open part agrees with the tree of tiles.
+  /// What is open is what the tree says of so many tiles.
   void require_plausible() const {
     std::size_t open = 0;
     for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
     if (state_.tiles_done > 0 && state_.tiles_done <= ends_.size() && state_.open.size() == open) return;
-    bad_input(scratch_.progress(), "the progress of another run",
-              "that of this one; remove " + scratch_.folder() + " and begin anew");
-  }
-
-  std::optional<std::size_t> take() {
-    const std::lock_guard lock(mutex_);
-    if (failure_ || next_ == order_.size()) return std::nullopt;
-    return next_++;
-  }
-
-  /// The thread that has the next tile commits it and those that follow; others go on with further tiles meanwhile.
-  /// Returns false when a run has failed.
-  bool hand_in(std::size_t position, PartialAndItems made) {
-    // The result of a small tile is small against the memory in which a tile is computed.
-    const bool is_small = manifest_.tiles[order_[position]].points <= budget_.tile_points / 8;
-    std::unique_lock lock(mutex_);
-    turned_.wait(lock, [&] {
-      return failure_ || state_.tiles_done == position || (is_small && ready_.size() < budget_.workers);
-    });
-    if (failure_) return false;
-    ready_.emplace(position, std::move(made));
-    if (is_committing_) return true;
-    is_committing_ = true;
-    while (!failure_ && !ready_.empty() && ready_.begin()->first == state_.tiles_done) {
-      auto next = ready_.extract(ready_.begin());
-      lock.unlock();
-      commit(next.key(), std::move(next.mapped()));
-      lock.lock();
-      ++state_.tiles_done;
-      turned_.notify_all();
-    }
-    is_committing_ = false;
-    return !failure_;
+    begin_anew(scratch_.progress(), "the progress of another run, expected that of this one", scratch_.folder());
   }
 
   /// The points of the file of a tile, which is made again when it is damaged.
@@ -159,8 +183,8 @@ class Computation {
   PartialAndItems compute(std::uint32_t tile) {
     stop_if_interrupted();
     const IndexedPoints points = points_of(tile);
-    const TileWork work{request_.alpha, budget_.workers > 1 ? 1 : request_.threads, wants_triangles()};
-    PartialAndItems made = compute_tile(manifest_.tree.box(tile), points, work);
+    PartialAndItems made = compute_tile(manifest_.tree.box(tile), points, request_.alpha,
+                                        budget_.workers > 1 ? 1 : request_.threads, wants_triangles());
     for (const StreamTarget& target : request_.targets)
       if (target.format == StreamFormat::ply)
         write_tile_mesh(tile_mesh_path(target.path, tile), points, made.owned.triangles);
@@ -184,6 +208,7 @@ class Computation {
     state_.points_done += manifest_.tiles[order_[position]].owned;
     progress_.at(state_.points_done, state_.points_done);
     if (is_time_to_save(position)) save_progress(position + 1);
+    state_.tiles_done = position + 1;
   }
 
   /// Finished polygons are written to files, or dropped where none are requested: otherwise memory would only grow.
@@ -225,21 +250,15 @@ class Computation {
   std::size_t begun_ = 0, cleared_ = 0;
   Clock::time_point saved_ = Clock::now();
   Clock::duration time_of_save_{0};
-  ComputeState state_ = {};  // of who commits; tiles_done of the mutex as well
-  std::mutex cutting_, mutex_;
-  std::condition_variable turned_;
-  // Of the mutex:
-  std::size_t next_ = 0;
-  std::map<std::size_t, PartialAndItems> ready_ = {};  // computed, by position
-  bool is_committing_ = false;
-  std::exception_ptr failure_ = nullptr;
+  ComputeState state_ = {};
+  std::mutex cutting_;
   PassProgress progress_;
 };
 
 }  // namespace
 
-Computed compute_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest,
-                       TriangleRows& rows, PolygonLog& polygons) {
+PartialCounts compute_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch,
+                            Manifest& manifest, TriangleRows& rows, PolygonLog& polygons) {
   return Computation(request, budget, scratch, manifest, rows, polygons).run();
 }
 

@@ -1,4 +1,4 @@
-#include "stream/cut_tiles.h"
+#include "stream/passes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,8 +11,7 @@
 #include "io/interrupt.h"
 #include "stream/input_blocks.h"
 #include "stream/pass_progress.h"
-#include "stream/reach.h"
-#include "stream/refuse_dense.h"
+#include "stream/plan_tiles.h"
 #include "stream/scratch_file.h"
 #include "stream/tile_file.h"
 
@@ -104,12 +103,6 @@ class Cutter {
 /// Writing all that waits takes time.
 constexpr std::chrono::seconds time_between_saves(10);
 
-std::uint64_t bytes_of(const RunKey& run_key) {
-  std::uint64_t bytes = 0;
-  for (const InputFile& file : run_key.inputs) bytes += file.size;
-  return bytes;
-}
-
 /// The widest cut through the middle of a sample of what a tile owns.
 struct Line {
   TileTree::Part::Kind kind;
@@ -165,10 +158,8 @@ class SmallerCutter {
     const std::uint64_t step = manifest_.tiles[tile].owned / sample_size + 1;
     TileReader reader(scratch_.tile(tile), box, request_.alpha);
     std::vector<Point> sample;
-    IndexedPoints block;
     std::uint64_t count = 0;
-    for (; reader.next(block); block.clear()) {
-      stop_if_interrupted();
+    for_each_block(reader, [&](const IndexedPoints& block) {
       for (const Point& p : block.points) {
         if (!box.contains(p)) continue;
         if (count == 0) extent = {p.x, p.y, p.x, p.y};
@@ -178,7 +169,7 @@ class SmallerCutter {
         extent.y1 = std::max(extent.y1, p.y);
         if (count++ % step == 0) sample.push_back(p);
       }
-    }
+    });
     return sample;
   }
 
@@ -187,14 +178,12 @@ class SmallerCutter {
     const double reach = reach_of(request_.alpha);
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
     std::uint64_t count = 0;
-    IndexedPoints block;
-    for (; reader.next(block); block.clear()) {
-      stop_if_interrupted();
+    for_each_block(reader, [&](const IndexedPoints& block) {
       for (const Point& p : block.points)
         if (above(p.x, reach) >= extent.x0 && below(p.x, reach) <= extent.x1 && above(p.y, reach) >= extent.y0 &&
             below(p.y, reach) <= extent.y1)
           ++count;
-    }
+    });
     return count;
   }
 
@@ -237,9 +226,7 @@ class SmallerCutter {
     TileWriter first(part, tree.box(tile), request_.alpha),
         second(scratch_.tile(other), tree.box(other), request_.alpha);
     TileReader reader(whole, before, request_.alpha);
-    IndexedPoints block;
-    for (; reader.next(block); block.clear()) {
-      stop_if_interrupted();
+    for_each_block(reader, [&](const IndexedPoints& block) {
       for (std::size_t i = 0; i < block.size(); ++i) {
         const Point& p = block.points[i];
         const double at = x ? p.x : p.y;
@@ -249,7 +236,7 @@ class SmallerCutter {
       }
       if (first.waiting() >= 4 * most_in_packed_block) first.flush();
       if (second.waiting() >= 4 * most_in_packed_block) second.flush();
-    }
+    });
     const TileSummary of_first = first.finish(), of_second = second.finish();
     manifest_.tree = std::move(tree);
     manifest_.tiles[tile] = of_first;
@@ -266,26 +253,23 @@ class SmallerCutter {
 }  // namespace
 
 void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest) {
-  PassProgress progress(request.shows_progress, "2/4 cutting", bytes_of(manifest.run_key));
+  PassProgress progress(request.shows_progress, "2/4 cutting", manifest.run_key.bytes());
   Cutter cutter(manifest.tree, request.alpha, scratch, budget.waiting);
   if (manifest.files_done > 0) cutter.resume(manifest.tiles);
-  std::uint64_t before = 0;
-  for (std::size_t file = 0; file < manifest.files_done; ++file) before += manifest.run_key.inputs[file].size;
-  InputBlocks input(request.sources, manifest.files_done, manifest.next_index);
+  InputPlace from{manifest.files_done, manifest.next_index};
+  for (std::size_t file = 0; file < from.files; ++file) from.bytes += manifest.run_key.inputs[file].size;
   using Clock = std::chrono::steady_clock;
   Clock::time_point saved = Clock::now();
-  for (InputBlock block; input.next(block);) {
-    stop_if_interrupted();
+  for_each_input_block(request.sources, from, progress, [&](const InputBlock& block) {
     cutter.add(block.points, block.first);
-    progress.at(before + input.bytes_read(), block.first);
-    if (!block.ends_file || Clock::now() - saved < time_between_saves) continue;
+    if (!block.ends_file || Clock::now() - saved < time_between_saves) return;
     saved = Clock::now();
     cutter.flush();
     manifest.files_done = block.file + 1;
     manifest.next_index = block.first;
     manifest.tiles = cutter.summaries();
     save(manifest, scratch);
-  }
+  });
   manifest.tiles.clear();
   for (std::uint32_t tile = 0; tile < manifest.tree.tiles(); ++tile) {
     stop_if_interrupted();
@@ -295,15 +279,11 @@ void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch
 
 void cut_again(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest,
                std::uint32_t tile) {
-  PassProgress progress(request.shows_progress, "cutting a tile again", bytes_of(manifest.run_key));
+  PassProgress progress(request.shows_progress, "cutting a tile again", manifest.run_key.bytes());
   Cutter cutter(manifest.tree, request.alpha, scratch, budget.waiting);
   cutter.want_only(tile);
-  InputBlocks input(request.sources, 0, 0);
-  for (InputBlock block; input.next(block);) {
-    stop_if_interrupted();
-    cutter.add(block.points, block.first);
-    progress.at(input.bytes_read(), block.first);
-  }
+  for_each_input_block(request.sources, {}, progress,
+                       [&](const InputBlock& block) { cutter.add(block.points, block.first); });
   manifest.tiles[tile] = cutter.finish(tile);
 }
 

@@ -3,18 +3,14 @@
 // Cost: a few blocks are in memory at a time.
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
-#include <exception>
-#include <mutex>
+#include <functional>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "io/cloud/read_points.h"
 #include "io/point_file.h"
+#include "stream/pass_progress.h"
 
 namespace rbpa::app {
 
@@ -26,35 +22,14 @@ struct InputBlock {
   PointFile about = {};
 };
 
-class InputBlocks {
- public:
-  /// From the file `first_file` on, whose first point has the index `first`. The sources must outlive this.
-  InputBlocks(std::span<const PointSource> sources, std::size_t first_file, std::uint64_t first);
-  ~InputBlocks();
-  InputBlocks(const InputBlocks&) = delete;
-  InputBlocks& operator=(const InputBlocks&) = delete;
-
-  /// False at the end. Throws as read_points().
-  bool next(InputBlock& block);
-  /// Of all files together.
-  std::uint64_t bytes_read() const { return bytes_read_; }
-
- private:
-  void run();
-  void read(std::size_t file);
-  bool put(InputBlock block);
-
-  std::span<const PointSource> sources_;
-  std::size_t first_file_;
-  std::uint64_t next_index_;
-  std::atomic<std::uint64_t> bytes_read_ = 0;
-
-  std::mutex mutex_;  // of what follows
-  std::condition_variable changed_;
-  std::deque<InputBlock> blocks_ = {};
-  bool ended_ = false, unwanted_ = false;
-  std::exception_ptr failure_ = nullptr;
-  std::jthread thread_;
+/// The beginning of a file of the input: what is before it.
+struct InputPlace {
+  std::size_t files = 0;
+  std::uint64_t points = 0, bytes = 0;
 };
+
+/// Calls visit(block) with all blocks from a place on. Throws as read_points(), Cancelled.
+void for_each_input_block(std::span<const PointSource> sources, const InputPlace& from, PassProgress& progress,
+                          const std::function<void(const InputBlock&)>& visit);
 
 }  // namespace rbpa::app

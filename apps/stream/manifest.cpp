@@ -151,6 +151,20 @@ std::uint64_t id_of(const Manifest& manifest) {
   return hash;
 }
 
+void add_facts(Json& json, const PointsFacts& facts) {
+  json["box"] = {facts.least.x, facts.least.y, facts.greatest.x, facts.greatest.y};
+  json["crs"] = facts.crs ? Json({facts.crs->authority, facts.crs->code, facts.crs->degrees}) : Json();
+  json["degrees"] = facts.degrees;
+}
+
+void read_facts(const Json& json, PointsFacts& facts) {
+  const Json &box = json.at("box"), &crs = json.at("crs");
+  facts.least = {box.at(0), box.at(1)};
+  facts.greatest = {box.at(2), box.at(3)};
+  if (!crs.is_null()) facts.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
+  facts.degrees = json.at("degrees");
+}
+
 void save(const Manifest& manifest, const Scratch& scratch) {
   Json json = {{"format", "scratch of rbpa stream"},
                {"version", version},
@@ -159,9 +173,7 @@ void save(const Manifest& manifest, const Scratch& scratch) {
                {"pass", static_cast<int>(manifest.pass)}};
   if (manifest.pass != Manifest::Pass::count) {
     json["points"] = manifest.points;
-    json["box"] = {manifest.least.x, manifest.least.y, manifest.greatest.x, manifest.greatest.y};
-    json["crs"] = manifest.crs ? Json({manifest.crs->authority, manifest.crs->code, manifest.crs->degrees}) : Json();
-    json["degrees"] = manifest.degrees;
+    add_facts(json, manifest.facts);
     json["tree"] = json_of(manifest.tree);
     json["files_done"] = manifest.files_done;
     json["next_index"] = manifest.next_index;
@@ -183,11 +195,7 @@ Manifest load_manifest(const Scratch& scratch, const RunKey& run_key) {
     manifest.pass = static_cast<Manifest::Pass>(pass);
     if (manifest.pass == Manifest::Pass::count) return manifest;
     manifest.points = json.at("points");
-    const Json& box = json.at("box");
-    manifest.least = {box.at(0), box.at(1)};
-    manifest.greatest = {box.at(2), box.at(3)};
-    if (const Json& crs = json.at("crs"); !crs.is_null()) manifest.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
-    manifest.degrees = json.at("degrees");
+    read_facts(json, manifest.facts);
     manifest.tree = tree_of(json.at("tree"));
     manifest.files_done = json.at("files_done");
     manifest.next_index = json.at("next_index");
@@ -208,8 +216,8 @@ Manifest load_manifest(const Scratch& scratch, const RunKey& run_key) {
   } catch (const WrongUsage&) {
     throw;
   } catch (const std::exception& error) {
-    throw BadInput(scratch.manifest() + ": found no manifest of rbpa stream (" + std::string(error.what()) +
-                   "), expected one; remove " + scratch.folder() + " and begin anew");
+    begin_anew(scratch.manifest(), "no manifest of rbpa stream (" + std::string(error.what()) + "), expected one",
+               scratch.folder());
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,10 +33,28 @@ struct RunKey {
   std::uint64_t memory = 0, tile_size = 0;
   bool keep_tiles = false, tasks = false;
   std::vector<std::string> targets = {};
+
+  /// Of all inputs.
+  std::uint64_t bytes() const {
+    std::uint64_t sum = 0;
+    for (const InputFile& file : inputs) sum += file.size;
+    return sum;
+  }
 };
 
 /// The run_key of a request, by the files that are there. Throws BadInput when one is not.
 RunKey run_key_of(const StreamRequest& request);
+
+/// What is known of all points.
+struct PointsFacts {
+  Point least = {}, greatest = {};
+  std::optional<Crs> crs = std::nullopt;
+  bool degrees = false;
+};
+
+/// Adds them to an object of JSON, and reads them there; the second throws what the library of JSON throws.
+void add_facts(nlohmann::ordered_json& json, const PointsFacts& facts);
+void read_facts(const nlohmann::ordered_json& json, PointsFacts& facts);
 
 struct Manifest {
   enum class Pass { count, cut, compute };
@@ -46,9 +65,7 @@ struct Manifest {
 
   // Filled in from `cut` on.
   std::uint64_t points = 0;
-  Point least = {}, greatest = {};
-  std::optional<Crs> crs = std::nullopt;
-  bool degrees = false;
+  PointsFacts facts = {};
   TileTree tree = {};
 
   // While tiles are cut: files that are done, and the index behind their points. Then `tiles` are the files so far.

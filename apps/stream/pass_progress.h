@@ -27,7 +27,4 @@ class PassProgress {
   ProgressLine line_;  // ends before what it looks at
 };
 
-/// "2/4 cutting, 45 %, 12 M points, 3.4 M/s, 20 s left".
-std::string pass_text(const std::string& doing, double share, double points, double seconds);
-
 }  // namespace rbpa::app

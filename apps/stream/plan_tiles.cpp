@@ -4,9 +4,12 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "io/bytes/number.h"
+#include "io/failure.h"
 #include "io/interrupt.h"
 
 namespace rbpa::app {
@@ -53,7 +56,7 @@ class Planner {
   }
 
   /// Whatever part of the extent a tile is, it has these points around it: then there is no use in cutting.
-  void refuse_dense(const Region& extent, std::span<const Cell> owned, std::span<const Cell> around) const {
+  void stop_if_dense(const Region& extent, std::span<const Cell> owned, std::span<const Cell> around) const {
     const double wide = extent.x1 - extent.x0, high = extent.y1 - extent.y0;
     const double left = limits_.reach - std::max(wide, high);
     if (!(left >= 0)) return;
@@ -100,7 +103,7 @@ class Planner {
     const bool fits = count <= limits_.owned && all <= 0.9 * static_cast<double>(limits_.points);
     if (fits) return keep(all);
     const Region extent = extent_of(owned);
-    if (all > static_cast<double>(limits_.points)) refuse_dense(extent, owned, around);
+    if (all > static_cast<double>(limits_.points)) stop_if_dense(extent, owned, around);
     bool x = extent.x1 - extent.x0 >= extent.y1 - extent.y0;
     std::optional<double> line = middle(owned, x, count);
     if (!line) line = middle(owned, x = !x, count);
@@ -129,6 +132,17 @@ class Planner {
 };
 
 }  // namespace
+
+void refuse_dense(const TooDense& dense, const StreamRequest& request, const Budget& budget) {
+  constexpr std::uint64_t megabyte = std::uint64_t{1} << 20U;
+  const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes + megabyte - 1) / megabyte) + "M"; };
+  const auto text = [](double value) { return std::string(std::string_view(ShortestText(value))); };
+  throw Failure("--memory " + megabytes(request.memory) + ": found " + counted(dense.points, "point") +
+                " within 2 alpha = " + text(2 * request.alpha) + " of each other near (" + text(dense.where.x) + ", " +
+                text(dense.where.y) + "), expected at most " + std::to_string(budget.tile_points) + "; --memory " +
+                megabytes(memory_for(dense.points + dense.points / 4, request.threads)) +
+                " would do, or a smaller alpha");
+}
 
 TilePlan plan_tiles(const CellCounts& counts, const TileLimits& limits) {
   return Planner(counts.side(), limits).plan(counts.cells());

@@ -5,9 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 
+#include "stream/budget.h"
 #include "stream/cell_counts.h"
+#include "stream/request.h"
 #include "stream/tile_tree.h"
 
 namespace rbpa::app {
@@ -29,6 +30,9 @@ struct TilePlan {
   TileTree tree = {};
   double points = 0;  ///< about how many all tiles have together, those around them included
 };
+
+/// Throws Failure: where, how many points, how many fit, and how much memory would do.
+[[noreturn]] void refuse_dense(const TooDense& dense, const StreamRequest& request, const Budget& budget);
 
 /// Throws TooDense.
 TilePlan plan_tiles(const CellCounts& counts, const TileLimits& limits);

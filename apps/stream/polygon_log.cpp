@@ -8,7 +8,6 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "stream/polygon_record.h"
 #include "stream/sorted_records.h"
 
 namespace rbpa::app {
@@ -52,9 +51,7 @@ void take_rest(RecordReader& from, std::uint64_t size, std::string& record) {
 }
 
 void require_same(bool is_so, const std::string& path, const char* what, const Scratch& scratch) {
-  if (!is_so)
-    throw BadInput(path + ": found other " + what + " than were written; remove " + scratch.folder() +
-                   " and begin anew");
+  if (!is_so) begin_anew(path, std::string("other ") + what + " than were written", scratch.folder());
 }
 
 /// The holes that were written separately, by polygon and in order.

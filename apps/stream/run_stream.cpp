@@ -9,17 +9,12 @@
 #include "io/interrupt.h"
 #include "stream/budget.h"
 #include "stream/cell_counts.h"
-#include "stream/compute_tiles.h"
-#include "stream/cut_tiles.h"
 #include "stream/input_blocks.h"
 #include "stream/manifest.h"
 #include "stream/pass_progress.h"
+#include "stream/passes.h"
 #include "stream/plan_tiles.h"
-#include "stream/reach.h"
-#include "stream/refuse_dense.h"
-#include "stream/room_on_disk.h"
 #include "stream/tile_file.h"
-#include "stream/write_targets.h"
 
 namespace rbpa::app {
 namespace {
@@ -92,36 +87,31 @@ class Run {
   void take_crs(const InputBlock& block) {
     const std::string& name = request_.sources[block.file].path;
     const std::optional<Crs>& crs = block.about.crs;
-    if (crs && manifest_.crs && crs->text() != manifest_.crs->text())
-      bad_input(name, crs->text(), manifest_.crs->text() + " as files before (--crs says one for all)");
-    if (crs) manifest_.crs = crs;
-    manifest_.degrees = manifest_.degrees || block.about.degrees;
+    if (crs && manifest_.facts.crs && crs->text() != manifest_.facts.crs->text())
+      bad_input(name, crs->text(), manifest_.facts.crs->text() + " as files before (--crs says one for all)");
+    if (crs) manifest_.facts.crs = crs;
+    manifest_.facts.degrees = manifest_.facts.degrees || block.about.degrees;
     remark(block.about, name);
   }
 
   void count() {
-    std::uint64_t bytes = 0;
-    for (const InputFile& file : run_key_.inputs) bytes += file.size;
     CellCounts counts(budget_.cells);
     PackedSample sample;
     {
-      PassProgress progress(request_.shows_progress, "1/4 counting", bytes);
-      InputBlocks input(request_.sources, 0, 0);
-      for (InputBlock block; input.next(block);) {
-        stop_if_interrupted();
+      PassProgress progress(request_.shows_progress, "1/4 counting", run_key_.bytes());
+      for_each_input_block(request_.sources, {}, progress, [&](const InputBlock& block) {
         counts.add(block.points);
         sample.add(block.points, block.first);
-        progress.at(input.bytes_read(), counts.points());
         if (block.ends_file) take_crs(block);
-      }
+      });
     }
     manifest_.points = counts.points();
-    manifest_.least = counts.least();
-    manifest_.greatest = counts.greatest();
+    manifest_.facts.least = counts.least();
+    manifest_.facts.greatest = counts.greatest();
     try {
       TilePlan plan = plan_for(counts);
       manifest_.tree = std::move(plan.tree);
-      require_room_for_tiles(scratch_, plan.points, sample);
+      require_room_for_tiles(scratch_.folder(), plan.points, sample);
     } catch (const TooDense& dense) {
       refuse_dense(dense, request_, budget_);
     }
@@ -161,7 +151,7 @@ class Run {
       try {
         TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
         if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
-        for (IndexedPoints block; reader.next(block); block.clear()) stop_if_interrupted();
+        for_each_block(reader, [](const IndexedPoints&) {});
       } catch (const Damaged&) {
         cut_again(request_, budget_, scratch_, manifest_, tile);
         save(manifest_, scratch_);
@@ -172,14 +162,13 @@ class Run {
   void compute() {
     rows_.emplace(scratch_, manifest_.points, budget_.sort_bytes / 2);
     polygons_.emplace(scratch_);
-    result_.counts = compute_tiles(request_, budget_, scratch_, manifest_, *rows_, *polygons_).counts;
+    result_.counts = compute_tiles(request_, budget_, scratch_, manifest_, *rows_, *polygons_);
     result_.tiles = manifest_.tiles.size();
   }
 
   void write() {
     const ProgressLine line("rbpa", request_.shows_progress, "4/4 writing");
-    const PointsFacts facts{manifest_.least, manifest_.greatest, manifest_.crs, manifest_.degrees};
-    write_targets(request_, facts, *rows_, *polygons_, budget_.sort_bytes, outputs_, result_);
+    write_targets(request_, manifest_.facts, *rows_, *polygons_, budget_.sort_bytes, outputs_, result_);
   }
 
   const StreamRequest& request_;

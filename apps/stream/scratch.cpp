@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "io/failure.h"
+#include "stream/scratch_file.h"
 
 namespace rbpa::app {
 namespace {
@@ -36,9 +36,7 @@ constexpr const char* dead_name = ".dead-";
 constexpr const char* unmarked_name = ".rbpa-new";  // of a folder that is not marked yet, or no more
 
 std::string numbered(const std::string& folder, const char* part, std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
-  return folder + "/" + part + "/" + digits;
+  return folder + "/" + part + "/" + file_number(number);
 }
 
 enum class Lock { ours, busy, gone };
@@ -199,12 +197,6 @@ std::string Scratch::tile(std::uint32_t number) const { return numbered(folder_,
 std::string Scratch::rows(std::size_t bucket) const { return numbered(folder_, "triangles", bucket); }
 std::string Scratch::partials(std::uint64_t generation) const { return numbered(folder_, "partials", generation); }
 std::string Scratch::sorted_run(std::size_t number) const { return numbered(folder_, "runs", number); }
-
-std::uint64_t Scratch::free_bytes() const {
-  struct statvfs status {};
-  if (statvfs(folder_.c_str(), &status) != 0) return ~std::uint64_t{0};
-  return std::uint64_t{status.f_bavail} * status.f_frsize;
-}
 
 void Scratch::clear(bool keep_tiles) {
   std::error_code error;

@@ -33,8 +33,6 @@ class Scratch {
   /// Whether the files of an earlier run are there.
   bool has_run() const { return has_run_; }
 
-  /// Bytes that are free on its disk.
-  std::uint64_t free_bytes() const;
   /// The run is done: all goes, or all but the tiles.
   void clear(bool keep_tiles);
   /// The files of a pass go.

@@ -55,26 +55,10 @@ void ScratchFile::write(std::string_view bytes) {
   }
 }
 
-void ScratchFile::write_at(std::uint64_t offset, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (count < 0 && errno != EINTR) fail("cannot write");
-    if (count <= 0) continue;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-    offset += static_cast<std::uint64_t>(count);
-  }
-}
-
 std::size_t ScratchFile::read(char* to, std::size_t size) {
-  std::size_t done = 0;
-  while (done < size) {
-    stop_if_interrupted();
-    const ssize_t count = ::read(descriptor_, to + done, std::min(size - done, at_once));
-    if (count < 0 && errno != EINTR) fail("cannot read");
-    if (count == 0) break;
-    if (count > 0) done += static_cast<std::size_t>(count);
-  }
-  return done;
+  const std::size_t count = read_at(position_, to, size);
+  position_ += count;
+  return count;
 }
 
 std::size_t ScratchFile::read_at(std::uint64_t offset, char* to, std::size_t size) const {
@@ -146,8 +130,8 @@ std::string checked_content(const std::string& path) {
   if (bytes.empty() && access(path.c_str(), F_OK) != 0) return bytes;
   const std::size_t size = bytes.size() - std::min(bytes.size(), checksum_digits + 1);
   if (std::string_view(bytes).substr(size) != last_line(std::string_view(bytes).substr(0, size)))
-    bad_input(path, "a file that was cut off or changed",
-              "it as it was written; remove " + path.substr(0, path.rfind('/')) + " and begin anew");
+    begin_anew(path, "a file that was cut off or changed, expected it as it was written",
+               path.substr(0, path.rfind('/')));
   bytes.resize(size);
   return bytes;
 }
@@ -181,6 +165,15 @@ std::string bytes_of_json_text(std::string_view text) {
     i += 2;
   }
   return bytes;
+}
+
+void begin_anew(const std::string& path, const std::string& found, const std::string& folder) {
+  throw BadInput(path + ": found " + found + "; remove " + (folder == path ? "it" : folder) + " and begin anew");
+}
+
+std::string file_number(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  return std::string(6 - std::min<std::size_t>(digits.size(), 6), '0') + digits;
 }
 
 void rename_scratch(const std::string& from, const std::string& to) {

@@ -50,10 +50,6 @@ struct Frame {
   std::uint32_t size, checksum;
 };
 
-[[noreturn]] void damaged(const std::string& path) {
-  throw Damaged(path + ": found a file that was truncated or changed, expected the tile as it was written");
-}
-
 }  // namespace
 
 TileWriter::TileWriter(std::string path, const Region& box, double alpha)
@@ -95,38 +91,32 @@ void TileWriter::flush() {
 
 TileSummary TileWriter::finish() {
   flush();
-  ScratchFile(path_, ScratchFile::Mode::update).write_at(0, bytes_of(box_, alpha_, summary_));
+  ScratchFile(path_, ScratchFile::Mode::update).write(bytes_of(box_, alpha_, summary_));
   return summary_;
 }
 
-TileHeader read_tile_header(const std::string& path) {
+TileReader::TileReader(const std::string& path) : path_(path) {
   if (access(path.c_str(), F_OK) != 0) throw Damaged(path + ": found no file, expected that of a tile");
-  Header header{};
-  char* bytes = reinterpret_cast<char*>(&header);
-  if (ScratchFile(path, ScratchFile::Mode::read).read(bytes, sizeof header) < sizeof header) damaged(path);
-  const TileHeader found{{header.box[0], header.box[1], header.box[2], header.box[3]},
-                         header.alpha,
-                         {header.points, header.owned, header.bytes, header.blocks, header.of_blocks}};
-  if (bytes_of(found.box, found.alpha, found.summary) != std::string_view(bytes, sizeof header)) damaged(path);
-  return found;
-}
-
-TileReader::TileReader(const std::string& path, const Region& box, double alpha) : path_(path) {
-  if (access(path.c_str(), F_OK) != 0) damaged();
   file_ = std::make_unique<ScratchFile>(path, ScratchFile::Mode::read);
   Header header{};
   char* bytes = reinterpret_cast<char*>(&header);
   read(bytes, sizeof header);
+  box_ = {header.box[0], header.box[1], header.box[2], header.box[3]};
+  alpha_ = header.alpha;
   summary_ = {header.points, header.owned, header.bytes, header.blocks, header.of_blocks};
-  if (bytes_of(box, alpha, summary_) != std::string_view(bytes, sizeof header)) damaged();
-  if (file_->size() != sizeof header + summary_.bytes) damaged();
+  if (bytes_of(box_, alpha_, summary_) != std::string_view(bytes, sizeof header)) damaged();
+}
+
+TileReader::TileReader(const std::string& path, const Region& box, double alpha) : TileReader(path) {
+  if (box_ != box || alpha_ != alpha) damaged();
 }
 
 TileReader::~TileReader() = default;
 
 bool TileReader::next(IndexedPoints& points) {
   if (blocks_ == summary_.blocks) {
-    if (points_ != summary_.points || checksum_ != summary_.checksum) damaged();
+    const bool is_whole = file_->size() == sizeof(Header) + summary_.bytes;
+    if (!is_whole || points_ != summary_.points || checksum_ != summary_.checksum) damaged();
     return false;
   }
   Frame frame{};
@@ -147,6 +137,16 @@ void TileReader::read(char* to, std::size_t size) {
   if (file_->read(to, size) < size) damaged();
 }
 
-void TileReader::damaged() const { app::damaged(path_); }
+void TileReader::damaged() const {
+  throw Damaged(path_ + ": found a file that was truncated or changed, expected the tile as it was written");
+}
+
+IndexedPoints read_tile(TileReader& reader) {
+  IndexedPoints points;
+  points.points.reserve(reader.summary().points);
+  points.indices.reserve(reader.summary().points);
+  while (reader.next(points)) stop_if_interrupted();
+  return points;
+}
 
 }  // namespace rbpa::app

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "io/interrupt.h"
 #include "rbpa/base/point.h"
 #include "rbpa/region.h"
 #include "stream/pack_block.h"
@@ -64,24 +65,19 @@ class TileWriter {
   bool begun_ = false;
 };
 
-/// The content of the first bytes of a file.
-struct TileHeader {
-  Region box;
-  double alpha;
-  TileSummary summary;
-};
-/// Throws Damaged when there are none of a tile; Failure.
-TileHeader read_tile_header(const std::string& path);
-
 /// Reads a file block by block.
 class TileReader {
  public:
-  /// Throws Damaged when the file is not there or is not of this box and alpha; Failure.
+  /// Throws Damaged when the file is not there or is none of a tile; Failure.
+  explicit TileReader(const std::string& path);
+  /// The same when it is not of this box and alpha.
   TileReader(const std::string& path, const Region& box, double alpha);
   ~TileReader();
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;
 
+  const Region& box() const { return box_; }
+  double alpha() const { return alpha_; }
   const TileSummary& summary() const { return summary_; }
   /// Appends a block; false at the end. Throws Damaged, Failure.
   bool next(IndexedPoints& points);
@@ -92,10 +88,23 @@ class TileReader {
 
   std::string path_;
   std::unique_ptr<ScratchFile> file_;
+  Region box_ = {};
+  double alpha_ = 0;
   TileSummary summary_ = {};
   std::uint64_t blocks_ = 0, points_ = 0;
   std::uint32_t checksum_ = 0;
   std::string buffer_ = {};
 };
+
+/// All points that are still to come. Throws Damaged, Failure, Cancelled.
+IndexedPoints read_tile(TileReader& reader);
+/// Calls visit(block) with them, some at a time.
+template <typename Visit>
+void for_each_block(TileReader& reader, Visit visit) {
+  for (IndexedPoints block; reader.next(block); block.clear()) {
+    stop_if_interrupted();
+    visit(block);
+  }
+}
 
 }  // namespace rbpa::app

@@ -3,14 +3,30 @@
 // Cost: a point's tile is found by a comparison a cut; near sides of tiles several tiles are.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "rbpa/base/point.h"
 #include "rbpa/region.h"
-#include "stream/reach.h"
 
 namespace rbpa::app {
+
+// Distances to the sides of regions, rounded so that no point is missing.
+
+/// At most a − b, and by little; at least a + b.
+inline double below(double a, double b) {
+  const double rounded = a - b;
+  return rounded - std::abs(rounded) * 0x1p-52;
+}
+inline double above(double a, double b) {
+  const double rounded = a + b;
+  return rounded + std::abs(rounded) * 0x1p-52;
+}
+
+/// How far a point may be from a tile and matter for it: no less than 2 alpha; infinite beyond the range of double.
+inline double reach_of(double alpha) { return std::nextafter(2 * alpha, std::numeric_limits<double>::infinity()); }
 
 class TileTree {
  public:

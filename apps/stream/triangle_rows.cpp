@@ -143,14 +143,13 @@ TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::ui
 
 void TriangleRows::resume(const RowsState& state) {
   if (state.rows.size() != buckets_.size() || state.sums.size() != buckets_.size())
-    throw BadInput(scratch_.folder() + ": found other files of triangles than were written; remove it and begin anew");
+    begin_anew(scratch_.folder(), "other files of triangles than were written", scratch_.folder());
   for (std::size_t i = 0; i < buckets_.size(); ++i) {
     buckets_[i].rows = state.rows[i];
     buckets_[i].sum = state.sums[i];
     const std::string path = scratch_.rows(i);
     ScratchFile file(path, ScratchFile::Mode::append);
-    if (file.size() < state.rows[i] * row_bytes())
-      throw BadInput(path + ": found less than was written; remove " + scratch_.folder() + " and begin anew");
+    if (file.size() < state.rows[i] * row_bytes()) begin_anew(path, "less than was written", scratch_.folder());
     file.cut(state.rows[i] * row_bytes());
   }
 }
@@ -192,8 +191,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
   const auto sort = [&]<typename Index>(std::size_t i, Index) {
     const auto require_same = [&](std::uint64_t rows, std::uint64_t sum) {
       if (rows == buckets_[i].rows && sum == buckets_[i].sum) return;
-      throw BadInput(scratch_.rows(i) + ": found other triangles than were written; remove " + scratch_.folder() +
-                     " and begin anew");
+      begin_anew(scratch_.rows(i), "other triangles than were written", scratch_.folder());
     };
     std::uint64_t sum = 0;
     // Few of the indices begin a triangle: no use in a number for each.

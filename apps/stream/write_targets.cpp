@@ -1,4 +1,4 @@
-#include "stream/write_targets.h"
+#include "stream/passes.h"
 
 #include <array>
 #include <span>
@@ -9,7 +9,7 @@
 #include "io/interrupt.h"
 #include "io/polygon/shape_files.h"
 #include "rbpa/shape.h"
-#include "stream/room_on_disk.h"
+#include "stream/budget.h"
 
 namespace rbpa::app {
 namespace {

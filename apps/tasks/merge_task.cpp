@@ -11,8 +11,8 @@
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
 #include "stream/budget.h"
+#include "stream/passes.h"
 #include "stream/scratch.h"
-#include "stream/write_targets.h"
 
 namespace rbpa::app {
 namespace {

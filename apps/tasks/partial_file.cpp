@@ -13,7 +13,6 @@
 #include "rbpa/base/error.h"
 #include "rbpa/partial_bytes.h"
 #include "stream/polygon_log.h"
-#include "stream/polygon_record.h"
 #include "stream/scratch_file.h"
 
 namespace rbpa::app {

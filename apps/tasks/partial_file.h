@@ -16,7 +16,7 @@
 
 namespace rbpa::app {
 
-/// What does not go through merges: finished polygons and holes as the log has them (stream/polygon_record.h), and triangles
+/// What does not go through merges: finished polygons and holes as the log has them (stream/polygon_log.h), and triangles
 /// as .npy.
 struct SideFile {
   enum class Kind { polygons, holes, triangles };

@@ -22,27 +22,18 @@ RunFacts facts_of(const Manifest& manifest) {
           .alpha = manifest.run_key.alpha,
           .points = manifest.points,
           .tiles = manifest.tiles.size(),
-          .of_points = {manifest.least, manifest.greatest, manifest.crs, manifest.degrees}};
+          .of_points = manifest.facts};
 }
 
 Json json_of(const RunFacts& run) {
-  const PointsFacts& points = run.of_points;
-  return {{"id", run.id},
-          {"alpha", run.alpha},
-          {"points", run.points},
-          {"tiles", run.tiles},
-          {"box", {points.least.x, points.least.y, points.greatest.x, points.greatest.y}},
-          {"crs", points.crs ? Json({points.crs->authority, points.crs->code, points.crs->degrees}) : Json()},
-          {"degrees", points.degrees}};
+  Json json = {{"id", run.id}, {"alpha", run.alpha}, {"points", run.points}, {"tiles", run.tiles}};
+  add_facts(json, run.of_points);
+  return json;
 }
 
 RunFacts run_facts_of(const Json& json) {
   RunFacts run{.id = json.at("id"), .alpha = json.at("alpha"), .points = json.at("points"), .tiles = json.at("tiles")};
-  const Json& box = json.at("box");
-  run.of_points.least = {box.at(0), box.at(1)};
-  run.of_points.greatest = {box.at(2), box.at(3)};
-  if (const Json& crs = json.at("crs"); !crs.is_null()) run.of_points.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
-  run.of_points.degrees = json.at("degrees");
+  read_facts(json, run.of_points);
   return run;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "stream/manifest.h"
-#include "stream/write_targets.h"
 
 namespace rbpa::app {
 

@@ -13,7 +13,6 @@
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
 #include "stream/compute_tile.h"
-#include "stream/tile_mesh.h"
 #include "stream/triangle_rows.h"
 #include "tasks/partial_file.h"
 
@@ -69,17 +68,17 @@ TileDone run_tile(const TileRequest& request, OutputSet& outputs) {
   try {
     const RunFacts run = load_run_facts(facts_path(request.tile));
     const std::uint32_t number = number_of(request.tile);
-    const TileHeader header = read_tile_header(request.tile);
+    TileReader reader(request.tile);
+    const auto text = [](double value) { return std::string(std::string_view(ShortestText(value))); };
     if (number >= run.tiles) bad_input(request.tile, "tile " + std::to_string(number), counted(run.tiles, "tile"));
-    if (header.alpha != run.alpha)
-      bad_input(request.tile, "a tile cut for alpha " + text_of(header.alpha), text_of(run.alpha) + " as its run has");
-    TileReader reader(request.tile, header.box, header.alpha);
+    if (reader.alpha() != run.alpha)
+      bad_input(request.tile, "a tile cut for alpha " + text(reader.alpha()), text(run.alpha) + " as its run has");
     const IndexedPoints points = read_tile(reader);
-    TileDone done{.number = number, .alpha = run.alpha, .around = header.summary.points - header.summary.owned};
+    TileDone done{.number = number, .alpha = run.alpha, .around = reader.summary().points - reader.summary().owned};
     done.read_seconds = lap();
 
-    const TileWork work{run.alpha, request.threads, request.mesh || request.triangles};
-    PartialAndItems made = compute_tile(header.box, points, work);
+    PartialAndItems made =
+        compute_tile(reader.box(), points, run.alpha, request.threads, request.mesh || request.triangles);
     done.counts = made.partial.counts();
     PartialFile partial{.run = run, .tiles = TileSet(number), .partial = std::move(made.partial)};
     done.compute_seconds = lap();

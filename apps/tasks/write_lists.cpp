@@ -8,8 +8,8 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "stream/compute_tile.h"
 #include "stream/scratch_file.h"
-#include "stream/tile_mesh.h"
 #include "tasks/run_facts.h"
 
 namespace rbpa::app {
@@ -21,9 +21,7 @@ std::string absolute(const std::string& path) { return fs::absolute(path).lexica
 
 /// "2-000012.partial": what the task with this number on a level writes.
 std::string partial_name(std::size_t level, std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
-  return std::to_string(level) + "-" + digits + ".partial";
+  return std::to_string(level) + "-" + file_number(number) + ".partial";
 }
 
 /// A file that is written some at a time, and is there when it is whole.

@@ -16,28 +16,28 @@ class EngineSide {
   /// Throws:  what the policy throws; ContractViolation when it changed the mesh.
   template <typename Ask>
   auto ask(Ask question) const {
-    const Call call(front_, Front::Caller::policy);
+    const Guard::Call call(front_.guard_, Guard::Caller::policy);
     auto answer = question();
-    front_.require_intact();
+    front_.guard_.require_intact();
     return answer;
   }
 
   /// Calls the visitor, which may activate and freeze edges.
   template <typename Event>
   void notify(Event event) const {
-    const Call call(front_, Front::Caller::visitor);
+    const Guard::Call call(front_.guard_, Guard::Caller::visitor);
     event();
-    front_.require_intact();
+    front_.guard_.require_intact();
   }
 
   /// The next in the queue that is active, and stays so; it is in no queue any more.
   Halfedge next_queued() const {
-    front_.require_intact();
+    front_.guard_.require_intact();
     return front_.waiting_.next();
   }
   /// An active halfedge that is not deferred is active no longer. Returns: whether it was one.
   bool take(Halfedge h) const {
-    front_.require_intact();
+    front_.guard_.require_intact();
     return front_.waiting_.release_queued(h);
   }
   /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or detached.
@@ -51,18 +51,6 @@ class EngineSide {
   void requeue(Halfedge in_hand, std::span<const Halfedge> next) const { front_.requeue(in_hand, next); }
 
  private:
-  /// As long as it lives.
-  class Call {
-   public:
-    Call(Front& front, Front::Caller caller) : front_(front), before_(front.caller_) { front.caller_ = caller; }
-    ~Call() { front_.caller_ = before_; }
-    Call(const Call&) = delete;
-    Call& operator=(const Call&) = delete;
-
-   private:
-    Front& front_;
-    Front::Caller before_;
-  };
   Front& front_;
 };
 

@@ -1,7 +1,7 @@
-// Edges and triangles of a front, found by their sites.
-#include "meshops/front/front.h"
+// Edges and triangles, found by their sites.
+#include "meshops/front/fitting.h"
 
-namespace meshops {
+namespace meshops::detail {
 namespace {
 
 /// The halfedges that leave a site, fan after fan.
@@ -33,8 +33,7 @@ class Leaving {
 
 }  // namespace
 
-Halfedge Front::edge_between(Site from, Site to) const {
-  require_intact();
+Halfedge Fitting::edge_between(Site from, Site to) const {
   // Around both in turns: a site with many edges must not make its neighbours slow.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   for (;;) {
@@ -46,8 +45,7 @@ Halfedge Front::edge_between(Site from, Site to) const {
   }
 }
 
-std::vector<Halfedge> Front::edges_between(Site from, Site to) const {
-  require_intact();
+std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
   // In turns, too; who is around first has met all.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   std::vector<Halfedge> met_out, met_back;
@@ -61,8 +59,7 @@ std::vector<Halfedge> Front::edges_between(Site from, Site to) const {
   }
 }
 
-Halfedge Front::boundary_between(Site from, Site to) const {
-  require_intact();
+Halfedge Fitting::boundary_between(Site from, Site to) const {
   // As above. A fan that is open has one boundary halfedge that leaves its vertex, and one that leads there.
   Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
   while (leaving.is_valid()) {
@@ -78,8 +75,7 @@ Halfedge Front::boundary_between(Site from, Site to) const {
   return Halfedge();
 }
 
-Face Front::triangle_on(Site a, Site b, Site c) const {
-  require_intact();
+Face Fitting::triangle_on(Site a, Site b, Site c) const {
   Leaving out_of(mesh_, vertices_, a);
   for (Halfedge h = out_of.next(); h.is_valid(); h = out_of.next()) {
     if (mesh_.is_boundary(h) || end(h) != b) continue;
@@ -90,4 +86,4 @@ Face Front::triangle_on(Site a, Site b, Site c) const {
   return Face();
 }
 
-}  // namespace meshops
+}  // namespace meshops::detail

@@ -1,8 +1,8 @@
 #include "meshops/front/front.h"
 
 #include <algorithm>
-#include <iterator>
-#include <limits>
+#include <string>
+#include <utility>
 
 #include "meshops/core/validate.h"
 #include "meshops/handle/extract_triangle.h"
@@ -10,9 +10,6 @@
 
 namespace meshops {
 namespace {
-
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-constexpr ElementCounts finished{never, never, never};
 
 SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_vertex) {
   if (site_of_vertex.empty()) return {mesh, mesh.n_vertices()};
@@ -22,19 +19,24 @@ SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_verte
 }  // namespace
 
 Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
-    : mesh_(mesh), vertices_(mesh, sites), supply_(supply), waiting_(mesh) {
+    : mesh_(mesh), guard_(mesh), vertices_(mesh, sites), supply_(supply), waiting_(mesh) {
   require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
   require(supply > 0, "Front: supply is 0");
   mesh.resize(sites, 0, 0);
-  count_elements();
+  guard_.count_elements();
 }
 
 Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
-    : mesh_(mesh), vertices_(vertices_on(mesh, site_of_vertex)), supply_(1), keeps_handles_(true), waiting_(mesh) {
+    : mesh_(mesh),
+      guard_(mesh),
+      vertices_(vertices_on(mesh, site_of_vertex)),
+      supply_(1),
+      keeps_handles_(true),
+      waiting_(mesh) {
   require(has_status(mesh), "Front: the mesh needs status of every kind to mark what is deleted");
   if (const auto defects = validate(mesh); !defects.empty())
     throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
-  count_elements();
+  guard_.count_elements();
   edges_ = dead_edges_ = mesh.n_edges();
   faces_ = dead_faces_ = mesh.n_faces();
   for_each_face(mesh, [&](Face) { --dead_faces_; });
@@ -50,29 +52,17 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
 
 Front::Front(AssembledPatches&& assembled, std::size_t supply)
     : mesh_(assembled.unchanged()),
-      counts_(assembled.counts_),
+      guard_(mesh_),
       vertices_(std::move(assembled.vertices_)),
       supply_(supply),
       edges_(mesh_.n_edges()),
       faces_(mesh_.n_faces()),
       waiting_(mesh_) {
   require(supply > 0, "Front: supply is 0");
+  guard_.count_elements();
   waiting_.queue_all(std::move(assembled.open_));
   for (const auto& [first, end] : assembled.holes_)
     for (int e = first; e < end; ++e) waiting_.freeze(Halfedge(2 * e + 1));
-}
-
-void Front::violated() const {
-  require(counts_ != finished, "Front: the front is finished");
-  throw ContractViolation("Front: the mesh was changed by others: it has " + describe(ElementCounts::of(mesh_)) +
-                          "; expected " + describe(counts_));
-}
-
-void Front::changed_while_called() const {
-  throw ContractViolation(
-      caller_ == Caller::policy
-          ? "Front: the policy changed the front while it was asked"
-          : "Front: the visitor changed the front while it was called, other than activate() and freeze() do");
 }
 
 void Front::supply(std::size_t edges, std::size_t faces) {
@@ -87,101 +77,47 @@ Halfedge Front::Supply::edge(Vertex from, Vertex to) {
 }
 
 bool Front::is_boundary(Halfedge h) const {
-  require_intact();
+  guard_.require_intact();
   return h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_ && is_live(mesh_, h) && mesh_.is_boundary(h);
 }
 
 std::size_t Front::level(Face f) const {
   require(f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < faces_, "level: no such face");
-  const auto begun = std::upper_bound(faces_before_.begin(), faces_before_.end(), static_cast<std::size_t>(f.idx()));
-  return static_cast<std::size_t>(begun - faces_before_.begin());
+  return levels_.level(f);
 }
 
-/// Whether the triangle has the side for itself, or finds it on the boundary.
-bool Front::finds_side(Fit& fit, unsigned side) const {
-  const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
-  if (from >= sites() || to >= sites() || is_free(from) || is_free(to)) return true;
-  Halfedge& h = fit.sides.side[side];
-  h = boundary_between(from, to);
-  if (h.is_valid() || !edge_between(from, to).is_valid()) return true;
-  fit.refusal = Refusal{RefusalKind::side_taken, from, to};
-  return false;
-}
-
-/// With the check that every triangle needs: of its corners.
-Fit Front::at_corners(Site a, Site b, Site c) const {
-  require_intact();
+Fit Front::at(Site a, Site b, Site c) const {
   Fit fit({a, b, c}, *this, revision());
-  std::size_t end = sites();  // of old and new ones
-  for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
-  for (unsigned i = 0; i < 3; ++i) {
-    const Site s = fit.corners[i];
-    if (s == fit.corners[(i + 1) % 3]) fit.refusal = Refusal{RefusalKind::corner_repeated, s};
-    if (s >= end || (s < sites() && !vertices_.exists(s))) fit.refusal = Refusal{RefusalKind::no_such_site, s};
-    if (fit.refusal) return fit;
-  }
+  by_sites().check_corners(fit);
   return fit;
 }
 
-/// The same at a boundary halfedge.
-Fit Front::at_side(Halfedge h, Site apex) const {
+Fit Front::at(Halfedge h, Site apex) const {
   Fit fit({0, 0, apex}, *this, revision());
   if (!is_boundary(h)) {
     fit.refusal = Refusal{RefusalKind::no_boundary_halfedge, 0, 0, h.idx()};
     return fit;
   }
-  const Site a = fit.corners[0] = from_site(h), b = fit.corners[1] = to_site(h);
+  const detail::Fitting lookup = by_sites();
+  fit.corners = {lookup.start(h), lookup.end(h), apex};
   fit.sides.side[0] = h;
-  if (apex > sites() || (apex < sites() && !vertices_.exists(apex)))
-    fit.refusal = Refusal{RefusalKind::no_such_site, apex};
-  else if (apex == a || apex == b)
-    fit.refusal = Refusal{RefusalKind::corner_repeated, apex};
+  lookup.check_corners(fit);
   return fit;
 }
 
-void Front::refuse_twice(Fit& fit) const {
-  const auto& [a, b, c] = fit.corners;
-  if (is_new(a) || is_new(b) || is_new(c)) return;
-  if (const Face there = triangle_on(a, b, c); there.is_valid())
-    fit.refusal = Refusal{RefusalKind::triangle_there, a, b, there.idx()};
-}
-
 Fit Front::fit(Site a, Site b, Site c) const {
-  Fit fit = at_corners(a, b, c);
-  if (fit.refusal) return fit;
-  for (unsigned side = 0; side < 3; ++side)
-    if (!finds_side(fit, side)) return fit;
-  refuse_closed(fit);
+  Fit fit = at(a, b, c);
+  if (!fit.refusal) by_sites().find_sides(fit);
   return fit;
 }
 
 Fit Front::fit(Halfedge h, Site apex) const {
-  Fit fit = at_side(h, apex);
-  if (fit.refusal || is_new(apex) || is_free(apex)) return fit;
-  // The neighbours on the curve are the common case and need no search.
-  const Halfedge next = mesh_.next_halfedge_handle(h), previous = mesh_.prev_halfedge_handle(h);
-  if (to_site(next) == apex)
-    fit.sides.side[1] = next;
-  else if (!finds_side(fit, 1))
-    return fit;
-  if (from_site(previous) == apex)
-    fit.sides.side[2] = previous;
-  else if (!finds_side(fit, 2))
-    return fit;
-  refuse_closed(fit);
+  Fit fit = at(h, apex);
+  if (!fit.refusal) by_sites().find_other_sides(fit);
   return fit;
 }
 
-/// A site is done when all faces around it close: a corner that is glued to nothing there may not begin another fan.
-void Front::refuse_closed(Fit& fit) const {
-  for (unsigned i = 0; i < 3; ++i) {
-    const Site s = fit.corners[i];
-    if (fit.sides.side[i].is_valid() || fit.sides.side[(i + 2) % 3].is_valid() || s >= sites()) continue;
-    if (!is_free(s) && !is_on_boundary(s)) fit.refusal = Refusal{RefusalKind::site_closed, s};
-  }
-}
-
-/// Checks everything again: the triangle may be made by the caller, or have been changed since fit().
+/// As if nothing was known of it: what is made by hand, and what was changed since fit(), may be anything.
 void Front::check(const Fit& fit) const {
   const auto refuse = [](const Refusal& refusal) { throw ContractViolation("insert: " + describe(refusal)); };
   if (fit.refusal) refuse(*fit.refusal);
@@ -190,19 +126,21 @@ void Front::check(const Fit& fit) const {
     require(fit.revision_ == revision(),
             "insert: the fit is stale: a triangle was attached or detached since it was made");
   }
-  const auto& [a, b, c] = fit.corners;
-  if (const auto refusal = at_corners(a, b, c).refusal) refuse(*refusal);
+  const detail::Fitting lookup = by_sites();
+  Fit corners(fit.corners);
+  lookup.check_corners(corners);
+  if (corners.refusal) refuse(*corners.refusal);
   for (unsigned i = 0; i < 3; ++i) {
     const Halfedge h = fit.sides.side[i];
     if (!h.is_valid()) continue;
     if (!is_boundary(h)) refuse({RefusalKind::no_boundary_halfedge, 0, 0, h.idx()});
-    require(start(h) == fit.corners[i] && end(h) == fit.corners[(i + 1) % 3],
+    require(lookup.start(h) == fit.corners[i] && lookup.end(h) == fit.corners[(i + 1) % 3],
             "insert: a given side does not run between its corners");
   }
 }
 
 InsertedTriangle Front::insert(const Fit& fit) {
-  require_changeable();
+  guard_.require_changeable();
   check(fit);
   return put(fit);
 }
@@ -219,7 +157,7 @@ InsertedTriangle Front::put(const Fit& fit) {
   for (unsigned i = 0; i < 3; ++i)
     if (!sides.side[i].is_valid() && !sides.side[(i + 2) % 3].is_valid())
       sides.corner[i] = vertices_.take(fit.corners[i]);
-  count_elements();
+  guard_.count_elements();
   const InsertedTriangle result = insert_triangle(mesh_, sides, Supply{*this});
   for (unsigned i = 0; i < static_cast<unsigned>(result.merged); ++i) vertices_.release(result.left_over[i]);
   for (unsigned i = 0; i < 3; ++i)
@@ -228,13 +166,13 @@ InsertedTriangle Front::put(const Fit& fit) {
 }
 
 InsertedTriangle Front::insert_checked(const Fit& fit, const char* operation) {
-  require_changeable();
+  guard_.require_changeable();
   if (fit.refusal) throw ContractViolation(std::string(operation) + ": " + describe(*fit.refusal));
   return put(fit);
 }
 
 std::optional<Refusal> Front::detach_blocker(Face f) const {
-  require_intact();
+  guard_.require_intact();
   const Refusal refusal{RefusalKind::no_such_face, 0, 0, f.idx()};
   const auto because = [&](RefusalKind kind) { return Refusal{kind, 0, 0, f.idx()}; };
   if (f.idx() < 0 || static_cast<std::size_t>(f.idx()) >= faces_ || !is_live(mesh_, f)) return refusal;
@@ -247,7 +185,7 @@ std::optional<Refusal> Front::detach_blocker(Face f) const {
 }
 
 DetachedTriangle Front::detach(Face f) {
-  require_changeable();
+  guard_.require_changeable();
   if (const auto refusal = detach_blocker(f)) throw ContractViolation("detach: " + describe(*refusal));
   require(has_status(mesh_), "detach: the mesh needs status of every kind to mark what is deleted");
   const TriangleRim rim = rim_of(mesh_, f);
@@ -255,10 +193,10 @@ DetachedTriangle Front::detach(Face f) {
   std::array<Vertex, 3> second;
   for (unsigned i = 0; i < 3; ++i) {
     const Site s = detached.corners[i] = site(rim.corner[i]);
-    if (!is_on_boundary(s)) reopened_.push_back(s);
+    if (!is_on_boundary(s)) levels_.reopen(s);
     if (rim.is_passage[i]) {
       second[i] = vertices_.take(s);
-      count_elements();
+      guard_.count_elements();
     }
   }
   extract_triangle(mesh_, rim, second);
@@ -277,7 +215,7 @@ DetachedTriangle Front::detach(Face f) {
 }
 
 void Front::requeue(Halfedge in_hand, std::span<const Halfedge> next) {
-  if (!is_intact()) return;
+  if (!guard_.is_intact()) return;
   std::vector<Halfedge> first;
   if (is_boundary(in_hand) && !waiting_.is_waiting(in_hand)) {
     waiting_.queue(in_hand);
@@ -288,19 +226,19 @@ void Front::requeue(Halfedge in_hand, std::span<const Halfedge> next) {
 }
 
 void Front::activate(Halfedge h) {
-  require_states_changeable();
+  guard_.require_states_changeable();
   require(is_boundary(h), "activate: not a boundary halfedge");
   if (!is_active(h) || waiting_.is_deferred(h)) waiting_.queue(h);
 }
 
 void Front::freeze(Halfedge h) {
-  require_states_changeable();
+  guard_.require_states_changeable();
   require(is_boundary(h), "freeze: not a boundary halfedge");
   if (!is_frozen(h)) waiting_.freeze(h);
 }
 
 std::vector<BoundaryCurve> Front::curves() const {
-  require_intact();
+  guard_.require_intact();
   std::vector<BoundaryCurve> found;
   std::vector<bool> seen(2 * edges_, false);
   for (std::size_t i = 0; i < 2 * edges_; ++i) {
@@ -321,37 +259,17 @@ std::vector<BoundaryCurve> Front::curves_at(Site s) const {
 }
 
 LevelTransfer Front::next_level() {
-  require_changeable();
-  const auto sort_and_unite = [](std::vector<Site>& some) {
-    std::sort(some.begin(), some.end());
-    some.erase(std::unique(some.begin(), some.end()), some.end());
-  };
-  for (auto s = static_cast<Site>(carried_before_); s < sites(); ++s)
-    if (vertices_.exists(s)) carried_.push_back(s);
-  carried_before_ = sites();
-  if (!reopened_.empty()) {
-    carried_.insert(carried_.end(), reopened_.begin(), reopened_.end());
-    reopened_.clear();
-    sort_and_unite(carried_);
-  }
-  // Sites on the boundary are determined from its halfedges, so that no fan of any other is read.
+  guard_.require_changeable();
+  // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
   std::vector<Site> on_boundary;
   waiting_.for_each([&](Halfedge h) { on_boundary.push_back(from_site(h)); });
-  sort_and_unite(on_boundary);
-  std::vector<Site> free;
-  std::copy_if(carried_.begin(), carried_.end(), std::back_inserter(free), [&](Site s) { return is_free(s); });
-  LevelTransfer transfer;
-  transfer.carried.resize(on_boundary.size() + free.size());
-  std::merge(on_boundary.begin(), on_boundary.end(), free.begin(), free.end(), transfer.carried.begin());
-  transfer.left_behind = carried_.size() - transfer.carried.size();
-  carried_ = transfer.carried;
+  LevelTransfer transfer = levels_.begin_next(vertices_, std::move(on_boundary), faces_);
   transfer.reactivated = waiting_.wake_all();
-  faces_before_.push_back(faces_);
   return transfer;
 }
 
 std::vector<Site> Front::finish() {
-  require_changeable();
+  guard_.require_changeable();
   std::vector<Site> site_of;
   if (keeps_handles_) {
     site_of.resize(mesh_.n_vertices());
@@ -360,12 +278,10 @@ std::vector<Site> Front::finish() {
   } else {
     site_of = detail::compact(mesh_, vertices_, edges_, faces_);
   }
-  counts_ = finished;
+  guard_.finish();
   vertices_.clear();
   waiting_.clear();
-  // Not = {}, which empties a vector and keeps its memory.
-  carried_ = std::vector<Site>();
-  reopened_ = std::vector<Site>();
+  levels_.clear_sites();
   return site_of;
 }
 

@@ -8,16 +8,18 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/core/element_counts.h"
+#include "meshops/core/contract.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/front/fit.h"
+#include "meshops/front/fitting.h"
+#include "meshops/front/guard.h"
+#include "meshops/front/levels.h"
 #include "meshops/front/refusal.h"
 #include "meshops/front/waiting_edges.h"
 #include "meshops/handle/insert_triangle.h"
@@ -37,16 +39,9 @@ struct DetachedTriangle {
   std::array<Halfedge, 3> side;
 };
 
-/// What goes on from one level to the next.
-struct LevelTransfer {
-  std::vector<Site> carried;    ///< sites that are free or on the boundary, in ascending order
-  std::size_t left_behind = 0;  ///< sites that have turned inner since the transfer before
-  std::size_t reactivated = 0;  ///< frozen halfedges that are active again
-};
-
-/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or removes
-/// some (garbage_collection(), add_face()); after finish() only mesh(), edges(), faces(), sites(), frozen() and level() may
-/// be called. Both are checked by every other member. Throws ContractViolation, which names the cause.
+/// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or takes some
+/// out (garbage_collection(), add_face()); after finish() nobody asks it for more than mesh(), edges(), faces(), sites(),
+/// frozen() and level(). Both are checked by every other member. Throws ContractViolation, which names the cause.
 class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
@@ -78,21 +73,21 @@ class MESHOPS_API Front {
 
   /// One more site: for methods that place points while they run. Returns: its number, which is what sites() was.
   Site add_site() {
-    require_changeable();
+    guard_.require_changeable();
     return vertices_.add_site();
   }
 
   /// Throws ContractViolation when there is no such vertex, halfedge or site; likewise below.
   Site site(Vertex v) const {
-    require_intact();
+    guard_.require_intact();
     return vertices_.site(v);
   }
-  Site from_site(Halfedge h) const { return start(checked(h)); }
-  Site to_site(Halfedge h) const { return end(checked(h)); }
+  Site from_site(Halfedge h) const { return by_sites().start(checked(h)); }
+  Site to_site(Halfedge h) const { return by_sites().end(checked(h)); }
 
   /// No triangle has a corner on this site.
   bool is_free(Site s) const {
-    require_intact();
+    guard_.require_intact();
     return vertices_.is_free(s);
   }
   /// A fan on this site is on the boundary.
@@ -104,28 +99,28 @@ class MESHOPS_API Front {
   /// Calls visit(Vertex) for each fan on the site: none when it is free. It must not change the mesh.
   template <typename Visit>
   void for_each_fan(Site s, Visit visit) const {
-    require_intact();
+    guard_.require_intact();
     vertices_.for_each(s, [&](Vertex v) {
       visit(v);
-      require_intact();
+      guard_.require_intact();
     });
   }
 
   /// The halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
   /// Cost: the lesser of the numbers of edges at both sites.
-  Halfedge edge_between(Site from, Site to) const;
+  Halfedge edge_between(Site from, Site to) const { return by_sites().edge_between(from, to); }
   /// All of them, in any order: there are several only where the caller decides what is glued.
   /// Cost: that of edge_between() where no edge joins them.
-  std::vector<Halfedge> edges_between(Site from, Site to) const;
+  std::vector<Halfedge> edges_between(Site from, Site to) const { return by_sites().edges_between(from, to); }
   /// The boundary halfedge from a site to another; an invalid handle when there is none.
   /// Cost: the lesser of the numbers of fans at both sites.
-  Halfedge boundary_between(Site from, Site to) const;
+  Halfedge boundary_between(Site from, Site to) const { return by_sites().boundary_between(from, to); }
   /// The triangle with these corners in this order, whichever is first; an invalid handle when there is none.
   /// Cost: the number of edges at the first.
-  Face triangle_on(Site a, Site b, Site c) const;
+  Face triangle_on(Site a, Site b, Site c) const { return by_sites().triangle_on(a, b, c); }
 
   /// The number of transfers to a next level so far.
-  std::size_t level() const { return faces_before_.size(); }
+  std::size_t level() const { return levels_.count(); }
   /// What level() was when a face was inserted; 0 for those that the front began with. Also after finish().
   /// Cost: the logarithm of the number of levels. Throws ContractViolation when there is no such face; detached ones count.
   std::size_t level(Face f) const;
@@ -158,11 +153,11 @@ class MESHOPS_API Front {
   /// Cost: the numbers of fans at the corners, and of the edges at one.
   template <typename Glues>
   Fit fit(Site a, Site b, Site c, Glues glues) const {
-    return find_glued(at_corners(a, b, c), glues);
+    return find_glued(at(a, b, c), glues);
   }
   template <typename Glues>
   Fit fit(Halfedge h, Site apex, Glues glues) const {
-    return find_glued(at_side(h, apex), glues);
+    return find_glued(at(h, apex), glues);
   }
   /// Requires: `fit` has no refusal; nothing was attached or detached since this front made it; its corners are distinct, and
   ///           exist or are the next new ones; its sides are boundary halfedges between them. Throws ContractViolation, mesh
@@ -180,7 +175,7 @@ class MESHOPS_API Front {
   /// The next active halfedge, first in first out, deferred ones last, which is then no longer active until it is made so,
   /// frozen or attached to; an invalid handle when the front has run dry.
   Halfedge pop() {
-    require_changeable();
+    guard_.require_changeable();
     Halfedge h = waiting_.next();
     if (!h.is_valid()) h = waiting_.next_deferred();
     if (h.is_valid()) waiting_.release(h);
@@ -190,11 +185,11 @@ class MESHOPS_API Front {
   bool is_boundary(Halfedge h) const;
   /// It waits for its turn, or is deferred.
   bool is_active(Halfedge h) const {
-    require_intact();
+    guard_.require_intact();
     return waiting_.is_active(h);
   }
   bool is_frozen(Halfedge h) const {
-    require_intact();
+    guard_.require_intact();
     return waiting_.is_frozen(h);
   }
 
@@ -237,57 +232,33 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
-  /// Whether the front is neither finished nor changed by others.
-  bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
-  void require_intact() const {
-    if (!is_intact()) [[unlikely]]
-      violated();
-  }
-  [[noreturn, gnu::cold, gnu::noinline]] void violated() const;
-  /// What the engine is calling: a policy may change nothing during the call, a visitor may only activate and freeze.
-  enum class Caller : std::uint8_t { user, policy, visitor };
-  void require_changeable() const {
-    require_intact();
-    if (caller_ != Caller::user) [[unlikely]]
-      changed_while_called();
-  }
-  [[noreturn, gnu::cold, gnu::noinline]] void changed_while_called() const;
-  void require_states_changeable() const {
-    require_intact();
-    if (caller_ == Caller::policy) [[unlikely]]
-      changed_while_called();
-  }
   /// The number of triangles attached and detached so far, and of those it began with.
   std::size_t revision() const { return faces_ + dead_faces_; }
-  /// After each change of its own.
-  void count_elements() { counts_ = ElementCounts::of(mesh_); }
 
+  /// What sites decide on the mesh as it is.
+  detail::Fitting by_sites() const {
+    guard_.require_intact();
+    return {mesh_, vertices_};
+  }
   Halfedge checked(Halfedge h) const {
-    require_intact();
+    guard_.require_intact();
     require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: no such halfedge");
     return h;
   }
-  /// As from_site() and to_site(), of a halfedge that there is.
-  Site start(Halfedge h) const { return vertices_.site(mesh_.from_vertex_handle(h)); }
-  Site end(Halfedge h) const { return vertices_.site(mesh_.to_vertex_handle(h)); }
   friend class detail::EngineSide;
-  Fit at_corners(Site a, Site b, Site c) const;
-  Fit at_side(Halfedge h, Site apex) const;
+  /// With what is asked of every triangle; its sides are still to be found.
+  Fit at(Site a, Site b, Site c) const;
+  Fit at(Halfedge h, Site apex) const;
   template <typename Glues>
   Fit find_glued(Fit fit, Glues glues) const;
-  bool is_new(Site s) const { return s >= sites(); }
-  void refuse_twice(Fit& fit) const;
-  bool finds_side(Fit& fit, unsigned side) const;
-  void refuse_closed(Fit& fit) const;
   void check(const Fit& fit) const;
   InsertedTriangle put(const Fit& fit);
   void requeue(Halfedge in_hand, std::span<const Halfedge> next);
   InsertedTriangle insert_checked(const Fit& fit, const char* operation);
 
   Connectivity& mesh_;
-  ElementCounts counts_;  // as the front left them; impossible ones when it is finished
+  detail::Guard guard_;
   SiteVertices vertices_;
-  Caller caller_ = Caller::user;
   std::size_t supply_;
   bool keeps_handles_ = false;  // it began with a mesh of the user's
   std::size_t edges_ = 0;       // in use, dead ones included; there may be more in supply
@@ -295,33 +266,19 @@ class MESHOPS_API Front {
   std::size_t dead_edges_ = 0;
   std::size_t dead_faces_ = 0;
   detail::WaitingEdges waiting_;
-  std::vector<Site> carried_;              // by the last transfer
-  std::size_t carried_before_ = 0;         // the number of sites then; later ones have been added since
-  std::vector<Site> reopened_;             // that had turned inner and are on the boundary again, or free
-  std::vector<std::size_t> faces_before_;  // of each transfer, dead ones included
+  detail::Levels levels_;
 };
 
 template <typename Glues>
 Fit Front::find_glued(Fit fit, Glues glues) const {
-  if (!fit.refusal) refuse_twice(fit);
-  const std::size_t before = revision();
-  // Several threads may call this on one front, which they only read.
-  const auto is_glued = [&](Halfedge h, Site apex) {
+  if (fit.refusal) return fit;
+  // Glues may be asked by many threads, of a front that they only read.
+  by_sites().find_sides(fit, [&](Halfedge h, Site apex) {
     const bool yes = glues(h, apex);
-    require_intact();
-    require(revision() == before, "fit: glues() changed the front while it was asked");
+    guard_.require_intact();
+    require(revision() == fit.revision_, "fit: glues() changed the front while it was asked");
     return yes;
-  };
-  for (unsigned i = 0; i < 3 && !fit.refusal; ++i) {
-    const Site from = fit.corners[i], to = fit.corners[(i + 1) % 3];
-    Halfedge& side = fit.sides.side[i];
-    if (side.is_valid() || is_new(from) || is_new(to)) continue;
-    // An open fan has one boundary halfedge that leaves its vertex.
-    for (Vertex v = vertices_.first(from); v.is_valid() && !side.is_valid(); v = vertices_.next(v)) {
-      const Halfedge h = mesh_.halfedge_handle(v);
-      if (mesh_.is_boundary(h) && end(h) == to && is_glued(h, fit.corners[(i + 2) % 3])) side = h;
-    }
-  }
+  });
   return fit;
 }
 

@@ -5,19 +5,19 @@
 namespace meshops {
 namespace {
 
-const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+const char* collapse_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   return is_live(mesh, h) ? detail::close_refusal(mesh, h, keep) : "no such halfedge";
 }
 
 }  // namespace
 
 std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
-  return detail::as_blocker(refusal(mesh, h, keep));
+  return detail::as_blocker(collapse_refusal(mesh, h, keep));
 }
 
 WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::require_status(mesh, "collapse");
-  detail::enforce("collapse", refusal(mesh, h, keep));
+  detail::enforce("collapse", collapse_refusal(mesh, h, keep));
   return detail::close_edge(mesh, h);
 }
 

@@ -6,7 +6,7 @@
 namespace meshops {
 namespace {
 
-const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+const char* split_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (!is_live(mesh, h)) return "no such edge";
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   for (const Halfedge side : {h, o})
@@ -32,7 +32,7 @@ Halfedge first_halfedge(const Connectivity& mesh, Edge e) {
 }  // namespace
 
 std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
-  return detail::as_blocker(refusal(mesh, h, keep));
+  return detail::as_blocker(split_edge_refusal(mesh, h, keep));
 }
 
 std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, Keep keep) {
@@ -40,8 +40,8 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
 }
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
-  detail::enforce("split_edge", refusal(mesh, h, keep));
-  // What detail::open_vertex() does at b, without its checks: only one given edge moves.
+  detail::enforce("split_edge", split_edge_refusal(mesh, h, keep));
+  // What detail::open_vertex() does at b, without its questions: the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);

@@ -11,7 +11,7 @@ Halfedge beyond(const Connectivity& mesh, Halfedge h) {
   return mesh.is_boundary(h) ? detail::cw(mesh, detail::cw(mesh, h)) : detail::ccw(mesh, detail::ccw(mesh, h));
 }
 
-const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+const char* weld_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (!is_live(mesh, h)) return "no such halfedge";
   const Vertex v = mesh.from_vertex_handle(h);
   const Halfedge far = beyond(mesh, h);
@@ -29,12 +29,12 @@ const char* refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
 }  // namespace
 
 std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
-  return detail::as_blocker(refusal(mesh, h, keep));
+  return detail::as_blocker(weld_edge_refusal(mesh, h, keep));
 }
 
 WeldEdgeEffect weld_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::require_status(mesh, "weld_edge");
-  detail::enforce("weld_edge", refusal(mesh, h, keep));
+  detail::enforce("weld_edge", weld_edge_refusal(mesh, h, keep));
   const Halfedge line = mesh.opposite_halfedge_handle(beyond(mesh, h));
   return {detail::close_edge(mesh, h), line};
 }

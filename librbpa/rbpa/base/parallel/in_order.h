@@ -3,7 +3,9 @@
 // Cost: a few microseconds an item beside the work; as many workspaces as items are under way.
 #pragma once
 
+#ifndef RBPA_SERIAL
 #include <tbb/parallel_pipeline.h>
+#endif
 
 #include <cstddef>
 #include <memory>
@@ -28,9 +30,9 @@ void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish 
     }
     return;
   }
-#ifdef RBPA_PLAIN_THREADS
+#if defined(RBPA_PLAIN_THREADS)
   plain_threads::in_order<Workspace>(threads.count(), count, work, join, finish);
-#else
+#elif !defined(RBPA_SERIAL)
   struct Item {
     Workspace workspace;
     std::size_t number = 0;

@@ -1,20 +1,32 @@
 // What: runs work in several threads.
 // Law:  what is computed depends on how work is divided, never on how many threads there are or which of them is first.
+//       With RBPA_SERIAL there is one, and no oneTBB.
 #pragma once
 
+#ifndef RBPA_SERIAL
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 
+#ifndef RBPA_SERIAL
 #include "rbpa/base/parallel/plain_threads.h"
+#endif
 
 namespace rbpa {
 
 /// How many threads may work on something, the calling one included.
+#ifdef RBPA_SERIAL
+class Threads {
+ public:
+  explicit Threads(unsigned = 1) {}
+  static constexpr std::size_t count() { return 1; }
+};
+#else
 class Threads {
  public:
   /// At most as many as there are processors; 0: that many.
@@ -36,6 +48,7 @@ class Threads {
   unsigned count_;
   std::optional<tbb::task_arena> arena_;  // one thread does without
 };
+#endif
 
 /// Calls visit(i) for each i below `count`, in any order and thread. Throws what one of them throws.
 template <typename Visit>
@@ -44,9 +57,9 @@ void for_each_index(Threads& threads, std::size_t count, Visit visit) {
     for (std::size_t i = 0; i < count; ++i) visit(i);
     return;
   }
-#ifdef RBPA_PLAIN_THREADS
+#if defined(RBPA_PLAIN_THREADS)
   plain_threads::for_each_index(threads.count(), count, visit);
-#else
+#elif !defined(RBPA_SERIAL)
   threads.execute([&] { tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { visit(i); }); });
 #endif
 }

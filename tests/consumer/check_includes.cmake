@@ -1,11 +1,11 @@
-# Fails when one of the files that were compiled includes OpenMesh.
+# Fails when one of the files that were compiled in FOLDER includes one whose path matches NEVER.
 file(GLOB_RECURSE dependencies ${FOLDER}/*.o.d)
 list(LENGTH dependencies count)
 if(count LESS 10)
   message(FATAL_ERROR "only ${count} lists of includes found: the check looks in the wrong place")
 endif()
 foreach(file ${dependencies})
-  file(STRINGS ${file} found REGEX "OpenMesh/")
+  file(STRINGS ${file} found REGEX "${NEVER}")
   if(found)
     message(FATAL_ERROR "${file}: ${found}")
   endif()

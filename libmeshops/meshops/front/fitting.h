@@ -1,0 +1,62 @@
+// What: what is found by sites on a mesh: edges, triangles, and where a triangle can go.
+// Law:  it only reads. Unless the caller decides what is glued, it refuses what would put a second edge between two sites.
+#pragma once
+
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/front/fit.h"
+#include "meshops/patch/site_vertices.h"
+
+namespace meshops::detail {
+
+/// Requires of halfedges that there are such.
+class MESHOPS_API Fitting {
+ public:
+  Fitting(const Connectivity& mesh, const SiteVertices& vertices) : mesh_(mesh), vertices_(vertices) {}
+
+  Site start(Halfedge h) const { return vertices_.site(mesh_.from_vertex_handle(h)); }
+  Site end(Halfedge h) const { return vertices_.site(mesh_.to_vertex_handle(h)); }
+
+  // Of Front, which documents them.
+  Halfedge edge_between(Site from, Site to) const;
+  std::vector<Halfedge> edges_between(Site from, Site to) const;
+  Halfedge boundary_between(Site from, Site to) const;
+  Face triangle_on(Site a, Site b, Site c) const;
+
+  /// What is asked of every triangle: that its corners are distinct, and exist or are the next new ones.
+  void check_corners(Fit& fit) const;
+  /// Finds what the sides are glued to, which sites decide. The second begins with the first side as given.
+  void find_sides(Fit& fit) const;
+  void find_other_sides(Fit& fit) const;
+  /// The same for a caller who decides: glues(halfedge, apex) is asked of the boundary halfedges between the sites of a side.
+  template <typename Glues>
+  void find_sides(Fit& fit, Glues glues) const;
+
+ private:
+  bool is_new(Site s) const { return s >= vertices_.sites(); }
+  bool finds_side(Fit& fit, unsigned side) const;
+  void refuse_closed(Fit& fit) const;
+  void refuse_twice(Fit& fit) const;
+
+  const Connectivity& mesh_;
+  const SiteVertices& vertices_;
+};
+
+template <typename Glues>
+void Fitting::find_sides(Fit& fit, Glues glues) const {
+  refuse_twice(fit);
+  for (unsigned i = 0; i < 3 && !fit.refusal; ++i) {
+    const Site from = fit.corners[i], to = fit.corners[(i + 1) % 3];
+    Halfedge& side = fit.sides.side[i];
+    if (side.is_valid() || is_new(from) || is_new(to)) continue;
+    // An open fan has one boundary halfedge that leaves its vertex.
+    for (Vertex v = vertices_.first(from); v.is_valid() && !side.is_valid(); v = vertices_.next(v)) {
+      const Halfedge h = mesh_.halfedge_handle(v);
+      if (mesh_.is_boundary(h) && end(h) == to && glues(h, fit.corners[(i + 2) % 3])) side = h;
+    }
+  }
+}
+
+}  // namespace meshops::detail

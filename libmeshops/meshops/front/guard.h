@@ -1,0 +1,66 @@
+// What: who may change a front: nobody else its mesh; and whom the engine calls, only as far as that is allowed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/core/element_counts.h"
+
+namespace meshops::detail {
+
+class MESHOPS_API Guard {
+ public:
+  explicit Guard(const Connectivity& mesh) : mesh_(mesh) {}
+
+  /// The mesh is as it is to be from now on: after each change of the front's own.
+  void count_elements() { counts_ = ElementCounts::of(mesh_); }
+  void finish() { counts_ = finished; }
+  /// Neither finished nor changed by others.
+  bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
+
+  // Throw ContractViolation, which names the cause.
+  void require_intact() const {
+    if (!is_intact()) [[unlikely]]
+      violated();
+  }
+  void require_changeable() const {
+    require_intact();
+    if (caller_ != Caller::user) [[unlikely]]
+      changed_while_called();
+  }
+  void require_states_changeable() const {
+    require_intact();
+    if (caller_ == Caller::policy) [[unlikely]]
+      changed_while_called();
+  }
+
+  /// Whom the engine is calling: a policy changes nothing meanwhile, a visitor activates and freezes only.
+  enum class Caller : std::uint8_t { user, policy, visitor };
+  /// As long as it lives.
+  class Call {
+   public:
+    Call(Guard& guard, Caller caller) : guard_(guard), before_(guard.caller_) { guard.caller_ = caller; }
+    ~Call() { guard_.caller_ = before_; }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+   private:
+    Guard& guard_;
+    Caller before_;
+  };
+
+ private:
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  static constexpr ElementCounts finished{never, never, never};
+  [[noreturn, gnu::cold, gnu::noinline]] void violated() const;
+  [[noreturn, gnu::cold, gnu::noinline]] void changed_while_called() const;
+
+  const Connectivity& mesh_;
+  ElementCounts counts_;  // as the front left them; impossible ones when it is finished
+  Caller caller_ = Caller::user;
+};
+
+}  // namespace meshops::detail

@@ -1,0 +1,106 @@
+// What: long work on numbered items, shared among threads of the standard library, whose results are joined in order.
+// Law:  join(i) is called once for each i, ascending, one at a time; so what it makes does not depend on the threads.
+// Cost: some locks an item; of results as many wait for their turn as there are threads, at most.
+#pragma once
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace rbpa {
+
+/// What threads that share work agree on.
+class SharedWork {
+ public:
+  explicit SharedWork(std::size_t count) : count_(count) {}
+
+  /// The next number, or `count` when there is none or someone has failed.
+  std::size_t take() {
+    const std::lock_guard lock(mutex_);
+    return failure_ ? count_ : next_ < count_ ? next_++ : count_;
+  }
+  /// Waits until all before `i` have passed on. Returns false when someone has failed.
+  bool wait_for_turn(std::size_t i) {
+    std::unique_lock lock(mutex_);
+    turned_.wait(lock, [&] { return failure_ || turn_ == i; });
+    return !failure_;
+  }
+  void pass_on() {
+    const std::lock_guard lock(mutex_);
+    ++turn_;
+    turned_.notify_all();
+  }
+  /// Leaves a result among those that wait for their turn, when it is its turn or fewer than `most` wait. Whoever has the next
+  /// joins it and those that follow, while others go on. Returns false when someone has failed.
+  template <typename Result, typename Join>
+  bool hand_in(std::size_t i, Result made, std::map<std::size_t, Result>& waiting, std::size_t most, Join& join) {
+    std::unique_lock lock(mutex_);
+    turned_.wait(lock, [&] { return failure_ || turn_ == i || waiting.size() < most; });
+    if (failure_) return false;
+    waiting.emplace(i, std::move(made));
+    if (is_joining_) return true;
+    is_joining_ = true;
+    while (!failure_ && !waiting.empty() && waiting.begin()->first == turn_) {
+      auto next = waiting.extract(waiting.begin());
+      lock.unlock();
+      join(next.key(), std::move(next.mapped()));
+      lock.lock();
+      ++turn_;
+      turned_.notify_all();
+    }
+    is_joining_ = false;
+    return !failure_;
+  }
+
+  /// Runs loop() in so many threads, the calling one included; throws the first failure.
+  template <typename Loop>
+  void run(std::size_t threads, Loop loop) {
+    const auto guarded = [&] {
+      try {
+        loop();
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+        turned_.notify_all();
+      }
+    };
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t i = 1; i < threads; ++i) others.emplace_back(guarded);
+      guarded();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::size_t count_, next_ = 0, turn_ = 0;
+  bool is_joining_ = false;
+  std::exception_ptr failure_ = nullptr;
+  std::mutex mutex_;
+  std::condition_variable turned_;
+};
+
+/// For each i below `count`, calls work(i) in one of so many threads, the calling one included, and join(i, result) in whichever
+/// has the next. A thread whose result is not the next goes on with other items where is_small(i), as long as fewer results
+/// wait than there are threads, and waits itself otherwise. Throws the first of what the calls throw; then some are never made.
+template <typename Work, typename IsSmall, typename Join>
+void join_in_order(std::size_t threads, std::size_t count, Work work, IsSmall is_small, Join join) {
+#ifdef RBPA_SERIAL
+  threads = 1;
+#endif
+  SharedWork shared(count);
+  std::map<std::size_t, std::invoke_result_t<Work&, std::size_t>> waiting;
+  shared.run(std::min(threads, count), [&] {
+    for (std::size_t i = shared.take(); i < count; i = shared.take())
+      if (!shared.hand_in(i, work(i), waiting, is_small(i) ? threads : 0, join)) return;
+  });
+}
+
+}  // namespace rbpa
