@@ -23,7 +23,8 @@ RadiiRun::RadiiRun(const PointSource& source, const std::vector<std::string>& ou
   stats.read_seconds = lap();
   delaunay_.emplace(build_delaunay(file.points, options));
   {
-    const ProgressLine line = options.line("radii of " + counted(delaunay().triangulation().triangles.size(), "triangle"));
+    const ProgressLine line =
+        options.line("radii of " + counted(delaunay().triangulation().triangles.size(), "triangle"));
     radii.filtration = filtration(delaunay(), until_interrupted());
   }
   stats.distinct = radii.filtration.distinct;

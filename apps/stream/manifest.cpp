@@ -188,7 +188,9 @@ Manifest load_manifest(const Scratch& scratch, const RunKey& run_key) {
     const Json json = Json::parse(text);
     if (json.at("version") != version) throw std::runtime_error("another version");
     require_same(json.at("question"), run_key, scratch.folder());
-    Manifest manifest{.run_key = run_key, .workers = json.at("workers")};
+    Manifest manifest;
+    manifest.run_key = run_key;
+    manifest.workers = json.at("workers");
     const int pass = json.at("pass");
     require(0 <= pass && pass <= static_cast<int>(Manifest::Pass::compute), "an unknown pass");
     require(manifest.workers > 0, "no workers");

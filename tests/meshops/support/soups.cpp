@@ -8,9 +8,9 @@
 namespace meshops::test {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using FaceCorners = std::vector<std::uint32_t>;
 
-Corners corners_of(const PolygonSoup& soup, std::size_t f) {
+FaceCorners corners_of(const PolygonSoup& soup, std::size_t f) {
   const auto face = soup.face(f);
   return {face.begin(), face.end()};
 }
@@ -18,11 +18,11 @@ Corners corners_of(const PolygonSoup& soup, std::size_t f) {
 std::uint32_t below(std::mt19937& random, std::size_t bound) { return static_cast<std::uint32_t>(random() % bound); }
 
 /// Another first corner.
-void turn(Corners& face, std::mt19937& random) {
+void turn(FaceCorners& face, std::mt19937& random) {
   if (!face.empty()) std::rotate(face.begin(), face.begin() + below(random, face.size()), face.end());
 }
 
-bool same_cycle(const Corners& a, Corners b) {
+bool same_cycle(const FaceCorners& a, FaceCorners b) {
   for (int direction = 0; direction < 2; ++direction) {
     for (std::size_t turn = 0; turn < b.size(); ++turn) {
       if (a == b) return true;
@@ -52,7 +52,7 @@ Faults faults_of(const PolygonSoup& soup) {
   std::vector<SoupDefect> lists[3];
   Faults faults;
   for (std::size_t f = 0; f < soup.faces(); ++f) {
-    const Corners face = corners_of(soup, f);
+    const FaceCorners face = corners_of(soup, f);
     const bool outside = std::any_of(face.begin(), face.end(), [&](std::uint32_t c) { return c >= soup.points; });
     const std::set<std::uint32_t> distinct(face.begin(), face.end());
     const auto repeated = std::find_if(faults.good.begin(), faults.good.end(),
@@ -73,7 +73,7 @@ Faults faults_of(const PolygonSoup& soup) {
 Edges edges_of(const PolygonSoup& soup, const std::vector<std::size_t>& faces) {
   Edges edges;
   for (const std::size_t f : faces) {
-    const Corners face = corners_of(soup, f);
+    const FaceCorners face = corners_of(soup, f);
     for (std::size_t i = 0; i < face.size(); ++i) {
       const std::uint32_t from = face[i], to = face[(i + 1) % face.size()];
       edges[{std::min(from, to), std::max(from, to)}].push_back({f, i, from < to});
@@ -189,8 +189,8 @@ PolygonSoup grid_soup(std::uint32_t columns, std::uint32_t rows, bool wrap_x, bo
   };
   for (std::uint32_t y = 0; y < rows; ++y)
     for (std::uint32_t x = 0; x < columns; ++x) {
-      made.add_face(Corners{at(x, y), at(x + 1, y), at(x + 1, y + 1)});
-      made.add_face(Corners{at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+      made.add_face(FaceCorners{at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      made.add_face(FaceCorners{at(x, y), at(x + 1, y + 1), at(x, y + 1)});
     }
   return made;
 }
@@ -209,7 +209,7 @@ PolygonSoup beside(const PolygonSoup& a, const PolygonSoup& b) {
   PolygonSoup both = a;
   both.points += b.points;
   for (std::size_t f = 0; f < b.faces(); ++f) {
-    Corners face = corners_of(b, f);
+    FaceCorners face = corners_of(b, f);
     for (std::uint32_t& corner : face) corner += static_cast<std::uint32_t>(a.points);
     both.add_face(face);
   }
@@ -222,7 +222,7 @@ PolygonSoup random_soup(std::mt19937& random) {
   const std::size_t faces = random() % 13;
   const unsigned wild = below(random, 4);  // how much of it is no face at all
   for (std::size_t f = 0; f < faces; ++f) {
-    Corners face;
+    FaceCorners face;
     if (f > 0 && random() % 8 < wild) {
       face = corners_of(made, random() % f);
       turn(face, random);
@@ -260,7 +260,7 @@ PolygonSoup broken_surface(std::mt19937& random) {
   made.points = surface.points;
   for (std::size_t f = 0; f < surface.faces(); ++f) {
     if (random() % 8 < left_out) continue;
-    Corners face = corners_of(surface, f);
+    FaceCorners face = corners_of(surface, f);
     if (random() % 8 < reversed) std::reverse(face.begin(), face.end());
     made.add_face(face);
   }
@@ -278,7 +278,7 @@ Shuffled shuffled(const PolygonSoup& soup, std::mt19937& random, bool faces_too)
   result.soup.points = soup.points;
   result.face_to.resize(soup.faces());
   for (const std::size_t f : order) {
-    Corners face = corners_of(soup, f);
+    FaceCorners face = corners_of(soup, f);
     for (std::uint32_t& corner : face)
       if (corner < soup.points) corner = result.point_to[corner];
     turn(face, random);
@@ -343,7 +343,7 @@ TopologyReport report_by_brute_force(const PolygonSoup& soup) {
   }
   std::set<std::uint32_t> used;
   for (const std::size_t f : faces) {
-    const Corners face = corners_of(soup, f);
+    const FaceCorners face = corners_of(soup, f);
     used.insert(face.begin(), face.end());
     space.faces.emplace_back();
     for (std::size_t i = 0; i < face.size(); ++i) {
