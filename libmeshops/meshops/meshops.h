@@ -20,6 +20,7 @@
 #include "meshops/front/engine.h"
 #include "meshops/front/fit.h"
 #include "meshops/front/front.h"
+#include "meshops/front/levels.h"
 #include "meshops/front/policy.h"
 #include "meshops/front/refusal.h"
 #include "meshops/front/visitor.h"
