@@ -36,15 +36,18 @@ std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const
 /// Gaps of the complex while alpha falls: triangles that are not in it, connected through sides that are not in it.
 class Gaps {
  public:
-  explicit Gaps(std::size_t faces) : sets_(faces + 1), next_(faces + 1) { std::iota(next_.begin(), next_.end(), 0u); }
-  /// Joins those of two faces; `outside_reaches(face)` is called with each triangle that is now in the gap of `outside`.
+  /// The outside is a face as well, behind the last.
+  explicit Gaps(std::uint32_t faces) : outside_(faces), sets_(faces + std::size_t{1}), next_(sets_.size()) {
+    std::iota(next_.begin(), next_.end(), 0u);
+  }
+  /// Joins those of two faces; `outside_reaches(face)` is called with each triangle that is now in the gap of the outside.
   template <typename Reaches>
-  void join(std::uint32_t a, std::uint32_t b, std::uint32_t outside, const Reaches& outside_reaches) {
-    const std::uint32_t of_a = sets_.find(a), of_b = sets_.find(b);
+  void join(std::uint32_t a, std::uint32_t b, const Reaches& outside_reaches) {
+    // Faces come in descending order. Numbered from behind, the least of a set is its oldest, and paths stay short.
+    const std::uint32_t of_a = sets_.find(outside_ - a), of_b = sets_.find(outside_ - b);
     if (of_a == of_b) return;
-    const std::uint32_t of_outside = sets_.find(outside);
-    if (of_outside == of_a || of_outside == of_b) {
-      const std::uint32_t first = of_outside == of_a ? b : a;
+    if (of_a == 0 || of_b == 0) {
+      const std::uint32_t first = of_a == 0 ? b : a;
       std::uint32_t face = first;
       do outside_reaches(face);
       while ((face = next_[face]) != first);
@@ -54,6 +57,7 @@ class Gaps {
   }
 
  private:
+  std::uint32_t outside_;
   meshops::DisjointSets sets_;
   std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
 };
@@ -63,12 +67,12 @@ std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::ve
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());
   std::vector<std::uint32_t> enclosed(of.triangles.size());
-  Gaps gaps(of.triangles.size());
+  Gaps gaps(outside);
   for (std::uint32_t i = outside; i-- > 0;) {
     pulse();
     for (const std::uint32_t neighbor : of.neighbors[i])
       if (neighbor > i)  // is not there either; beyond the boundary there is no triangle
-        gaps.join(i, std::min(neighbor, outside), outside, [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
+        gaps.join(i, std::min(neighbor, outside), [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
   }
   return enclosed;
 }
