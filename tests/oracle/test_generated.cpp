@@ -67,7 +67,7 @@ TEST_CASE("the order of the input does not matter") {
 TEST_CASE("the paper's RBPA finds the same complex") {
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
-    if (points.size() > argument("largest", 1000000) / 20) continue;  // it is slow
+    if (points.size() > argument("largest", 1000000) / 100) continue;  // it is slow
     const DelaunayOracle oracle(points);
     for (const double alpha : all_alphas(set, points)) {
       // Cells of side 2α hold all points then.

@@ -56,7 +56,8 @@ TEST_CASE("generated sets: the same of the paper's HRBPA") {
   Random random(23);
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
-    if (of_asked_size(points)) check_set(hierarchy_by_paper, std::string(set.name), points, set.alphas, random);
+    if (points.size() <= argument("largest", 20000) / 4)  // it is slow
+      check_set(hierarchy_by_paper, std::string(set.name), points, set.alphas, random);
   }
 }
 

@@ -17,7 +17,8 @@ enum class Scalar { int8, uint8, int16, uint16, int32, uint32, int64, uint64, fl
 /// Calls use() with a value of the type that `type` stands for.
 template <typename Use>
 constexpr auto with_type(Scalar type, const Use& use) {
-  switch (type) {  // NOLINT(bugprone-branch-clone): alike in text, and of other types
+  switch (type) {
+    // NOLINTNEXTLINE(bugprone-branch-clone): alike in text, and of other types
     case Scalar::int8:
       return use(std::int8_t());
     case Scalar::uint8:
