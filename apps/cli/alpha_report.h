@@ -16,7 +16,7 @@ struct AlphaReport {
   std::optional<std::vector<PersistencePair>> pairs = std::nullopt;
 };
 
-/// Nothing where the points have no triangle, or plateaus were not asked for.
+/// Nothing where the points have no triangle, or plateaus were not requested.
 std::optional<Recommendation> recommended(const Radii& radii);
 
 /// For people: the radii by name, and a table of the choices there are.

@@ -42,7 +42,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
-  const Radii asked = parse_asked(arguments);
+  const Radii request = parse_radii(arguments);
   const ComplexKind kind = parse_complex(arguments);
   const RunOptions options = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
@@ -52,7 +52,7 @@ void run_alpha(const AlphaArguments& arguments) {
   const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.stats});
   require_different(outputs, arguments.points, "points");
 
-  RadiiRun run(source, outputs, options, asked, !arguments.csv || arguments.picture);
+  RadiiRun run(source, outputs, options, request, !arguments.csv || arguments.picture);
   AlphaReport report{.radii = run.radii};
   if (arguments.persistence || arguments.picture) {
     const ProgressLine line = options.line("persistence");

@@ -37,7 +37,7 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
          " --help)";
 }
 
-/// What was asked, last word first, as CLI has it. "help VERB" is "VERB --help".
+/// The command, last word first, as CLI has it. "help VERB" is "VERB --help".
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words[0] == "help") {
@@ -99,8 +99,9 @@ int main(int argc, char** argv) {
     if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
     return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
   }
-  const auto asked = std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.declared->parsed(); });
-  return run(program, asked->run);  // there is one: it is required
+  const auto chosen =
+      std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.declared->parsed(); });
+  return run(program, chosen->run);  // there is one: it is required
 }
 
 }  // namespace

@@ -11,14 +11,14 @@
 
 namespace rbpa::app {
 
-Radii parse_asked(const RadiiArguments& arguments) {
+Radii parse_radii(const RadiiArguments& arguments) {
   return {.max_components = parse_components(arguments.components),
           .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
 }
 
 RadiiRun::RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
-                   const Radii& asked, bool with_plateaus)
-    : Run(source.path, outputs, options), file(read_points(source)), radii(asked) {
+                   const Radii& request, bool with_plateaus)
+    : Run(source.path, outputs, options), file(read_points(source)), radii(request) {
   stats.points = radii.points = file.points.size();
   stats.read_seconds = lap();
   delaunay_.emplace(build_delaunay(file.points, options));

@@ -14,12 +14,12 @@
 namespace rbpa::app {
 
 /// How many components, and what share of the points. Throws WrongUsage naming the value.
-Radii parse_asked(const RadiiArguments& arguments);
+Radii parse_radii(const RadiiArguments& arguments);
 
 struct RadiiRun : Run {
   /// Reads the points, and finds what of the radii follows from them. Throws BadInput, Failure, Cancelled.
   RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
-           const Radii& asked, bool with_plateaus);
+           const Radii& request, bool with_plateaus);
 
   /// What is known when all is written.
   void write_stats(OutputFile& file);

@@ -28,14 +28,14 @@ void check_output(const std::string& output) {
 
 void run_report(const ReportArguments& arguments) {
   const std::string& path = arguments.points;
-  const Radii asked = parse_asked(arguments);
+  const Radii request = parse_radii(arguments);
   const RunOptions options = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   check_output(arguments.output);
   const std::vector<std::string> outputs = given({arguments.output, arguments.stats});
   require_different(outputs, path, "points");
 
-  RadiiRun run(source, outputs, options, asked, true);
+  RadiiRun run(source, outputs, options, request, true);
   Report report{.source = path == "-" ? run.input() : std::filesystem::path(path).filename().string(),
                 .unit = unit_of(run.file),
                 .radii = run.radii,

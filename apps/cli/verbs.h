@@ -31,7 +31,7 @@ struct ShapeArguments : ComplexArguments {
 };
 void run_shape(const ShapeArguments& arguments);
 
-/// What is asked about all radii at once.
+/// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
   std::string components = "1";      ///< at most, at `auto`

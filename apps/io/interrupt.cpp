@@ -9,7 +9,7 @@
 namespace rbpa::app {
 namespace {
 
-// Set in one thread and asked in any: beyond what sig_atomic_t promises.
+// Set in one thread and read in any: beyond what sig_atomic_t promises.
 std::atomic<bool> signal_came = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else no handler may set it");
 

@@ -24,7 +24,7 @@ Delaunay delaunay_of(std::span<const Point> points, unsigned threads, Watch& wat
   return Delaunay(points, {.threads = threads, .progress = watch.progress()});
 }
 
-/// The least alpha that covers a share of the points, in at most so many solid components if that is asked for.
+/// The least alpha that covers a share of the points, in at most so many solid components if a limit is given.
 std::optional<double> least_alpha(const Doubles& points, double share, std::optional<std::size_t> components,
                                   unsigned threads, const py::object& progress) {
   const auto input = points_of(points);

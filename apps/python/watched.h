@@ -1,6 +1,6 @@
 // What: a long computation without Python's lock: other threads of Python run on, Ctrl-C ends it, progress is reported.
 // How:  the work has a thread of its own where it may take long. The calling one sleeps, and looks every few hundredths of
-//       a second: only there may signals be asked for, which Python allows its main thread alone, and only from there is
+//       a second: only there may signals be checked, which Python allows its main thread alone, and only from there is
 //       the caller's function called, which so may touch anything that belongs to that thread.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What: the passes of a run over the points, from the plan of tiles to the files that are asked for.
+// What: the passes of a run over the points, from the plan of tiles to the requested files.
 // Law:  the file of a tile has every point of its box, and every other within 2 alpha of it; what comes of the tiles is the same
 //       whatever they are and in whatever order they are done: the bytes of `rbpa mesh` and `rbpa shape`.
 // Cost: cutting reads the input and writes it once, and memory has the points that wait; computing triangulates every tile, in

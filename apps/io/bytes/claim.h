@@ -2,7 +2,7 @@
 //       gigabytes.
 // Law:  a whole file is never refused for its claim, unless more than a mebibyte lies behind its data, or is one line of
 //       its text, with the comments and blank lines before it.
-// Cost: memory is at most twice what is claimed, and two mebibytes; a claim is asked for again when as much more is there.
+// Cost: memory is at most twice what is claimed, and two mebibytes; a claim is computed again when as much more is there.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // What: the bytes of a file from its beginning to its end: all of them in memory, or some at a time as they are read.
 // Law:  who reads asks for what comes next, and does not know which of the two it is. A file that is read has the length and
 //       the time of its last change at its end that it had when it was opened.
-// Cost: of a file that is read the bytes asked for and a mebibyte are in memory.
+// Cost: of a file that is read the requested bytes and a mebibyte are in memory.
 #pragma once
 
 #include <cstddef>

@@ -71,7 +71,7 @@ class UnpackLimit {
   const Claim& claim_;
   const std::string& way_out_;
   double most_ = available_memory().value_or(any_size) / bytes_for_each;  // for which memory suffices
-  double next_;                                                           // the size at which the claim is asked for
+  double next_;                                                           // the size at which the claim is computed
 };
 
 }  // namespace

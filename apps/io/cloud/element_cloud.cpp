@@ -38,7 +38,7 @@ class ElementCloud final : public Cloud {
         header_(std::move(header)),
         layout_(std::move(layout)),
         vertex_(header_.elements[layout_.element]),
-        fields_(layout_.asked.size()) {
+        fields_(layout_.condition.size()) {
     facts_ = std::move(layout_.facts);
     facts_.expected = vertex_.count;
     if (request.where) selection_.emplace(*request.where);
@@ -98,7 +98,7 @@ class ElementCloud final : public Cloud {
                   *header_.binary);
     };
     for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
-    for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], layout_.asked[k]);
+    for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], layout_.condition[k]);
     for (std::size_t i = 0; layout_.color && i < block.count; ++i)
       append_color(load<std::uint32_t>(rows + i * size + offsets[*layout_.color], *header_.binary), block);
     if (!looks_at_heights()) return;
@@ -113,7 +113,7 @@ class ElementCloud final : public Cloud {
         return load_number(vertex_.properties[property].type, at[property], *header_.binary);
       };
       for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
-      for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(layout_.asked[k]);
+      for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(layout_.condition[k]);
       if (looks_at_heights()) facts_.file.heights.take(number(*layout_.height));
     });
   }
@@ -121,7 +121,7 @@ class ElementCloud final : public Cloud {
   void read_text(CloudBlock& block) {
     std::vector<double*> target(vertex_.properties.size(), nullptr);  // where the numbers of a property go
     std::vector<double> color(layout_.color ? block.count : 0);
-    for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.asked[k]] = fields_[k].data();
+    for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.condition[k]] = fields_[k].data();
     if (layout_.color) target[*layout_.color] = color.data();
     for (const auto& [column, property] : layout_.columns) target[property] = block.column[column].data();
     std::vector<char> is_channel(target.size(), 0);
@@ -142,7 +142,7 @@ class ElementCloud final : public Cloud {
       if (looks_at_heights()) take_height();
     });
     for (std::size_t k = 0; k < fields_.size(); ++k)  // which may be a column as well
-      std::copy_n(target[layout_.asked[k]], block.count, fields_[k].data());
+      std::copy_n(target[layout_.condition[k]], block.count, fields_[k].data());
   }
 
   std::string here() const { return at_line(name_, text_->lines().number()); }

@@ -1,5 +1,5 @@
 // What: points that lie in rows of numbers: the vertices of PLY and OFF, the points of PCD.
-// Law:  of what is asked for nothing is read that the layout does not name; in a binary file all elements have to be there.
+// Law:  nothing is read that the layout does not name; in a binary file all elements have to be there.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace rbpa::app {
 struct PointLayout {
   std::size_t element = 0;                                        ///< which of the header's
   std::vector<std::pair<std::size_t, std::size_t>> columns = {};  ///< of a block, each with its property
-  std::vector<std::size_t> asked = {};                            ///< properties that the condition asks for
+  std::vector<std::size_t> condition = {};                        ///< properties that the condition reads
   std::optional<std::size_t> height = std::nullopt;               ///< z where it is no column
   std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
   bool colors_behind = false;                                     ///< of text, three words behind these

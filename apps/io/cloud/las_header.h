@@ -70,7 +70,7 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
 double claimed_las_size(std::string_view first, const std::string& name);
 
 /// Throws BadInput when the scale or the offset of x, y or z (0, 1, 2) gives no coordinates. read_las_header() has looked
-/// at x and y; the height matters where it is asked for.
+/// at x and y; the height matters where it is requested.
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
 
 struct LasCrs {

@@ -163,7 +163,7 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
   }
   if (request.where)
     for (const std::string& field : request.where->fields())
-      layout.asked.push_back(find(field, "a field of that name, as --where asks"));
+      layout.condition.push_back(find(field, "a field of that name, as --where asks"));
   return layout;
 }
 

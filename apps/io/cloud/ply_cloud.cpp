@@ -36,7 +36,7 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
     if (!place)
       bad_input(at_line(name, vertex.line), "vertices without " + in_quotes(field),
                 "a number property of that name, as --where asks");
-    layout.asked.push_back(*place);
+    layout.condition.push_back(*place);
   }
   return layout;
 }

@@ -1,4 +1,4 @@
-// What: which columns of a table are which, by its first line and by what is asked for.
+// What: which columns of a table are which, by its first line and by the request.
 // Law:  a first line without a number in any column that counts is a header; where its names are known, such as lat and lon,
 //       they say which columns are x and y, or that there is one of geometries in well-known text.
 #pragma once
@@ -29,7 +29,7 @@ struct TableLayout {
 TableLayout lay_out_table(const Lines& lines, const std::string& name, const CloudRequest& request,
                           std::vector<std::string>& remarks);
 
-/// Whether a column is asked for by its name, which a header has to have.
+/// Whether a column is requested by its name, which a header has to have.
 bool is_by_name(const std::optional<std::vector<Column>>& columns);
 
 }  // namespace rbpa::app

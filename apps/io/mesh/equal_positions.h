@@ -19,7 +19,7 @@ class EqualPositions {
   /// With room for so many places; more make it grow.
   explicit EqualPositions(std::size_t places);
 
-  /// The first of all points asked about so far that is where point `i` is; `i` itself when it is the first. `positions`
+  /// The first of all points queried so far that is where point `i` is; `i` itself when it is the first. `positions`
   /// has all of those. Cost: a look into memory. Throws Cancelled.
   std::uint32_t first_at(std::span<const Position> positions, std::uint32_t i);
 

@@ -40,14 +40,14 @@ MeshFile read_mesh(const MeshSource& source);
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format);
 
 /// OFF with any of the prefixes ST, C, N; one vertex a line, x y z first, and one face a line, whose colours are passed
-/// over. Throws BadInput naming the line; when the file is too short for what it announces, before memory is asked for.
+/// over. Throws BadInput naming the line; when the file is too short for what it announces, before memory is allocated.
 MeshFile read_off_mesh(std::string_view text, const std::string& name);
 
 /// The number properties x, y, z of the element "vertex" and the list vertex_indices or vertex_index of the element
 /// "face", of any number types and in either order; without faces, points alone. Everything else is passed over, but
 /// has to be there, so that a cut file is noticed. Triangle strips are not read. Throws BadInput naming the line, or
 /// the element of a binary file (counted from 0); when the file is too short for what the header announces, before
-/// memory is asked for.
+/// memory is allocated.
 MeshFile read_ply_mesh(std::string_view bytes, const std::string& name);
 
 /// The lines "v x y z …" and "f …"; of a corner v, v/vt, v//vn or v/vt/vn counts v, from 1, or from −1 back from the

@@ -35,7 +35,7 @@ class LineSelection {
   /// where there is no header, which is refused. Throws BadInput.
   void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
 
-  /// Whether a line is as the condition asks. Of its fields read(fields) makes the numbers that are asked for, and
+  /// Whether a line is as the condition asks. Of its fields read(fields) makes the requested numbers, and
   /// take_width(n) judges how many there are.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {

@@ -31,7 +31,7 @@ Every decision is exact, also on grids, duplicates, collinear points and extreme
 the set of points and on alpha alone. Fewer than three points, or points on one line, have no triangle: that is an empty
 result, not an error.
 
-Long computations run without Python's global lock on all processors, tell their progress (``progress=f`` is called as
+Long computations run without Python's global lock on all processors, report their progress (``progress=f`` is called as
 ``f(triangles, points)`` every tenth of a second; what it raises, or returning False, ends the run), and end within a
 fraction of a second on Ctrl-C. Points must not be changed while one runs.
 

@@ -87,7 +87,7 @@ def alpha_shape(
 def _choose(
     points: Floats, alpha: Alpha, cover: float, components: int, threads: int, progress: Progress
 ) -> Optional[float]:
-    """The radius; None where no radius is what is asked for, as there is no triangle at any."""
+    """The radius; None where no radius satisfies the rule, as there is no triangle at any."""
     rule = alpha if isinstance(alpha, str) else None
     if components != 1 and rule != "auto":
         raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
@@ -177,7 +177,7 @@ class AlphaShape(Outlined, Triangles):
 
     @cached_property
     def polygons(self) -> Polygons:
-        """The outline: a polygon with holes for each piece that is connected through edges. Computed when first asked for."""
+        """The outline: a polygon with holes for each piece that is connected through edges. Computed at the first access."""
         return self.filtered()
 
     def filtered(self, *, min_hole_area: float = 0.0, min_part_area: float = 0.0) -> Polygons:

@@ -30,7 +30,7 @@ class Footprint(Outlined):
     solid_components, components, holes, boundary_curves : int
         Pieces that are connected through edges, and through points; holes of the latter; curves of the boundary.
     triangle_files : list of str
-        Where the triangles are, if they were asked for.
+        Where the triangles are, if they were requested.
     """
 
     alpha: float

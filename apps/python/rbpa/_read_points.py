@@ -92,7 +92,7 @@ class PointFile:
     colors : uint8 array of shape (n, 3), or None
         Red, green and blue.
     fields : dict of float64 arrays of shape (n,)
-        By the names that were asked for.
+        By the requested names.
     crs : str, or None
         The system of the coordinates, such as "EPSG:28992", where the file names one.
     remarks : list of str

@@ -18,7 +18,7 @@ def freeze(*arrays: npt.NDArray[Any]) -> None:
 
 
 class Result:
-    """What was computed of some arrays. A pickle leaves out what is computed when first asked for."""
+    """What was computed of some arrays. A pickle leaves out what is computed at the first access."""
 
     def __init__(self, made: dict[str, Any], **given: Optional[Floats]) -> None:
         self.__dict__.update(given)

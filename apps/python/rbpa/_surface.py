@@ -37,7 +37,7 @@ def estimate_normals(
     neighbors : int
         A plane is fitted to each point and so many others, the nearest. Fewer follow the noise, more round off edges.
     threads, progress
-        As in `surface`; `progress` is told of no triangles.
+        As in `surface`; `progress` is called with no triangles.
 
     Returns
     -------
@@ -256,7 +256,7 @@ class Surface(Result):
 
     @property
     def unused(self) -> Indices:
-        """Distinct points in no triangle, ascending. Computed when first asked for."""
+        """Distinct points in no triangle, ascending. Computed at the first access."""
         return self._unused[0]
 
     @property

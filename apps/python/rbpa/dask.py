@@ -72,7 +72,7 @@ def alpha_shape(
         A folder that all workers can read and write, by default one for temporary files: good on one machine. It takes about
         24 bytes a point and more for halos until the end.
     tile_points : int
-        At most about so many points a tile, halos not counted; more where they are too near each other to be told apart.
+        At most about so many points a tile, halos not counted; more where they are too near each other to be distinguished.
         A task needs about 230 bytes for each of them and of its halo.
     triangles : bool
         Writes the triangles: int64 files of shape (m, 3) in `storage`, one for each tile, named in `Footprint.triangle_files`.

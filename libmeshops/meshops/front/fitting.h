@@ -25,12 +25,12 @@ class MESHOPS_API Fitting {
   Halfedge boundary_between(Site from, Site to) const;
   Face triangle_on(Site a, Site b, Site c) const;
 
-  /// What is asked of every triangle: that its corners are distinct, and exist or are the next new ones.
+  /// The requirements on every triangle: its corners are distinct, and exist or are the next new ones.
   void check_corners(Fit& fit) const;
   /// Finds what the sides are glued to, which sites decide. The second begins with the first side as given.
   void find_sides(Fit& fit) const;
   void find_other_sides(Fit& fit) const;
-  /// The same for a caller who decides: glues(halfedge, apex) is asked of the boundary halfedges between the sites of a side.
+  /// The same for a caller that decides: glues(halfedge, apex) is called with the boundary halfedges between the sites of a side.
   template <typename Glues>
   void find_sides(Fit& fit, Glues glues) const;
 

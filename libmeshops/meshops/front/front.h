@@ -246,7 +246,7 @@ class MESHOPS_API Front {
     return h;
   }
   friend class detail::EngineSide;
-  /// With what is asked of every triangle; its sides are still to be found.
+  /// With the requirements on every triangle checked; its sides are still to be found.
   Fit at(Site a, Site b, Site c) const;
   Fit at(Halfedge h, Site apex) const;
   template <typename Glues>
@@ -272,7 +272,7 @@ class MESHOPS_API Front {
 template <typename Glues>
 Fit Front::find_glued(Fit fit, Glues glues) const {
   if (fit.refusal) return fit;
-  // Glues may be asked by many threads, of a front that they only read.
+  // Many threads may call glues(), on a front that they only read.
   by_sites().find_sides(fit, [&](Halfedge h, Site apex) {
     const bool yes = glues(h, apex);
     guard_.require_intact();

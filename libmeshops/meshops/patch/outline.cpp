@@ -65,7 +65,7 @@ class Surveyor {
 }  // namespace
 
 void survey(const Patch& patch, Outline& outline) {
-  require(patch.across.size() == patch.triangles.size(), "survey: a patch tells what is across of each triangle");
+  require(patch.across.size() == patch.triangles.size(), "survey: a patch has what is across of each triangle");
   outline.clear();
   Surveyor(patch).survey(outline);
   for (const int hole : outline.holes) outline.next_hole.push_back(next_hole(patch, hole));

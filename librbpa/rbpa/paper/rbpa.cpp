@@ -5,7 +5,7 @@
 namespace rbpa::paper {
 
 std::optional<Site> RestrictedBallPivoting::propose(const Front& front, Halfedge h) {
-  if (asked_) asked_(front);
+  if (observe_) observe_(front);
   return ball_.pivot(front.from_site(h), front.to_site(h));
 }
 

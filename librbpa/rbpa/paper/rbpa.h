@@ -27,10 +27,10 @@ using Triangle = std::array<Site, 3>;  ///< counter-clockwise
 class RestrictedBallPivoting {
  public:
   /// `sites` are those of the front that are isolated or on its boundary. Refers to the points, which are distinct and not
-  /// all on a line. Calls asked(front) at each call of a member; an exception that it throws ends the run.
+  /// all on a line. Calls observe(front) at each call of a member; an exception that it throws ends the run.
   RestrictedBallPivoting(std::span<const Point> points, std::vector<Site> sites, Radius alpha,
-                         std::function<void(const Front&)> asked = {})
-      : sites_(std::move(sites)), ball_(points, sites_, alpha), asked_(std::move(asked)) {}
+                         std::function<void(const Front&)> observe = {})
+      : sites_(std::move(sites)), ball_(points, sites_, alpha), observe_(std::move(observe)) {}
   RestrictedBallPivoting(const RestrictedBallPivoting&) = delete;
   RestrictedBallPivoting& operator=(const RestrictedBallPivoting&) = delete;
 
@@ -49,7 +49,7 @@ class RestrictedBallPivoting {
 
   std::vector<Site> sites_;
   Ball ball_;
-  std::function<void(const Front&)> asked_;
+  std::function<void(const Front&)> observe_;
   std::size_t next_ = 0;  // nothing is missing at the sites before it
 };
 

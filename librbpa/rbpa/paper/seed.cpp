@@ -13,7 +13,7 @@ std::optional<Triangle> RestrictedBallPivoting::seed(const Front& front) {
   // Without a radius the complex is connected through edges: one seed is all there is.
   if (ball_.alpha().is_infinite() && front.faces() > 0) return std::nullopt;
   for (; next_ < sites_.size(); ++next_) {
-    if (asked_) asked_(front);
+    if (observe_) observe_(front);
     const Site v = sites_[next_];
     const auto seed = front.is_free(v) ? seed_at_isolated(front, v) : seed_at_boundary(front, v);
     if (seed) return seed;

@@ -133,11 +133,11 @@ std::vector<std::uint32_t> Locator::find(std::span<const Point> queries, const L
   constexpr std::size_t queries_at_a_time = 4096;
   std::vector<std::uint32_t> found(queries.size());
   Threads threads = threads_for(queries.size(), options.threads);
-  std::mutex asked;
+  std::mutex calling;
   for_each_part(threads, queries.size(), queries_at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) found[i] = impl_->find(queries[i]);
     if (!options.go_on) return;
-    const std::lock_guard lock(asked);
+    const std::lock_guard lock(calling);
     if (!options.go_on()) throw Cancelled();
   });
   return found;

@@ -73,7 +73,7 @@ OwnedTriangles LinkedTriangles::sorted(Threads& threads, const std::function<voi
   result.neighbors.reserve(size_);
   meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triangle));
   result.neighbors.resize(size_);
-  std::mutex asked;
+  std::mutex calling;
   for_each_part(threads, size_, triangles_at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -81,7 +81,7 @@ OwnedTriangles LinkedTriangles::sorted(Threads& threads, const std::function<voi
         result.neighbors[rank[t]][k] = other == none ? none : rank[other];
       }
     if (!ask) return;
-    const std::lock_guard lock(asked);
+    const std::lock_guard lock(calling);
     ask();
   });
   neighbors_ = meshops::FreshVector<Triangle>();

@@ -259,9 +259,9 @@ class DivideAndConquer {
       const std::array corners = {edges_.org(s), edges_.org(t), edges_.org(u)};
       found.edges[found.size] = {s, t, u};
       found.corners[found.size] = corners;
-      const int told = fate(places_[corners[0]], places_[corners[1]], places_[corners[2]]);
-      for (const Edge edge : {s, t, u}) edges_.number(edge, told);
-      found.size += told >= 0;
+      const int number = fate(places_[corners[0]], places_[corners[1]], places_[corners[2]]);
+      for (const Edge edge : {s, t, u}) edges_.number(edge, number);
+      found.size += number >= 0;
     }
   }
 
