@@ -22,7 +22,7 @@ struct MethodArguments {
 };
 
 struct Method {
-  bool by_paper = false;  ///< as the paper says it, or in tiles
+  bool by_paper = false;  ///< the method as published, or in tiles
   /// Hierarchical, with at most so many points in a leaf; absent: with one radius.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
 

@@ -21,9 +21,9 @@ struct RadiiRun : Run {
   RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
            const Radii& request, bool with_plateaus);
 
-  /// What is known when all is written.
+  /// The stats, once all other files are written.
   void write_stats(OutputFile& file);
-  /// Where there is no radius, why.
+  /// Prints why there is no radius, if there is none.
   void say_empty() const;
 
   PointFile file;

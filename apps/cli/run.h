@@ -16,14 +16,14 @@
 
 namespace rbpa::app {
 
-/// How a verb runs, which changes nothing of what it makes: what the command line says, as text.
+/// How a verb runs, which does not change its result: the arguments, as text.
 struct RunArguments {
   std::optional<std::string> threads;
   bool quiet = false;
 };
 
 struct RunOptions {
-  unsigned threads = 0;  ///< at most so many work; 0: as many as there are processors
+  unsigned threads = 0;  ///< at most this many; 0: one for each processor
   bool quiet = false;
 
   unsigned threads_or_all() const;
@@ -33,7 +33,7 @@ struct RunOptions {
   }
 };
 
-/// The most that --threads takes: more than processors, so that a command line may be the same on any machine.
+/// The largest --threads that is accepted: more than processors, so that one command line serves any machine.
 constexpr unsigned max_threads = 1024;
 
 /// `threads`: a whole number from 1 to max_threads. Throws WrongUsage naming the value.
@@ -55,7 +55,7 @@ class Run {
     const ProgressLine line = options_.line("reading", read_from_terminal(input_));
     return read();
   }
-  /// Says something about the input, unless quiet.
+  /// Prints a remark about the input, unless quiet.
   void remark(const std::string& text) const { summarize(input() + ": " + text); }
   void remark(const std::vector<std::string>& texts) const {
     for (const std::string& text : texts) remark(text);
@@ -84,7 +84,7 @@ class Run {
   /// All files take their names.
   void publish() { files_.publish(); }
 
-  /// Says what was made, unless quiet.
+  /// Prints a line about the result, unless quiet.
   void summarize(const std::string& text) const;
 
   /// Seconds since it was made, or since the last lap.

@@ -19,7 +19,8 @@
 
 namespace rbpa::app {
 
-/// Cuts from where the manifest says that it stopped; when the input is read, the manifest says what the files have.
+/// Continues cutting where the manifest records that it stopped; once the input is read, the manifest records what the files
+/// contain.
 /// Throws as read_points(), Failure, Cancelled.
 void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest);
 

@@ -32,7 +32,7 @@ struct StreamRequest {
   bool keep_tiles = false;
   bool resume = false;
   bool tasks = false;    ///< the points are cut, and the scratch is for those who do the rest
-  unsigned threads = 1;  ///< at most so many work
+  unsigned threads = 1;  ///< at most this many
   bool quiet = false;
   bool shows_progress = false;
   std::vector<StreamTarget> targets = {};

@@ -67,7 +67,8 @@ TEST_CASE("a triangulation is referred to, a temporary is kept, and copies share
   CHECK(copy.triangulation().triangles == arrays.triangles);
 }
 
-TEST_CASE("what is visibly no Delaunay triangulation of the points is refused, in the name of who asks") {
+TEST_CASE(
+    "what is visibly no Delaunay triangulation of the points is refused, and the message names the function called") {
   const Points points = uniform(30, 9);
   const Triangulation arrays = delaunay_arrays(points);
   CHECK(refusal(arrays, points).empty());
