@@ -1,5 +1,6 @@
 // rbpa() on every generated set: against CGAL, against itself.
 //   --largest=N   only sets with at most that many points
+//   --paper=N     the paper's method, which is slow, only on sets with at most that many points
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -67,7 +68,7 @@ TEST_CASE("the order of the input does not matter") {
 TEST_CASE("the paper's RBPA finds the same complex") {
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
-    if (points.size() > argument("largest", 1000000) / 100) continue;  // it is slow
+    if (!of_asked_size(points) || points.size() > argument("paper", 1000000)) continue;
     const DelaunayOracle oracle(points);
     for (const double alpha : all_alphas(set, points)) {
       // Cells of side 2α hold all points then.

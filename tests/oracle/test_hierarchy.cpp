@@ -1,5 +1,6 @@
 // hrbpa() against CGAL: the final complex, and the mesh after every level, for leaf capacities from 1 to 64.
 //   --largest=N   only sets with at most that many points
+//   --paper=N     the paper's method, which is slow, only on sets with at most that many points
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ TEST_CASE("generated sets: the same of the paper's HRBPA") {
   Random random(23);
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
-    if (points.size() <= argument("largest", 20000) / 4)  // it is slow
+    if (of_asked_size(points) && points.size() <= argument("paper", 20000))
       check_set(hierarchy_by_paper, std::string(set.name), points, set.alphas, random);
   }
 }
