@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t named_holes = 10;
+constexpr std::size_t named_curves = 10;  // of each kind
 
 constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked"};
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
@@ -39,8 +39,46 @@ std::string list_of_causes(const std::array<std::size_t, n>& counts, const std::
   return text;
 }
 
+/// Lines about the boundary curves of one kind: one for each of the longest, and one for the others together. Those of islands
+/// are together.
+void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, CurveKind kind) {
+  std::vector<const Hole*> curves;
+  for (std::size_t i = 0; i < facts.holes.size(); ++i)
+    if (facts.kinds[i] == kind) curves.push_back(&facts.holes[i]);
+  std::stable_sort(curves.begin(), curves.end(), [](const Hole* a, const Hole* b) { return a->length > b->length; });
+  const auto add = [&](std::size_t first, std::size_t last, const std::string& which) {
+    std::array<std::size_t, 3> causes{};
+    double length = 0;
+    std::size_t edges = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      for (const RimEdge& edge : curves[i]->edges) ++causes[static_cast<std::size_t>(edge.cause)];
+      length += curves[i]->length;
+      edges += curves[i]->edges.size();
+    }
+    lines.push_back(which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
+                    list_of_causes(causes, rim_texts));
+  };
+  const std::string name = kind_names[static_cast<std::size_t>(kind)];
+  const std::size_t named = kind == CurveKind::island ? 0 : std::min(named_curves, curves.size());
+  for (std::size_t i = 0; i < named; ++i) add(i, i + 1, name);
+  if (curves.size() == named) return;
+  const std::size_t others = curves.size() - named;
+  if (kind != CurveKind::island) return add(named, curves.size(), counted(others, "more " + name));
+  add(0, others, others == 1 ? "1 rim of an island" : std::to_string(others) + " rims of islands");
+}
+
 Json base(const SurfaceFacts& facts) {
   const SurfaceCounts& counts = facts.counts;
+  Json curves;
+  for (std::size_t kind = 0; kind < kind_names.size(); ++kind)
+    curves[kind_names[kind]] = std::count(facts.kinds.begin(), facts.kinds.end(), static_cast<CurveKind>(kind));
+  std::size_t closed = 0;
+  double area = 0;
+  for (const SurfaceComponent& component : facts.components) {
+    closed += component.is_closed();
+    area += component.area;  // in an order that depends on the components alone
+  }
+  const DroppedComponents& dropped = facts.dropped;
   return {{"points", facts.points},
           {"distinct", facts.distinct},
           {"unused", facts.unused.size()},
@@ -48,8 +86,18 @@ Json base(const SurfaceFacts& facts) {
           {"vertices", counts.vertices},
           {"edges", counts.edges},
           {"boundary_curves", counts.boundary_curves},
+          {"curves", curves},
           {"components", counts.components},
+          {"closed_components", closed},
+          {"area", area},
           {"genus", counts.genus},
+          {"dropped",
+           {{"components", dropped.components},
+            {"triangles", dropped.triangles},
+            {"points", dropped.points},
+            {"area", dropped.area}}},
+          {"manifold", facts.manifold},
+          {"crowded_edges", facts.crowded_edges},
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
           {"normals", facts.normals}};
@@ -78,24 +126,15 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
     for (const UnusedPoint& point : facts.unused) ++causes[static_cast<std::size_t>(point.cause)];
     lines.push_back(counted(facts.unused.size(), "point") + " unused: " + list_of_causes(causes, unused_texts));
   }
-  std::vector<const Hole*> holes;
-  for (const Hole& hole : facts.holes) holes.push_back(&hole);
-  std::stable_sort(holes.begin(), holes.end(), [](const Hole* a, const Hole* b) { return a->length > b->length; });
-  const auto add_holes = [&](std::size_t first, std::size_t last, const std::string& which) {
-    std::array<std::size_t, 3> causes{};
-    double length = 0;
-    std::size_t edges = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      for (const RimEdge& edge : holes[i]->edges) ++causes[static_cast<std::size_t>(edge.cause)];
-      length += holes[i]->length;
-      edges += holes[i]->edges.size();
-    }
-    lines.push_back(which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
-                    list_of_causes(causes, rim_texts));
-  };
-  for (std::size_t i = 0; i < std::min(named_holes, holes.size()); ++i) add_holes(i, i + 1, "hole");
-  if (holes.size() > named_holes)
-    add_holes(named_holes, holes.size(), counted(holes.size() - named_holes, "more hole"));
+  for (const CurveKind kind : {CurveKind::rim, CurveKind::hole, CurveKind::island}) add_curves(lines, facts, kind);
+  const DroppedComponents& dropped = facts.dropped;
+  if (dropped.components > 0)
+    lines.push_back(counted(dropped.components, "component") + " dropped: " + counted(dropped.triangles, "triangle") +
+                    " of area " + rounded(dropped.area, 6) + ", and " + counted(dropped.points, "point") +
+                    " in no other");
+  if (facts.crowded_edges > 0)
+    lines.push_back(counted(facts.crowded_edges, "edge") +
+                    " with more than two triangles, which readers find not manifold; --manifold splits their vertices");
   return lines;
 }
 
@@ -116,8 +155,18 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
   for (const UnusedPoint& point : facts.unused)
     report["unused_points"].push_back(
         {{"point", point.index}, {"cause", unused_names[static_cast<std::size_t>(point.cause)]}});
+  report["component_list"] = Json::array();
+  for (const SurfaceComponent& component : facts.components) {
+    const Point3 &low = component.low, &high = component.high;
+    report["component_list"].push_back({{"triangles", component.triangles},
+                                        {"boundary_curves", component.boundary_curves},
+                                        {"area", component.area},
+                                        {"volume", component.is_closed() ? Json(component.volume) : Json(nullptr)},
+                                        {"box", {{low.x, low.y, low.z}, {high.x, high.y, high.z}}}});
+  }
   report["holes"] = Json::array();
-  for (const Hole& hole : facts.holes) {
+  for (std::size_t i = 0; i < facts.holes.size(); ++i) {
+    const Hole& hole = facts.holes[i];
     stop_if_interrupted();
     Json edges = Json::array();
     for (const RimEdge& edge : hole.edges)
@@ -127,7 +176,10 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
                        {"cause", rim_names[static_cast<std::size_t>(edge.cause)]},
                        {"next", edge.next},
                        {"at", corners_of(edge)}});
-    report["holes"].push_back({{"length", hole.length}, {"points", hole.edges.size()}, {"edges", edges}});
+    report["holes"].push_back({{"kind", kind_names[static_cast<std::size_t>(facts.kinds[i])]},
+                               {"length", hole.length},
+                               {"points", hole.edges.size()},
+                               {"edges", edges}});
   }
   file.write(report.dump(1) + "\n");
 }

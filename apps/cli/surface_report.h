@@ -1,17 +1,30 @@
 // What: what `rbpa surface` says about a surface: as text, as JSON, and as statistics.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "io/bytes/output_file.h"
+#include "rbpa/curve_kinds.h"
 #include "rbpa/holes.h"
 #include "rbpa/surface.h"
+#include "rbpa/surface_components.h"
 #include "rbpa/unused.h"
 #include "triangulation/surface_counts.h"
 
 namespace rbpa::app {
+
+/// By CurveKind.
+inline constexpr std::array kind_names{"rim", "hole", "island"};
+
+/// What is left out of a surface on request.
+struct DroppedComponents {
+  std::size_t components = 0, triangles = 0;
+  std::size_t points = 0;  ///< that are in no triangle any more
+  double area = 0;
+};
 
 struct SurfaceFacts {
   std::size_t points = 0;
@@ -23,6 +36,11 @@ struct SurfaceFacts {
   SurfaceCounts counts = {};
   std::vector<UnusedPoint> unused = {};
   std::vector<Hole> holes = {};
+  std::vector<CurveKind> kinds = {};  ///< of each hole
+  std::vector<SurfaceComponent> components = {};
+  DroppedComponents dropped = {};
+  bool manifold = false;          ///< vertices of files are fans
+  std::size_t crowded_edges = 0;  ///< of files: that have more than two triangles
   double read_seconds = 0, normals_seconds = 0, build_seconds = 0, write_seconds = 0;
 };
 

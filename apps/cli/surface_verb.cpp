@@ -6,122 +6,26 @@
 #include <utility>
 #include <vector>
 
-#include "cli/arguments.h"
-#include "cli/point_arguments.h"
 #include "cli/progress.h"
 #include "cli/run.h"
+#include "cli/surface_files.h"
 #include "cli/surface_report.h"
+#include "cli/surface_request.h"
 #include "cli/verbs.h"
 #include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
-#include "io/mesh/write_mesh.h"
-#include "picture/surface_picture.h"
 #include "rbpa/auto_radii.h"
 #include "rbpa/base/error.h"
+#include "rbpa/curve_kinds.h"
 #include "rbpa/estimate_normals.h"
+#include "rbpa/outer_shells.h"
+#include "rbpa/split_fans.h"
+#include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
 
 namespace rbpa::app {
 namespace {
-
-enum class NormalSource { file, estimate, none };
-
-/// What the command line asks for.
-struct SurfaceRequest {
-  std::string path;
-  Format format;
-  CloudRequest choice;
-  std::vector<double> radii;            ///< empty: auto
-  std::optional<NormalSource> normals;  ///< absent: of the file if it has any, else estimated
-  std::vector<Target> targets;
-  int width;
-  RunOptions run;
-};
-
-std::vector<double> parse_radii(const std::string& text) {
-  if (text == "auto") return {};
-  std::vector<double> radii;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const ParsedNumber number = parse_whole_number(part);
-    if (number.fault != NumberFault::none || !(number.value > 0))
-      throw WrongUsage("--radius: found " + in_quotes(part) +
-                       ", expected a radius: a number above 0, several with commas between them, or auto");
-    if (!radii.empty() && number.value <= radii.back())
-      throw WrongUsage("--radius: found " + in_quotes(part) + " behind " + text_of(radii.back()) +
-                       ", expected ascending radii");
-    radii.push_back(number.value);
-    begin = end + 1;
-  }
-  return radii;
-}
-
-std::optional<NormalSource> parse_normals(const std::optional<std::string>& text) {
-  if (!text) return std::nullopt;
-  if (*text == "file") return NormalSource::file;
-  if (*text == "estimate") return NormalSource::estimate;
-  if (*text == "none") return NormalSource::none;
-  throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
-}
-
-SurfaceRequest parse(const SurfaceArguments& arguments) {
-  SurfaceRequest request{
-      .path = arguments.points,
-      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS", Format::text),
-      .choice = {},
-      .radii = parse_radii(arguments.radius),
-      .normals = parse_normals(arguments.normals),
-      .targets = {},
-      .width = parse_width(arguments.width),
-      .run = parse_run(arguments.run)};
-  const bool text = request.format == Format::text;
-  if (arguments.columns) {
-    require_format(text, "--columns", "with fixed columns", "text");
-    request.choice.columns = parse_space_columns(*arguments.columns);
-  }
-  if (arguments.skip_invalid)
-    require_format(text || request.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
-  request.choice.skip_invalid = arguments.skip_invalid;
-  if (arguments.where) {
-    const std::optional<FieldNames> names = fields_of(request.format);
-    require_format(names.has_value(), "--where", "without fields beside the points", "las, pcd, ply or text");
-    request.choice.where = Condition(*arguments.where, *names);
-  }
-  if (request.normals == NormalSource::none && request.radii.size() > 1)
-    throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +
-                     " with --normals none, expected one radius");
-  if (arguments.holes) {
-    if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
-      throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
-    if (request.normals == NormalSource::none)
-      throw WrongUsage("--holes: found --normals none, of which the triangles have no boundary");
-  }
-  std::vector<std::string> reports = given({arguments.stats, arguments.holes});
-  if (arguments.json) reports.emplace_back("-");
-  request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
-  return request;
-}
-
-/// Vertices that no triangle uses left out.
-void write_compact(OutputFile& file, Format format, const SpaceMesh& whole) {
-  std::vector<std::uint32_t> place(whole.vertices.size(), 0);
-  for (const auto& triangle : whole.triangles)
-    for (const std::uint32_t corner : triangle) place[corner] = 1;
-  SpacePoints kept;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    if (place[i] == 0) continue;
-    place[i] = static_cast<std::uint32_t>(kept.points.size());
-    kept.points.push_back(whole.vertices[i]);
-    if (!whole.normals.empty()) kept.normals.push_back(whole.normals[i]);
-    if (!whole.colors.empty()) kept.colors.push_back(whole.colors[i]);
-  }
-  std::vector<std::array<std::uint32_t, 3>> triangles(whole.triangles.begin(), whole.triangles.end());
-  for (auto& triangle : triangles)
-    for (std::uint32_t& corner : triangle) corner = place[corner];
-  write_surface(file, format, {kept.points, triangles, kept.normals, kept.colors});
-}
 
 class SurfaceRun : public Run {
  public:
@@ -138,9 +42,10 @@ class SurfaceRun : public Run {
   void take_normals();
   void build();
   void explain();
+  void choose_components();
+  void drop(const std::vector<bool>& kept);
   void write();
-  void write_target(OutputFile& file, const Target& target);
-  void write_holes(OutputFile& file) const;
+  SurfaceFiles files() const;
   void say_empty() const;
   std::string summary() const;
 
@@ -151,7 +56,9 @@ class SurfaceRun : public Run {
   std::vector<Point3> estimated_;
   std::vector<double> radii_;  ///< by which the surface is made
   Surface surface_;
-  std::vector<std::array<std::uint32_t, 3>> ordered_;  ///< triangles as mesh files have them
+  SurfaceComponents components_;  ///< of the surface, with those that are dropped at first
+  SplitFans fans_;
+  std::vector<std::uint32_t> order_;  ///< in which mesh files have the triangles; empty: in that of the surface
   SurfaceFacts facts_;
 
   std::span<const Point3> normals() const {
@@ -177,10 +84,19 @@ void SurfaceRun::take_normals() {
     bad_input(input(), "no normals", "some, or --normals estimate or none");
   constexpr std::array names{"file", "estimate", "none"};
   facts_.normals = names[static_cast<std::size_t>(source_)];
-  if (source_ != NormalSource::estimate) return;
-  estimated_ = step("estimating normals", [&](const SurfaceOptions& how) {
-    return estimate_normals(file_.points, {.threads = how.threads, .progress = how.progress});
-  });
+  if (source_ == NormalSource::estimate) {
+    estimated_ = step("estimating normals", [&](const SurfaceOptions& how) {
+      return estimate_normals(file_.points, {.neighbors = request_.neighbors,
+                                             .viewpoints = request_.viewpoints,
+                                             .threads = how.threads,
+                                             .progress = how.progress});
+    });
+  } else if (source_ == NormalSource::file && !request_.viewpoints.empty()) {
+    turn_toward(file_.points, request_.viewpoints, file_.normals);
+  }
+  if (!arguments_.flip) return;
+  for (Point3& n : source_ == NormalSource::estimate ? estimated_ : file_.normals)
+    n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};
 }
 
 void SurfaceRun::build() {
@@ -198,57 +114,97 @@ void SurfaceRun::build() {
                                          : surface(file_.points, normals(), radii_, how);
   });
   facts_.distinct = surface_.distinct;
-  facts_.counts = count(surface_);
 }
 
 void SurfaceRun::explain() {
   facts_.unused = step("looking at unused points", [&](const SurfaceOptions& how) {
     return unused_points(file_.points, normals(), radii_, surface_, how);
   });
-  if (source_ == NormalSource::none || facts_.counts.boundary_curves == 0) return;
+  components_ = surface_components(file_.points, surface_);
+  const auto is_closed = [](const SurfaceComponent& component) { return component.is_closed(); };
+  if (std::all_of(components_.all.begin(), components_.all.end(), is_closed)) return;
   facts_.holes = step("looking at holes",
                       [&](const SurfaceOptions& how) { return holes(file_.points, normals(), radii_, surface_, how); });
 }
 
-void SurfaceRun::write_target(OutputFile& file, const Target& target) {
-  if (target.format == Format::png) {
-    std::vector<std::array<std::uint32_t, 2>> rims;
-    for (const Hole& hole : facts_.holes)
-      for (const RimEdge& edge : hole.edges) rims.push_back({edge.from, edge.to});
-    std::vector<std::uint32_t> unused;
-    for (const UnusedPoint& point : facts_.unused) unused.push_back(point.index);
-    return write_surface_png(file, {file_.points, surface_.triangles, rims, unused, file_.colors}, request_.width);
+void SurfaceRun::choose_components() {
+  if (arguments_.manifold) {
+    surface_ = indexable_surface(surface_);
+    components_ = surface_components(file_.points, surface_);
   }
-  // An .npy file has the canonical order whatever other files have.
-  if (target.format == Format::npy)
-    return write_surface(file, target.format, {file_.points, surface_.triangles, {}, {}});
-  if (ordered_.empty())
-    ordered_ = source_ == NormalSource::none ? by_shells(file_.points, surface_) : surface_.triangles;
-  const SpaceMesh whole{file_.points, ordered_, normals().empty() ? file_.normals : normals(), file_.colors};
-  arguments_.compact ? write_compact(file, target.format, whole) : write_surface(file, target.format, whole);
+  facts_.kinds = curve_kinds(file_.points, components_, facts_.holes);
+  if (!request_.components.keeps_all()) {
+    std::vector<bool> outer;
+    if (request_.components.shell != ShellChoice::all)
+      outer = outer_shells(file_.points, radii_.back(), surface_, components_);
+    const std::vector<bool> kept = kept_components(components_, outer, request_.components);
+    if (std::count(kept.begin(), kept.end(), false) > 0) drop(kept);
+  }
+  fans_ = split_fans(surface_);
+  facts_.counts = count(fans_, components_);
+  facts_.manifold = arguments_.manifold;
+  facts_.crowded_edges = crowded_edges(arguments_.manifold ? fans_.triangles : surface_.triangles);
+  if (source_ == NormalSource::none) order_ = by_shells(components_);
+  facts_.components = std::move(components_.all);
 }
 
-void SurfaceRun::write_holes(OutputFile& file) const {
-  std::vector<std::array<double, 3>> positions;
-  positions.reserve(file_.points.size());
-  for (const Point3& p : file_.points) positions.push_back({p.x, p.y, p.z});
-  std::vector<Polyline> loops;
-  for (const Hole& hole : facts_.holes) {
-    Polyline& loop = loops.emplace_back();
-    for (const RimEdge& edge : hole.edges) loop.push_back(edge.from);
+/// Of the surface, its holes and what is known about both.
+void SurfaceRun::drop(const std::vector<bool>& kept) {
+  for (std::size_t c = 0; c < kept.size(); ++c) {
+    if (kept[c]) continue;
+    ++facts_.dropped.components;
+    facts_.dropped.triangles += components_.all[c].triangles;
+    facts_.dropped.area += components_.all[c].area;
   }
-  write_polylines(file, Format::obj, positions, loops);
+  std::vector<std::uint32_t> number;  // of each triangle that is kept; of others, the next one's
+  std::uint32_t next = 0;
+  std::vector<char> use(file_.points.size(), 0);  // 1: by what is dropped, 2: by what is kept
+  for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+    number.push_back(next);
+    const bool is_kept = kept[components_.number[t]];
+    next += is_kept;
+    for (const std::uint32_t corner : surface_.triangles[t]) use[corner] = std::max<char>(use[corner], is_kept ? 2 : 1);
+  }
+  facts_.dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
+  std::vector<Hole> holes;
+  std::vector<CurveKind> kinds;
+  for (std::size_t i = 0; i < facts_.holes.size(); ++i) {
+    Hole& hole = facts_.holes[i];
+    if (!kept[components_.number[hole.edges.front().triangle]]) continue;
+    for (RimEdge& edge : hole.edges) edge.triangle = number[edge.triangle];
+    holes.push_back(std::move(hole));
+    kinds.push_back(facts_.kinds[i]);
+  }
+  facts_.holes = std::move(holes);
+  facts_.kinds = std::move(kinds);
+  surface_ = keep_components(surface_, components_, kept);
+  components_ = surface_components(file_.points, surface_);
+}
+
+SurfaceFiles SurfaceRun::files() const {
+  return {.points = file_.points,
+          .normals = normals().empty() ? file_.normals : normals(),
+          .colors = file_.colors,
+          .surface = surface_,
+          .fans = fans_,
+          .order = order_,
+          .facts = facts_,
+          .compact = arguments_.compact};
 }
 
 void SurfaceRun::write() {
   const ProgressLine line = writing();
-  add(request_.targets, [&](OutputFile& file, const Target& target) { write_target(file, target); });
-  if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& file) { write_holes(file); });
+  const SurfaceFiles all = files();
+  add(request_.targets,
+      [&](OutputFile& file, const Target& target) { all.write(file, target.format, request_.width); });
+  if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& file) { all.write_curves(file); });
 }
 
 void SurfaceRun::say_empty() const {
   std::string why = "fewer than three distinct points";
-  if (facts_.distinct >= 3) {
+  if (facts_.dropped.components > 0) {
+    why = counted(facts_.dropped.components, "component") + " dropped, and none kept";
+  } else if (facts_.distinct >= 3) {
     const std::optional<double> radius = step("looking for a radius", [&](const SurfaceOptions& how) {
       return radius_with_triangles(file_.points, normals(), how);
     });
@@ -285,6 +241,7 @@ void SurfaceRun::run() {
   facts_.normals_seconds = lap();
   build();
   explain();
+  choose_components();
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
 

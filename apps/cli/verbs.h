@@ -86,9 +86,16 @@ struct SurfaceArguments : OutputArguments {
   bool skip_invalid = false;
   std::string radius;
   std::optional<std::string> normals;
+  std::optional<std::string> neighbors;
+  std::optional<std::string> viewpoint;
+  bool flip = false;
   std::optional<std::string> holes;
+  std::optional<std::string> shell;
+  std::optional<std::string> keep_largest;
+  std::optional<std::string> drop_small;
   std::string width = "1200";
   bool compact = false;
+  bool manifold = false;
   bool json = false;
   RunArguments run;
 };

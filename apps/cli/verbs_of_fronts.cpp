@@ -76,10 +76,33 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "file, estimate, or none (both sides of everything the ball can touch); by default those of the "
                   "file where it has any, else estimate")
       ->type_name("NAME");
+  verb.add_option("--neighbors", arguments.neighbors,
+                  "Estimate normals, from planes through each point and so many others, the nearest (16 by default)")
+      ->type_name("K");
+  verb.add_option("--viewpoint", arguments.viewpoint,
+                  "Where the points were seen from: normals are turned toward it, those of the file too")
+      ->type_name("X,Y,Z");
+  add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after all else");
   add_output_options(verb, arguments, surface_formats);
   add_switch(verb, "--compact", arguments.compact,
              "Leave out vertices that no triangle uses (.npy keeps input indices)");
-  verb.add_option("--holes", arguments.holes, "Write the boundary curves as polylines, .obj")->type_name("FILE");
+  add_switch(
+      verb, "--manifold", arguments.manifold,
+      "Where sheets of the surface touch, a vertex for each, so that a reader finds edges of one or two triangles; "
+      ".ply has the input index of each vertex as 'point'. Leaves out unused vertices too (.npy keeps input "
+      "indices)");
+  verb.add_option("--keep-largest", arguments.keep_largest, "Keep only so many components, those of the largest area")
+      ->type_name("K");
+  verb.add_option("--drop-small", arguments.drop_small,
+                  "Drop components of fewer than N triangles, or of an area below A, in squared units of the points")
+      ->type_name("N|area=A");
+  verb.add_option("--shell", arguments.shell,
+                  "With --normals none: all shells (by default), outer: those that the ball touches from outside, or "
+                  "largest: of these the one of the largest area")
+      ->type_name("all|outer|largest");
+  verb.add_option("--holes", arguments.holes,
+                  "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
+      ->type_name("FILE");
   add_switch(verb, "--json", arguments.json, "Everything, with each hole and its causes, as JSON on standard output");
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
@@ -88,6 +111,8 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "Examples:\n"
       "  rbpa surface scan.ply --radius 0.01 -o mesh.ply -o picture.png\n"
       "  rbpa surface scan.xyz --radius auto -o mesh.obj --holes holes.obj\n"
+      "  rbpa surface scan.ply --radius auto --drop-small 100 --manifold -o mesh.ply\n"
+      "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
       "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"
       "points are unused, is said.\n" +

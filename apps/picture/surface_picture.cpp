@@ -17,6 +17,8 @@ using Place = std::array<double, 3>;
 
 constexpr Colour front_colour{0xA9, 0xCD, 0xE6};
 constexpr Colour back_colour{0xC9, 0xC2, 0xB8};
+constexpr Colour rim_colour{0xE6, 0x9F, 0x00};
+constexpr Colour island_colour{0xCC, 0x79, 0xA7};
 
 /// Samples with a depth; the nearest to the viewer stays.
 class DepthCanvas {
@@ -154,10 +156,15 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
     go_on();
     canvas.disc(view.at[i], radius, boundary_colour);
   }
-  for (const auto& edge : picture.boundary) {
-    go_on();
-    canvas.line(raised(edge[0]), raised(edge[1]), radius, isolated_colour);
-  }
+  const auto draw = [&](std::span<const std::array<std::uint32_t, 2>> sides, const Colour& colour) {
+    for (const auto& [from, to] : sides) {
+      go_on();
+      canvas.line(raised(from), raised(to), radius, colour);
+    }
+  };
+  draw(picture.rims, rim_colour);
+  draw(picture.islands, island_colour);
+  draw(picture.holes, isolated_colour);
   write_png(file, view.width, view.height, canvas.pixels(side));
 }
 

@@ -1,4 +1,4 @@
-// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, its boundary in colour,
+// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, its boundary in colours,
 //       points in no triangle as dots.
 // Law:  the same triangles give the same pixels, in any order but for triangles at the same depth.
 // Cost: the pixels that the triangles cover, four samples each (one in pictures wider than 4096).
@@ -16,7 +16,7 @@ namespace rbpa::app {
 struct SurfacePicture {
   std::span<const Point3> points;
   std::span<const std::array<std::uint32_t, 3>> triangles;
-  std::span<const std::array<std::uint32_t, 2>> boundary;  ///< sides
+  std::span<const std::array<std::uint32_t, 2>> rims, holes, islands;  ///< boundary sides
   std::span<const std::uint32_t> unused;
   std::span<const std::array<std::uint8_t, 3>>
       colors;  ///< red, green, blue of each point, or none: for triangles from the front

@@ -15,8 +15,11 @@
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/auto_radii.h"
+#include "rbpa/curve_kinds.h"
 #include "rbpa/estimate_normals.h"
 #include "rbpa/holes.h"
+#include "rbpa/outer_shells.h"
+#include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
 #include "rbpa/surface_mesh.h"
 #include "rbpa/unused.h"
@@ -55,10 +58,13 @@ struct Input {
   }
 };
 
-Doubles estimated(const Doubles& points, std::size_t neighbors, unsigned threads, const py::object& progress) {
+Doubles estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints, unsigned threads,
+                  const py::object& progress) {
   const auto input = points3_of(points, "points");
+  const auto from = viewpoints ? points3_of(*viewpoints, "viewpoint") : std::span<const Point3>();
   return rows<double>(watched(input.size(), progress, [&](Watch& watch) {
-    return estimate_normals(input, {.neighbors = neighbors, .threads = threads, .progress = watch.progress()});
+    return estimate_normals(
+        input, {.neighbors = neighbors, .viewpoints = from, .threads = threads, .progress = watch.progress()});
   }));
 }
 
@@ -133,10 +139,14 @@ py::dict holes_of(const Doubles& points, const Doubles& normals, const Doubles& 
   const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
   std::vector<std::int64_t> begin = {0};
   std::vector<double> lengths;
+  std::vector<std::uint8_t> kinds;
   std::vector<RimEdge> all;
   watched(input.points.size(), py::none(), [&](Watch& watch) {
-    for (const Hole& hole :
-         holes(input.points, input.normals, input.radii, made, {.threads = threads, .progress = watch.progress()})) {
+    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
+    const std::vector<Hole> found = holes(input.points, input.normals, input.radii, made, options);
+    for (const CurveKind kind : curve_kinds(input.points, surface_components(input.points, made), found))
+      kinds.push_back(static_cast<std::uint8_t>(kind));
+    for (const Hole& hole : found) {
       all.insert(all.end(), hole.edges.begin(), hole.edges.end());
       begin.push_back(static_cast<std::int64_t>(all.size()));
       lengths.push_back(hole.length);
@@ -165,6 +175,7 @@ py::dict holes_of(const Doubles& points, const Doubles& normals, const Doubles& 
   column("sides", &RimEdge::sides, 3, bool{});
   result["begin"] = line<std::int64_t>(std::move(begin));
   result["length"] = line<double>(std::move(lengths));
+  result["kind"] = line<std::uint8_t>(std::move(kinds));
   return result;
 }
 
@@ -187,16 +198,52 @@ std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles&
   return {line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes))};
 }
 
+Surface linked(const Indices& triangles, const Indices& neighbors) {
+  const auto corners = triples_of(triangles, "triangles"), others = triples_of(neighbors, "neighbors");
+  Surface surface;
+  surface.triangles.assign(corners.begin(), corners.end());
+  surface.neighbors.assign(others.begin(), others.end());
+  return surface;
+}
+
+/// The number of its component for each triangle, and a row of numbers for each component.
+py::dict components_of(const Doubles& points, const Indices& triangles, const Indices& neighbors) {
+  const auto input = points3_of(points, "points");
+  SurfaceComponents found = watched(triangles.size() / 3, py::none(),
+                                    [&](Watch&) { return surface_components(input, linked(triangles, neighbors)); });
+  std::vector<double> areas, volumes;
+  std::vector<std::int64_t> curves;
+  std::vector<std::array<Point3, 2>> boxes;
+  for (const SurfaceComponent& component : found.all) {
+    areas.push_back(component.area);
+    volumes.push_back(component.volume);
+    curves.push_back(static_cast<std::int64_t>(component.boundary_curves));
+    boxes.push_back({component.low, component.high});
+  }
+  py::dict result;
+  result["number"] = line<std::int32_t>(std::move(found.number));
+  result["area"] = line<double>(std::move(areas));
+  result["volume"] = line<double>(std::move(volumes));
+  result["boundary_curves"] = line<std::int64_t>(std::move(curves));
+  result["box"] = rows<double>(std::move(boxes));
+  return result;
+}
+
+/// Of each component, whether it is an outer shell.
+std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& triangles, const Indices& neighbors) {
+  const auto input = points3_of(points, "points");
+  return watched(triangles.size() / 3, py::none(), [&](Watch&) {
+    const Surface shells = linked(triangles, neighbors);
+    return outer_shells(input, radius, shells, surface_components(input, shells));
+  });
+}
+
 /// Fills an empty mesh: face i is triangle i, glued where the surface is.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
-  const auto corners = triples_of(triangles, "triangles"), others = triples_of(neighbors, "neighbors");
   mesh.changed();
-  mesh.built_on = watched(corners.size(), py::none(), [&](Watch&) {
-    Surface surface;
-    surface.triangles.assign(corners.begin(), corners.end());
-    surface.neighbors.assign(others.begin(), others.end());
-    SurfaceMesh made = surface_mesh(input, std::move(surface));
+  mesh.built_on = watched(triangles.size() / 3, py::none(), [&](Watch&) {
+    SurfaceMesh made = surface_mesh(input, linked(triangles, neighbors));
     mesh.kernel().take_links(made.mesh);
     return std::move(made.input_index);
   });
@@ -206,14 +253,18 @@ void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const 
 
 void bind_surface(py::module_& module) {
   using py::arg;
-  module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"), arg("threads"),
-             arg("progress"));
+  module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"),
+             arg("viewpoints").noconvert(), arg("threads"), arg("progress"));
   module.def("auto_radii", &chosen_radii, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("surface", &surface_of, arg("points").noconvert(), arg("normals").noconvert(), arg("radii").noconvert(),
              arg("threads"), arg("progress"));
   module.def("surface_holes", &holes_of, arg("points").noconvert(), arg("normals").noconvert(),
              arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
              arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
+  module.def("surface_components", &components_of, arg("points").noconvert(), arg("triangles").noconvert(),
+             arg("neighbors").noconvert());
+  module.def("outer_shells", &outer_of, arg("points").noconvert(), arg("radius"), arg("triangles").noconvert(),
+             arg("neighbors").noconvert());
   module.def("surface_mesh", &mesh_of, arg("mesh"), arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert());
   module.def("surface_unused", &unused_of, arg("points").noconvert(), arg("normals").noconvert(),

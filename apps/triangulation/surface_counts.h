@@ -1,6 +1,6 @@
-// What: the topology of a surface of points in space, from its arrays, and its shells.
+// What: the topology of a surface of points in space, from its arrays, and the order of its shells.
 // Law:  a function of the triangles and how they are glued; every fan of triangles at a point counts as a vertex.
-// Cost: linear, and a sort of the components.
+// Cost: linear, and a sort of the triangles by shells.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/base/point3.h"
-#include "rbpa/surface.h"
+#include "rbpa/split_fans.h"
+#include "rbpa/surface_components.h"
 
 namespace rbpa::app {
 
@@ -24,10 +24,13 @@ struct SurfaceCounts {
   std::size_t genus = 0;  ///< of all components
 };
 
-SurfaceCounts count(const Surface& surface);
+SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components);
 
-/// The triangles by components that are glued: the one with the largest box first, of equal boxes the one that encloses
-/// more; triangles within a component, and components without such a difference, in the order of the surface.
-std::vector<std::array<std::uint32_t, 3>> by_shells(std::span<const Point3> points, const Surface& surface);
+/// The edges that more than two triangles have: pairs of corners, whatever is glued there.
+std::size_t crowded_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// The numbers of the triangles by components: the one with the largest box first, of equal boxes the one that encloses more;
+/// triangles within a component, and components without such a difference, in the order of the surface.
+std::vector<std::uint32_t> by_shells(const SurfaceComponents& components);
 
 }  // namespace rbpa::app

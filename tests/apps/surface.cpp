@@ -105,8 +105,10 @@ TEST_SUITE("surface") {
     CHECK(report["boundary_curves"] == 1);
     CHECK(hole["edges"][0]["cause"] == "nothing_within_reach");
     CHECK(outcome.err.find("rbpa: hole of length ") != std::string::npos);
+    CHECK(hole["kind"] == "hole");
+    CHECK(report["curves"] == json::parse(R"({"rim": 0, "hole": 1, "island": 0})"));
     const std::string lines = folder.content("h.obj");
-    std::string loop = "\nl";
+    std::string loop = "\ng hole\nl";
     for (const json& edge : hole["edges"]) loop += " " + std::to_string(edge["from"].get<int>() + 1);
     loop += " " + std::to_string(hole["edges"][0]["from"].get<int>() + 1) + "\n";
     CHECK(lines.ends_with(loop));
@@ -125,8 +127,8 @@ TEST_SUITE("surface") {
         CHECK(stats[key] == value);
         ++shared;
       }
-    CHECK(shared == 12);
-    CHECK(report.size() == shared + 2);
+    CHECK(shared == 18);
+    CHECK(report.size() == shared + 3);
     CHECK(report["unused"] == 2);
     const int last = report["points"].get<int>() - 1;
     CHECK(report["unused_points"] ==

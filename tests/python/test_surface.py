@@ -175,6 +175,57 @@ def test_order_threads_and_kind_of_array_change_nothing():
     assert np.array_equal(rbpa.surface(single, radius=0.2).triangles, rbpa.surface(single.astype(float), radius=0.2).triangles)
 
 
+def test_components_are_measured_and_chosen():
+    far = np.array([[5.0, 0, 0], [5.1, 0, 0], [5, 0.1, 0]])
+    made = rbpa.surface(np.concatenate((CAP, far)), np.concatenate((CAP, [[0.0, 0, 1]] * 3)), 0.3)
+    cap, stray = made.components
+    assert len(cap.triangles) + len(stray.triangles) == len(made.triangles)
+    assert stray.area == pytest.approx(0.005) and stray.volume is None and stray.boundary_curves == 1
+    assert stray.box.tolist() == [[5, 0, 0], [5.1, 0.1, 0]]
+    corners = made.points[made.triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    assert made.area == pytest.approx(areas.sum()) and cap.area == pytest.approx(areas[cap.triangles].sum())
+    assert made.volume is None
+    assert [hole.kind for hole in made.holes].count("island") == 1
+    for part in (made.keep_largest(), made.drop_small(triangles=2), made.drop_small(area=0.01), made.keep([True, False])):
+        assert np.array_equal(part.triangles, made.triangles[np.sort(cap.triangles)])
+        assert len(part.components) == 1 and part.components[0].area == cap.area
+        assert [hole.edges.tolist() for hole in part.holes] == [h.edges.tolist() for h in made.holes if h.kind != "island"]
+        for hole in part.holes:
+            for (start, end), t in zip(hole.edges.tolist(), hole.triangles.tolist()):
+                assert {start, end} <= set(part.triangles[t].tolist())
+        assert np.array_equal(part.unused, made.unused)
+        assert part.mesh().report().components == 1
+        again = pickle.loads(pickle.dumps(part))
+        assert len(again.holes) == len(part.holes)
+    assert len(made.keep([False, False]).triangles) == 0
+    assert len(made.keep_largest(2).keep_largest().holes) == len(made.keep_largest().holes)
+    with pytest.raises(rbpa.InvalidInput, match="expected one for each of 2"):
+        made.keep([True])
+
+
+def test_outer_shells_are_what_the_ball_touches_from_outside():
+    shells = rbpa.surface(BALL, "none", 0.4)
+    outer = shells.outer_shells()
+    assert len(shells.components) == 2 and shells.volume == pytest.approx(0, abs=1e-6)
+    assert outer.volume == pytest.approx(4 * np.pi / 3, rel=0.1) and len(outer.boundary) == 0
+    assert np.array_equal(outer.triangles, rbpa.surface(BALL, BALL, 0.4).triangles)
+    with pytest.raises(rbpa.InvalidInput, match="normals='none'"):
+        rbpa.surface(BALL, BALL, 0.4).outer_shells()
+    with pytest.raises(rbpa.InvalidInput, match="outer shells first"):
+        outer.outer_shells()
+
+
+def test_normals_are_turned_toward_a_viewpoint():
+    inward = rbpa.estimate_normals(BALL, viewpoint=[0, 0, 0])
+    assert (np.einsum("ij,ij->i", inward, BALL) < 0).all()
+    assert np.array_equal(rbpa.estimate_normals(BALL, viewpoint=3 * BALL), -inward)
+    with pytest.raises(rbpa.InvalidInput, match="2 viewpoints"):
+        rbpa.estimate_normals(BALL, viewpoint=[[0, 0, 0], [1, 1, 1]])
+    with pytest.raises(rbpa.InvalidInput, match="viewpoint"):
+        rbpa.estimate_normals(BALL, viewpoint=[0, 0])
+
+
 def test_surfaces_can_be_pickled():
     made = rbpa.surface(CAP, CAP, [0.2, 0.3])
     holes, unused = made.holes, made.unused

@@ -46,6 +46,7 @@ struct SurfacePolygons {
     std::string lines;
     if (!mesh.normals.empty()) lines += "property double nx\nproperty double ny\nproperty double nz\n";
     if (!mesh.colors.empty()) lines += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    if (!mesh.points.empty()) lines += "property uint point\n";
     return lines;
   }
   void write_properties(OutputFile& file, std::size_t i) const {
@@ -54,6 +55,7 @@ struct SurfacePolygons {
       file.write_binary(std::span<const double>(normal));
     }
     if (!mesh.colors.empty()) file.write_binary(std::span<const std::uint8_t>(mesh.colors[i]));
+    if (!mesh.points.empty()) file.write_binary(mesh.points.subspan(i, 1));
   }
 };
 
@@ -106,9 +108,15 @@ void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {
 namespace {
 
 void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
-                     std::span<const Polyline> loops) {
+                     std::span<const Polyline> loops, std::span<const std::string_view> groups) {
   for (const std::array<double, 3>& p : positions) write_obj_vertex(file, p);
-  for (Polyline loop : loops) {
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!groups.empty() && (i == 0 || groups[i] != groups[i - 1])) {
+      file.write("g ");
+      file.write(groups[i]);
+      file.write("\n");
+    }
+    Polyline loop = loops[i];
     loop.push_back(loop.front());
     file.write("l");
     write_corners(file, loop, 1);
@@ -134,8 +142,8 @@ void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> p
 }  // namespace
 
 void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
-                     std::span<const Polyline> loops) {
-  format == Format::obj ? write_obj_lines(file, positions, loops) : write_json_lines(file, positions, loops);
+                     std::span<const Polyline> loops, std::span<const std::string_view> groups) {
+  format == Format::obj ? write_obj_lines(file, positions, loops, groups) : write_json_lines(file, positions, loops);
 }
 
 }  // namespace rbpa::app

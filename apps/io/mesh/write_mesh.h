@@ -23,15 +23,16 @@ constexpr bool can_write_mesh(Format format) { return format != Format::stl; }
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup);
 
-/// Normals and colours: none, or one of each vertex.
+/// Normals, colours and points: none, or one of each vertex.
 struct SpaceMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 3>> triangles;
   std::span<const Point3> normals = {};
   std::span<const std::array<std::uint8_t, 3>> colors = {};
+  std::span<const std::uint32_t> points = {};  ///< input indices
 };
 
-/// OFF, OBJ; PLY (binary little-endian) with normals as double and colours as uchar; STL (binary, single precision); or
+/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar and points as uint `point`; STL (binary, single precision); or
 /// the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is written, when a
 /// coordinate is too large for STL. Requires: not a picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
@@ -39,9 +40,10 @@ void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 /// Points one after the other, each once; the first follows the last.
 using Polyline = std::vector<std::uint32_t>;
 
-/// OBJ: all of `positions` as vertices, each loop as one element 'l', which names its first vertex again at the end.
+/// OBJ: all of `positions` as vertices, each loop as one element 'l', which names its first vertex again at the end; where
+/// loops have `groups`, names, in groups 'g' by these.
 /// JSON: a list of {"vertices": [numbers from 0], "positions": [[x, y, z], …]}.
 void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
-                     std::span<const Polyline> loops);
+                     std::span<const Polyline> loops, std::span<const std::string_view> groups = {});
 
 }  // namespace rbpa::app

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, Optional, Union
@@ -18,6 +19,7 @@ Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
 # By the numbers that the library has for them.
 _RIM_CAUSES = ("nothing within reach", "normals disagree", "blocked")
+_CURVE_KINDS = ("rim", "hole", "island")
 _UNUSED_CAUSES = ("no ball rests", "hidden", "normals disagree", "blocked")
 
 
@@ -25,6 +27,7 @@ def estimate_normals(
     points: npt.ArrayLike,
     neighbors: int = 16,
     *,
+    viewpoint: Optional[npt.ArrayLike] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Floats:
@@ -36,6 +39,8 @@ def estimate_normals(
         Finite coordinates.
     neighbors : int
         A plane is fitted to each point and so many others, the nearest. Fewer follow the noise, more round off edges.
+    viewpoint : array_like of shape (3,) or (n, 3), optional
+        Where all points, or each, were seen from: normals are turned toward it, and no side has to be guessed.
     threads, progress
         As in `surface`; `progress` is called with no triangles.
 
@@ -60,8 +65,9 @@ def estimate_normals(
     >>> rbpa.estimate_normals([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
     array([0., 0., 1.])
     """
+    seen_from = None if viewpoint is None else as_points(np.atleast_2d(np.asarray(viewpoint)), "viewpoint", columns=3)
     return _core.estimate_normals(
-        as_points(points, columns=3), as_count(neighbors, "neighbors", 2), as_threads(threads), progress
+        as_points(points, columns=3), as_count(neighbors, "neighbors", 2), seen_from, as_threads(threads), progress
     )
 
 
@@ -114,7 +120,7 @@ def surface(
     radii = _core.auto_radii(array, workers, progress) if automatic else _as_radii(radius)
     vectors: Optional[Floats]
     if normals is None or (isinstance(normals, str) and normals == "estimate"):
-        vectors = _core.estimate_normals(array, 16, workers, progress)
+        vectors = _core.estimate_normals(array, 16, None, workers, progress)
         freeze(vectors)
     elif isinstance(normals, str):
         if normals != "none":
@@ -152,6 +158,9 @@ class SurfaceHole:
         From point to point along the curve, the surface on the right; each begins where the one before ends.
     length : float
         Of all edges, in the units of the points.
+    kind : str
+        "rim": where a sheet ends; "island": around a component of less than a hundredth of the largest one's area; "hole":
+        any other.
     causes : list of str
         Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back.
         "normals disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would
@@ -166,8 +175,9 @@ class SurfaceHole:
         At which corners of it a normal disagrees; or, if blocked, which are inside.
     """
 
-    def __init__(self, of: dict[str, Any], begin: int, end: int, length: float) -> None:
+    def __init__(self, of: dict[str, Any], begin: int, end: int, length: float, kind: int) -> None:
         part = slice(begin, end)
+        self.kind = _CURVE_KINDS[kind]
         self.edges: Indices = np.column_stack((of["from"][part], of["to"][part]))
         self.length = length
         self.causes = [_RIM_CAUSES[cause] for cause in of["cause"][part]]
@@ -177,9 +187,46 @@ class SurfaceHole:
         self.corners: npt.NDArray[np.bool_] = of["corners"][part]
         freeze(self.edges)
 
+    def _renumbered(self, place: Indices) -> SurfaceHole:
+        """The same, with triangle t at place[t]."""
+        other = copy.copy(self)
+        other.triangles = place[self.triangles]
+        freeze(other.triangles)
+        return other
+
     def __repr__(self) -> str:
         counts = ", ".join(f"{self.causes.count(cause)} {cause}" for cause in _RIM_CAUSES if cause in self.causes)
         return f"<rbpa.SurfaceHole of {len(self.edges)} edges, length {self.length}: {counts}>"
+
+
+class SurfaceComponent:
+    """A piece of a surface that is glued together: one of `Surface.components`. Arrays are read-only.
+
+    Attributes
+    ----------
+    triangles : int32 array of shape (k,)
+        Its triangles, by their numbers in the surface.
+    area : float
+        In squared units of the points.
+    volume : float, or None
+        What it encloses, negative where its triangles face it; None where it is not closed.
+    box : float64 array of shape (2, 3)
+        The least and the greatest coordinates.
+    boundary_curves : int
+        How many there are; 0: it is closed.
+    """
+
+    def __init__(self, triangles: Indices, area: float, volume: float, box: Floats, boundary_curves: int) -> None:
+        self.triangles = triangles
+        self.area = area
+        self.volume: Optional[float] = None if boundary_curves else volume
+        self.box = box
+        self.boundary_curves = boundary_curves
+        freeze(triangles, box)
+
+    def __repr__(self) -> str:
+        end = f"{self.boundary_curves} boundary curves" if self.boundary_curves else f"closed, volume {self.volume}"
+        return f"<rbpa.SurfaceComponent of {len(self.triangles)} triangles, area {self.area}: {end}>"
 
 
 class Surface(Result):
@@ -214,6 +261,8 @@ class Surface(Result):
     levels: Indices
     boundary: Indices
     duplicates: Indices
+    # Of a part: the surface that it is of, and which triangles of that it has.
+    _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
 
     def __init__(self, points: Floats, normals: Optional[Floats], radii: Floats, made: dict[str, Any]) -> None:
         super().__init__({"radii": radii.copy(), **made}, points=points, normals=normals)
@@ -226,14 +275,110 @@ class Surface(Result):
     def holes(self) -> list[SurfaceHole]:
         """The boundary curves, of holes and of the rim of it all, each with the cause of every edge. Computed when first
         asked for."""
+        if self._kept_from is not None:
+            whole, kept = self._kept_from
+            return [hole._renumbered(np.cumsum(kept, dtype=np.int32) - 1) for hole in whole.holes if kept[hole.triangles[0]]]
         if self.normals is None:  # closed
             return []
         of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
         begin = of["begin"].tolist()
-        return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist())]
+        return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist(), of["kind"].tolist())]
+
+    @cached_property
+    def components(self) -> list[SurfaceComponent]:
+        """The pieces that are glued together, the largest area first. Computed at the first access."""
+        self._require_unchanged()
+        of = _core.surface_components(self.points, self.triangles, self.neighbors)
+        order = np.argsort(of["number"], kind="stable").astype(np.int32)
+        parts = np.split(order, np.searchsorted(of["number"][order], np.arange(1, len(of["area"]))))
+        return [
+            SurfaceComponent(part, area, volume, box.reshape(2, 3), curves)
+            for part, area, volume, box, curves in zip(
+                parts, of["area"].tolist(), of["volume"].tolist(), of["box"].copy(), of["boundary_curves"].tolist()
+            )
+        ]
+
+    @property
+    def area(self) -> float:
+        """Of all triangles, in squared units of the points."""
+        return sum(component.area for component in self.components)
+
+    @property
+    def volume(self) -> Optional[float]:
+        """What a closed surface encloses: the sum of its components' volumes. None where it has a boundary."""
+        volumes = [component.volume for component in self.components]
+        return None if None in volumes else sum(volumes)  # type: ignore[arg-type]
+
+    def keep(self, components: Sequence[bool]) -> Surface:
+        """The surface of some of its components.
+
+        Parameters
+        ----------
+        components : sequence of bool
+            For each of `components`, whether it is kept.
+
+        Returns
+        -------
+        Surface
+            Its `holes` are those that are left; its `unused` points are those of this surface.
+
+        Raises
+        ------
+        InvalidInput
+            Not one for each component.
+        """
+        flags = np.asarray(components, dtype=bool)
+        if flags.shape != (len(self.components),):
+            raise InvalidInput(f"components: found {flags.size} flags, expected one for each of {len(self.components)}")
+        kept = np.zeros(len(self.triangles), dtype=bool)
+        for component, flag in zip(self.components, flags):
+            kept[component.triangles] = flag
+        place = np.append(np.cumsum(kept, dtype=np.int32) - 1, np.int32(-1))  # of -1: no neighbour
+        neighbors = place[self.neighbors[kept]]
+        triangles = self.triangles[kept]
+        at, across = np.nonzero(neighbors < 0)
+        boundary = np.column_stack((triangles[at, (across + 1) % 3], triangles[at, (across + 2) % 3]))
+        made = {
+            "triangles": triangles,
+            "neighbors": neighbors,
+            "levels": self.levels[kept],
+            "boundary": boundary,
+            "duplicates": self.duplicates,
+        }
+        part = Surface(self.points, self.normals, self.radii, made)
+        if self._kept_from is not None:
+            whole, before = self._kept_from
+            all_kept = before.copy()
+            all_kept[before] = kept
+            part._kept_from = (whole, all_kept)
+        else:
+            part._kept_from = (self, kept)
+        return part
+
+    def keep_largest(self, count: int = 1) -> Surface:
+        """The surface of so many components, those of the largest area."""
+        largest = as_count(count, "count", 1)
+        return self.keep([i < largest for i in range(len(self.components))])
+
+    def drop_small(self, *, triangles: int = 0, area: float = 0.0) -> Surface:
+        """The surface of the components with at least so many triangles and at least that area."""
+        return self.keep([len(c.triangles) >= triangles and c.area >= area for c in self.components])
+
+    def outer_shells(self) -> Surface:
+        """Of a surface with normals="none" the closed shells that the ball touches from outside everything: of a scan of a
+        closed object its watertight surface, without what is inside."""
+        if self.normals is not None:
+            raise InvalidInput("outer_shells: found a surface with normals, expected one with normals='none'")
+        if self._kept_from is not None:
+            raise InvalidInput("outer_shells: found components of a surface, expected all of it: take its outer shells first")
+        self._require_unchanged()
+        radius = float(_not_empty(self.radii)[0])
+        return self.keep(_core.outer_shells(self.points, radius, self.triangles, self.neighbors))
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
+        if self._kept_from is not None:
+            return self._kept_from[0]._unused
         found = _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
         freeze(*found)
         return found

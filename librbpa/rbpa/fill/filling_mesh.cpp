@@ -1,42 +1,16 @@
 #include "rbpa/filling_mesh.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/topology/build_mesh.h"
+#include "rbpa/base/fans.h"
 
 namespace rbpa {
-namespace {
-
-/// Corner k of triangle t is 3t + k.
-std::uint32_t corner_on(const Filling& filling, std::uint32_t triangle, std::uint32_t point) {
-  const Triangle& corners = filling.triangles[triangle];
-  const auto k = std::find(corners.begin(), corners.end(), point) - corners.begin();
-  return 3 * triangle + static_cast<std::uint32_t>(k);
-}
-
-/// Corners of one fan are a set.
-meshops::DisjointSets fans_of_filling(const Filling& filling) {
-  meshops::DisjointSets fans(3 * filling.triangles.size());
-  for (std::uint32_t t = 0; t < filling.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t other = filling.neighbors[t][k];
-      if (other == TriangleArrays::none || other < t) continue;
-      for (const std::size_t end : {(k + 1) % 3, (k + 2) % 3}) {
-        const std::uint32_t point = filling.triangles[t][end];
-        fans.join(corner_on(filling, t, point), corner_on(filling, other, point));
-      }
-    }
-  return fans;
-}
-
-}  // namespace
-
 FillingMesh filling_mesh(const Filling& filling) {
   require_linked(filling, filling.points.size());
-  meshops::DisjointSets fans = fans_of_filling(filling);
+  meshops::DisjointSets fans = fans_of(filling);
   // Each fan is a point of its own for the builder, so that none is glued to another that runs along the same edge.
   std::vector<std::uint32_t> point(filling.points.size()), own(fans.size());
   std::iota(point.begin(), point.end(), 0U);

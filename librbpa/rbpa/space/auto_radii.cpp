@@ -53,7 +53,13 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
   const std::function<void()> go_on = asking(options.progress, points.size());
   Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
-  Gaps gaps{space::find_nearest<double>(std::move(points), neighbors, threads, go_on), {}, {}};
+  std::vector<Point3> normals(points.size());
+  const auto fits = [&](const space::Neighborhoods& near, std::size_t i) {
+    const space::Plane plane = space::fit_plane<double>(near, i);
+    normals[i] = plane.normal;
+    return plane.is_certain();
+  };
+  Gaps gaps{space::find_nearest<double>(std::move(points), neighbors, threads, go_on, fits), {}, {}};
   const std::size_t count = gaps.near.points.size();
   gaps.gap.assign(count, none);
   gaps.least.assign(count, none);
@@ -66,8 +72,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
       const double reach = around.size() + 1 == count ? farthest : farthest / 2;
-      if (const auto gap = space::gap_around(around, space::fit_plane<double>(gaps.near, i), reach))
-        gaps.gap[i] = std::ldexp(*gap, exponent);
+      if (const auto gap = space::gap_around(around, normals[i], reach)) gaps.gap[i] = std::ldexp(*gap, exponent);
       if (const auto least = space::nearest_circumradius(around)) gaps.least[i] = std::ldexp(*least, exponent);
     }
     if (!go_on) return;

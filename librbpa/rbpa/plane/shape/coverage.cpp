@@ -6,7 +6,7 @@
 
 #include "rbpa/base/steps.h"
 #include "rbpa/base/triangle.h"
-#include "rbpa/plane/shape/components.h"
+#include "rbpa/base/components.h"
 #include "rbpa/plane/shape/nesting.h"
 
 namespace rbpa {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "rbpa/base/point.h"
-#include "rbpa/plane/shape/exact_sum.h"
+#include "rbpa/base/exact/exact_sum.h"
 #include "rbpa/shape.h"
 
 namespace rbpa {

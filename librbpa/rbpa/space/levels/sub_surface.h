@@ -1,5 +1,5 @@
-// What: the part of a surface that the smaller of its radii made.
-// Law:  it is the surface by those radii alone, as a later radius changes no gluing between earlier triangles.
+// What: parts of a surface, such as what the smaller of its radii made.
+// Law:  the latter is the surface by those radii alone, as a later radius changes no gluing between earlier triangles.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,27 @@ namespace rbpa::space {
 
 inline TriangleArrays arrays_of(const Surface& surface) { return {surface.triangles, surface.neighbors}; }
 
-/// The triangles of levels below `level`, glued among each other. Requires: the surface has levels.
-inline Surface sub_surface(std::uint32_t level, const Surface& surface) {
+/// The triangles that are kept, by number, glued among each other.
+template <typename Keep>
+Surface part_of(const Surface& surface, const Keep& keep) {
   Surface part;
   std::vector<std::uint32_t> number(surface.triangles.size(), Surface::none);  // in the part
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if (surface.levels[t] < level) {
-      number[t] = static_cast<std::uint32_t>(part.triangles.size());
-      part.triangles.push_back(surface.triangles[t]);
-      part.neighbors.push_back(surface.neighbors[t]);
-      part.levels.push_back(surface.levels[t]);
-    }
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!keep(t)) continue;
+    number[t] = static_cast<std::uint32_t>(part.triangles.size());
+    part.triangles.push_back(surface.triangles[t]);
+    part.neighbors.push_back(surface.neighbors[t]);
+    if (!surface.levels.empty()) part.levels.push_back(surface.levels[t]);
+  }
   for (auto& neighbors : part.neighbors)
     for (std::uint32_t& other : neighbors)
       if (other != Surface::none) other = number[other];
   return part;
+}
+
+/// The triangles of levels below `level`. Requires: the surface has levels.
+inline Surface sub_surface(std::uint32_t level, const Surface& surface) {
+  return part_of(surface, [&](std::size_t t) { return surface.levels[t] < level; });
 }
 
 }  // namespace rbpa::space

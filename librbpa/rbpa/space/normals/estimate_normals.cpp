@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -43,6 +42,15 @@ Distinct distinct(std::span<const Point3> points) {
   return found;
 }
 
+void check_viewpoints(std::span<const Point3> points, std::span<const Point3> viewpoints) {
+  if (viewpoints.size() != 1 && viewpoints.size() != points.size())
+    throw InvalidInput(std::to_string(viewpoints.size()) + " viewpoints of " + std::to_string(points.size()) +
+                       " points, expected one, or one of each");
+  for (std::size_t i = 0; i < viewpoints.size(); ++i)
+    if (!is_finite(viewpoints[i]))
+      throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
+}
+
 /// Multiplies the points by a power of two so that their squares fit double. Returns: false where there is no such power.
 bool fit_double(std::vector<Point3>& points) {
   double greatest = 0;
@@ -58,19 +66,17 @@ bool fit_double(std::vector<Point3>& points) {
 /// The normals of distinct points, in their order.
 template <typename Real>
 std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& options) {
-  constexpr std::size_t points_at_a_time = 4096;
   const std::function<void()> go_on = asking(options.progress, points.size());
   Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
-  space::Neighborhoods near = space::find_nearest<Real>(std::move(points), options.neighbors, threads, go_on);
-  std::vector<Point3> normals(near.points.size());
-  std::mutex asking_one;
-  for_each_part(threads, normals.size(), points_at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) normals[i] = space::fit_plane<Real>(near, i);
-    if (!go_on) return;
-    const std::lock_guard lock(asking_one);
-    go_on();
-  });
-  space::orient_normals<Real>(near, normals, go_on);
+  std::vector<Point3> normals(points.size());
+  const auto fits = [&](const space::Neighborhoods& near, std::size_t i) {
+    const space::Plane plane = space::fit_plane<Real>(near, i);
+    normals[i] = plane.normal;
+    return plane.is_certain();
+  };
+  const space::Neighborhoods near =
+      space::find_nearest<Real>(std::move(points), options.neighbors, threads, go_on, fits);
+  if (options.viewpoints.empty()) space::orient_normals<Real>(near, normals, go_on);
   std::vector<Point3> by_number(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i) by_number[i] = normals[near.place[i]];
   return by_number;
@@ -78,10 +84,26 @@ std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& 
 
 }  // namespace
 
+void turn_toward(std::span<const Point3> points, std::span<const Point3> viewpoints, std::span<Point3> normals) {
+  if (normals.size() != points.size())
+    throw InvalidInput(std::to_string(normals.size()) + " normals of " + std::to_string(points.size()) +
+                       " points, expected one of each");
+  check_viewpoints(points, viewpoints);
+  using Real = long double;  // products of extreme coordinates do not overflow
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3 &p = points[i], &from = viewpoints[viewpoints.size() == 1 ? 0 : i];
+    Point3& n = normals[i];
+    const Real toward = (Real(from.x) - p.x) * n.x + (Real(from.y) - p.y) * n.y + (Real(from.z) - p.z) * n.z;
+    const double first = n.z != 0 ? n.z : n.y != 0 ? n.y : n.x;
+    if (toward < 0 || (toward == 0 && first < 0)) n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};
+  }
+}
+
 std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options) {
   space::check_points(points);
   if (options.neighbors < 2)
     throw InvalidInput("normals from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
+  if (!options.viewpoints.empty()) check_viewpoints(points, options.viewpoints);
   if (points.empty()) return {};
   Distinct sites = distinct(points);
   const bool fits = fit_double(sites.points);
@@ -90,6 +112,7 @@ std::vector<Point3> estimate_normals(std::span<const Point3> points, const Norma
   std::vector<Point3> result;
   result.reserve(points.size());
   for (const std::uint32_t number : sites.number) result.push_back(normals[number]);
+  if (!options.viewpoints.empty()) turn_toward(points, options.viewpoints, result);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <nanoflann.hpp>
 #include <numeric>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -35,7 +36,7 @@ using Stored = std::conditional_t<std::is_same_v<Real, double>, double, Unaligne
 /// The interface to a point set that nanoflann requires.
 template <typename Real>
 struct Cloud {
-  std::vector<Point3> points;
+  std::vector<Point3>& points;
 
   std::size_t kdtree_get_point_count() const { return points.size(); }
   Stored<Real> kdtree_get_pt(std::size_t i, std::size_t axis) const {
@@ -64,6 +65,8 @@ class Nearest {
     size_ = 0;
   }
   std::uint32_t operator[](std::size_t i) const { return found_[i].point; }
+  Real square(std::size_t i) const { return found_[i].distance; }  ///< of the distance
+  std::size_t size() const { return size_; }
 
   bool full() const { return size_ == found_.size(); }
   /// The tree skips what is at least this far. It must not skip equal distances, and it rounds its bounds: so slightly more.
@@ -108,40 +111,87 @@ std::vector<std::uint32_t> follow_leaves(Cloud<Real>& cloud, Tree<Real>& tree) {
   return place;
 }
 
+template <typename Real>
+Real square_between(const Point3& p, const Point3& q) {
+  const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);
+  return x * x + y * y + z * z;
+}
+
+/// Chooses as many as there is room for: the first two, so that what is connected stays so, then those that are at least so far
+/// from all others chosen as evenly spread points of a disc would be, then half as far, and so on.
+template <typename Real>
+void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& nearest, std::span<std::uint32_t> chosen) {
+  std::vector<bool> is_chosen(nearest.size(), false);
+  std::vector<std::size_t> places;
+  const auto choose = [&](std::size_t k) {
+    is_chosen[k] = true;
+    places.push_back(k);
+  };
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, chosen.size()); ++k) choose(k);
+  constexpr Real spread = 2.56;  // discs whose centres are so far apart leave few gaps and do not fit more often
+  Real least = spread * nearest.square(nearest.size() - 1) / static_cast<Real>(chosen.size());
+  for (; places.size() < chosen.size(); least /= 4)
+    for (std::size_t k = 0; k < nearest.size() && places.size() < chosen.size(); ++k) {
+      if (is_chosen[k]) continue;
+      const Point3& p = points[nearest[k]];
+      const auto is_near = [&](std::size_t j) { return square_between<Real>(p, points[nearest[j]]) < least; };
+      if (std::none_of(places.begin(), places.end(), is_near)) choose(k);
+    }
+  std::sort(places.begin(), places.end());
+  for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k] = nearest[places[k]];
+}
+
 }  // namespace
 
 template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
-                           const std::function<void()>& go_on) {
+                           const std::function<void()>& go_on, const SpansPlane& spans_plane) {
   constexpr std::size_t points_at_a_time = 1024;
-  Cloud<Real> cloud{std::move(points)};
-  Tree<Real> tree(3, cloud);
   Neighborhoods found;
+  found.points = std::move(points);
+  Cloud<Real> cloud{found.points};
+  Tree<Real> tree(3, cloud);
   found.place = follow_leaves(cloud, tree);
-  found.count = std::min(count, cloud.points.size() - 1);
-  if (found.count > 0) {
-    found.nearest.resize(found.count * cloud.points.size());
-    std::mutex asking;
-    for_each_part(threads, cloud.points.size(), points_at_a_time, [&](std::size_t first, std::size_t last) {
-      Nearest<Real> nearest(cloud.points, found.count);
-      for (std::size_t i = first; i < last; ++i) {
-        const Point3& p = cloud.points[i];
-        const std::array<Stored<Real>, 3> at = {p.x, p.y, p.z};
-        nearest.begin(static_cast<std::uint32_t>(i));
-        tree.findNeighbors(nearest, at.data(), {});
-        for (std::size_t k = 0; k < found.count; ++k) found.nearest[i * found.count + k] = nearest[k];
+  const std::size_t others = found.points.size() - 1;
+  found.count = std::min(count, others);
+  found.nearest.resize(found.count * found.points.size());
+  std::mutex asking;
+  for_each_part(threads, found.points.size(), points_at_a_time, [&](std::size_t first, std::size_t last) {
+    const auto find = [&](Nearest<Real>& nearest, std::size_t i) {
+      const Point3& p = found.points[i];
+      const std::array<Stored<Real>, 3> at = {p.x, p.y, p.z};
+      nearest.begin(static_cast<std::uint32_t>(i));
+      tree.findNeighbors(nearest, at.data(), {});
+    };
+    Nearest<Real> nearest(found.points, found.count);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::span around = std::span(found.nearest).subspan(i * found.count, found.count);
+      if (found.count > 0) find(nearest, i);
+      for (std::size_t k = 0; k < found.count; ++k) around[k] = nearest[k];
+      if (!spans_plane) continue;
+      bool spans = spans_plane(found, i);
+      bool is_changed = false;
+      for (std::size_t wider = 8; wider <= 16 && !spans && wider / 2 * found.count < others; wider *= 2) {
+        Nearest<Real> far(found.points, std::min(wider * found.count, others));
+        find(far, i);
+        choose_spread(found.points, far, around);
+        is_changed = true;
+        spans = spans_plane(found, i);
       }
-      if (!go_on) return;
-      const std::lock_guard lock(asking);
-      go_on();
-    });
-  }
-  found.points = std::move(cloud.points);
+      if (spans || !is_changed) continue;
+      for (std::size_t k = 0; k < found.count; ++k) around[k] = nearest[k];
+      spans_plane(found, i);
+    }
+    if (!go_on) return;
+    const std::lock_guard lock(asking);
+    go_on();
+  });
   return found;
 }
 
-template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const std::function<void()>&);
+template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const std::function<void()>&,
+                                            const SpansPlane&);
 template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&,
-                                                 const std::function<void()>&);
+                                                 const std::function<void()>&, const SpansPlane&);
 
 }  // namespace rbpa::space

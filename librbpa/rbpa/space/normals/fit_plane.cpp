@@ -30,10 +30,10 @@ Eigen::Vector3d across(const Eigen::Vector3d& line) {
 }  // namespace
 
 template <typename Real>
-Point3 fit_plane(const Neighborhoods& points, std::size_t i) {
+Plane fit_plane(const Neighborhoods& points, std::size_t i) {
   const Point3& at = points.points[i];
   const auto around = points.around(i);
-  if (around.empty()) return {0, 0, 1};
+  if (around.empty()) return {.normal = {0, 0, 1}, .roundness = 0};
   // Scaled by a power of two, so that squares are about 1 however near the points are. The last is the farthest.
   const int exponent =
       std::ilogb(difference<Real>(at, points.points[around.back()]).template lpNorm<Eigen::Infinity>());
@@ -54,11 +54,11 @@ Point3 fit_plane(const Neighborhoods& points, std::size_t i) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
   constexpr double rounding = 0x1p-48;                   // of the covariance, a sum over a few points
-  if (spread[1] <= rounding * spread[2]) return point(across(solver.eigenvectors().col(2)));
-  return point(solver.eigenvectors().col(0));
+  if (spread[1] <= rounding * spread[2]) return {.normal = point(across(solver.eigenvectors().col(2))), .roundness = 0};
+  return {.normal = point(solver.eigenvectors().col(0)), .roundness = spread[1] / spread[2]};
 }
 
-template Point3 fit_plane<double>(const Neighborhoods&, std::size_t);
-template Point3 fit_plane<long double>(const Neighborhoods&, std::size_t);
+template Plane fit_plane<double>(const Neighborhoods&, std::size_t);
+template Plane fit_plane<long double>(const Neighborhoods&, std::size_t);
 
 }  // namespace rbpa::space

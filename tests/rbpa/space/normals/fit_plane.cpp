@@ -54,7 +54,7 @@ TEST_CASE("no other plane fits better, in any direction and to first order") {
     const Neighborhoods near =
         rbpa::space::find_nearest<double>({distinct.begin(), distinct.end()}, 2 + random.below(16), threads, {});
     for (std::size_t i = 0; i < near.points.size(); ++i) {
-      const Point3 found = rbpa::space::fit_plane<double>(near, i);
+      const Point3 found = rbpa::space::fit_plane<double>(near, i).normal;
       const Vector n = {found.x, found.y, found.z};
       CHECK(std::abs(dot(n, n) - 1) < 1e-14L);
       const std::vector<Vector> points = centred(near, i);

@@ -1,4 +1,4 @@
-#include "rbpa/plane/shape/exact_sum.h"
+#include "rbpa/base/exact/exact_sum.h"
 
 #include <algorithm>
 #include <bit>

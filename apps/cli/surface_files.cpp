@@ -1,0 +1,91 @@
+#include "cli/surface_files.h"
+
+#include <string_view>
+#include <vector>
+
+#include "io/mesh/write_mesh.h"
+#include "picture/surface_picture.h"
+
+namespace rbpa::app {
+namespace {
+
+/// The triangles without the points that none of them uses.
+SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points) {
+  SplitFans result{.triangles = {triangles.begin(), triangles.end()}, .point = {}};
+  std::vector<std::uint32_t> place(points, 0);
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t corner : triangle) place[corner] = 1;
+  for (std::uint32_t i = 0; i < points; ++i) {
+    if (place[i] == 0) continue;
+    place[i] = static_cast<std::uint32_t>(result.point.size());
+    result.point.push_back(i);
+  }
+  for (auto& triangle : result.triangles)
+    for (std::uint32_t& corner : triangle) corner = place[corner];
+  return result;
+}
+
+/// Those of each of some vertices, given by their points; none where there are none.
+template <typename Value>
+std::vector<Value> values_at(std::span<const Value> of_points, std::span<const std::uint32_t> point) {
+  std::vector<Value> values;
+  if (of_points.empty()) return values;
+  values.reserve(point.size());
+  for (const std::uint32_t i : point) values.push_back(of_points[i]);
+  return values;
+}
+
+void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
+  std::array<std::vector<std::array<std::uint32_t, 2>>, 3> sides;  // by kind
+  for (std::size_t i = 0; i < of.facts.holes.size(); ++i)
+    for (const RimEdge& edge : of.facts.holes[i].edges)
+      sides[static_cast<std::size_t>(of.facts.kinds[i])].push_back({edge.from, edge.to});
+  std::vector<std::uint32_t> unused;
+  for (const UnusedPoint& point : of.facts.unused) unused.push_back(point.index);
+  write_surface_png(file, {of.points, of.surface.triangles, sides[0], sides[1], sides[2], unused, of.colors}, width);
+}
+
+}  // namespace
+
+void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
+  if (format == Format::png) return write_picture(file, *this, width);
+  // An .npy file has the canonical order whatever other files have.
+  if (format == Format::npy) return write_surface(file, format, {points, surface.triangles, {}, {}});
+  SpaceMesh mesh{points, surface.triangles, normals, colors};
+  SplitFans used;
+  std::vector<Point3> own_points, own_normals;
+  std::vector<std::array<std::uint8_t, 3>> own_colors;
+  if (facts.manifold || compact) {
+    if (!facts.manifold) used = without_unused(surface.triangles, points.size());
+    const SplitFans& of = facts.manifold ? fans : used;
+    own_points = values_at(points, of.point);
+    own_normals = values_at(normals, of.point);
+    own_colors = values_at(colors, of.point);
+    mesh = {own_points, of.triangles, own_normals, own_colors};
+    if (facts.manifold) mesh.points = of.point;
+  }
+  std::vector<std::array<std::uint32_t, 3>> ordered;
+  if (!order.empty()) {
+    ordered = values_at(mesh.triangles, order);
+    mesh.triangles = ordered;
+  }
+  write_surface(file, format, mesh);
+}
+
+void SurfaceFiles::write_curves(OutputFile& file) const {
+  std::vector<std::array<double, 3>> positions;
+  positions.reserve(points.size());
+  for (const Point3& p : points) positions.push_back({p.x, p.y, p.z});
+  std::vector<Polyline> loops;
+  std::vector<std::string_view> groups;
+  for (std::size_t kind = 0; kind < kind_names.size(); ++kind)
+    for (std::size_t i = 0; i < facts.holes.size(); ++i) {
+      if (facts.kinds[i] != static_cast<CurveKind>(kind)) continue;
+      groups.emplace_back(kind_names[kind]);
+      Polyline& loop = loops.emplace_back();
+      for (const RimEdge& edge : facts.holes[i].edges) loop.push_back(edge.from);
+    }
+  write_polylines(file, Format::obj, positions, loops, groups);
+}
+
+}  // namespace rbpa::app

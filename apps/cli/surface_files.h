@@ -1,0 +1,34 @@
+// What: the files of `rbpa surface`: meshes, pictures, boundary curves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "cli/surface_report.h"
+#include "io/bytes/output_file.h"
+#include "io/formats.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/split_fans.h"
+#include "rbpa/surface.h"
+
+namespace rbpa::app {
+
+/// A view of what is written; owns nothing.
+struct SurfaceFiles {
+  std::span<const Point3> points;
+  std::span<const Point3> normals;                      ///< none, or one of each point
+  std::span<const std::array<std::uint8_t, 3>> colors;  ///< the same
+  const Surface& surface;
+  const SplitFans& fans;                 ///< of the surface
+  std::span<const std::uint32_t> order;  ///< of triangles in mesh files; empty: that of the surface
+  const SurfaceFacts& facts;             ///< its holes and unused points, and whether vertices are fans
+  bool compact;
+
+  /// Of a picture, so many pixels wide.
+  void write(OutputFile& file, Format format, int width) const;
+  /// OBJ, with groups by their kinds.
+  void write_curves(OutputFile& file) const;
+};
+
+}  // namespace rbpa::app

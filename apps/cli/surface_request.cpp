@@ -1,0 +1,124 @@
+#include "cli/surface_request.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "cli/point_arguments.h"
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "rbpa/estimate_normals.h"
+
+namespace rbpa::app {
+namespace {
+
+std::vector<double> parse_radii(const std::string& text) {
+  if (text == "auto") return {};
+  std::vector<double> radii;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const ParsedNumber number = parse_whole_number(part);
+    if (number.fault != NumberFault::none || !(number.value > 0))
+      throw WrongUsage("--radius: found " + in_quotes(part) +
+                       ", expected a radius: a number above 0, several with commas between them, or auto");
+    if (!radii.empty() && number.value <= radii.back())
+      throw WrongUsage("--radius: found " + in_quotes(part) + " behind " + text_of(radii.back()) +
+                       ", expected ascending radii");
+    radii.push_back(number.value);
+    begin = end + 1;
+  }
+  return radii;
+}
+
+std::optional<NormalSource> parse_normals(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  if (*text == "file") return NormalSource::file;
+  if (*text == "estimate") return NormalSource::estimate;
+  if (*text == "none") return NormalSource::none;
+  throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
+}
+
+std::size_t parse_neighbors(const std::optional<std::string>& text) {
+  if (!text) return NormalOptions{}.neighbors;
+  const ParsedNumber number = parse_whole_number(*text);
+  constexpr double most = 1000;
+  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < 2 ||
+      number.value > most)
+    throw WrongUsage("--neighbors: found " + in_quotes(*text) + ", expected a number of points, 2 to 1000");
+  return static_cast<std::size_t>(number.value);
+}
+
+std::vector<Point3> parse_viewpoint(const std::optional<std::string>& text) {
+  if (!text) return {};
+  std::array<double, 3> at{};
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const std::size_t end = k < 2 ? text->find(',', begin) : text->size();
+    const ParsedNumber number =
+        parse_whole_number(std::string_view(*text).substr(begin, end == std::string::npos ? end : end - begin));
+    if (end == std::string::npos || number.fault != NumberFault::none)
+      throw WrongUsage("--viewpoint: found " + in_quotes(*text) + ", expected three coordinates, such as 0,0,1.5");
+    at[k] = number.value;
+    begin = end + 1;
+  }
+  return {{at[0], at[1], at[2]}};
+}
+
+}  // namespace
+
+SurfaceRequest parse(const SurfaceArguments& arguments) {
+  SurfaceRequest request{
+      .path = arguments.points,
+      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS", Format::text),
+      .choice = {},
+      .radii = parse_radii(arguments.radius),
+      .neighbors = parse_neighbors(arguments.neighbors),
+      .viewpoints = parse_viewpoint(arguments.viewpoint),
+      .normals = parse_normals(arguments.normals),
+      .components = {},
+      .targets = {},
+      .width = parse_width(arguments.width),
+      .run = parse_run(arguments.run)};
+  const bool text = request.format == Format::text;
+  if (arguments.columns) {
+    require_format(text, "--columns", "with fixed columns", "text");
+    request.choice.columns = parse_space_columns(*arguments.columns);
+  }
+  if (arguments.skip_invalid)
+    require_format(text || request.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
+  request.choice.skip_invalid = arguments.skip_invalid;
+  if (arguments.where) {
+    const std::optional<FieldNames> names = fields_of(request.format);
+    require_format(names.has_value(), "--where", "without fields beside the points", "las, pcd, ply or text");
+    request.choice.where = Condition(*arguments.where, *names);
+  }
+  if (request.normals == NormalSource::none && request.radii.size() > 1)
+    throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +
+                     " with --normals none, expected one radius");
+  if (arguments.holes) {
+    if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
+      throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
+    if (request.normals == NormalSource::none)
+      throw WrongUsage("--holes: found --normals none, of which the triangles have no boundary");
+  }
+  if (arguments.shell) {
+    if (request.normals != NormalSource::none)
+      throw WrongUsage("--shell: found no --normals none, without which the triangles are no closed shells");
+    request.components.shell = parse_shell(*arguments.shell);
+  }
+  if (request.normals == NormalSource::none && (arguments.neighbors || arguments.viewpoint || arguments.flip))
+    throw WrongUsage("--normals: found none with --neighbors, --viewpoint or --flip, which change normals");
+  if (request.normals == NormalSource::file && arguments.neighbors)
+    throw WrongUsage("--neighbors: found --normals file, of which nothing is estimated");
+  if (arguments.neighbors && !request.normals) request.normals = NormalSource::estimate;
+  if (arguments.keep_largest) request.components.largest = parse_keep_largest(*arguments.keep_largest);
+  if (arguments.drop_small) parse_drop_small(*arguments.drop_small, request.components);
+  std::vector<std::string> reports = given({arguments.stats, arguments.holes});
+  if (arguments.json) reports.emplace_back("-");
+  request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
+  return request;
+}
+
+}  // namespace rbpa::app

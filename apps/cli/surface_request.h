@@ -1,0 +1,38 @@
+// What: what the command line of `rbpa surface` asks for, from text to meaning.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/component_choice.h"
+#include "cli/run.h"
+#include "cli/verbs.h"
+#include "io/cloud/read_space_points.h"
+#include "io/formats.h"
+#include "rbpa/base/point3.h"
+
+namespace rbpa::app {
+
+enum class NormalSource { file, estimate, none };
+
+struct SurfaceRequest {
+  std::string path;
+  Format format;
+  CloudRequest choice;
+  std::vector<double> radii;            ///< empty: auto
+  std::size_t neighbors;                ///< of which normals are estimated
+  std::vector<Point3> viewpoints;       ///< one or none
+  std::optional<NormalSource> normals;  ///< absent: of the file if it has any, else estimated
+  ComponentChoice components;
+  std::vector<Target> targets;
+  int width;
+  RunOptions run;
+};
+
+/// Throws WrongUsage that names the option.
+SurfaceRequest parse(const SurfaceArguments& arguments);
+
+}  // namespace rbpa::app

@@ -1,0 +1,34 @@
+// What: the places of points within a box, scaled so that neither differences nor products overflow.
+// Law:  differences are rounded once, as the scale is a power of two.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa::space {
+
+class BoxScale {
+ public:
+  /// Requires: finite, low <= high.
+  BoxScale(const Point3& low, const Point3& high) : low_(low) {
+    // Halves of extreme coordinates, so that their differences are finite.
+    std::frexp(std::max({high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2}), &exponent_);
+    ++exponent_;
+  }
+
+  /// A unit of places is 2^exponent() of the points' units.
+  int exponent() const { return exponent_; }
+  /// From the lower corner, each coordinate at most 1.
+  Vector3<double> place(const Point3& p) const { return {along(p.x, low_.x), along(p.y, low_.y), along(p.z, low_.z)}; }
+
+ private:
+  double along(double x, double low) const { return std::ldexp(x, -exponent_) - std::ldexp(low, -exponent_); }
+
+  Point3 low_;
+  int exponent_ = 0;
+};
+
+}  // namespace rbpa::space

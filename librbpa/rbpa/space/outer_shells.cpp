@@ -1,0 +1,150 @@
+#include "rbpa/outer_shells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+#include "meshops/core/contract.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa {
+namespace {
+
+using Real = long double;  // products of coordinates of double do not overflow
+using Vector = space::Vector3<Real>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle, and the ball of the radius that rests on it.
+class RestingBall {
+ public:
+  RestingBall(std::span<const Point3> points, const Triangle& triangle, Real radius) : a_(points[triangle[0]]) {
+    const Point3 &b = points[triangle[1]], &c = points[triangle[2]];
+    const Vector u = space::from<Real>(a_, b), v = space::from<Real>(a_, c), w = space::from<Real>(b, c);
+    const Real uu = space::dot(u, u), vv = space::dot(v, v);
+    normal_ = space::cross(u, v);
+    const Real nn = space::dot(normal_, normal_);
+    const Vector to_u = space::cross(v, normal_), to_v = space::cross(normal_, u);
+    circumcentre_ = {(uu * to_u.x + vv * to_v.x) / (2 * nn), (uu * to_u.y + vv * to_v.y) / (2 * nn),
+                     (uu * to_u.z + vv * to_v.z) / (2 * nn)};
+    // The height of the centre above the triangle, in lengths of the normal.
+    height_ = std::sqrt(std::max(radius * radius - uu * vv * space::dot(w, w) / (4 * nn), Real(0)) / nn);
+    clearance_ = height_ * std::sqrt(nn);
+    const Vector to_centre = {circumcentre_.x + height_ * normal_.x, circumcentre_.y + height_ * normal_.y,
+                              circumcentre_.z + height_ * normal_.z};
+    for (const Vector& side : {Vector{0, 0, 0}, u, v}) {
+      const Vector d = {to_centre.x - side.x, to_centre.y - side.y, to_centre.z - side.z};
+      error_ = std::max(error_, std::abs(std::sqrt(space::dot(d, d)) - radius));
+    }
+  }
+
+  /// The distance from the triangle to the centre, less what rounding may have made of it: of a triangle that is nearly a line the
+  /// centre is anywhere.
+  Real clearance() const { return clearance_ - 1000 * error_; }
+  Point3 centre() const {
+    const auto sum = [&](double from, Real at, Real along) { return static_cast<double>(from + at + height_ * along); };
+    return {sum(a_.x, circumcentre_.x, normal_.x), sum(a_.y, circumcentre_.y, normal_.y),
+            sum(a_.z, circumcentre_.z, normal_.z)};
+  }
+
+ private:
+  Point3 a_;
+  Vector normal_{}, circumcentre_{};
+  Real height_ = 0, clearance_ = 0, error_ = 0;
+};
+
+/// The side of pq that the line through `at` along x is on, all seen along x: 1 if p, q and the line are counter-clockwise in y
+/// and z. A line that meets pq counts as moved by an infinitesimal in y, and by a smaller one in z; 0 if pq is along x.
+int side_of_line(const Point3& p, const Point3& q, const Point3& at) {
+  const double py = p.y - at.y, pz = p.z - at.z, qy = q.y - at.y, qz = q.z - at.z;
+  const double left = py * qz, right = pz * qy, difference = left - right;
+  // Each factor has one rounding, each product another; below the bound on underflow nothing is certain.
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+  const double bound = 8 * unit_roundoff * (std::abs(left) + std::abs(right));
+  if (bound > 0x1p-900 && bound < std::numeric_limits<double>::infinity()) {
+    if (difference > bound) return 1;
+    if (difference < -bound) return -1;
+  }
+  const Point3 ahead{at.x < 1 ? 2.0 : 0.0, at.y, at.z};
+  const int forward = ahead.x > at.x ? 1 : -1;
+  const int side = forward * space::exact::orientation(p, q, at, ahead);
+  if (side != 0) return side;
+  if (p.z != q.z) return p.z < q.z ? -1 : 1;
+  if (p.y != q.y) return p.y < q.y ? 1 : -1;
+  return 0;
+}
+
+/// How the ray from `at` along x crosses a triangle: 1 from behind, −1 from the front, 0 not at all.
+int crossing(const std::array<Point3, 3>& t, const Point3& at) {
+  const int first = side_of_line(t[0], t[1], at);
+  if (first == 0 || side_of_line(t[1], t[2], at) != first || side_of_line(t[2], t[0], at) != first) return 0;
+  // The triangle is ahead if `at` is on the side from which the ray comes.
+  return space::exact::orientation(t[0], t[1], t[2], at) == -first ? first : 0;
+}
+
+}  // namespace
+
+std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
+                               const SurfaceComponents& components) {
+  space::check_radius(radius);
+  const std::size_t count = components.all.size();
+  meshops::require(components.number.size() == shells.triangles.size(),
+                   "outer_shells: expected the components of this surface");
+  for (const Triangle& triangle : shells.triangles)
+    for (const std::uint32_t i : triangle)
+      meshops::require(i < points.size(), "outer_shells: expected a surface of these points");
+  for (const SurfaceComponent& component : components.all)
+    meshops::require(component.is_closed(), "outer_shells: expected exposed triangles, which are closed");
+
+  // Of each shell the ball that is the highest above its triangle, where the rounding of its centre matters least.
+  std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
+  std::vector<Point3> centre(count);
+  for (std::size_t t = 0; t < shells.triangles.size(); ++t) {
+    const std::uint32_t c = components.number[t];
+    const RestingBall ball(points, shells.triangles[t], radius);
+    if (!(ball.clearance() > clearance[c])) continue;
+    clearance[c] = ball.clearance();
+    centre[c] = ball.centre();
+  }
+
+  // Shell by shell, how often it winds around each centre; a triangle is compared with the centres that are in reach of it in y.
+  std::vector<std::uint32_t> by_y(count), by_shell(shells.triangles.size());
+  std::iota(by_y.begin(), by_y.end(), std::uint32_t{0});
+  std::sort(by_y.begin(), by_y.end(), [&](std::uint32_t i, std::uint32_t j) { return centre[i].y < centre[j].y; });
+  std::iota(by_shell.begin(), by_shell.end(), std::uint32_t{0});
+  std::stable_sort(by_shell.begin(), by_shell.end(),
+                   [&](std::uint32_t t, std::uint32_t u) { return components.number[t] < components.number[u]; });
+  std::vector<bool> outer(count, true);
+  std::vector<int> winding(count, 0);
+  std::vector<std::uint32_t> crossed;
+  for (std::size_t first = 0, last = 0; first < by_shell.size(); first = last) {
+    const std::uint32_t shell = components.number[by_shell[first]];
+    crossed.clear();
+    for (; last < by_shell.size() && components.number[by_shell[last]] == shell; ++last) {
+      const Triangle& triangle = shells.triangles[by_shell[last]];
+      const std::array corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+      const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+      const auto [low_z, high_z] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+      auto near =
+          std::lower_bound(by_y.begin(), by_y.end(), low_y, [&](std::uint32_t c, double y) { return centre[c].y < y; });
+      for (; near != by_y.end() && centre[*near].y <= high_y; ++near) {
+        if (centre[*near].z < low_z || centre[*near].z > high_z) continue;
+        const int turn = crossing(corners, centre[*near]);
+        if (turn == 0) continue;
+        winding[*near] += turn;
+        crossed.push_back(*near);
+      }
+    }
+    for (const std::uint32_t c : crossed) {
+      if (winding[c] != 0) outer[c] = false;
+    }
+    for (const std::uint32_t c : crossed) winding[c] = 0;
+  }
+  return outer;
+}
+
+}  // namespace rbpa

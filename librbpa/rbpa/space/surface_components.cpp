@@ -1,0 +1,135 @@
+#include "rbpa/surface_components.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/boundary_walk.h"
+#include "rbpa/base/components.h"
+#include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/steps.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/box_scale.h"
+#include "rbpa/space/levels/sub_surface.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa {
+namespace {
+
+using Corners = std::array<Point3, 3>;
+using Vector = space::Vector3<double>;
+
+/// The corners of a triangle, the least point first: where indices begin depends on their order.
+Corners corners_of(std::span<const Point3> points, const std::array<std::uint32_t, 3>& triangle) {
+  Corners corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+/// A component, and what decides between equal ones.
+struct Measured : SurfaceComponent {
+  Corners least{};  ///< triangle; no other component has the same, as triangles are oriented
+};
+
+/// Requires: at least one triangle.
+Measured measure(std::span<const Point3> points, const Surface& surface, std::span<const std::uint32_t> triangles) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Measured result;
+  result.triangles = triangles.size();
+  result.low = {infinity, infinity, infinity};
+  result.high = {-infinity, -infinity, -infinity};
+  result.least = corners_of(points, surface.triangles[triangles.front()]);
+  for (const std::uint32_t t : triangles) {
+    for (const std::uint32_t other : surface.neighbors[t]) result.boundary_sides += other == Surface::none;
+    const Corners corners = corners_of(points, surface.triangles[t]);
+    result.least = std::min(result.least, corners);
+    for (const Point3& p : corners) {
+      result.low = {std::min(result.low.x, p.x), std::min(result.low.y, p.y), std::min(result.low.z, p.z)};
+      result.high = {std::max(result.high.x, p.x), std::max(result.high.y, p.y), std::max(result.high.z, p.z)};
+    }
+  }
+
+  const space::BoxScale scale(result.low, result.high);
+  const auto minus = [](const Vector& v, const Vector& u) { return Vector{v.x - u.x, v.y - u.y, v.z - u.z}; };
+  ExactSum areas, volumes;  // exact, so that the order of the triangles does not matter
+  for (const std::uint32_t t : triangles) {
+    const Corners corners = corners_of(points, surface.triangles[t]);
+    const Vector a = scale.place(corners[0]), b = scale.place(corners[1]), c = scale.place(corners[2]);
+    const Vector normal = space::cross(minus(b, a), minus(c, a));
+    areas.add(std::hypot(normal.x, normal.y, normal.z) / 2);
+    if (result.is_closed()) volumes.add(space::dot(a, normal) / 6);
+  }
+  result.area = areas.rounded(2 * scale.exponent());
+  result.volume = volumes.rounded(3 * scale.exponent());
+  return result;
+}
+
+}  // namespace
+
+SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface) {
+  require_linked(space::arrays_of(surface), points.size());
+  const auto count = static_cast<std::uint32_t>(surface.triangles.size());
+  const meshops::GoOn never;
+  Steps step(never);
+  meshops::DisjointSets sets = components_of(space::arrays_of(surface), step);
+
+  // The triangles, component by component: each counts at its least triangle, then has its place.
+  SurfaceComponents result;
+  result.number.resize(count);
+  std::vector<std::uint32_t> begin = {0};
+  for (std::uint32_t t = 0; t < count; ++t) {
+    if (sets.find(t) == t) {
+      result.number[t] = static_cast<std::uint32_t>(begin.size() - 1);
+      begin.push_back(0);
+    } else {
+      result.number[t] = result.number[sets.find(t)];
+    }
+    ++begin[result.number[t] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> grouped(count), next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t t = 0; t < count; ++t) grouped[next[result.number[t]]++] = t;
+
+  std::vector<std::size_t> curves(begin.size() - 1, 0);
+  BoundaryWalk walk(space::arrays_of(surface));
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!walk.is_new({t, k})) continue;
+      walk.walk_from({t, k}, [](const BoundarySide&) {});
+      ++curves[result.number[t]];
+    }
+  std::vector<Measured> measured;
+  for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
+    measured.push_back(measure(points, surface, std::span(grouped).subspan(begin[c], begin[c + 1] - begin[c])));
+    measured.back().boundary_curves = curves[c];
+  }
+  std::vector<std::uint32_t> order(measured.size()), place(measured.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const Measured &c = measured[i], &d = measured[j];
+    if (c.area != d.area) return c.area > d.area;
+    if (c.volume != d.volume) return c.volume > d.volume;
+    return c.least < d.least;
+  });
+  for (const std::uint32_t c : order) {
+    place[c] = static_cast<std::uint32_t>(result.all.size());
+    result.all.push_back(measured[c]);
+  }
+  for (std::uint32_t& number : result.number) number = place[number];
+  return result;
+}
+
+Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
+  meshops::require(components.number.size() == surface.triangles.size() && kept.size() == components.all.size(),
+                   "keep_components: expected the components of this surface, and for each of them whether it is kept");
+  Surface result = space::part_of(surface, [&](std::size_t t) { return kept[components.number[t]]; });
+  result.duplicates = surface.duplicates;
+  result.distinct = surface.distinct;
+  return result;
+}
+
+}  // namespace rbpa

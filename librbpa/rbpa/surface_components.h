@@ -1,0 +1,43 @@
+// What: the components of a surface with their sizes, and the surface without some of them.
+// Law:  a component is what is glued together; pieces that only touch are two. All numbers are functions of the triangles as
+//       sets of points and of how they are glued: the same to the last bit in any order of the points.
+// Cost: linear, and a sort of the components.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/surface.h"
+
+namespace rbpa {
+
+struct SurfaceComponent {
+  std::size_t triangles = 0;
+  std::size_t boundary_sides = 0;  ///< 0: it is closed
+  std::size_t boundary_curves = 0;
+  double area = 0;                 ///< in squared units of the points
+  double volume = 0;  ///< in a closed component, negative where the triangles face what it encloses; otherwise 0
+  Point3 low, high;   ///< opposite corners of its box
+
+  bool is_closed() const { return boundary_sides == 0; }
+};
+
+struct SurfaceComponents {
+  std::vector<SurfaceComponent> all;  ///< the largest area first; of equal ones the largest volume
+  std::vector<std::uint32_t> number;  ///< of each triangle: its component in `all`
+};
+
+/// Requires: a surface of these points.
+/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbour of its neighbour.
+RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface);
+
+/// The triangles of the components that are kept, glued as they were, in the same order.
+/// Requires: the components of this surface, and for each whether it is kept. Throws: ContractViolation on other sizes.
+RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
+                                 const std::vector<bool>& kept);
+
+}  // namespace rbpa

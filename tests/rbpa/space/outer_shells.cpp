@@ -1,0 +1,168 @@
+#include "rbpa/outer_shells.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "support/space_sets.h"
+#include "support/triangle.h"
+
+using namespace rbpa_test;
+using rbpa::Point3;
+using rbpa::Surface;
+using rbpa::SurfaceComponents;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+void add_sphere(Points3& points, const Point3& centre, double radius, int count) {
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
+    points.push_back(
+        {centre.x + radius * r * std::cos(around), centre.y + radius * r * std::sin(around), centre.z + radius * z});
+  }
+}
+
+struct Shells {
+  Surface surface;
+  SurfaceComponents components;
+  std::vector<bool> outer;
+
+  Shells(const Points3& points, double radius)
+      : surface(rbpa::exposed_triangles(points, radius)),
+        components(rbpa::surface_components(points, surface)),
+        outer(rbpa::outer_shells(points, radius, surface, components)) {}
+
+  std::ptrdiff_t count() const { return std::count(outer.begin(), outer.end(), true); }
+};
+
+using Vector = std::array<long double, 3>;
+
+/// How often a shell winds around a place, by the solid angles of its triangles (Van Oosterom and Strackee, 1983).
+long double winding(const Points3& points, const Shells& shells, std::uint32_t shell, const Vector& at) {
+  long double sum = 0;
+  for (std::size_t t = 0; t < shells.surface.triangles.size(); ++t) {
+    if (shells.components.number[t] != shell) continue;
+    std::array<Vector, 3> v;
+    std::array<long double, 3> length;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3& p = points[shells.surface.triangles[t][k]];
+      v[k] = {p.x - at[0], p.y - at[1], p.z - at[2]};
+      length[k] = std::hypot(v[k][0], v[k][1], v[k][2]);
+    }
+    const auto dot = [&](std::size_t i, std::size_t j) {
+      return v[i][0] * v[j][0] + v[i][1] * v[j][1] + v[i][2] * v[j][2];
+    };
+    const long double triple = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+                               v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+                               v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+    sum += std::atan2(triple, length[0] * length[1] * length[2] + dot(0, 1) * length[2] + dot(1, 2) * length[0] +
+                                  dot(2, 0) * length[1]);
+  }
+  return sum / (2 * static_cast<long double>(M_PI));
+}
+
+/// The centre of the ball on a triangle: along the normal from the point that is as far from all corners.
+Vector centre_of(const Points3& points, const Triangle& triangle, double radius, long double* height) {
+  const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
+  const Vector u = {(long double)b.x - a.x, (long double)b.y - a.y, (long double)b.z - a.z};
+  const Vector v = {(long double)c.x - a.x, (long double)c.y - a.y, (long double)c.z - a.z};
+  const Vector n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const auto dot = [](const Vector& p, const Vector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; };
+  // s u + t v with the same product with u as u²/2, and with v as v²/2.
+  const long double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), det = uu * vv - uv * uv;
+  const long double s = vv * (uu - uv) / (2 * det), t = uu * (vv - uv) / (2 * det);
+  Vector centre;
+  for (std::size_t k = 0; k < 3; ++k) centre[k] = s * u[k] + t * v[k];
+  *height = std::sqrt(std::max((long double)radius * radius - dot(centre, centre), 0.0L));
+  const long double length = std::sqrt(dot(n, n));
+  const Vector from = {a.x, a.y, a.z};
+  for (std::size_t k = 0; k < 3; ++k) centre[k] += from[k] + *height * n[k] / length;
+  return centre;
+}
+
+}  // namespace
+
+TEST_CASE("of a closed body the shell around it is outer, and the one inside is not") {
+  Points3 points;
+  add_sphere(points, {5, -3, 2}, 1, 400);
+  const Shells one(points, 0.3);
+  REQUIRE(one.components.all.size() == 2);
+  CHECK(one.outer == std::vector<bool>{true, false});  // areas are equal, the outer one encloses more
+  CHECK(one.components.all[0].volume == doctest::Approx(-one.components.all[1].volume));
+
+  // A ball within it, however far from it, is not outer; one beside it is.
+  add_sphere(points, {5, -3, 2}, 0.2, 100);
+  const Shells nested(points, 0.15);
+  CHECK(nested.components.all.size() > 2);
+  CHECK(nested.count() == 1);
+  add_sphere(points, {5, -1, 2}, 0.2, 100);
+  CHECK(Shells(points, 0.15).count() == 2);
+}
+
+TEST_CASE("a sheet is outer on both sides") {
+  Points3 points;
+  for (int x = 0; x < 9; ++x)
+    for (int y = 0; y < 9; ++y) points.push_back({double(x), double(y), 0});
+  const Shells sheet(points, 1);
+  REQUIRE(sheet.components.all.size() == 1);
+  CHECK(sheet.outer == std::vector<bool>{true});
+  CHECK(sheet.components.all[0].volume == 0);
+}
+
+TEST_CASE("shells are outer exactly if no shell winds around any ball that rests on them") {
+  Random random(311);
+  std::size_t inner = 0, outer = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const auto kind = static_cast<SpaceKind>(random.below(space_kinds));
+    if (kind == SpaceKind::extreme) continue;  // where solid angles have no digits
+    CAPTURE(name(kind));
+    CAPTURE(trial);
+    const Points3 points = space_set(kind, 10 + random.below(60), random);
+    const double radius = space_radius(points, random);
+    const Shells shells(points, radius);
+    REQUIRE(shells.outer.size() == shells.components.all.size());
+    if (!shells.outer.empty()) CHECK(shells.count() > 0);
+    for (std::size_t t = 0; t < shells.surface.triangles.size(); ++t) {
+      long double height = 0;
+      const Vector at = centre_of(points, shells.surface.triangles[t], radius, &height);
+      if (height < 1e-6L * radius) continue;  // the centre may be on the surface
+      const auto is_off = [&](std::uint32_t corner) {
+        const Point3& p = points[corner];
+        return std::abs(std::hypot(p.x - at[0], p.y - at[1], p.z - at[2]) - radius) > 1e-9L * radius;
+      };
+      const Triangle& corners = shells.surface.triangles[t];
+      if (std::any_of(corners.begin(), corners.end(), is_off)) continue;  // nearly a line, whose ball is anywhere
+      bool is_outside = true;
+      for (std::uint32_t shell = 0; shell < shells.outer.size(); ++shell) {
+        const long double turns = winding(points, shells, shell, at);
+        if (std::abs(turns - std::round(turns)) > 1e-3L) goto next;  // too flat to tell
+        is_outside = is_outside && std::lround(turns) == 0;
+      }
+      REQUIRE(shells.outer[shells.components.number[t]] == is_outside);
+      ++(is_outside ? outer : inner);
+    next:;
+    }
+  }
+  CHECK(outer > 2000);
+  CHECK(inner > 200);
+}
+
+TEST_CASE("a surface that is not closed is refused") {
+  Points3 points;
+  add_sphere(points, {0, 0, 0}, 1, 100);
+  const Surface open = rbpa::surface(points, Points3(points.size(), {0, 0, 1}), 0.4);
+  CHECK_THROWS_AS(rbpa::outer_shells(points, 0.4, open, rbpa::surface_components(points, open)),
+                  meshops::ContractViolation);
+  const Shells shells(points, 0.4);
+  CHECK_THROWS_AS(rbpa::outer_shells(points, 0.4, shells.surface, {}), meshops::ContractViolation);
+  CHECK(rbpa::outer_shells({}, 1, {}, {}).empty());
+}
+
+TEST_SUITE_END();
