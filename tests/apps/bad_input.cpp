@@ -31,7 +31,7 @@ void refuses_text(const std::string& content, const std::string& message) {
 
 std::string doubles(std::initializer_list<double> values) {
   std::string bytes(values.size() * sizeof(double), '\0');
-  std::memcpy(bytes.data(), std::data(values), bytes.size());
+  if (!bytes.empty()) std::memcpy(bytes.data(), std::data(values), bytes.size());
   return bytes;
 }
 

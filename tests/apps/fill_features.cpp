@@ -47,7 +47,7 @@ std::vector<T> array_of(const std::string& vtu, const std::string& name) {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, vtu.data() + data, sizeof bytes);
   std::vector<T> values(bytes / sizeof(T));
-  std::memcpy(values.data(), vtu.data() + data + sizeof bytes, bytes);
+  if (!values.empty()) std::memcpy(values.data(), vtu.data() + data + sizeof bytes, bytes);
   return values;
 }
 

@@ -136,7 +136,7 @@ std::vector<std::uint32_t> in_npy(const std::string& bytes, const std::string& s
   const std::size_t begin = bytes.find('\n') + 1;
   CHECK(begin % 64 == 0);
   std::vector<std::uint32_t> values((bytes.size() - begin) / 4);
-  std::memcpy(values.data(), bytes.data() + begin, 4 * values.size());
+  if (!values.empty()) std::memcpy(values.data(), bytes.data() + begin, 4 * values.size());
   return values;
 }
 

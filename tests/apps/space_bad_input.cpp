@@ -57,7 +57,7 @@ std::string npy(const std::string& shape, const std::string& data) {
 template <typename T>
 std::string numbers(std::initializer_list<T> values) {
   std::string bytes(values.size() * sizeof(T), '\0');
-  std::memcpy(bytes.data(), std::data(values), bytes.size());
+  if (!bytes.empty()) std::memcpy(bytes.data(), std::data(values), bytes.size());
   return bytes;
 }
 

@@ -44,7 +44,7 @@ void refuses(const Folder& folder, const std::string& arguments, int code, const
 std::vector<std::uint32_t> indices_of(const std::string& npy) {
   const std::size_t begin = npy.find('\n') + 1;
   std::vector<std::uint32_t> values((npy.size() - begin) / 4);
-  std::memcpy(values.data(), npy.data() + begin, 4 * values.size());
+  if (!values.empty()) std::memcpy(values.data(), npy.data() + begin, 4 * values.size());
   return values;
 }
 

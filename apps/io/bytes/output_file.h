@@ -29,8 +29,7 @@ class OutputFile {
 
   void write(std::string_view bytes) {
     if (bytes.size() > buffer_size - used_) return write_far(bytes);
-    std::memcpy(buffer_.get() + used_, bytes.data(), bytes.size());
-    used_ += bytes.size();
+    used_ += bytes.copy(buffer_.get() + used_, bytes.size());
   }
   void write_number(double value);         ///< shortest text that reads back to it
   void write_number(std::uint64_t value);  ///< decimal text

@@ -76,7 +76,7 @@ class PngDecoder {
   static void read(png_struct* png, png_byte* to, std::size_t size) {
     auto& self = *static_cast<PngDecoder*>(png_get_io_ptr(png));
     if (size > self.left_.size()) png_error(png, "the file ends early");
-    std::memcpy(to, self.left_.data(), size);
+    self.left_.copy(reinterpret_cast<char*>(to), size);
     self.left_.remove_prefix(size);
   }
 
