@@ -236,8 +236,8 @@ TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3")
   const std::string generation = std::to_string(progress(beginning)["generation"].get<int>());
   const std::string partials = "/partials/" + std::string(6 - generation.size(), '0') + generation;
   REQUIRE(fs::exists(beginning + partials));
-  for (const std::string name : {std::string("/progress.json"), std::string("/triangles/000000"),
-                                 std::string("/polygons"), std::string("/holes"), partials})
+  for (const std::string& name : {std::string("/progress.json"), std::string("/triangles/000000"),
+                                  std::string("/polygons"), std::string("/holes"), partials})
     for (const bool is_cut : {false, true}) {
       CAPTURE(name);
       CAPTURE(is_cut);
