@@ -60,15 +60,8 @@ class CapUnion {
 
   /// Some cap covers a point of the circle of p.
   bool meets_circle_of(const Neighbor& p) const {
-    // One point of it, in the direction p × axis: p is least along that axis, so that the product is far from 0.
-    const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
-    const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
-                        : size.y <= size.z                   ? Vector{0, 1, 0}
-                                                             : Vector{0, 0, 1};
-    const Vector across = cross(p.at, axis);
-    const double square = radius_ * radius_ - p.power / 2;
-    if (!(square > 0)) return false;
-    const Vector place = plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
+    if (!has_circle(p)) return false;
+    const Vector place = place_on_circle(p);
     const hn::CappedTag<double, 8> d;
     for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
       const auto depth = hn::Sub(along(i, place), hn::Load(d, &power_[i]));
@@ -76,6 +69,11 @@ class CapUnion {
       if (!hn::AllFalse(d, hn::And(is_in, hn::FirstN(d, count_ - i)))) return true;
     }
     return false;
+  }
+
+  /// No cap covers the same point of it.
+  bool misses_circle_of(const Neighbor& p) const {
+    return has_circle(p) && misses(place_on_circle(p), limits::slack * radius_);
   }
 
   /// The caps cover the great circle perpendicular to an axis: each of its sixteen samples is so deep in some cap that the cap
@@ -108,6 +106,17 @@ class CapUnion {
   }
 
  private:
+  bool has_circle(const Neighbor& p) const { return radius_ * radius_ > p.power / 2; }
+  /// One point of it, in the direction p × axis: p is least along that axis, so that the product is far from 0.
+  Vector place_on_circle(const Neighbor& p) const {
+    const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
+    const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
+                        : size.y <= size.z                   ? Vector{0, 1, 0}
+                                                             : Vector{0, 0, 1};
+    const Vector across = cross(p.at, axis);
+    const double square = radius_ * radius_ - p.power / 2;
+    return plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
+  }
   /// The products of w with as many points as there are lanes, from the i-th on.
   HWY_INLINE hn::Vec<hn::CappedTag<double, 8> > along(std::size_t i, const Vector& w) const {
     const hn::CappedTag<double, 8> d;

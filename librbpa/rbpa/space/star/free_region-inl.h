@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include "rbpa/space/predicate/ball.h"
 #include "rbpa/space/star/ball_pair-inl.h"
@@ -32,6 +31,7 @@
 #include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
 #include "rbpa/space/star/region_boundary-inl.h"
+#include "rbpa/space/star/waiting_circles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space {
@@ -44,16 +44,12 @@ class FreeRegion {
  public:
   using Vector = Vector3<double>;
 
-  static constexpr std::size_t max_waiting = 64;
-
   /// The whole sphere.
   void reset(double radius) {
     radius_ = radius;
     square_ = radius * radius;
-    waiting_ = 0;
-    caps_.reset(radius);
-    boundary_.reset(radius);
-    has_begun_ = is_parted_ = false;
+    waiting_.clear();
+    begin();
   }
 
   /// Subtracts the caps of a few points at once from the whole sphere.
@@ -87,16 +83,22 @@ class FreeRegion {
   /// Returns: false when the region is lost.
   template <typename IsInBall>
   bool subtract(const Neighbor& p, IsInBall is_in_ball) {
+    const std::size_t before = caps_.count();
     const Outcome outcome = cut(p, is_in_ball);
-    return outcome == Outcome::circle_is_free ? await_crossing(p, is_in_ball) : outcome == Outcome::done;
+    if (outcome == Outcome::circle_is_free) return await_crossing(p, is_in_ball);
+    if (outcome == Outcome::lost) return false;
+    // What waits and is crossed by p's circle covers corners that farther points would add in the meantime.
+    return waiting_.count() == 0 || caps_.count() == before ||
+           retry_waiting(is_in_ball, [&](const Neighbor& q) { return !crossing_of(p, q, radius_).is_impossible; });
   }
 
   /// To be called when all caps have been subtracted: those that wait are tried again until none changes anything. The circles
   /// of the others cross nothing, so that no triangle is on them.
   template <typename IsInBall>
   bool finish(IsInBall is_in_ball) {
-    for (std::size_t before = waiting_ + 1; waiting_ < before && waiting_ != 0 && !is_empty();) {
-      before = waiting_;
+    for (std::size_t before = waiting_.count() + 1;
+         waiting_.count() < before && waiting_.count() != 0 && !is_empty();) {
+      before = waiting_.count();
       if (!retry_waiting(is_in_ball)) return false;
     }
     return true;
@@ -137,9 +139,16 @@ class FreeRegion {
 
   enum class Outcome {
     done,            // the cap is subtracted
-    circle_is_free,  // so it would be, but its circle crosses no arc and is free as a whole: nothing has changed
+    circle_is_free,  // so it would be, but its circle crosses no arc and is free as a whole: nothing is subtracted
     lost
   };
+
+  /// Without caps; those that wait do so still.
+  void begin() {
+    caps_.reset(radius_);
+    boundary_.reset(radius_);
+    has_begun_ = is_parted_ = false;
+  }
 
   /// What a cap does to the boundary: sets of corners, and of arcs by their first corners.
   struct Cut {
@@ -239,14 +248,21 @@ class FreeRegion {
     return {along / 2 + half_range - p.power, along / 2 - half_range - p.power, limits::extreme * radius_ * size};
   }
 
-  /// Step 3: p's circle crosses no arc. One covered point of it shows that it is covered as a whole; then whole cycles are in
-  /// the cap, or none.
+  /// Step 3: p's circle crosses no arc, so that whole cycles are in the cap, or none. One covered point of it shows that it is
+  /// covered as a whole; a free one, that it is free.
   Outcome cut_nothing(const Neighbor& p, const Cut& cut) {
-    if (!caps_.meets_circle_of(p)) return cut.covered == 0 ? Outcome::circle_is_free : Outcome::lost;
-    if (cut.covered != 0) caps_.push(p);
-    boundary_.retire(cut.covered);
-    boundary_.release();
-    return Outcome::done;
+    if (caps_.meets_circle_of(p)) {
+      if (cut.covered != 0) caps_.push(p);
+      boundary_.retire(cut.covered);
+      boundary_.release();
+      return Outcome::done;
+    }
+    if (cut.covered == 0) return Outcome::circle_is_free;
+    // Where p has all cycles in its cap, but not its circle in another one, it has all other caps in its own: what they have done is
+    // undone. On a scanner's line a far point may have begun before a near one.
+    if (cut.covered != boundary_.live() || !caps_.misses_circle_of(p)) return Outcome::lost;
+    begin();
+    return Outcome::circle_is_free;
   }
 
   /// Step 4: cuts the arcs. Returns: false where a crossing is not certain, there is no room, or entries and exits do not
@@ -309,22 +325,28 @@ class FreeRegion {
   }
 
   /// The circle of p is free as a whole, and so it stays unless another one crosses it. If one that waits does, the two begin a
-  /// cycle; otherwise p waits as well. Returns: false when the region is lost.
+  /// cycle; if one has p's cap in its own, there is nothing to do; otherwise p waits as well. Returns: false when the region is lost.
   template <typename IsInBall>
   bool await_crossing(const Neighbor& p, IsInBall is_in_ball) {
-    for (std::size_t i = 0; i < waiting_; ++i) {
-      const Neighbor q = waits_[i];
+    const double size = p.size();
+    for (std::size_t i = 0; i < waiting_.count(); ++i) {
+      const Neighbor q = waiting_[i];
+      const Depths of_p = depths_on_circle(q, q.size(), p), of_q = depths_on_circle(p, size, q);
+      // All of a circle in a cap: then its own cap is, as both are less than half of the sphere.
+      if (of_p.least > of_p.error) return true;
+      if (of_q.least > of_q.error) {
+        waiting_.remove(i--);
+        continue;
+      }
       const Crossing both = crossing_of(p, q, radius_);
       if (both.is_impossible) continue;
-      waits_[i] = waits_[--waiting_];
-      const Outcome of_q = cut(q, is_in_ball);  // the region may have changed since q was tried
-      if (of_q == Outcome::lost) return false;
-      if (of_q == Outcome::done) return subtract(p, is_in_ball);
+      waiting_.remove(i);
+      const Outcome outcome = cut(q, is_in_ball);  // the region may have changed since q was tried
+      if (outcome == Outcome::lost) return false;
+      if (outcome == Outcome::done) return subtract(p, is_in_ball);
       return begin_cycle(p, q, both) && retry_waiting(is_in_ball);
     }
-    if (waiting_ == max_waiting) return false;
-    waits_[waiting_++] = p;
-    return true;
+    return waiting_.add(p);
   }
 
   /// A new cycle of two corners and two arcs, where the free circles of p and q cross. Returns: false when the region is lost.
@@ -344,24 +366,31 @@ class FreeRegion {
     return boundary_.subdivide(a, p) && boundary_.subdivide(b, q);
   }
 
+  /// Tries again what waits and is_wanted(q) holds for, the nearest first. Returns: false when the region is lost.
+  template <typename IsInBall, typename IsWanted>
+  bool retry_waiting(IsInBall is_in_ball, IsWanted is_wanted) {
+    for (std::size_t i = 0; i < waiting_.count();) {
+      const Outcome outcome = is_wanted(waiting_[i]) ? cut(waiting_[i], is_in_ball) : Outcome::circle_is_free;
+      if (outcome == Outcome::lost) return false;
+      if (outcome == Outcome::done)
+        waiting_.remove(i);
+      else
+        ++i;
+    }
+    return true;
+  }
   template <typename IsInBall>
   bool retry_waiting(IsInBall is_in_ball) {
-    const std::size_t count = std::exchange(waiting_, 0);
-    std::array<Neighbor, max_waiting> again;
-    std::copy_n(waits_.begin(), count, again.begin());
-    for (std::size_t k = 0; k < count; ++k)
-      if (!subtract(again[k], is_in_ball)) return false;
-    return true;
+    return retry_waiting(is_in_ball, [](const Neighbor&) { return true; });
   }
 
   double radius_ = 0, square_ = 0;
-  std::size_t waiting_ = 0;
   bool has_begun_ = false;  // there have been corners
   bool is_parted_ = false;  // the caps cover a great circle, so that each part is on one side of a plane through v
   InitialRegion initial_;
   CapUnion caps_;
   RegionBoundary boundary_;
-  std::array<Neighbor, max_waiting> waits_;  // points whose circles are free as a whole
+  WaitingCircles waiting_;
 };
 
 }  // namespace

@@ -74,6 +74,27 @@ TEST_CASE("around a point, the free region gives what rolling about every edge g
   CHECK(rolled < sites / 4);  // otherwise nothing has been compared
 }
 
+TEST_CASE("on the lines of a scanner, where whole circles bound the region for long, regions are found as well") {
+  Threads threads;
+  for (const double radius : {0.55, 0.8, 1.5})
+    for (const double noise : {0.0, 1e-3}) {
+      CAPTURE(radius);
+      CAPTURE(noise);
+      Random random(93);
+      Points3 points;
+      for (int line = 0; line < 7; ++line)
+        for (int i = 0; i < 110; ++i) {
+          const double x = i / 20.0 + 0.0185 * line, y = line + noise * random.unit();
+          points.push_back({x, y, 0.3 * std::sin(x / 5) * std::cos(y / 6) + noise * random.unit()});
+        }
+      const Cells cells(points, radius, threads);
+      const Found region = turns_of(cells, true);
+      CHECK(region.turns == turns_of(cells, false).turns);
+      CHECK(region.turns.size() > points.size());
+      CHECK(100 * region.rolled < points.size());
+    }
+}
+
 TEST_CASE("points that another one sees in one direction, at almost one distance, hide no triangle") {
   // The least and the greatest depth of one's cap on the other's circle differ by the root of what is rounded.
   const Points3 points = {{0x1.8bdd177148d58p-4, 0x1.23717c3b551a6p-2, 0x1.774e661651e3ap-1},
