@@ -115,7 +115,7 @@ TEST_SUITE("surface") {
     CHECK(folder.content("all.ply") == folder.content("same.ply"));
     for (const std::string choice : {"outer", "largest"}) {
       CAPTURE(choice);
-      const json report = json::parse(folder.rbpa(run + "--shell " + choice + " -o outer.ply").out);
+      const json report = json::parse(folder.rbpa(run + "--shell " + choice + " --compact -o outer.ply").out);
       CHECK(report["components"] == 1);
       CHECK(report["closed_components"] == 1);
       CHECK(report["boundary_curves"] == 0);

@@ -11,11 +11,12 @@
 
 #include <hwy/highway.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
@@ -30,15 +31,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 class CapUnion {
  public:
   using Vector = Vector3<double>;
-  /// A region that more caps have bounded is lost; on a smooth surface ten do.
-  static constexpr std::size_t capacity = 256;
+  /// A region that more caps have bounded is lost. On a smooth surface ten do, in a crowd some thousand.
+  static constexpr std::size_t most = 32767;
 
   void reset(double radius) {
     radius_ = radius;
     count_ = 0;
   }
-  /// Requires: fewer than `capacity` are there.
+  /// Requires: fewer than `most` are there.
   void push(const Neighbor& p) {
+    if (count_ == points_.size()) grow();
     points_[count_] = p;
     x_[count_] = p.at.x;
     y_[count_] = p.at.y;
@@ -64,8 +66,8 @@ class CapUnion {
     const Vector place = place_on_circle(p);
     const hn::CappedTag<double, 8> d;
     for (std::size_t i = 0; i < count_; i += hn::Lanes(d)) {
-      const auto depth = hn::Sub(along(i, place), hn::Load(d, &power_[i]));
-      const auto is_in = depth > hn::Mul(hn::Set(d, limits::slack * radius_), hn::Load(d, &length_[i]));
+      const auto depth = hn::Sub(along(i, place), hn::LoadU(d, &power_[i]));
+      const auto is_in = depth > hn::Mul(hn::Set(d, limits::slack * radius_), hn::LoadU(d, &length_[i]));
       if (!hn::AllFalse(d, hn::And(is_in, hn::FirstN(d, count_ - i)))) return true;
     }
     return false;
@@ -74,6 +76,19 @@ class CapUnion {
   /// No cap covers the same point of it.
   bool misses_circle_of(const Neighbor& p) const {
     return has_circle(p) && misses(place_on_circle(p), limits::slack * radius_);
+  }
+
+  /// The caps that p's cap contains cover nothing any more. Returns: false, where that is not certain of some cap, and then what is
+  /// left may not be used. Requires: p's circle is free, so that every other cap is disjoint from p's.
+  bool forget_within(const Neighbor& p) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (points_[i].power == forgotten) continue;
+      const double depth = dot(place_on_circle(points_[i]), p.at) - p.power, error = limits::slack * radius_ * p.length;
+      if (depth < -error) continue;
+      if (!(depth > error)) return false;
+      points_[i].power = power_[i] = forgotten;
+    }
+    return true;
   }
 
   /// The caps cover the great circle perpendicular to an axis: each of its sixteen samples is so deep in some cap that the cap
@@ -96,7 +111,7 @@ class CapUnion {
       const auto qu = along(n, u), qv = along(n, v),
                  needed = hn::IfThenElse(
                      hn::FirstN(d, count_ - n),
-                     hn::MulAdd(hn::Load(d, &length_[n]), hn::Set(d, gap * radius_), hn::Load(d, &power_[n])),
+                     hn::MulAdd(hn::LoadU(d, &length_[n]), hn::Set(d, gap * radius_), hn::LoadU(d, &power_[n])),
                      hn::Set(d, std::numeric_limits<double>::infinity()));
       for (std::size_t i = 0; i < samples; ++i)
         if (!hn::AllFalse(d, hn::MulAdd(hn::Set(d, cosine[i]), qu, hn::Mul(hn::Set(d, sine[i]), qv)) > needed))
@@ -120,14 +135,24 @@ class CapUnion {
   /// The products of w with as many points as there are lanes, from the i-th on.
   HWY_INLINE hn::Vec<hn::CappedTag<double, 8> > along(std::size_t i, const Vector& w) const {
     const hn::CappedTag<double, 8> d;
-    return hn::MulAdd(hn::Load(d, &x_[i]), hn::Set(d, w.x),
-                      hn::MulAdd(hn::Load(d, &y_[i]), hn::Set(d, w.y), hn::Mul(hn::Load(d, &z_[i]), hn::Set(d, w.z))));
+    return hn::MulAdd(
+        hn::LoadU(d, &x_[i]), hn::Set(d, w.x),
+        hn::MulAdd(hn::LoadU(d, &y_[i]), hn::Set(d, w.y), hn::Mul(hn::LoadU(d, &z_[i]), hn::Set(d, w.z))));
   }
+
+  /// By whole vectors.
+  void grow() {
+    const std::size_t size = std::max<std::size_t>(256, 2 * points_.size());
+    points_.resize(size);
+    for (std::vector<double>* values : {&x_, &y_, &z_, &power_, &length_}) values->resize(size);
+  }
+
+  static constexpr double forgotten = std::numeric_limits<double>::infinity();  // a power that no depth exceeds
 
   double radius_ = 0;
   std::size_t count_ = 0;
-  std::array<Neighbor, capacity> points_;
-  alignas(64) std::array<double, capacity> x_{}, y_{}, z_{}, power_{}, length_{};  // of the points, for vectors
+  std::vector<Neighbor> points_;
+  std::vector<double> x_, y_, z_, power_, length_;  // of the points, for vectors
 };
 
 }  // namespace

@@ -176,7 +176,7 @@ class FreeRegion {
   ///   5. close the boundary along p's own circle, from each entry to the next exit.
   template <typename IsInBall>
   HWY_INLINE Outcome cut(const Neighbor& p, IsInBall is_in_ball) {
-    if (caps_.count() == CapUnion::capacity) return Outcome::lost;
+    if (caps_.count() == CapUnion::most) return Outcome::lost;
     const double size = p.size();
     RegionBoundary::Signs signs = boundary_.signs_of(p, size);
     if (signs.uncertain != 0 && !decide(p, is_in_ball, signs)) return Outcome::lost;
@@ -258,10 +258,12 @@ class FreeRegion {
       return Outcome::done;
     }
     if (cut.covered == 0) return Outcome::circle_is_free;
-    // Where p has all cycles in its cap, but not its circle in another one, it has all other caps in its own: what they have done is
-    // undone. On a scanner's line a far point may have begun before a near one.
-    if (cut.covered != boundary_.live() || !caps_.misses_circle_of(p)) return Outcome::lost;
-    begin();
+    // A free circle with whole cycles in its cap: each cap so far is in p's cap or disjoint from it. Those in it are undone, and p
+    // waits. On a scanner's line a far point may have begun before a near one.
+    if (!caps_.misses_circle_of(p) || !caps_.forget_within(p)) return Outcome::lost;
+    boundary_.retire(cut.covered);
+    boundary_.release();
+    if (boundary_.live() == 0) begin();
     return Outcome::circle_is_free;
   }
 
@@ -352,7 +354,7 @@ class FreeRegion {
   /// A new cycle of two corners and two arcs, where the free circles of p and q cross. Returns: false when the region is lost.
   bool begin_cycle(const Neighbor& p, const Neighbor& q, const Crossing& both) {
     if (!both.is_certain || !caps_.misses(both.left, both.error) || !caps_.misses(both.right, both.error) ||
-        caps_.count() + 2 > CapUnion::capacity)
+        caps_.count() + 2 > CapUnion::most)
       return false;
     const std::size_t first = caps_.count();
     caps_.push(p);
