@@ -27,6 +27,7 @@
 #include "rbpa/space/star/ball_pair-inl.h"
 #include "rbpa/space/star/bounding_cones-inl.h"
 #include "rbpa/space/star/cap_union-inl.h"
+#include "rbpa/space/star/circle_depths.h"
 #include "rbpa/space/star/initial_region-inl.h"
 #include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
@@ -47,7 +48,6 @@ class FreeRegion {
   /// The whole sphere.
   void reset(double radius) {
     radius_ = radius;
-    square_ = radius * radius;
     waiting_.clear();
     begin();
   }
@@ -220,32 +220,29 @@ class FreeRegion {
   bool test_interiors(const Neighbor& p, double size, Cut& cut) const {
     for (std::uint64_t left = cut.bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
-      const Depths on_circle = depths_on_circle(p, size, caps_[boundary_.about(k)]);
-      if (on_circle.greatest < -on_circle.error)
-        cut.bitten &= ~(std::uint64_t{1} << k);
-      else if (!(on_circle.greatest > on_circle.error && boundary_.has_on_arc(k, p, size, 1)))
-        return false;
+      const CircleDepths on_circle = depths_on_circle(p, size, caps_[boundary_.about(k)], radius_);
+      if (on_circle.greatest > on_circle.error && boundary_.has_on_arc(k, p, size, 1)) continue;
+      if (!(on_circle.greatest < -on_circle.error) && !is_opposite(k, p, on_circle, 1)) return false;
+      cut.bitten &= ~(std::uint64_t{1} << k);
     }
     for (std::uint64_t left = cut.spared; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
-      const Depths on_circle = depths_on_circle(p, size, caps_[boundary_.about(k)]);
-      if (on_circle.least > on_circle.error)
-        cut.spared &= ~(std::uint64_t{1} << k);
-      else if (!(on_circle.least < -on_circle.error && boundary_.has_on_arc(k, p, size, -1)))
-        return false;
+      const CircleDepths on_circle = depths_on_circle(p, size, caps_[boundary_.about(k)], radius_);
+      if (on_circle.least < -on_circle.error && boundary_.has_on_arc(k, p, size, -1)) continue;
+      if (!(on_circle.least > on_circle.error) && !is_opposite(k, p, on_circle, -1)) return false;
+      cut.spared &= ~(std::uint64_t{1} << k);
     }
     return true;
   }
 
-  /// Of c · p − p²/2, for all c on the circle of q.
-  struct Depths {
-    double greatest, least, error;
-  };
-  Depths depths_on_circle(const Neighbor& p, double size, const Neighbor& q) const {
-    const double along = dot(p.at, q.at), qq = 2 * q.power;
-    const double across = std::sqrt(std::max(0.0, 2 * p.power - along * along / qq));
-    const double half_range = std::sqrt(std::max(0.0, square_ - qq / 4)) * across;
-    return {along / 2 + half_range - p.power, along / 2 - half_range - p.power, limits::extreme * radius_ * size};
+  /// The direction of p times `sign` is not on the arc from corner k, for certain: it is more than 120 degrees from both ends. Along
+  /// the circle depth is a cosine. Of an arc without length, as on a grid, nothing else shows it.
+  bool is_opposite(int k, const Neighbor& p, const CircleDepths& on_circle, double sign) const {
+    const double middle = (on_circle.greatest + on_circle.least) / 2, half = (on_circle.greatest - on_circle.least) / 2;
+    const auto is_far = [&](int corner) {
+      return sign * (dot(boundary_.corner(corner), p.at) - p.power - middle) < -0.75 * half - on_circle.error;
+    };
+    return is_far(k) && is_far(boundary_.next(k));
   }
 
   /// Step 3: p's circle crosses no arc, so that whole cycles are in the cap, or none. One covered point of it shows that it is
@@ -333,7 +330,7 @@ class FreeRegion {
     const double size = p.size();
     for (std::size_t i = 0; i < waiting_.count(); ++i) {
       const Neighbor q = waiting_[i];
-      const Depths of_p = depths_on_circle(q, q.size(), p), of_q = depths_on_circle(p, size, q);
+      const CircleDepths of_p = depths_on_circle(q, q.size(), p, radius_), of_q = depths_on_circle(p, size, q, radius_);
       // All of a circle in a cap: then its own cap is, as both are less than half of the sphere.
       if (of_p.least > of_p.error) return true;
       if (of_q.least > of_q.error) {
@@ -386,7 +383,7 @@ class FreeRegion {
     return retry_waiting(is_in_ball, [](const Neighbor&) { return true; });
   }
 
-  double radius_ = 0, square_ = 0;
+  double radius_ = 0;
   bool has_begun_ = false;  // there have been corners
   bool is_parted_ = false;  // the caps cover a great circle, so that each part is on one side of a plane through v
   InitialRegion initial_;
