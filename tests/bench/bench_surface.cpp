@@ -30,7 +30,7 @@ struct SurfaceArguments {
   int runs = 5;
   double patience = 60;
   double radius = 0;  // 0: all of them
-  bool cold = false, by_processor = false, without_engine = false;
+  bool cold = false, by_processor = false, without_engine = false, slow = false;
   std::vector<SurfaceContestant> programs = {};
 };
 
@@ -57,6 +57,7 @@ std::optional<SurfaceArguments> parse_surface(int argc, char** argv) {
     if (given == "--cold") return arguments.cold = true;
     if (given == "--by-processor") return arguments.by_processor = true;
     if (given == "--without-engine") return arguments.without_engine = true;
+    if (given == "--slow") return arguments.slow = true;
     return false;
   };
   for (int i = 1; i < argc; ++i) {
@@ -75,6 +76,7 @@ std::optional<SurfaceArguments> parse_surface(int argc, char** argv) {
         "usage: %s [OPTIONS]\n"
         "  --points=N              1000000\n"
         "  --runs=N                5\n"
+        "  --slow                  the sets instead on which a point may cost more: lines, outliers, a street, a grid\n"
         "  --radius=2              the contests of this radius only, in spacings: 2 or 4\n"
         "  --growth=N              a sphere of 100000 points, twice as many and so on up to N as well\n"
         "  --patience=S            60; who has taken longer is not run again in a contest\n"
@@ -235,9 +237,16 @@ void report(const SurfaceArguments& arguments) {
     double radius, times;
   };
   const std::size_t n = arguments.points;
-  const SurfacePoints sphere = on_sphere(n, 0), torus = on_double_torus(n), noisy = on_sphere(n, 0.1);
-  for (const auto& [samples, radius, times] : {Wanted{sphere, 2, 15}, Wanted{sphere, 4, 25}, Wanted{torus, 2, 15},
-                                               Wanted{torus, 4, 25}, Wanted{noisy, 2, 12}}) {
+  std::vector<Wanted> all_wanted;
+  if (arguments.slow) {
+    for (const SurfacePoints& samples :
+         {on_sphere(n, 0), on_scan_lines(n), with_outliers(n), on_street(n), on_grid(n), ten_times(n)})
+      for (const double radius : {1.0, 2.0, 4.0}) all_wanted.push_back({samples, radius, 1});
+  } else {
+    const SurfacePoints sphere = on_sphere(n, 0), torus = on_double_torus(n), noisy = on_sphere(n, 0.1);
+    all_wanted = {{sphere, 2, 15}, {sphere, 4, 25}, {torus, 2, 15}, {torus, 4, 25}, {noisy, 2, 12}};
+  }
+  for (const auto& [samples, radius, times] : all_wanted) {
     if (arguments.radius != 0 && arguments.radius != radius) continue;
     const std::vector<SurfaceContestant> fresh = alone(all);
     contests.push_back(measure_surface(samples, radius, arguments.cold ? fresh : all, settings));

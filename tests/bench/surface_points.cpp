@@ -132,4 +132,74 @@ SurfacePoints on_double_torus(std::size_t count) {
   return with_spacing(std::sqrt(area / static_cast<double>(count)));
 }
 
+SurfacePoints on_scan_lines(std::size_t count) {
+  constexpr double denser = 20, tube = 0.5;
+  // Rings of length 2 pi out around the axis, in points pi / lines / denser apart.
+  const double lines = std::round(std::sqrt(static_cast<double>(count) / (2 * denser))),
+               spacing = 2 * pi * tube / lines;
+  SurfacePoints samples{"scan lines", {}, {}, spacing};
+  for (double line = 0; line < lines; ++line) {
+    const double turn = 2 * pi * line / lines, out = 1 + tube * std::cos(turn);
+    const double along = std::round(2 * pi * out * denser / spacing);
+    for (double i = 0; i < along; ++i) {
+      const double around = 2 * pi * (i + 0.37 * line) / along;
+      samples.points.push_back({out * std::cos(around), out * std::sin(around), tube * std::sin(turn)});
+      samples.normals.push_back({std::cos(around) * std::cos(turn), std::sin(around) * std::cos(turn), std::sin(turn)});
+    }
+  }
+  return samples;
+}
+
+SurfacePoints with_outliers(std::size_t count) {
+  SurfacePoints samples = on_sphere(count - count / 20, 0);
+  samples.name = "sphere, outliers";
+  Random random(3);
+  while (samples.points.size() < count) {
+    samples.points.push_back(any(4, random));
+    samples.normals.push_back(any(1, random));
+  }
+  return samples;
+}
+
+SurfacePoints on_street(std::size_t count) {
+  Random random(4);
+  constexpr double near = 1, far = 60, facade = 8, height = 6;
+  SurfacePoints samples{"street", {}, {}, far * std::sqrt(2 * pi * std::log(far / near) / static_cast<double>(count))};
+  while (samples.points.size() < count) {
+    // Directions of a scanner are even, so that density falls with the square of the distance.
+    const double distance = near * std::pow(far / near, random.unit()), angle = random.between(0, 2 * pi);
+    Point3 p = {distance * std::cos(angle), distance * std::sin(angle), random.between(-0.02, 0.02)}, n = {0, 0, 1};
+    if (std::abs(p.y) > facade) {  // where the ray meets the facade
+      const double share = facade / std::abs(p.y);
+      p = {p.x * share, std::copysign(facade, p.y) + random.between(-0.02, 0.02), height * random.unit()};
+      n = {0, -std::copysign(1.0, p.y), 0};
+    }
+    samples.points.push_back(p);
+    samples.normals.push_back(n);
+  }
+  return samples;
+}
+
+SurfacePoints on_grid(std::size_t count) {
+  const int side = static_cast<int>(std::cbrt(static_cast<double>(count)) + 0.5);
+  SurfacePoints samples{"grid", {}, {}, 1};
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z) {
+        samples.points.push_back({double(x), double(y), double(z)});
+        samples.normals.push_back({2.0 * x - side, 2.0 * y - side, 2.0 * z - side + 0.5});
+      }
+  return samples;
+}
+
+SurfacePoints ten_times(std::size_t count) {
+  const SurfacePoints once = on_sphere(count / 10, 0);
+  SurfacePoints samples{"sphere, ten times", {}, {}, once.spacing};
+  for (int times = 0; times < 10; ++times) {
+    samples.points.insert(samples.points.end(), once.points.begin(), once.points.end());
+    samples.normals.insert(samples.normals.end(), once.normals.begin(), once.normals.end());
+  }
+  return samples;
+}
+
 }  // namespace rbpa_bench

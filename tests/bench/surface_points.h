@@ -25,4 +25,19 @@ SurfacePoints on_sphere(std::size_t count, double noise);
 /// and of any two that are nearer than half a spacing to each other, which are where the tori meet, only one.
 SurfacePoints on_double_torus(std::size_t count);
 
+// Sets on which a point may cost much more than on a smooth surface.
+
+/// On a torus, as a scanner with lines sees it: the spacing is that of the lines, and points along a line are a twentieth of it
+/// apart.
+SurfacePoints on_scan_lines(std::size_t count);
+/// on_sphere(), and one point in twenty anywhere in a cube of four times its width.
+SurfacePoints with_outliers(std::size_t count);
+/// Ground and facades around a scanner, up to a hundred times as dense near it as far away; the spacing is that of the farthest
+/// tenth.
+SurfacePoints on_street(std::size_t count);
+/// All points of an integer grid in a cube: ties of every kind.
+SurfacePoints on_grid(std::size_t count);
+/// on_sphere(), each point ten times.
+SurfacePoints ten_times(std::size_t count);
+
 }  // namespace rbpa_bench
