@@ -198,19 +198,27 @@ std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles&
   return {line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes))};
 }
 
-Surface linked(const Indices& triangles, const Indices& neighbors) {
-  const auto corners = triples_of(triangles, "triangles"), others = triples_of(neighbors, "neighbors");
+/// Triangles and neighbours of a surface, which are copied without Python's lock.
+struct Links {
+  std::span<const Triple> triangles, neighbors;
+
+  Links(const Indices& of_triangles, const Indices& of_neighbors)
+      : triangles(triples_of(of_triangles, "triangles")), neighbors(triples_of(of_neighbors, "neighbors")) {}
+};
+
+Surface of_links(const Links& links) {
   Surface surface;
-  surface.triangles.assign(corners.begin(), corners.end());
-  surface.neighbors.assign(others.begin(), others.end());
+  surface.triangles.assign(links.triangles.begin(), links.triangles.end());
+  surface.neighbors.assign(links.neighbors.begin(), links.neighbors.end());
   return surface;
 }
 
 /// The number of its component for each triangle, and a row of numbers for each component.
 py::dict components_of(const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
-  SurfaceComponents found = watched(triangles.size() / 3, py::none(),
-                                    [&](Watch&) { return surface_components(input, linked(triangles, neighbors)); });
+  const Links links(triangles, neighbors);
+  SurfaceComponents found =
+      watched(links.triangles.size(), py::none(), [&](Watch&) { return surface_components(input, of_links(links)); });
   std::vector<double> areas, volumes;
   std::vector<std::int64_t> curves;
   std::vector<std::array<Point3, 2>> boxes;
@@ -232,8 +240,9 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
 /// Of each component, whether it is an outer shell.
 std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
-  return watched(triangles.size() / 3, py::none(), [&](Watch&) {
-    const Surface shells = linked(triangles, neighbors);
+  const Links links(triangles, neighbors);
+  return watched(links.triangles.size(), py::none(), [&](Watch&) {
+    const Surface shells = of_links(links);
     return outer_shells(input, radius, shells, surface_components(input, shells));
   });
 }
@@ -241,9 +250,10 @@ std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& 
 /// Fills an empty mesh: face i is triangle i, glued where the surface is.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
+  const Links links(triangles, neighbors);
   mesh.changed();
-  mesh.built_on = watched(triangles.size() / 3, py::none(), [&](Watch&) {
-    SurfaceMesh made = surface_mesh(input, linked(triangles, neighbors));
+  mesh.built_on = watched(links.triangles.size(), py::none(), [&](Watch&) {
+    SurfaceMesh made = surface_mesh(input, of_links(links));
     mesh.kernel().take_links(made.mesh);
     return std::move(made.input_index);
   });
@@ -253,8 +263,8 @@ void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const 
 
 void bind_surface(py::module_& module) {
   using py::arg;
-  module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"),
-             arg("viewpoints").noconvert(), arg("threads"), arg("progress"));
+  module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"), arg("viewpoints").noconvert(),
+             arg("threads"), arg("progress"));
   module.def("auto_radii", &chosen_radii, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("surface", &surface_of, arg("points").noconvert(), arg("normals").noconvert(), arg("radii").noconvert(),
              arg("threads"), arg("progress"));

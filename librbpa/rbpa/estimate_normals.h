@@ -32,7 +32,7 @@ struct NormalOptions {
 };
 
 /// For each point, the unit normal of the plane that fits it and its nearest others with the least sum of squared distances.
-/// Equal distances are ordered by the points' coordinates. Where they are on about a line, as on a scanner's lines whose distance is
+/// Equal distances are ordered by the points' coordinates. Where 8 or more are on about a line, as on a scanner's lines whose distance is
 /// larger than that of eight points along them, the plane is fitted to as many of the nearest 16 times `neighbors`, chosen far from
 /// each other.
 ///

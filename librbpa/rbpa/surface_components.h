@@ -19,7 +19,7 @@ struct SurfaceComponent {
   std::size_t triangles = 0;
   std::size_t boundary_sides = 0;  ///< 0: it is closed
   std::size_t boundary_curves = 0;
-  double area = 0;                 ///< in squared units of the points
+  double area = 0;    ///< in squared units of the points
   double volume = 0;  ///< in a closed component, negative where the triangles face what it encloses; otherwise 0
   Point3 low, high;   ///< opposite corners of its box
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "meshops/core/validate.h"
-#include "rbpa/filling_mesh.h"
 #include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/filling_mesh.h"
 #include "support/exact.h"
 
 namespace rbpa_test {

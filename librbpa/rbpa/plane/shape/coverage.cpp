@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "rbpa/base/components.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/triangle.h"
-#include "rbpa/base/components.h"
 #include "rbpa/plane/shape/nesting.h"
 
 namespace rbpa {

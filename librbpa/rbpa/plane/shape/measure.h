@@ -6,8 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "rbpa/base/point.h"
 #include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/point.h"
 #include "rbpa/shape.h"
 
 namespace rbpa {

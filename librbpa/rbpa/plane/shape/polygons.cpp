@@ -6,10 +6,10 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/boundary_walk.h"
+#include "rbpa/base/components.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
-#include "rbpa/base/components.h"
 #include "rbpa/plane/shape/measure.h"
 #include "rbpa/plane/shape/nesting.h"
 #include "rbpa/plane/shape/split_curve.h"

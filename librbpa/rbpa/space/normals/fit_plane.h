@@ -14,7 +14,7 @@ struct Plane {
 
   /// The points determine it. At the straight rim of a sheet roundness is 0.28; on the lines of a scanner that are farther from
   /// each other than eight points along them it is about 0.
-  bool is_certain() const { return roundness >= 0.08; }
+  bool is_certain() const { return roundness >= 0.03; }
 };
 
 /// A unit normal, to either side, of the plane through the centroid of point i and its neighbours that has the least sum of
