@@ -1,7 +1,8 @@
 // What:   estimates normals for points in space: each is that of the plane that fits the nearest points, and all are turned
 //         to one side of the surface.
 // Law:    a function of the set of points, and of no order or thread; multiplying all points by a power of two changes nothing.
-//         Equal points have equal normals, but where they have different viewpoints. An estimate, in rounded numbers; when it is wrong: docs/surface.md, section 3.
+//         Equal points have equal normals, but where they have different viewpoints. An estimate, in rounded numbers; when it
+//         is wrong: docs/surface.md, section 3.
 // Cost:   O(n log n), on a scanner's lines about 30 times as much; at most about 25 neighbors + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
@@ -32,9 +33,9 @@ struct NormalOptions {
 };
 
 /// For each point, the unit normal of the plane that fits it and its nearest others with the least sum of squared distances.
-/// Equal distances are ordered by the points' coordinates. Where 8 or more are on about a line, as on a scanner's lines whose distance is
-/// larger than that of eight points along them, the plane is fitted to as many of the nearest 16 times `neighbors`, chosen far from
-/// each other.
+/// Equal distances are ordered by the points' coordinates. Where 8 or more are on about a line, as on a scanner's lines whose
+/// distance is larger than that of eight points along them, the plane is fitted to as many of the nearest 16 times `neighbors`,
+/// chosen far from each other.
 ///
 /// Points that are connected through nearest others have normals on one side: they are turned along a minimum spanning tree
 /// whose weights measure how uncertain the side is across an edge. The first is turned outward: the extreme point in the

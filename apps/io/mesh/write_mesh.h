@@ -32,9 +32,9 @@ struct SpaceMesh {
   std::span<const std::uint32_t> points = {};  ///< input indices
 };
 
-/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar and points as uint `point`; STL (binary, single precision); or
-/// the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is written, when a
-/// coordinate is too large for STL. Requires: not a picture format.
+/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar and points as uint `point`; STL (binary,
+/// single precision); or the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is
+/// written, when a coordinate is too large for STL. Requires: not a picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Points one after the other, each once; the first follows the last.
