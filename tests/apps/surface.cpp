@@ -200,6 +200,43 @@ TEST_SUITE("surface") {
     CHECK(indices_of(folder.content("b.npy")).size() == 3 * 2 * 996);
   }
 
+  TEST_CASE("normals are turned toward a viewpoint, or around, those of the file as well") {
+    const Folder folder;
+    folder.file("bare.xyz", sphere(500, 2, false));
+    folder.file("own.xyz", sphere(500));
+    for (const std::string points : {"bare.xyz", "own.xyz"}) {
+      CAPTURE(points);
+      const auto rows = [&](const std::string& options) {
+        CHECK(folder.rbpa("surface " + points + " --radius 0.3 -o m.npy -q " + options).code == 0);
+        return indices_of(folder.content("m.npy"));
+      };
+      const std::vector<std::uint32_t> outward = rows(""), inward = rows("--flip");
+      CHECK(outward.size() == 3 * 996);
+      CHECK(inward.size() == outward.size());
+      CHECK(inward != outward);
+      CHECK(rows("--viewpoint 0.1,0,-0.2") == inward);
+      CHECK(rows("--viewpoint 0.1,0,-0.2 --flip") == outward);
+    }
+    // Fewer neighbours, and a file's own normals left aside.
+    const Outcome fewer = folder.rbpa("surface own.xyz --radius 0.3 --neighbors 8 -o m.npy");
+    CHECK(fewer.err.find("normals estimated") != std::string::npos);
+  }
+
+  TEST_CASE("wrong neighbours and viewpoints, and no file") {
+    const Folder folder;
+    folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+    for (const std::string text : {"1", "2.5", "1001", "x"})
+      refuses(folder, "p.xyz --radius 1 -o m.off --neighbors " + text, 2,
+              "--neighbors: found '" + text + "', expected a number of points, 2 to 1000");
+    for (const std::string text : {"1,2", "1,2,3,4", "a,b,c", "1,2,inf"})
+      refuses(folder, "p.xyz --radius 1 -o m.off --viewpoint " + text, 2,
+              "--viewpoint: found '" + text + "', expected three coordinates, such as 0,0,1.5");
+    refuses(folder, "p.xyz --radius 1 -o m.off --normals none --flip", 2,
+            "--normals: found none with --neighbors, --viewpoint or --flip, which change normals");
+    refuses(folder, "p.xyz --radius 1 -o m.off --normals file --neighbors 8", 2,
+            "--neighbors: found --normals file, of which nothing is estimated");
+  }
+
   TEST_CASE("colours and normals stay with their vertices, and --compact drops the others") {
     const Folder folder;
     folder.file("p.ply",
