@@ -142,15 +142,15 @@ TEST_CASE("shells are outer exactly if no shell winds around any ball that rests
       };
       const Triangle& corners = shells.surface.triangles[t];
       if (std::any_of(corners.begin(), corners.end(), is_off)) continue;  // nearly a line, whose ball is anywhere
-      bool is_outside = true;
+      bool is_outside = true, is_certain = true;
       for (std::uint32_t shell = 0; shell < shells.outer.size(); ++shell) {
         const long double turns = winding(points, shells, shell, at);
-        if (std::abs(turns - std::round(turns)) > 1e-3L) goto next;  // too flat to tell
+        is_certain = is_certain && std::abs(turns - std::round(turns)) <= 1e-3L;
         is_outside = is_outside && std::lround(turns) == 0;
       }
+      if (!is_certain) continue;  // solid angles near the surface have too few digits
       REQUIRE(shells.outer[shells.components.number[t]] == is_outside);
       ++(is_outside ? outer : inner);
-    next:;
     }
   }
   CHECK(outer > 2000);

@@ -117,8 +117,8 @@ Real square_between(const Point3& p, const Point3& q) {
   return x * x + y * y + z * z;
 }
 
-/// Chooses as many as there is room for: the first two, so that what is connected stays so, then those that are at least so far
-/// from all others chosen as evenly spread points of a disc would be, then half as far, and so on.
+/// Fills `chosen`. First come the two nearest, which keep neighbours on a line connected. Then come points whose distance from all
+/// chosen ones is at least the spacing of as many evenly spread points in the disc; then the same with half that spacing, and so on.
 template <typename Real>
 void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& nearest, std::span<std::uint32_t> chosen) {
   std::vector<bool> is_chosen(nearest.size(), false);
