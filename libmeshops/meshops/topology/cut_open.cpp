@@ -1,7 +1,6 @@
 #include "meshops/topology/cut_open.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
@@ -67,7 +66,7 @@ std::vector<UnglueEffect> cut_open(Connectivity& mesh, const Homology& homology)
 }
 
 void glue_back(Connectivity& mesh, std::span<const UnglueEffect> cuts) {
-  for (const UnglueEffect& cut : std::ranges::reverse_view(cuts)) glue(mesh, cut.first, cut.second);
+  for (std::size_t i = cuts.size(); i-- > 0;) glue(mesh, cuts[i].first, cuts[i].second);
 }
 
 }  // namespace meshops
