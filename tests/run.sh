@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests. The last line counts them; with `release` it is
 # a failure if one is left out.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, nightly
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, nightly; or quick: the libraries'
+#                                   suites with sanitizers, and with clang
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
@@ -9,7 +10,7 @@ packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev l
           zlib1g-dev nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
           clang-tidy-14 pybind11-dev python3-dev python3-numpy python3-pytest mypy python3-scipy python3-shapely
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
-[ "$preset" = clang ] && packages+=(clang-14)
+[ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)
 [ "$preset" = nightly ] && packages+=(chromium)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
@@ -52,6 +53,11 @@ elif [ "$preset" = threads ]; then  # what its tests run
 elif [ "$preset" = gdal ]; then
   build gdal --target test_ogr
   test_preset gdal gdal
+elif [ "$preset" = quick ]; then
+  for with in sanitize clang; do
+    build "$with" --target test_meshops test_rbpa fuzz_operators fuzz_fronts rbpa_cli meshtopo
+    test_preset "$with" "quick-$with" --parallel "$(nproc)"
+  done
 else
   build "$preset"
   test_preset "$preset" "$preset" --parallel "$(nproc)"

@@ -13,6 +13,7 @@
 #include "rbpa/plane/arrays/dangling.h"
 #include "rbpa/plane/arrays/linked_triangles.h"
 #include "rbpa/plane/arrays/triangle_list.h"
+#include "rbpa/plane/divide/small_set.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/patches/for_each_patch.h"
 
@@ -78,9 +79,8 @@ std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t poin
   return others(covered, of.duplicates);
 }
 
-/// The triangles of a radius, and what becomes of points.
-Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
-  Triangulation result;
+void triangulate_on_tiles(std::span<const Point> points, double alpha, const TriangulationOptions& options,
+                          Triangulation& result) {
   Threads threads = threads_for(points.size(), options.threads);
   std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
   result.distinct = sites->size();
@@ -103,6 +103,13 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   }
   // Without a radius all points are in triangles, if there are any.
   if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
+}
+
+/// The triangles of a radius, and what becomes of points.
+Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
+  Triangulation result;
+  if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
+    triangulate_on_tiles(points, alpha, options, result);
   const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
   if (options.boundary) result.boundary = boundary_of(result, ask);
   if (!options.neighbors) result.neighbors = std::vector<Triangle>();

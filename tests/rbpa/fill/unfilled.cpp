@@ -273,12 +273,12 @@ TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles ar
   }
   comb.pop_back();
   const auto star = [&](double inner) {
-    Points star;
+    Points tips;
     for (int i = 0; i < 2 * teeth; ++i) {
       const double angle = 3.14159265358979323846 * i / teeth, radius = i % 2 == 1 ? 1 : inner;
-      star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      tips.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
-    return star;
+    return tips;
   };
   // Teeth as wide as the last places of their coordinates allow.
   Points narrow = {{0, 0}};

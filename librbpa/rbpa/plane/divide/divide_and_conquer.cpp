@@ -4,14 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <limits>
-#include <mutex>
 #include <vector>
 
 #include "rbpa/base/parallel/in_order.h"
-#include "rbpa/plane/divide/quad_edges.h"
-#include "rbpa/plane/predicate/chord.h"
+#include "rbpa/plane/divide/delaunay_edges.h"
 
 namespace rbpa {
 namespace {
@@ -19,211 +15,14 @@ namespace {
 using Edge = QuadEdges::Edge;
 using Corner = QuadEdges::Corner;
 
-/// Calls working() once in many steps, in one thread at a time; none is called after one that has thrown.
-class Steps {
+/// Reads the triangles off the edges, and asks of each whether it is kept. Parts of the edges are given to different threads.
+class Extraction {
  public:
-  explicit Steps(const std::function<void()>& working) : working_(working) {}
-
-  void step(std::size_t& taken) {
-    if (++taken < at_once) return;
-    taken -= at_once;
-    const std::lock_guard lock(mutex_);
-    if (failure_) std::rethrow_exception(failure_);
-    try {
-      working_();
-    } catch (...) {
-      failure_ = std::current_exception();
-      throw;
-    }
-  }
-
- private:
-  static constexpr std::size_t at_once = 4096;
-  const std::function<void()>& working_;
-  std::exception_ptr failure_;
-  std::mutex mutex_;
-};
-
-template <typename Real>
-class DivideAndConquer {
-  using P = Predicates<Real>;
-
- public:
-  DivideAndConquer(std::span<SitePoint> places, Threads& threads, const std::function<void()>& working)
-      : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {}
-
-  /// 1. cut the points in two, across the longer side of their box, until few are left: triangulate();
-  /// 2. sort these few and triangulate them from left to right: triangulate_sorted();
-  /// 3. merge halves, from the edge below both hulls up to the one above: merge();
-  /// 4. read the triangles off the edges, and ask of each whether it is kept: extract().
-  /// Halves of many points are given to two threads, and so are parts of the edges.
-  void run(const Fate& fate, meshops::Patch& patch) {
-    const Part all = triangulate(0, places_.size());
-    extract(all.first_x, fate, patch);
-  }
-
- private:
-  /// Corners of a hull: the first and the last in either order.
-  struct Extremes {
-    Corner first_x, last_x, first_y, last_y;
-  };
-  /// What a part of the points has for itself, so that another thread can work on another part.
-  struct Own {
-    QuadEdges::Unused unused;
-    std::size_t steps;  // since the last time that `working` was called
-  };
-  struct Part : Extremes, Own {};
-
-  Part triangulate(std::size_t first, std::size_t last) {
-    const std::span<SitePoint> places = places_.subspan(first, last - first);
-    if (places.size() <= few) {
-      sort_few(places, AlongX());
-      Own own = {edges_.unused_for(first, last), 0};
-      const Extremes extremes = triangulate_sorted(first, last, own);
-      return {extremes, own};
-    }
-    const Sample sample(places);
-    const bool along_x = sample.is_wide();
-    const std::size_t middle = first + (along_x ? halve(places, sample, AlongX()) : halve(places, sample, AlongY()));
-    Part a, b;
-    const auto triangulate_half = [&](std::size_t half) {
-      (half == 0 ? a : b) = half == 0 ? triangulate(first, middle) : triangulate(middle, last);
-    };
-    if (places.size() >= min_for_threads) {
-      for_each_index(threads_, 2, triangulate_half);
-    } else {
-      triangulate_half(0);
-      triangulate_half(1);
-    }
-    Own own = {edges_.joined(a.unused, b.unused), a.steps + b.steps};
-    merge(along_x ? a.last_x : a.last_y, along_x ? b.first_x : b.first_y, static_cast<Corner>(middle), own);
-    return {{first_of<AlongX>(a.first_x, b.first_x), last_of<AlongX>(a.last_x, b.last_x),
-             first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)},
-            own};
-  }
-
-  Extremes triangulate_sorted(std::size_t first, std::size_t last, Own& own) {
-    if (last - first <= 3) return triangulate_three(first, last, own.unused);
-    const std::size_t middle = (first + last) / 2;
-    const Extremes a = triangulate_sorted(first, middle, own), b = triangulate_sorted(middle, last, own);
-    merge(a.last_x, b.first_x, static_cast<Corner>(middle), own);
-    return {a.first_x, b.last_x, first_of<AlongY>(a.first_y, b.first_y), last_of<AlongY>(a.last_y, b.last_y)};
-  }
-
-  template <typename Order>
-  Corner first_of(Corner p, Corner q) const {
-    return Order()(places_[p], places_[q]) ? p : q;
-  }
-  template <typename Order>
-  Corner last_of(Corner p, Corner q) const {
-    return Order()(places_[p], places_[q]) ? q : p;
-  }
-
-  /// Two or three points.
-  Extremes triangulate_three(std::size_t first, std::size_t last, QuadEdges::Unused& unused) {
-    const auto a = static_cast<Corner>(first), c = static_cast<Corner>(last - 1);
-    Extremes extremes = {a, c, first_of<AlongY>(a, c), last_of<AlongY>(a, c)};
-    if (last - first == 2) {
-      hull_[a] = edges_.make_edge(a, c, unused);
-      hull_[c] = sym(hull_[a]);
-      return extremes;
-    }
-    const Corner b = a + 1;
-    extremes.first_y = first_of<AlongY>(extremes.first_y, b);
-    extremes.last_y = last_of<AlongY>(extremes.last_y, b);
-    const Edge ab = edges_.make_edge(a, b, unused), bc = edges_.make_edge(b, c, unused);
-    edges_.insert(bc, sym(ab));
-    const int turn = P::orientation(at(a), at(b), at(c));
-    hull_[a] = ab;
-    hull_[b] = bc;
-    hull_[c] = sym(bc);
-    if (turn == 0) return extremes;
-    const Edge ca = edges_.connect(sym(bc), ab, unused);
-    if (turn > 0) {
-      hull_[c] = ca;
-    } else {
-      hull_[a] = sym(ca);
-      hull_[b] = sym(ab);
-    }
-    return extremes;
-  }
-
-  /// Joins two triangulations with a line between them, which pass it at the given corners of their hulls. Seen along
-  /// the line, with the first to the left, new edges come from below to above. Points from `middle` on are right.
-  void merge(Corner left_corner, Corner right_corner, Corner middle, Own& own) {
-    Edge edge = lower_tangent(left_corner, right_corner, own.unused);
-    hull_[edges_.dest(edge)] = sym(edge);
-    for (;;) {
-      steps_.step(own.steps);
-      const Chord<Real> base(at(edges_.dest(edge)), at(edges_.org(edge)));
-      // The first edge above at either end, and whatever it cuts off.
-      const Edge back = sym(edge);
-      Edge left = edges_.onext(back), right = edges_.oprev(edge);
-      auto of_left = base.candidate(at(edges_.dest(left))), of_right = base.candidate(at(edges_.dest(right)));
-      const bool is_left = base.is_left(of_left), is_right = base.is_left(of_right);
-      if (!is_left && !is_right) break;
-      const auto cut_off = [&](Edge& side, auto& of_side, auto next_of, bool is_of_left) {
-        for (;;) {
-          const Edge next = next_of(side);
-          const Corner beyond = edges_.dest(next);
-          if ((beyond < middle) != is_of_left) return;
-          const auto of_next = base.candidate(at(beyond));
-          if (!base.is_inside(of_next, of_side)) return;
-          edges_.remove(side, own.unused);
-          side = next;
-          of_side = of_next;
-        }
-      };
-      if (is_left)
-        cut_off(
-            left, of_left, [&](Edge e) { return edges_.onext(e); }, true);
-      if (is_right)
-        cut_off(
-            right, of_right, [&](Edge e) { return edges_.oprev(e); }, false);
-      edge = !is_left || (is_right && base.is_inside(of_right, of_left))
-                 ? edges_.connect(edges_.lnext(right), back, own.unused)
-                 : edges_.connect(edges_.oprev(edge), sym(left), own.unused);
-    }
-    hull_[edges_.org(edge)] = edge;
-  }
-
-  /// The edge below both hulls, from right to left.
-  Edge lower_tangent(Corner left_corner, Corner right_corner, QuadEdges::Unused& unused) {
-    Edge left = edges_.oprev(hull_[left_corner]), right = hull_[right_corner];
-    for (;;) {
-      const Point &l = at(edges_.org(left)), &r = at(edges_.org(right));
-      if (P::orientation(l, at(edges_.dest(left)), r) > 0)
-        left = edges_.lnext(left);
-      else if (P::orientation(r, at(edges_.dest(right)), l) < 0)
-        right = edges_.rprev(right);
-      else
-        return edges_.connect(edges_.oprev(right), left, unused);
-    }
-  }
-
-  /// What lies beyond the hull is no triangle: from now on its edges lead nowhere.
-  void open_hull(Corner on_hull) {
-    const Edge first = sym(hull_[on_hull]);
-    Edge outer = first;
-    do {
-      const Edge next = edges_.lnext(outer);
-      edges_.open(outer);
-      edges_.number(outer, meshops::Patch::nothing);
-      outer = next;
-    } while (outer != first);
-  }
-
-  /// Triangles that have their least edges among some, and are kept.
-  struct Found {
-    std::vector<Edge> least;
-    std::vector<std::array<Edge, 3>> edges;
-    std::vector<std::array<Corner, 3>> corners;
-    std::size_t size = 0, first = 0;  // how many; where in the patch
-  };
+  Extraction(std::span<const SitePoint> places, QuadEdges& edges, Threads& threads)
+      : places_(places), edges_(edges), threads_(threads) {}
 
   /// Loops have no unpredictable branch, and read what is still in a cache.
-  void extract(Corner on_hull, const Fate& fate, meshops::Patch& patch) {
-    open_hull(on_hull);
+  void extract(const Fate& fate, meshops::Patch& patch) {
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
     std::size_t kept = 0;
@@ -239,16 +38,26 @@ class DivideAndConquer {
     patch.across.resize(kept);
     for_each_part(threads_, kept, triangles_at_once, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
-        for (int& side : patch.across[t]) side = edges_.number(sym(static_cast<Edge>(side)));
+        for (int& side : patch.across[t]) side = edges_.number(QuadEdges::sym(static_cast<Edge>(side)));
     });
   }
 
+ private:
+  /// Triangles that have their least edges among some, and are kept.
+  struct Found {
+    std::vector<Edge> least;
+    std::vector<std::array<Edge, 3>> edges;
+    std::vector<std::array<Corner, 3>> corners;
+    std::size_t size = 0, first = 0;  // how many; where in the patch
+  };
+
   void find(std::size_t first, const Fate& fate, Found& found) {
-    found.least.resize(edges_at_once);
-    found.edges.resize(edges_at_once);
-    found.corners.resize(edges_at_once);
+    const std::size_t last = std::min(first + edges_at_once, edges_.size());
+    found.least.resize(last - first);
+    found.edges.resize(last - first);
+    found.corners.resize(last - first);
     std::size_t triangles = 0;
-    for (auto s = static_cast<Edge>(first); s < std::min(first + edges_at_once, edges_.size()); ++s) {
+    for (auto s = static_cast<Edge>(first); s < last; ++s) {
       const Edge t = edges_.lnext(s), u = edges_.lnext(t);
       found.least[triangles] = s;
       triangles += static_cast<std::size_t>(s < t) & static_cast<std::size_t>(s < u);
@@ -277,16 +86,10 @@ class DivideAndConquer {
     }
   }
 
-  const Point& at(Corner c) const { return places_[c].at; }
-  static Edge sym(Edge e) { return QuadEdges::sym(e); }
-
   static constexpr std::size_t edges_at_once = 1u << 13, triangles_at_once = 1u << 14;
-  static constexpr std::size_t min_for_threads = 10000;  // a millisecond or two
-  std::span<SitePoint> places_;
-  QuadEdges edges_;
-  std::vector<Edge> hull_;  // of a corner that is extreme, the edge of the hull that leaves it counter-clockwise
+  std::span<const SitePoint> places_;
+  QuadEdges& edges_;
   Threads& threads_;
-  Steps steps_;
 };
 
 }  // namespace
@@ -295,7 +98,10 @@ template <typename Real>
 meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads,
                                   const std::function<void()>& working) {
   meshops::Patch patch;
-  if (places.size() >= 3) DivideAndConquer<Real>(places, threads, working).run(fate, patch);
+  if (places.size() < 3) return patch;
+  static_assert(DelaunayEdges<Real>::no_triangle == meshops::Patch::nothing);
+  DelaunayEdges<Real> delaunay(places, &threads, working);
+  Extraction(places, delaunay.edges(), threads).extract(fate, patch);
   return patch;
 }
 
