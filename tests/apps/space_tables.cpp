@@ -152,6 +152,7 @@ TEST_SUITE("tables of space") {
     is(read("# z y x\n\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));
     is(read("# a b c\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));
     is(read("# z y x\n2 -1 0.5\n1e6 4e-3 3\n", Format::text), {}, {}, {"the comment 'z y x" + said});
+    is(read(" # z y x \r\n  2 -1 0.5\n1e6 4e-3 3\n", Format::text), {}, {}, {"the comment 'z y x" + said});
     is(read("# z y x\n0.5 -1 2\n3 4e-3 1e6\n", Format::text, {.columns = parse_space_columns("1,2,3")}));
     is(read("# z y x\nx y z\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));  // a header is nearer
   }
