@@ -16,7 +16,7 @@ if [ $# -gt 0 ]; then
   exit 2
 fi
 bash tests/install_packages.sh g++ cmake ninja-build ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
-  libeigen3-dev libnanoflann-dev zlib1g-dev nlohmann-json3-dev
+  libeigen3-dev libnanoflann-dev zlib1g-dev liblzf-dev nlohmann-json3-dev
 # What is compiled here is not compiled again by tests/run.sh: the same folder, flags and cache.
 . tests/build_environment.sh
 cmake --preset programs

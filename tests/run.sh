@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
 packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libnanoflann-dev doctest-dev libcli11-dev libpng-dev
-          zlib1g-dev nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
+          zlib1g-dev liblzf-dev nlohmann-json3-dev libcgal-dev libeigen3-dev libgeos-dev libgudhi-dev pkgconf clang-format-14
           clang-tidy-14 pybind11-dev python3-dev python3-numpy python3-pytest mypy python3-scipy python3-shapely
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
 [ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)

@@ -43,7 +43,7 @@ PointSource parse_source(const PointArguments& arguments) {
   source.format = parse_format(Use::points, arguments.points, arguments.format, point_formats, "POINTS", Format::text);
 
   const Format format = source.format;
-  const bool text = format == Format::text, ogr = format == Format::ogr;
+  const bool text = is_table(format), ogr = format == Format::ogr;
   if (ogr && source.path == "-")
     throw WrongUsage("-: found standard input, expected the name of a file, which GDAL opens");
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");

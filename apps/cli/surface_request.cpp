@@ -81,7 +81,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       .targets = {},
       .width = parse_width(arguments.width),
       .run = parse_run(arguments.run)};
-  const bool text = request.format == Format::text;
+  const bool text = is_table(request.format);
   if (arguments.columns) {
     require_format(text, "--columns", "with fixed columns", "text");
     request.choice.columns = parse_space_columns(*arguments.columns);

@@ -26,6 +26,9 @@ constexpr unsigned only(Use use) { return static_cast<unsigned>(use); }
 constexpr Named formats[] = {
     {"txt csv tsv xyz text", Format::text, Use::points | Use::space},
     {"xy", Format::text, only(Use::points)},
+    {"pts", Format::pts, Use::points | Use::space},
+    {"xyzn", Format::xyzn, Use::points | Use::space},
+    {"xyzrgb", Format::xyzrgb, Use::points | Use::space},
     {"npy", Format::npy, Use::points | Use::space | Use::triangles | Use::surface},
     {"f64xy", Format::raw, only(Use::points)},
     {"las", Format::las, Use::points | Use::space},
@@ -62,7 +65,7 @@ bool is_among(std::string_view name, std::string_view names) {
 
 /// The command that makes of a file with that ending one that is read; empty when there is none.
 std::string conversion(std::string_view ending, const std::string& path) {
-  if (is_among(ending, "laz e57 pcd ptx pts bpf rdb copc")) return "pdal translate " + path + " points.las";
+  if (is_among(ending, "laz e57 pcd ptx bpf rdb copc")) return "pdal translate " + path + " points.las";
   if (is_among(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))
     return "ogr2ogr -f GeoJSON points.geojson " + path;
   return "";

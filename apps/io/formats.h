@@ -9,6 +9,9 @@ namespace rbpa::app {
 
 enum class Format {
   text,  // a table, a point a line
+  pts,   // one that may begin with the number of points
+  xyzn,
+  xyzrgb,
   npy,
   npy_edges,  // beside the .npy of the triangles of a full complex
   npy_points,
@@ -51,6 +54,11 @@ enum class Use : unsigned {
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
 
+/// Whether it is a table, of which --columns and --skip-invalid choose columns and lines.
+constexpr bool is_table(Format format) {
+  return format == Format::text || format == Format::pts || format == Format::xyzn || format == Format::xyzrgb;
+}
+
 /// The ending of the last part of a path, without its dot; empty when there is none.
 std::string_view ending(std::string_view path);
 
@@ -68,8 +76,8 @@ std::string_view input_ending(std::string_view path);
 
 /// What there is, for messages and help; what GDAL adds is beside it.
 constexpr std::string_view point_formats =
-    "xy, txt, csv, tsv, xyz, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
-constexpr std::string_view space_formats = "xyz, txt, csv, tsv, ply, off, obj, pcd, npy, las";
+    "xy, txt, csv, tsv, xyz, pts, xyzn, xyzrgb, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
+constexpr std::string_view space_formats = "xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, obj, pcd, npy, las";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";

@@ -43,7 +43,7 @@ app::PointSource source_of(const std::string& path, bool space, const std::vecto
                            bool vertices) {
   app::PointSource source{.path = path, .skip_invalid = skip_invalid, .vertices = vertices};
   source.format = format_of(path, format, space);
-  const bool text = source.format == Format::text;
+  const bool text = app::is_table(source.format);
   if (columns) {
     require_format(text, "columns", "with fixed columns", "text");
     source.columns = space ? app::parse_space_columns(*columns) : app::parse_columns(*columns);

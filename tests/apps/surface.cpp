@@ -288,9 +288,9 @@ TEST_SUITE("surface") {
             "--normals: found 'maybe', expected file, estimate or none");
     const std::string formats = ", expected one of ply, off, obj, stl, npy, png, or --output-format";
     refuses(folder, "p.xyz --radius 1 -o m.vtu", 2, "m.vtu: found the ending 'vtu'" + formats);
-    refuses(
-        folder, "p.dat --radius 1 -o m.off", 2,
-        "p.dat: found the ending 'dat', expected one of xyz, txt, csv, tsv, ply, off, obj, pcd, npy, las, or --format");
+    refuses(folder, "p.dat --radius 1 -o m.off", 2,
+            "p.dat: found the ending 'dat', expected one of xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, "
+            "obj, pcd, npy, las, or --format");
     refuses(folder, "p.xyz --radius 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
     refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,

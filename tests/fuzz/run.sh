@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-600}
 bash tests/install_packages.sh cmake make clang-14 libclang-rt-14-dev libopenmesh-dev libboost-graph-dev libhwy-dev \
-  libtbb-dev libeigen3-dev libnanoflann-dev libcli11-dev libpng-dev zlib1g-dev nlohmann-json3-dev
+  libtbb-dev libeigen3-dev libnanoflann-dev libcli11-dev libpng-dev zlib1g-dev liblzf-dev nlohmann-json3-dev
 cmake --preset fuzz > /dev/null
 cmake --build --preset fuzz --parallel "$(nproc)"
 targets=("${@:2}")

@@ -13,8 +13,8 @@ namespace {
 
 using namespace rbpa::app;
 
-constexpr Format formats[] = {Format::text, Format::ply, Format::off, Format::obj,
-                              Format::pcd,  Format::npy, Format::las};
+constexpr Format formats[] = {Format::text, Format::ply, Format::off, Format::obj,  Format::pcd,
+                              Format::npy,  Format::las, Format::pts, Format::xyzn, Format::xyzrgb};
 
 CloudRequest choice_of(std::size_t selector) {
   CloudRequest choice;

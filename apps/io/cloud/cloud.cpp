@@ -17,6 +17,9 @@ namespace rbpa::app {
 namespace {
 
 constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, nullptr, names_of_columns, true},
+                                         {Format::pts, open_pts, nullptr, names_of_columns, true},
+                                         {Format::xyzn, open_xyzn, nullptr, names_of_columns, true},
+                                         {Format::xyzrgb, open_xyzrgb, nullptr, names_of_columns, true},
                                          {Format::las, open_las, claimed_las_size, names_of_las_fields, true},
                                          {Format::npy, open_npy, claimed_npy_size, nullptr, true},
                                          {Format::raw, open_raw, nullptr, nullptr, true},

@@ -85,22 +85,37 @@ class ElementCloud final : public Cloud {
  private:
   bool looks_at_heights() const { return layout_.height && !facts_.file.heights.differ(); }
 
-  void read_rows(CloudBlock& block) {
-    std::vector<std::size_t> offsets;
-    std::size_t size = 0;
+  /// Where the values of a property begin, of some vertices, and how far each is from the one before.
+  struct Strip {
+    const char* first;
+    std::size_t stride;
+  };
+  std::vector<Strip> take_strips(std::size_t count) {
+    std::vector<Strip> strips;
+    const char* const rows = layout_.by_columns ? nullptr : binary_->take_rows(vertex_, count);
+    const std::size_t row = vertex_.least_size();
+    std::size_t before = 0;
     for (const PlyProperty& property : vertex_.properties) {
-      offsets.push_back(size);
-      size += property.least_size();
+      const std::size_t size = property.least_size();
+      strips.push_back(layout_.by_columns ? Strip{header_.data.data() + before * vertex_.count + first_ * size, size}
+                                          : Strip{rows + before, row});
+      before += size;
     }
-    const char* const rows = binary_->take_rows(vertex_, block.count);
+    return strips;
+  }
+
+  void read_rows(CloudBlock& block) {
+    const std::vector<Strip> strips = take_strips(block.count);
     const auto load_all = [&](std::vector<double>& column, std::size_t property) {
-      load_column(column, vertex_.properties[property].type, rows + offsets[property], size, block.count,
-                  *header_.binary);
+      load_column(column, vertex_.properties[property].type, strips[property].first, strips[property].stride,
+                  block.count, *header_.binary);
     };
     for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
     for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], layout_.condition[k]);
-    for (std::size_t i = 0; layout_.color && i < block.count; ++i)
-      append_color(load<std::uint32_t>(rows + i * size + offsets[*layout_.color], *header_.binary), block);
+    for (std::size_t i = 0; layout_.color && i < block.count; ++i) {
+      const Strip& color = strips[*layout_.color];
+      append_color(load<std::uint32_t>(color.first + i * color.stride, *header_.binary), block);
+    }
     if (!looks_at_heights()) return;
     std::vector<double> heights;
     load_all(heights, *layout_.height);

@@ -2,8 +2,12 @@
 // Source: https://pointclouds.org/documentation/tutorials/pcd_file_format.html
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
+#include "io/bytes/lzf.h"
+#include "io/bytes/scalar.h"
 #include "io/cloud/element_cloud.h"
 #include "io/cloud/readers.h"
 #include "io/failure.h"
@@ -20,13 +24,18 @@ std::vector<std::string_view> all_words(std::string_view rest) {
 }
 
 /// Points are the one element.
+struct PcdHeader {
+  PlyHeader header = {};
+  bool is_compressed = false;  ///< all of one field are behind each other, and then all of the next
+};
+
 class PcdHeaderReader {
  public:
   /// Of a file of `size` bytes of which `bytes` are the first.
   PcdHeaderReader(std::string_view bytes, std::size_t size, const std::string& name)
-      : lines_(bytes), missing_(size - bytes.size()), name_(name) {}
+      : lines_(bytes), missing_(size - bytes.size()), ends_within_line_(!bytes.ends_with('\n')), name_(name) {}
 
-  PlyHeader read() {
+  PcdHeader read() {
     while (header_.data.data() == nullptr) {
       if (!lines_.next_with_content()) refuse_end();
       std::string_view rest = lines_.line();
@@ -38,7 +47,7 @@ class PcdHeaderReader {
     }
     lay_out();
     count_points();
-    return std::move(header_);
+    return {std::move(header_), is_compressed_};
   }
 
  private:
@@ -81,10 +90,11 @@ class PcdHeaderReader {
   }
 
   void take_data(std::string_view kind) {
-    if (kind == "binary_compressed")
-      refuse("ascii or binary (pcl_convert_pcd_ascii_binary FILE points.pcd 1 writes what is compressed so)");
-    if (kind != "ascii" && kind != "binary") refuse("ascii or binary");
-    if (kind == "binary") header_.binary = std::endian::little;
+    // "binary" may go on as "binary_compressed".
+    if (missing_ > 0 && ends_within_line_ && lines_.rest().empty()) refuse_end();
+    is_compressed_ = kind == "binary_compressed";
+    if (kind != "ascii" && kind != "binary" && !is_compressed_) refuse("ascii, binary or binary_compressed");
+    if (kind != "ascii") header_.binary = std::endian::little;
     header_.lines = lines_.number();
     header_.data = lines_.rest();
   }
@@ -112,6 +122,8 @@ class PcdHeaderReader {
       if (!count || *count == 0 || *count > most)
         bad_input(name_ + ": field " + shown(fields_[i]), "a count of " + in_quotes(counts_[i]),
                   "one from 1 to " + std::to_string(most));
+      // Where it compresses, the Point Cloud Library leaves out what is so called: the gaps between the others.
+      if (is_compressed_ && fields_[i] == "_") continue;
       points_.properties.push_back({std::string(fields_[i]), *type, std::nullopt, *count});
     }
   }
@@ -125,17 +137,23 @@ class PcdHeaderReader {
                 std::to_string(*width_) + " times " + std::to_string(height) + " as WIDTH and HEIGHT say");
     points_.count = count_ ? *count_ : *width_ * height;
     points_.line = count_ ? count_line_ : size_line_;
-    // Of text each number takes a character, and another behind it unless it is the last of the file.
+    if (!is_compressed_) require_room();
+    header_.elements.push_back(std::move(points_));
+  }
+
+  /// Of text each number takes a character, and another behind it unless it is the last of the file.
+  void require_room() const {
     const std::size_t left = header_.data.size() + missing_;
     const std::size_t room = header_.binary ? left / points_.least_size() : (left + 1) / (2 * points_.least_words());
     if (points_.count > room) bad_input(name_, counted(left, "byte") + " of data", announced(points_));
-    header_.elements.push_back(std::move(points_));
   }
 
   Lines lines_;
   std::size_t missing_;
+  bool ends_within_line_;
   const std::string& name_;
   PlyHeader header_{};
+  bool is_compressed_ = false;
   PlyElement points_{.name = "point", .noun = "point"};
   std::vector<std::string_view> fields_ = {}, sizes_ = {}, types_ = {}, counts_ = {};
   std::optional<std::size_t> width_ = std::nullopt, height_ = std::nullopt, count_ = std::nullopt;
@@ -167,16 +185,53 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
   return layout;
 }
 
+/// Before compressed data: how many bytes they are, and how many they become.
+struct CompressedSizes {
+  static constexpr std::size_t room = 8;
+  std::uint32_t packed = 0, unpacked = 0;
+
+  explicit CompressedSizes(std::string_view data)
+      : packed(load<std::uint32_t>(data.data(), std::endian::little)),
+        unpacked(load<std::uint32_t>(data.data() + sizeof packed, std::endian::little)) {}
+};
+
+/// What the compressed data behind the header become.
+std::vector<char> unpack(const PlyHeader& header, const std::string& name) {
+  const PlyElement& points = header.elements.front();
+  const std::string_view data = header.data;
+  if (data.size() < CompressedSizes::room)
+    bad_input(name, counted(data.size(), "byte") + " of data",
+              std::to_string(CompressedSizes::room) + ", the sizes of compressed data, and these");
+  const CompressedSizes sizes(data);
+  const std::size_t each = points.least_size(), there = data.size() - CompressedSizes::room;
+  if (points.count > sizes.unpacked / each || points.count * each != sizes.unpacked)
+    bad_input(name, counted(sizes.unpacked, "byte") + " that compressed data are to become",
+              announced(points) + ", of " + counted(each, "byte") + " each");
+  if (sizes.packed > there)
+    bad_input(name, counted(there, "byte") + " of compressed data",
+              std::to_string(sizes.packed) + " as the number behind line " + std::to_string(header.lines) + " says");
+  return unpack_lzf(data.substr(CompressedSizes::room, sizes.packed), sizes.unpacked,
+                    name + ": behind line " + std::to_string(header.lines));
+}
+
 }  // namespace
 
 std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
-  PlyHeader header = PcdHeaderReader(content.ahead(), content.ahead().size(), content.name()).read();
+  auto [header, is_compressed] = PcdHeaderReader(content.ahead(), content.ahead().size(), content.name()).read();
   PointLayout layout = lay_out(header.elements.front(), request, content.name());
+  if (is_compressed) {
+    layout.unpacked = unpack(header, content.name());
+    header.data = {layout.unpacked.data(), layout.unpacked.size()};
+    layout.by_columns = layout.has_room = true;
+  }
   return open_elements(std::move(content), std::move(header), std::move(layout), request);
 }
 
 double claimed_pcd_size(std::string_view first, const std::string& name) {
-  return claimed_size(PcdHeaderReader(first, unknown_size, name).read(), first);
+  const auto [header, is_compressed] = PcdHeaderReader(first, unknown_size, name).read();
+  if (!is_compressed) return claimed_size(header, first);
+  const auto before = static_cast<double>(first.size() - header.data.size() + CompressedSizes::room);
+  return header.data.size() < CompressedSizes::room ? before : before + CompressedSizes(header.data).packed;
 }
 
 }  // namespace rbpa::app

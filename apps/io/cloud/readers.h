@@ -32,7 +32,7 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request);
 /// says one for each vertex there are none.
 std::unique_ptr<Cloud> open_obj(Content content, const CloudRequest& request);
 
-/// Versions 0.5 to 0.7 of the Point Cloud Library's format, ASCII or binary: x, y, z; normal_x, normal_y, normal_z when all
+/// Versions 0.5 to 0.7 of the Point Cloud Library's format, ASCII or binary, compressed or not: x, y, z; normal_x, normal_y, normal_z when all
 /// are there; rgb or rgba.
 std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request);
 
@@ -42,6 +42,16 @@ std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request);
 /// double quotes (not with blanks). All lines have the same number of columns. Of a line that is not as the condition asks
 /// only the columns that it names are read.
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request);
+
+/// The same, and where no header names the columns: x, y, z, and with them an intensity, a colour or both; of such a table the first
+/// line may be the number of points, of which no more and no fewer may follow, unless invalid ones are skipped.
+std::unique_ptr<Cloud> open_pts(Content content, const CloudRequest& request);
+
+/// The same, and where no header names them x, y, z, nx, ny, nz.
+std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request);
+
+/// The same, and where no header names them x, y, z, red, green, blue: from 0 to 1, or to 255 where one of the file is greater.
+std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request);
 
 /// Claims: the bytes of all rows; of all points, or as many lines.
 double claimed_npy_size(std::string_view first, const std::string& name);

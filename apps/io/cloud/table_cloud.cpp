@@ -2,29 +2,32 @@
 #include <cmath>
 #include <utility>
 
-#include "io/bytes/available_memory.h"
 #include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/cloud/readers.h"
 #include "io/cloud/table_layout.h"
+#include "io/cloud/table_lines.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
+#include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
 namespace {
 
 class TableCloud final : public Cloud {
  public:
-  TableCloud(Content content, const CloudRequest& request)
-      : content_(std::move(content)),
-        name_(content_.name()),
+  TableCloud(Content content, const CloudRequest& request, TableKind kind)
+      : lines_(std::move(content)),
+        name_(lines_.name()),
         request_(request),
+        kind_(kind),
         selection_(request.where, request.skip_invalid) {
-    has_line_ = next_line();
-    if (has_line_ && is_separator_hint(lines_.line())) has_line_ = next_line();
+    has_line_ = lines_.next();
+    if (has_line_ && is_separator_hint(lines_.line())) has_line_ = lines_.next();
+    if (has_line_ && kind_ == TableKind::pts) pass_count();
     if (has_line_)
       has_line_ = begin();
     else if (is_by_name(request.columns))
@@ -37,18 +40,19 @@ class TableCloud final : public Cloud {
     while (has_line_ && block.count < points_at_once) {
       take_line(block);
       if (is_plain_ && width_ > 0) read_plain_lines(block);
-      has_line_ = next_line();
+      has_line_ = lines_.next();
     }
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(block.count);
     any_points_ = any_points_ || block.count > 0;
     if (separator_ != ',') all_whole_ = all_whole_ && is_whole(block);
+    if (block.count == 0 && announced_) require_announced();
     if (block.count == 0 && any_points_ && !ended_) end();
     return block.count > 0;
   }
 
   void finish() override { selection_.add_remarks(any_points_, name_, facts_.file.remarks); }
 
-  std::uint64_t bytes_read() const override { return content_.bytes_read(); }
+  std::uint64_t bytes_read() const override { return lines_.content().bytes_read(); }
 
  private:
   /// What a column is: a number by its place in a block, and others.
@@ -56,53 +60,22 @@ class TableCloud final : public Cloud {
   static constexpr double greatest_channel = 65535;
   using Numbers = std::array<double, CloudBlock::color>;
 
-  // The text.
-
-  /// The next line with content, in whichever part of the text.
-  bool next_line() {
-    while (!lines_.next_with_content())
-      if (!next_text()) return false;
-    return true;
-  }
-
-  /// All that is in memory, or some more of a file, up to the end of a line.
-  bool next_text() {
-    const bool is_first = taken_ == 0;
-    content_.skip(taken_);
-    constexpr std::size_t at_once = std::size_t{1} << 20U;
-    std::string_view text = content_.ahead();
-    for (std::size_t before = 0; !content_.is_in_memory();) {
-      text = content_.ahead(before + at_once);
-      if (text.size() < before + at_once) break;  // the end of the file
-      const std::size_t last = text.substr(before).rfind('\n');
-      if (last != std::string_view::npos) {
-        text = text.substr(0, before + last + 1);
-        break;
-      }
-      before = text.size();
-      require_memory(before);
-    }
-    taken_ = text.size();
-    lines_ = Lines(is_first ? beyond_byte_order_mark(text, name_) : text, lines_.number());
-    return !text.empty();
-  }
-
-  /// For a line that has not ended so far.
-  void require_memory(std::size_t size) const {
-    constexpr double bytes_for_each = 5;  // the text, a larger one when it grows, and the point or its vertices
-    const std::optional<double> there = available_memory();
-    if (there && bytes_for_each * static_cast<double>(size) > *there)
-      bad_input(name_, "a line of more than " + bytes_text(static_cast<double>(size)),
-                "lines for which memory suffices");
-  }
-
   std::string here() const { return at_line(name_, lines_.number()); }
 
   // The beginning.
 
+  /// Of .pts: the first line may say how many points there are.
+  void pass_count() {
+    const std::optional<std::size_t> count = parse_count(lines_.line());
+    if (!count) return;
+    announced_ = count;
+    announced_line_ = lines_.number();
+    has_line_ = lines_.next();
+  }
+
   /// Finds the columns and goes to the first line of data; false when there is none.
   bool begin() {
-    const TableLayout layout = lay_out_table(lines_, name_, request_, facts_.file.remarks);
+    const TableLayout layout = lay_out_table(lines_, kind_, request_, facts_.file.remarks);
     wkt_ = layout.wkt;
     numbers_ = layout.numbers.size();
     first_line_ = lines_.number();
@@ -111,13 +84,13 @@ class TableCloud final : public Cloud {
       header_ = lines_.line();
       width_ = layout.width;
     }
-    selection_.find_columns(layout.header ? split(header_, separator_of(header_)) : std::vector<std::string_view>(),
-                            lines_, name_);
-    if (layout.header && !next_line()) return false;
+    selection_.find_columns(layout.header ? split(header_, separator_of(header_)) : layout.names, lines_.lines(),
+                            name_);
+    if (layout.header && !lines_.next()) return false;
     separator_ = data_separator();
     first_point_ = lines_.number();
     is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
-    if (!content_.is_in_memory()) return true;
+    if (!lines_.content().is_in_memory()) return true;
     // A point takes two characters a number, or more; room that is not used costs nothing.
     const std::string_view rest = lines_.rest();
     const std::size_t shortest = request_.in_space ? 6 : 4;
@@ -175,6 +148,7 @@ class TableCloud final : public Cloud {
       const char* const behind = read_plain_line(value);
       if (behind == nullptr) return;
       append(value, block);
+      ++point_lines_;
       lines_.pass_line(behind);
     }
   }
@@ -222,6 +196,7 @@ class TableCloud final : public Cloud {
 
   /// The points of the current line, if it counts.
   void take_line(CloudBlock& block) {
+    ++point_lines_;
     selection_.attempt([&] {
       const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
       const auto take = [this](std::size_t count) { take_width(count); };
@@ -340,6 +315,14 @@ class TableCloud final : public Cloud {
 
   // The end.
 
+  void require_announced() {
+    const std::string said = std::to_string(*announced_) + " as line " + std::to_string(announced_line_) + " says";
+    if (std::exchange(announced_, std::nullopt) == point_lines_) return;
+    if (!request_.skip_invalid)
+      bad_input(name_, counted(point_lines_, "line") + " of points", said + " (--skip-invalid reads what is there)");
+    facts_.file.remarks.push_back("there are " + counted(point_lines_, "line") + " of points, and not " + said);
+  }
+
   void look_at_last(const std::array<double, 3>& channels) {
     no_direction_ = no_direction_ || channels == std::array<double, 3>{};
     for (const double channel : channels) {
@@ -351,7 +334,7 @@ class TableCloud final : public Cloud {
   void end() {
     ended_ = true;
     if (is_unnamed_) settle_last();
-    if (facts_.colors && !facts_.last_are_colors) colors_.settle(false, facts_);
+    if (facts_.colors && !facts_.last_are_colors) colors_.settle(kind_ != TableKind::any, facts_);
   }
 
   /// Whole numbers up to 255, or to 65535, are colours where one is greater than 1.
@@ -365,11 +348,12 @@ class TableCloud final : public Cloud {
             : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)");
   }
 
-  Content content_;
+  TableLines lines_;
   const std::string& name_;
   CloudRequest request_;
-  Lines lines_ = Lines({});
-  std::size_t taken_ = 0;  // of the text, which lines_ are of
+  TableKind kind_;
+  std::optional<std::size_t> announced_ = std::nullopt;  // points that the line of that number says there are
+  std::size_t announced_line_ = 0, point_lines_ = 0;
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;
   std::size_t numbers_ = 0;                        // of a point
@@ -395,7 +379,16 @@ class TableCloud final : public Cloud {
 }  // namespace
 
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request) {
-  return std::make_unique<TableCloud>(std::move(content), request);
+  return std::make_unique<TableCloud>(std::move(content), request, TableKind::any);
+}
+std::unique_ptr<Cloud> open_pts(Content content, const CloudRequest& request) {
+  return std::make_unique<TableCloud>(std::move(content), request, TableKind::pts);
+}
+std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request) {
+  return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzn);
+}
+std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request) {
+  return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzrgb);
 }
 
 }  // namespace rbpa::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <iterator>
 #include <string_view>
 
@@ -14,17 +15,17 @@ namespace {
 
 using FieldTexts = std::vector<std::string_view>;
 
-std::string found_columns(const FieldTexts& fields, const Lines& lines) {
+std::string found_columns(const FieldTexts& fields, const TableLines& lines) {
   return counted(fields.size(), "column") + " (" + in_quotes(lines.line()) + ")";
 }
 
 bool is_text_only(const FieldTexts& fields) { return std::none_of(fields.begin(), fields.end(), is_number); }
 
-std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldTexts& fields, const Lines& lines,
-                                const std::string& name) {
+std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldTexts& fields, const TableLines& lines) {
   std::vector<std::size_t> places;
   for (const Column& column : columns)
-    places.push_back(column.number > 0 ? column.number - 1 : find_column(fields, column.name, lines, name));
+    places.push_back(column.number > 0 ? column.number - 1
+                                       : find_column(fields, column.name, lines.lines(), lines.name()));
   return places;
 }
 
@@ -39,7 +40,7 @@ bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places)
 }
 
 /// A column that is called so may have something else in it, such as the bytes of a geometry, or nothing.
-bool next_line_has_geometry(const Lines& lines) {
+bool next_line_has_geometry(const TableLines& lines) {
   const std::string_view rest = lines.rest();
   const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
   constexpr std::string_view kinds[] = {"POINT", "LINESTRING", "POLYGON", "GEOMETRYCOLLECTION"};
@@ -51,7 +52,7 @@ bool next_line_has_geometry(const Lines& lines) {
 }
 
 /// Whether the line is a header with names that say where the points of the plane are.
-bool find_by_header(const FieldTexts& fields, const Lines& lines, TableLayout& layout,
+bool find_by_header(const FieldTexts& fields, const TableLines& lines, TableLayout& layout,
                     std::vector<std::string>& remarks) {
   const std::optional<std::size_t> geometries = find_wkt(fields);
   const std::optional<NamedColumns> found = find_coordinates(fields);
@@ -82,19 +83,61 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
     layout.height.reset();
 }
 
-TableLayout lay_out_plane(const FieldTexts& fields, const Lines& lines, const std::string& name,
+/// What a table of a kind has in so many columns, by names; nothing where it has none of that width.
+FieldTexts names_of_kind(TableKind kind, std::size_t width) {
+  FieldTexts names;
+  const auto append = [&](bool has, std::initializer_list<std::string_view> more) {
+    for (const std::string_view name : more)
+      if (has) names.push_back(name);
+  };
+  append(true, {"x", "y", "z"});
+  append(kind == TableKind::xyzn, {"nx", "ny", "nz"});
+  append(kind == TableKind::pts && (width == 4 || width == 7), {"intensity"});
+  append(kind == TableKind::xyzrgb || (kind == TableKind::pts && width >= 6), {"red", "green", "blue"});
+  return names.size() == width ? names : FieldTexts();
+}
+
+/// The first line is of numbers, and its columns have these names.
+void lay_out_by_names(const FieldTexts& names, bool in_space, TableLayout& layout) {
+  layout.names = names;
+  if (in_space) {
+    layout.numbers = find_space_columns(names);
+    layout.colors = find_color_columns(names);
+    return;
+  }
+  layout.numbers = {0, 1};
+  layout.height = 2;
+}
+
+/// Whether the table is of a kind, and its columns those of that.
+bool find_by_kind(const FieldTexts& fields, const TableLines& lines, TableKind kind, bool in_space,
+                  TableLayout& layout) {
+  if (kind == TableKind::any) return false;
+  const FieldTexts names = names_of_kind(kind, fields.size());
+  if (names.empty())
+    bad_input(at_line(lines.name(), lines.number()), found_columns(fields, lines),
+              kind == TableKind::xyzn     ? "6: x, y, z, nx, ny, nz"
+              : kind == TableKind::xyzrgb ? "6: x, y, z, red, green, blue"
+                                          : "3, 4, 6 or 7: x, y, z, intensity, red, green, blue");
+  lay_out_by_names(names, in_space, layout);
+  return true;
+}
+
+TableLayout lay_out_plane(const FieldTexts& fields, const TableLines& lines, TableKind kind,
                           const CloudRequest& request, std::vector<std::string>& remarks) {
   TableLayout layout{.width = fields.size(), .numbers = {0, 1}};
   if (request.columns) {
-    layout.numbers = chosen(*request.columns, fields, lines, name);
+    layout.numbers = chosen(*request.columns, fields, lines);
   } else if (find_by_header(fields, lines, layout, remarks)) {
     layout.header = true;
     find_height_column(fields, layout);
     return layout;
+  } else if (!is_text_only(fields) && find_by_kind(fields, lines, kind, false, layout)) {
+    return layout;
   }
   const std::size_t x = layout.numbers[0], y = layout.numbers[1], needed = std::max(x, y) + 1;
   if (fields.size() < needed)
-    bad_input(at_line(name, lines.number()),
+    bad_input(at_line(lines.name(), lines.number()),
               is_text_only(fields) ? in_quotes(lines.line()) : counted(fields.size(), "column"),
               needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns")
                           : "at least " + counted(needed, "column") + ", as --columns asks");
@@ -103,7 +146,7 @@ TableLayout lay_out_plane(const FieldTexts& fields, const Lines& lines, const st
   if (!layout.header) {
     // Only the ending .xyz makes a third number a height; elsewhere it may be anything.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
-    if (has_number && !request.columns && fields.size() > 2 && input_ending(name) == "xyz") layout.height = 2;
+    if (has_number && !request.columns && fields.size() > 2 && input_ending(lines.name()) == "xyz") layout.height = 2;
     return layout;
   }
   layout.degrees = is_longitude(fields[x]) && is_latitude(fields[y]);
@@ -114,12 +157,12 @@ TableLayout lay_out_plane(const FieldTexts& fields, const Lines& lines, const st
   return layout;
 }
 
-void choose_in_space(const FieldTexts& fields, const Lines& lines, const std::string& name,
-                     const std::vector<Column>& columns, TableLayout& layout) {
-  layout.numbers = chosen(columns, fields, lines, name);
+void choose_in_space(const FieldTexts& fields, const TableLines& lines, const std::vector<Column>& columns,
+                     TableLayout& layout) {
+  layout.numbers = chosen(columns, fields, lines);
   const std::size_t needed = *std::max_element(layout.numbers.begin(), layout.numbers.end()) + 1;
   if (fields.size() < needed)
-    bad_input(at_line(name, lines.number()), found_columns(fields, lines),
+    bad_input(at_line(lines.name(), lines.number()), found_columns(fields, lines),
               "at least " + counted(needed, "column") + ", as --columns asks");
   for (std::size_t i = 0; i < layout.numbers.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
@@ -128,12 +171,12 @@ void choose_in_space(const FieldTexts& fields, const Lines& lines, const std::st
 }
 
 /// Where names are not known, the number of columns decides what they are.
-void find_by_space_header(const FieldTexts& fields, const Lines& lines, const std::string& name, TableLayout& layout,
+void find_by_space_header(const FieldTexts& fields, const TableLines& lines, TableLayout& layout,
                           std::vector<std::string>& remarks) {
   layout.numbers = find_space_columns(fields);
   if (layout.numbers.empty() && fields.size() == 3) layout.numbers = {0, 1, 2};
   if (layout.numbers.empty())
-    bad_input(at_line(name, lines.number()), in_quotes(lines.line()),
+    bad_input(at_line(lines.name(), lines.number()), in_quotes(lines.line()),
               "a header with columns x, y and z (--columns X,Y,Z chooses others)");
   std::string names;
   bool in_order = true;
@@ -144,21 +187,35 @@ void find_by_space_header(const FieldTexts& fields, const Lines& lines, const st
   if (!in_order) remarks.push_back("the columns " + names + " are read, as the header says (--columns chooses others)");
 }
 
-[[noreturn]] void refuse_width(const FieldTexts& fields, const Lines& lines, const std::string& name) {
-  if (is_text_only(fields)) bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "3 or 6 numbers");
-  bad_input(at_line(name, lines.number()), found_columns(fields, lines),
+/// Whether the comment before the first line, which is of numbers, names the columns.
+bool find_by_comment(const FieldTexts& fields, const TableLines& lines, TableLayout& layout,
+                     std::vector<std::string>& remarks) {
+  const std::string_view comment = lines.comment_before();
+  const FieldTexts names = split(comment, separator_of(comment));
+  if (names.size() != fields.size() || find_space_columns(names).empty()) return false;
+  lay_out_by_names(names, true, layout);
+  layout.degrees = is_longitude(names[layout.numbers[0]]) && is_latitude(names[layout.numbers[1]]);
+  remarks.push_back("the comment " + in_quotes(comment) + " names the columns (--columns chooses others)");
+  return true;
+}
+
+[[noreturn]] void refuse_width(const FieldTexts& fields, const TableLines& lines) {
+  if (is_text_only(fields)) bad_input(at_line(lines.name(), lines.number()), in_quotes(lines.line()), "3 or 6 numbers");
+  bad_input(at_line(lines.name(), lines.number()), found_columns(fields, lines),
             fields.size() > 3 ? "3 or 6 (--columns X,Y,Z chooses some of more)" : "3 or 6");
 }
 
-TableLayout lay_out_space(const FieldTexts& fields, const Lines& lines, const std::string& name,
+TableLayout lay_out_space(const FieldTexts& fields, const TableLines& lines, TableKind kind,
                           const CloudRequest& request, std::vector<std::string>& remarks) {
   TableLayout layout{.width = fields.size()};
   if (request.columns) {
-    choose_in_space(fields, lines, name, *request.columns, layout);
+    choose_in_space(fields, lines, *request.columns, layout);
   } else if (is_header(fields, {0, 1, 2})) {
-    find_by_space_header(fields, lines, name, layout, remarks);
+    find_by_space_header(fields, lines, layout, remarks);
+  } else if (find_by_kind(fields, lines, kind, true, layout) || find_by_comment(fields, lines, layout, remarks)) {
+    return layout;
   } else {
-    if (fields.size() != 3 && fields.size() != 6) refuse_width(fields, lines, name);
+    if (fields.size() != 3 && fields.size() != 6) refuse_width(fields, lines);
     for (std::size_t i = 0; i < fields.size(); ++i) layout.numbers.push_back(i);
     layout.unnamed = fields.size() == 6;
   }
@@ -179,11 +236,11 @@ bool is_by_name(const std::optional<std::vector<Column>>& columns) {
   return columns && std::any_of(columns->begin(), columns->end(), [](const Column& c) { return c.number == 0; });
 }
 
-TableLayout lay_out_table(const Lines& lines, const std::string& name, const CloudRequest& request,
+TableLayout lay_out_table(const TableLines& lines, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& remarks) {
   const FieldTexts fields = split(lines.line(), separator_of(lines.line()));
-  return request.in_space ? lay_out_space(fields, lines, name, request, remarks)
-                          : lay_out_plane(fields, lines, name, request, remarks);
+  return request.in_space ? lay_out_space(fields, lines, kind, request, remarks)
+                          : lay_out_plane(fields, lines, kind, request, remarks);
 }
 
 }  // namespace rbpa::app

@@ -94,8 +94,9 @@ constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", 
                                              "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
 constexpr std::string_view normal_names[3][4] = {
     {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
-constexpr std::string_view color_names[3][4] = {
-    {"r", "red", "colorr", "colourr"}, {"g", "green", "colorg", "colourg"}, {"b", "blue", "colorb", "colourb"}};
+constexpr std::string_view color_names[3][6] = {{"r", "red", "colorr", "colourr", "rf", "diffusered"},
+                                                {"g", "green", "colorg", "colourg", "gf", "diffusegreen"},
+                                                {"b", "blue", "colorb", "colourb", "bf", "diffuseblue"}};
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 
@@ -116,10 +117,11 @@ std::optional<std::size_t> find_first(const std::vector<std::string>& header, co
 }
 
 /// The columns of all three, or none.
-std::vector<std::size_t> find_three(const std::vector<std::string>& header, const std::string_view (&known)[3][4]) {
+template <std::size_t names>
+std::vector<std::size_t> find_three(const std::vector<std::string>& header, const std::string_view (&known)[3][names]) {
   std::vector<std::size_t> places;
-  for (const auto& names : known)
-    if (const std::optional<std::size_t> place = find_first(header, names)) places.push_back(*place);
+  for (const auto& of_one : known)
+    if (const std::optional<std::size_t> place = find_first(header, of_one)) places.push_back(*place);
   return places.size() == 3 ? places : std::vector<std::size_t>();
 }
 

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "support/lzf.h"
 #include "support/mesh_files.h"
 
 namespace apps_test {
@@ -51,6 +52,8 @@ std::vector<File> claiming_space() {
           {"p.npy", npy_of_zeros("(5, 3)", 15)},
           {"p.las", las_of(3)},
           {"b.pcd", pcd("binary", 3, std::string(36, '\0'))},
+          {"c.pcd", pcd("binary_compressed", 3,
+                        little(lzf_repeated('\0', 36).size(), 4) + little(36, 4) + lzf_repeated('\0', 36))},
           {"t.pcd", pcd("ascii", 3, "0 0 0\n1 0 0\n0 1 0\n")}};
 }
 

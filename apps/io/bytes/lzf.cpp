@@ -1,0 +1,41 @@
+#include "io/bytes/lzf.h"
+
+#include <lzf.h>
+
+#include <limits>
+#include <optional>
+
+#include "io/bytes/available_memory.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Three bytes become a copy of at most 264 others.
+constexpr std::size_t most_for_each = 88;
+
+/// What was unpacked, and twice as much that reading makes of it: numbers of 4 bytes become some of 8.
+constexpr double bytes_in_memory = 3;
+
+}  // namespace
+
+std::vector<char> unpack_lzf(std::string_view packed, std::size_t size, const std::string& place) {
+  constexpr std::size_t most = std::numeric_limits<unsigned>::max();
+  if (size > most || packed.size() > most || size > most_for_each * packed.size())
+    bad_input(place, counted(packed.size(), "byte") + " of compressed data",
+              std::to_string(size / most_for_each + (size % most_for_each > 0 ? 1 : 0)) + " or more for " +
+                  counted(size, "byte") + " unpacked");
+  const std::optional<double> there = available_memory();
+  if (there && bytes_in_memory * static_cast<double>(size) > *there)
+    bad_input(place, bytes_text(static_cast<double>(size)) + " unpacked",
+              "at most a third of the " + bytes_text(*there) + " of memory there are");
+  std::vector<char> unpacked(size);
+  if (size == 0) return unpacked;
+  const unsigned count =
+      lzf_decompress(packed.data(), static_cast<unsigned>(packed.size()), unpacked.data(), static_cast<unsigned>(size));
+  if (count == 0) bad_input(place, "damaged compressed data", "what becomes " + counted(size, "byte"));
+  if (count != size) bad_input(place, counted(count, "byte") + " unpacked", std::to_string(size));
+  return unpacked;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,210 @@
+// PCD with DATA binary_compressed: the points of the same file without compression; what is damaged is refused, and what only
+// claims to be large is not believed.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "io/cloud/read_space_points.h"
+#include "io/cloud/readers.h"
+#include "io/failure.h"
+#include "support/las_file.h"
+#include "support/lzf.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using namespace rbpa::app;
+using rbpa::Point3;
+
+namespace {
+
+std::string head(const std::string& kind, std::size_t points, const std::string& gap = " _") {
+  const bool has_gap = !gap.empty();
+  return "VERSION 0.7\nFIELDS x" + gap + " y z rgb normal_x normal_y normal_z tag\nSIZE 4" + (has_gap ? " 1" : "") +
+         " 8 4 4 4 4 4 2\nTYPE F" + (has_gap ? " U" : "") + " F F U F F F U\nCOUNT 1" + (has_gap ? " 3" : "") +
+         " 1 1 1 1 1 1 2\nWIDTH " + std::to_string(points) + "\nHEIGHT 1\nPOINTS " + std::to_string(points) +
+         "\nDATA " + kind + "\n";
+}
+
+template <typename T>
+std::string raw(T value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+/// The fields of point i but for the gap.
+std::vector<std::string> fields(std::size_t i) {
+  const auto t = static_cast<float>(i);
+  return {raw(t / 7), raw(static_cast<double>(i) / 3),
+          raw(-t),    raw(static_cast<std::uint32_t>(i * 2654435761U)),
+          raw(t),     raw(1.F),
+          raw(0.F),   raw(static_cast<std::uint16_t>(i)) + std::string(2, '\7')};
+}
+
+std::string binary(std::size_t points) {
+  std::string bytes = head("binary", points);
+  for (std::size_t i = 0; i < points; ++i) {
+    const std::vector<std::string> all = fields(i);
+    for (std::size_t k = 0; k < all.size(); ++k) bytes += all[k] + (k == 0 ? "gap" : "");
+  }
+  return bytes;
+}
+
+/// All of one field, then all of the next.
+std::string by_fields(std::size_t points) {
+  std::vector<std::string> columns(8);
+  for (std::size_t i = 0; i < points; ++i)
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k] += fields(i)[k];
+  std::string bytes;
+  for (const std::string& column : columns) bytes += column;
+  return bytes;
+}
+
+std::string with_sizes(const std::string& packed, std::size_t unpacked) {
+  return little(packed.size(), 4) + little(unpacked, 4) + packed;
+}
+
+std::string compressed(std::size_t points, const std::string& gap = " _") {
+  const std::string bytes = by_fields(points);
+  return head("binary_compressed", points, gap) + with_sizes(lzf_literals(bytes), bytes.size());
+}
+
+SpacePoints read(const std::string& bytes, const CloudRequest& request = {}) {
+  return space_points_in(bytes, "p", Format::pcd, request);
+}
+
+std::string refusal(const std::string& bytes) {
+  try {
+    read(bytes);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// Three points with x, y and z of 4 bytes.
+std::string three(const std::string& data, const std::string& points = "POINTS 3") {
+  return "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n" + points + "\nDATA binary_compressed\n" + data;
+}
+
+}  // namespace
+
+TEST_SUITE("compressed pcd") {
+  TEST_CASE("the points are those of the file that is not compressed, with and without gaps between fields") {
+    for (const std::size_t count : {1U, 2U, 5U, 4095U, 4096U, 4097U, 10000U}) {
+      CAPTURE(count);
+      const SpacePoints expected = read(binary(count));
+      REQUIRE(expected.points.size() == count);
+      for (const std::string gap : {" _", ""}) {
+        const SpacePoints file = read(compressed(count, gap));
+        CHECK(file.points == expected.points);
+        CHECK(file.normals == expected.normals);
+        CHECK(file.colors == expected.colors);
+        CHECK(file.remarks.empty());
+      }
+    }
+    CHECK(read(compressed(2)).points[1] == Point3{static_cast<double>(1.F / 7), 1. / 3, -1});
+  }
+
+  TEST_CASE("--where selects by the fields, of several numbers too") {
+    const CloudRequest request{.where = Condition("x > 700 and z < -9995", names_of_properties())};
+    const SpacePoints of_binary = read(binary(10000), request), file = read(compressed(10000), request);
+    CHECK(file.points.size() == 4);
+    CHECK(file.points == of_binary.points);
+    CHECK(file.remarks == of_binary.remarks);
+  }
+
+  TEST_CASE("what is behind the data is left alone, and no points are none") {
+    const std::string bytes = compressed(3);
+    CHECK(read(bytes + "anything").points == read(bytes).points);
+    CHECK(read(three(with_sizes("", 0), "POINTS 0")).points.empty());
+    CHECK(read(three(with_sizes("x", 0), "POINTS 0")).points.empty());
+  }
+
+  TEST_CASE("copies are unpacked, near and far, short and long") {
+    // z is 264 bytes of x and y again, over and over.
+    std::string bytes;
+    for (std::size_t i = 0; i < 66; ++i) bytes += raw(static_cast<float>(i));
+    std::string packed = lzf_literals(bytes), all = bytes;
+    for (int k = 0; k < 2; ++k) {
+      packed += lzf_copy(264, 264);
+      all += bytes;
+    }
+    const SpacePoints file = read(three(with_sizes(packed, all.size()), "POINTS 66"));
+    REQUIRE(file.points.size() == 66);
+    for (std::size_t i = 0; i < 66; ++i)
+      CHECK(file.points[i] == Point3{static_cast<double>(i), static_cast<double>(i), static_cast<double>(i)});
+    CHECK(read(three(with_sizes(lzf_repeated('\0', 36), 36))).points == std::vector<Point3>(3));
+    const std::string many = lzf_repeated('\0', 12 * 22000);
+    CHECK(many.size() < 12 * 22000 / 87);  // as short as it can be
+    CHECK(read(three(with_sizes(many, 12 * std::size_t{22000}), "POINTS 22000")).points == std::vector<Point3>(22000));
+  }
+
+  TEST_CASE("a file that ends anywhere is refused, and the message has the place") {
+    const std::string whole = compressed(5);
+    const std::size_t header = head("binary_compressed", 5).size();
+    for (std::size_t size = 1; size < whole.size(); ++size) {
+      const std::string message = refusal(whole.substr(0, size));
+      CAPTURE(size);
+      CHECK(message.starts_with("p"));
+      CHECK(message.find("found ") != std::string::npos);
+      CHECK(message.find("expected ") != std::string::npos);
+      if (size >= header && size < header + 8)
+        CHECK(message == "p: found " + counted(size - header, "byte") +
+                             " of data, expected 8, the sizes of compressed data, and these");
+      if (size >= header + 8)
+        CHECK(message == "p: found " + counted(size - header - 8, "byte") + " of compressed data, expected " +
+                             std::to_string(whole.size() - header - 8) + " as the number behind line 9 says");
+    }
+  }
+
+  TEST_CASE("any byte that is another one is refused or read, and no more than there is") {
+    const std::string whole = compressed(4);
+    std::size_t refused = 0;
+    for (std::size_t i = head("binary_compressed", 4).size(); i < whole.size(); ++i)
+      for (const int change : {1, 0x20, 0x80, 0xff}) {
+        std::string damaged = whole;
+        damaged[i] = static_cast<char>(damaged[i] ^ change);
+        const std::string message = refusal(damaged);
+        if (message == "none") continue;
+        ++refused;
+        CHECK(message.starts_with("p: "));
+      }
+    CHECK(refused > 30);
+  }
+
+  TEST_CASE("damaged data, and sizes that are not those of the points") {
+    const std::string zeros = lzf_repeated('\0', 36);
+    CHECK(refusal(three(with_sizes(zeros, 35))) ==
+          "p: found 35 bytes that compressed data are to become, expected 3 points as line 4 says, of 12 bytes each");
+    CHECK(refusal(three(with_sizes(lzf_repeated('\0', 35), 36))) ==
+          "p: behind line 5: found 35 bytes unpacked, expected 36");
+    CHECK(refusal(three(with_sizes(lzf_repeated('\0', 37), 36))) ==
+          "p: behind line 5: found damaged compressed data, expected what becomes 36 bytes");
+    CHECK(refusal(three(with_sizes(lzf_copy(36, 1), 36))) ==
+          "p: behind line 5: found damaged compressed data, expected what becomes 36 bytes");  // of nothing before it
+    CHECK(refusal(three(with_sizes(zeros.substr(0, zeros.size() - 1), 36))).starts_with("p: behind line 5: found "));
+    CHECK(refusal(three(with_sizes("", 36))) ==
+          "p: behind line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes unpacked");
+    CHECK(refusal(three(with_sizes(lzf_repeated('\xff', 36), 36))) ==
+          "p: point 0: found '-nan', expected a finite number");
+    CHECK(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA binary_squeezed\n") ==
+          "p:5: found 'DATA binary_squeezed', expected ascii, binary or binary_compressed");
+  }
+
+  TEST_CASE("nothing is allocated for what is only claimed") {
+    const std::string most = "1152921504606846976";  // 2^60
+    const std::vector<std::string> counts = {"POINTS " + most, "WIDTH " + most + "\nHEIGHT 1",
+                                             "WIDTH 1073741824\nHEIGHT 1073741824"};
+    for (const std::string& points : counts) {
+      const std::string message = refusal(three(with_sizes("xxxx", 0xffffffffU), points));
+      CHECK(message.starts_with("p: found 4294967295 bytes that compressed data are to become, expected "));
+    }
+    // As many points as the sizes can say, of 4 bytes of data.
+    CHECK(
+        refusal(three(with_sizes("xxxx", 12 * std::size_t{357913941}), "POINTS 357913941")) ==
+        "p: behind line 5: found 4 bytes of compressed data, expected 48806447 or more for 4294967292 bytes unpacked");
+  }
+}
