@@ -72,9 +72,10 @@ struct Annulus {
   template <typename Handle>
   void check(const std::vector<Handle>& handles, const Calls<Handle>& calls) {
     const auto before = snapshot(mesh);
-    for (const auto& [name, call] : calls)
+    for (const auto& named : calls)
       for (const Handle handle : handles) {
-        CAPTURE(std::string(name));
+        const auto& [name, call] = named;
+        CAPTURE(std::string(named.first));
         CAPTURE(handle.idx());
         std::string message;
         try {
@@ -187,7 +188,8 @@ TEST_SUITE("contracts") {
         {"destroy_triangle", message([&] { destroy_triangle(mesh, Face(0)); })},
         {"remove_triangle", message([&] { remove_triangle(mesh, Face(0)); })},
         {"open_curve", message([&] { open_curve(mesh, Face(0)); })}};
-    for (const auto& [who, what] : all) CHECK_MESSAGE(what.starts_with(who + ": the mesh needs "), what);
+    for (const auto& found : all)
+      CHECK_MESSAGE(found.second.starts_with(found.first + ": the mesh needs "), found.second);
   }
 
   TEST_CASE("a tracker that is notified of what did not happen refuses it and counts nothing") {

@@ -124,8 +124,8 @@ std::optional<std::string_view> unit_of(const PointFile& file) {
   unsigned code = 0;
   if (std::from_chars(text.data(), text.data() + text.size(), code).ec != std::errc()) return std::nullopt;
   constexpr unsigned us_survey_foot = 9003;
-  if (const std::optional<unsigned> feet = feet_of_epsg(code))
-    return *feet == us_survey_foot ? "US survey foot" : "foot";
+  if (const std::optional<unsigned> foot = feet_of_epsg(code))
+    return *foot == us_survey_foot ? "US survey foot" : "foot";
   if (has(metres, code)) return "metre";
   return std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/boundary_walk.h"
 #include "rbpa/base/triangle_arrays.h"
+#include "rbpa/fill_holes.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/interior.h"
 #include "rbpa/space/levels/neighborhood_subset.h"
@@ -109,22 +110,25 @@ void explain(RimEdge& edge, const space::Agreement& agreement, const std::option
 
 }  // namespace
 
+std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface) {
+  require_linked(space::arrays_of(surface), points.size());
+  std::vector<Hole> curves = curves_of(surface);
+  for (Hole& curve : curves) curve.length = length_of(curve, points);
+  return curves;
+}
+
 std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,
                         const Surface& surface, const SurfaceOptions& options) {
   space::check_radii(radii);
   space::check_points(points);
   space::check_normals(points, normals);
-  require_linked(space::arrays_of(surface), points.size());
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
   meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
                    "holes: expected a level of each triangle");
-
-  std::vector<Hole> curves = curves_of(surface);
+  std::vector<Hole> curves = surface_curves(points, surface);
   std::vector<RimEdge*> open;
-  for (Hole& curve : curves) {
-    curve.length = length_of(curve, points);
+  for (Hole& curve : curves)
     for (RimEdge& edge : curve.edges) open.push_back(&edge);
-  }
   const space::Agreement agreement(points, normals, surface.duplicates);
   for (std::size_t i = radii.size(); i > 0 && !open.empty(); --i) {
     const auto level = static_cast<std::uint32_t>(i - 1);

@@ -73,13 +73,13 @@ void begin(Front& front) {
 
 TEST_SUITE("life of a front") {
   TEST_CASE("every entry of a finished front reports that it is finished, and leaves the mesh alone") {
-    for (const auto& [name, entry] : entries()) {
-      CAPTURE(name);
+    for (const auto& named : entries()) {
+      CAPTURE(named.first);
       TestMesh mesh;
       Front front(mesh, 30);
       begin(front);
       front.finish();
-      CHECK(refusal([&] { entry(front); }) == "Front: the front is finished");
+      CHECK(refusal([&] { named.second(front); }) == "Front: the front is finished");
       check_sound(mesh);
       CHECK(mesh.n_faces() == 2);
       // These read no mesh.
@@ -94,8 +94,8 @@ TEST_SUITE("life of a front") {
   }
 
   TEST_CASE("every entry of a front whose mesh others changed reports what was found and what was expected") {
-    for (const auto& [name, entry] : entries()) {
-      CAPTURE(name);
+    for (const auto& named : entries()) {
+      CAPTURE(named.first);
       TestMesh mesh;
       Front front(mesh, 30);
       begin(front);
@@ -103,7 +103,7 @@ TEST_SUITE("life of a front") {
         if (i != 5) mesh.status(Vertex(i)).set_deleted(true);
       mesh.garbage_collection();
       CHECK(
-          refusal([&] { entry(front); }) ==
+          refusal([&] { named.second(front); }) ==
           "Front: the mesh was changed by others: it has 4 vertices, 5 edges, 2 faces; expected 30 vertices, 5 edges, "
           "2 faces");
     }

@@ -44,14 +44,14 @@ struct Fragile {
     return *this;
   }
   ~Fragile() = default;
-  friend bool operator==(const Fragile& a, const Fragile& b) { return a.value == b.value; }
+  [[maybe_unused]] friend bool operator==(const Fragile& a, const Fragile& b) { return a.value == b.value; }
   friend bool operator<(const Fragile& a, const Fragile& b) {
     fuse.burn();
     return a.value < b.value;
   }
-  friend bool operator>(const Fragile& a, const Fragile& b) { return b < a; }
-  friend bool operator<=(const Fragile& a, const Fragile& b) { return !(b < a); }
-  friend bool operator>=(const Fragile& a, const Fragile& b) { return !(a < b); }
+  [[maybe_unused]] friend bool operator>(const Fragile& a, const Fragile& b) { return b < a; }
+  [[maybe_unused]] friend bool operator<=(const Fragile& a, const Fragile& b) { return !(b < a); }
+  [[maybe_unused]] friend bool operator>=(const Fragile& a, const Fragile& b) { return !(a < b); }
 };
 
 constexpr Site sites = 24;

@@ -86,13 +86,14 @@ void is_watched(std::size_t corners, const std::function<void(const GoOn&)>& wor
 
 TEST_SUITE("progress") {
   TEST_CASE("what is done with a soup can be watched and cancelled, whatever is wrong with it") {
-    for (const auto& [name, given] : large_soups()) {
-      CAPTURE(name);
+    for (const auto& named : large_soups()) {
+      CAPTURE(named.first);
+      const auto& given = named.second;
       const std::size_t corners = given.corners.size();
-      is_watched(corners, [&, &given = given](const GoOn& go_on) { find_defects(given, go_on); });
-      is_watched(corners, [&, &given = given](const GoOn& go_on) { report(given, go_on); });
-      is_watched(corners, [&, &given = given](const GoOn& go_on) { examine(given, go_on); });
-      is_watched(corners, [&, &given = given](const GoOn& go_on) { repair(given, go_on); });
+      is_watched(corners, [&](const GoOn& go_on) { find_defects(given, go_on); });
+      is_watched(corners, [&](const GoOn& go_on) { report(given, go_on); });
+      is_watched(corners, [&](const GoOn& go_on) { examine(given, go_on); });
+      is_watched(corners, [&](const GoOn& go_on) { repair(given, go_on); });
     }
   }
 
@@ -120,8 +121,9 @@ TEST_SUITE("progress") {
   }
 
   TEST_CASE("the report of a mesh can be watched and cancelled, whatever its boundary") {
-    for (const auto& [name, given] : large_soups()) {
-      CAPTURE(name);
+    for (const auto& named : large_soups()) {
+      CAPTURE(named.first);
+      const auto& given = named.second;
       if (!find_defects(given).empty()) continue;
       OpenMesh::PolyConnectivity mesh;
       const std::vector<std::uint32_t> point_of = build_mesh(mesh, given);
@@ -134,8 +136,9 @@ TEST_SUITE("progress") {
 
 TEST_SUITE("examine") {
   TEST_CASE("is report() and find_defects()") {
-    for (const auto& [name, given] : large_soups()) {
-      CAPTURE(name);
+    for (const auto& named : large_soups()) {
+      CAPTURE(named.first);
+      const auto& given = named.second;
       const Examination both = examine(given);
       CHECK(both.report == report(given));
       CHECK(both.defects == find_defects(given));

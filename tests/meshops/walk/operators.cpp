@@ -30,7 +30,9 @@ std::map<std::string, Judge::Tally> walk(Walk::On on, std::uint64_t first_seed, 
 }
 
 void check_tally(const std::map<std::string, Judge::Tally>& sum, int least) {
-  for (const auto& [name, tally] : sum) {
+  for (const auto& named : sum) {
+    const auto& name = named.first;
+    const Judge::Tally& tally = named.second;
     INFO(name, ": ", tally.done, " done, ", tally.refused, " refused");
     CHECK(tally.done >= least);
     CHECK((tally.refused >= least || name == "create_triangle"));

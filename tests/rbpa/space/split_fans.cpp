@@ -81,7 +81,8 @@ TEST_CASE("an indexable surface has the same triangles, and neighbours are those
     for (std::uint32_t t = 0; t < fans.triangles.size(); ++t)
       for (std::size_t j = 0; j < 3; ++j)
         at[std::minmax(fans.triangles[t][(j + 1) % 3], fans.triangles[t][(j + 2) % 3])].emplace_back(t, j);
-    for (const auto& [ends, sides] : at) {
+    for (const auto& of_edge : at) {
+      const auto& sides = of_edge.second;
       REQUIRE(sides.size() <= 2);
       const auto across = [&](std::size_t i) { return made.neighbors[sides[i].first][sides[i].second]; };
       CHECK(across(0) == (sides.size() == 1 ? Surface::none : sides[1].first));

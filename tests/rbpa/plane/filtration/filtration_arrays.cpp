@@ -30,8 +30,6 @@ TEST_SUITE_BEGIN("filtration");
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
-
 struct Made {
   explicit Made(const Points& points)
       : delaunay(delaunay_arrays(points)),

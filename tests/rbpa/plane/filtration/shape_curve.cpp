@@ -25,8 +25,6 @@ TEST_SUITE_BEGIN("filtration");
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
-
 std::vector<ShapeState> curve_of(const Points& points) {
   const rbpa::Delaunay delaunay(points);
   const std::function<bool()> on;

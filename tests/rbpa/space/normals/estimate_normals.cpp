@@ -302,15 +302,16 @@ TEST_CASE("scans and models: the side of nearly all normals is that in the file,
     const char* name;
     double share, angle;
   };
-  for (const auto& [name, share, angle] :
+  for (const Expected& expected :
        {Expected{"c3_nefertiti.xyz", 0.999, 5}, Expected{"c3_hammer.xyz", 0.999, 4},
         Expected{"c3_pcl_tum_rabbit.xyz", 1, 6}, Expected{"m3_torus.xyz", 1, 1}, Expected{"m3_quadknot.xyz", 0.995, 8},
         Expected{"m3_spot.xyz", 1, 8}, Expected{"m3_plane_holes.xyz", 0.998, 6}, Expected{"m3_wingnut.xyz", 1, 10},
         Expected{"m3_human_woman.xyz", 0.98, 9}}) {
-    CAPTURE(name);
+    const auto& [name, share, angle] = expected;
+    CAPTURE(expected.name);
     const Known known = scan(name);
     if (known.points.empty()) {
-      MESSAGE("skipped: there is no " << (further_data() / name).string());
+      MESSAGE("skipped: there is no " << (further_data() / expected.name).string());
       continue;
     }
     const Points3 normals = estimate_normals(known.points);

@@ -1,0 +1,80 @@
+// What: boxes in a tree of boxes, and those that meet a given one.
+// Cost: n log n to build; a query visits what is near.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+/// Of points; with none of them it meets nothing.
+struct Box {
+  Point3 low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  void include(const Point3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  void include(const Box& box) {
+    include(box.low);
+    include(box.high);
+  }
+  bool meets(const Box& box) const {
+    return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&
+           low.z <= box.high.z && box.low.z <= high.z;
+  }
+};
+
+inline Box box_of(const std::array<Point3, 3>& triangle) {
+  Box box;
+  for (const Point3& p : triangle) box.include(p);
+  return box;
+}
+
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Box> boxes);
+
+  /// Calls visit(i) for each box that meets `box`, in some order.
+  template <typename Visit>
+  void for_each_meeting(const Box& box, const Visit& visit) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 64> waiting{};
+    std::size_t count = 1;  // the root waits
+    while (count > 0) {
+      const Node& node = nodes_[waiting[--count]];
+      if (!node.box.meets(box)) continue;
+      if (node.second != 0) {
+        waiting[count++] = node.second;
+        waiting[count++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
+        continue;
+      }
+      for (std::uint32_t k = node.first; k < node.last; ++k)
+        if (boxes_[k].meets(box)) visit(numbers_[k]);
+    }
+  }
+
+ private:
+  /// The first half of an inner node is behind it.
+  struct Node {
+    Box box;
+    std::uint32_t first, last;  // of the boxes in order
+    std::uint32_t second = 0;   // half; 0: a leaf
+  };
+
+  void build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> numbers_;
+  std::vector<Box> boxes_;  // in the order of numbers_
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,39 @@
+// What: the boundary of triangles that share vertices, by sorting their sides.
+// Cost: a sort of the sides.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rbpa::space {
+
+/// A side of a triangle, counter-clockwise, and the corner across.
+struct TriangleSide {
+  std::uint32_t from, to, across;
+  std::uint32_t triangle;
+};
+
+/// Those whose ends both have `is_wanted`, or all of them where that is empty, sorted by from, then to.
+std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                       const std::vector<bool>& is_wanted);
+
+/// As boundary_loops() has them. Throws ContractViolation as that.
+std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// The triangles at the edges of some boundary loops.
+class BoundarySides {
+ public:
+  /// Throws ContractViolation where an edge of a loop is no boundary side.
+  BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
+                std::span<const std::vector<std::uint32_t>> loops);
+
+  /// The third corner of the triangle at an edge of a loop, from its corner of that number to the next.
+  std::uint32_t across(std::uint32_t loop, std::uint32_t edge) const { return across_[loop][edge]; }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> across_;
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,51 @@
+// What: on which side of a triangle's plane a point is; on which side of a line, seen along an axis.
+// Law:  exact for every finite input.
+// How:  a floating-point filter; then expansions, where no product of the differences can underflow or overflow; then integers
+//       of any length (docs/surface_derivation.md, section 7).
+// Cost: some nanoseconds; a tenth of a microsecond for points in a plane, microseconds at extreme exponents.
+#pragma once
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/normal_sign.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa::space {
+
+/// The sign of (b − a) × (c − a) · (d − a) and of (b − a) × (c − a) · axis, without a filter.
+int orientation_by_expansions(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+int orientation_along_by_expansions(const Point3& a, const Point3& b, const Point3& c, int axis);
+
+/// Errors of both filters are below eight roundings of the sum of the absolute values of all terms, unless those underflow.
+constexpr double orientation_filter = 0x1p-50, least_filtered = 0x1p-900;
+
+/// Sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
+inline int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const RoundedNormal<double> normal(a, b, c);
+  const Vector3<double> w = from<double>(a, d);
+  const double product = normal.product({w.x, w.y, w.z});
+  const double bound = orientation_filter * normal.magnitude({w.x, w.y, w.z});
+  if (bound > least_filtered) {  // false for what is no number, too
+    if (product > bound) return 1;
+    if (product < -bound) return -1;
+  }
+  return orientation_by_expansions(a, b, c, d);
+}
+
+/// The same of (b − a) × (c − a) and an axis, 0 to 2: 1 when a, b, c are counter-clockwise seen from far along it.
+inline int orientation_along(const Point3& a, const Point3& b, const Point3& c, int axis) {
+  const Point3 along = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  const RoundedNormal<double> normal(a, b, c);
+  const double product = normal.product(along), bound = orientation_filter * normal.magnitude(along);
+  if (bound > least_filtered) {
+    if (product > bound) return 1;
+    if (product < -bound) return -1;
+  }
+  return orientation_along_by_expansions(a, b, c, axis);
+}
+
+/// All three are on one line.
+inline bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
+  return orientation_along(a, b, c, 0) == 0 && orientation_along(a, b, c, 1) == 0 && orientation_along(a, b, c, 2) == 0;
+}
+
+}  // namespace rbpa::space
