@@ -53,13 +53,9 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
   const std::function<void()> go_on = asking(options.progress, points.size());
   Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
-  std::vector<Point3> normals(points.size());
-  const auto fits = [&](const space::Neighborhoods& near, std::size_t i) {
-    const space::Plane plane = space::fit_plane<double>(near, i);
-    normals[i] = plane.normal;
-    return plane.is_certain();
-  };
-  Gaps gaps{space::find_nearest<double>(std::move(points), neighbors, threads, go_on, fits), {}, {}};
+  space::PlanesOfPoints planes = space::fit_planes<double>(std::move(points), neighbors, threads, go_on);
+  const std::vector<Point3> normals = std::move(planes.normals);
+  Gaps gaps{std::move(planes.near), {}, {}};
   const std::size_t count = gaps.near.points.size();
   gaps.gap.assign(count, none);
   gaps.least.assign(count, none);

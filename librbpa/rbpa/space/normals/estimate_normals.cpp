@@ -68,15 +68,7 @@ template <typename Real>
 std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& options) {
   const std::function<void()> go_on = asking(options.progress, points.size());
   Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
-  std::vector<Point3> normals(points.size());
-  const bool may_widen = options.neighbors >= 8;  // any fewer may be about on a line
-  const auto fits = [&](const space::Neighborhoods& near, std::size_t i) {
-    const space::Plane plane = space::fit_plane<Real>(near, i);
-    normals[i] = plane.normal;
-    return plane.is_certain() || !may_widen;
-  };
-  const space::Neighborhoods near =
-      space::find_nearest<Real>(std::move(points), options.neighbors, threads, go_on, fits);
+  auto [near, normals] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) space::orient_normals<Real>(near, normals, go_on);
   std::vector<Point3> by_number(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i) by_number[i] = normals[near.place[i]];

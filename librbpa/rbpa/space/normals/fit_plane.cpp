@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <utility>
 
 namespace rbpa::space {
 namespace {
@@ -58,7 +59,25 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i) {
   return {.normal = point(solver.eigenvectors().col(0)), .roundness = spread[1] / spread[2]};
 }
 
+template <typename Real>
+PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads,
+                          const std::function<void()>& go_on) {
+  PlanesOfPoints fitted;
+  fitted.normals.resize(points.size());
+  const bool may_widen = count >= 8;
+  const auto fit = [&](const Neighborhoods& near, std::size_t i) {
+    const Plane plane = fit_plane<Real>(near, i);
+    fitted.normals[i] = plane.normal;
+    return plane.is_certain() || !may_widen;
+  };
+  fitted.near = find_nearest<Real>(std::move(points), count, threads, go_on, fit);
+  return fitted;
+}
+
 template Plane fit_plane<double>(const Neighborhoods&, std::size_t);
 template Plane fit_plane<long double>(const Neighborhoods&, std::size_t);
+template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&, const std::function<void()>&);
+template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&,
+                                                const std::function<void()>&);
 
 }  // namespace rbpa::space

@@ -1,8 +1,11 @@
-// What: the plane that fits a point and its nearest others, by the eigenvectors of their covariance (Eigen).
+// What: the plane that fits a point and its nearest others, by the eigenvectors of their covariance (Eigen); those of all points.
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <vector>
 
+#include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/normals/find_nearest.h"
 
@@ -23,7 +26,22 @@ struct Plane {
 template <typename Real>
 Plane fit_plane(const Neighborhoods& points, std::size_t i);
 
+struct PlanesOfPoints {
+  Neighborhoods near;
+  std::vector<Point3> normals;  ///< of fit_plane(), by positions in `near`
+};
+
+/// The planes of points and their `count` nearest others. Where `count` is 8 or more and these are about on a line, of wider
+/// neighbourhoods (find_nearest()); fewer are often on one, and are kept. Requires and calls go_on() as find_nearest().
+template <typename Real>
+PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads,
+                          const std::function<void()>& go_on);
+
 extern template Plane fit_plane<double>(const Neighborhoods&, std::size_t);
 extern template Plane fit_plane<long double>(const Neighborhoods&, std::size_t);
+extern template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&,
+                                                  const std::function<void()>&);
+extern template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&,
+                                                       const std::function<void()>&);
 
 }  // namespace rbpa::space
