@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// From so many points on tiles are faster (docs/performance.md, "Small sets").
+/// From so many points on tiles are worked on by several threads, and one thread does not lose by them.
 inline constexpr std::size_t small_set_limit = 10000;
 
 /// Fills in all but what only the full complex has. Does nothing and returns false where the points do not fit double

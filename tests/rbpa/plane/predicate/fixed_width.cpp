@@ -40,7 +40,8 @@ TEST_CASE("the greatest integers that fit overflow nothing") {
   for (int trial = 0; trial < 20000; ++trial) {
     const double scale = std::ldexp(1.0, random.integer(-100, 100));
     std::array<Point, 4> s;
-    for (Point& p : s) p = {scale * random.integer(-1, 1) * (most / 2 + 0.5), scale * random.integer(-1, 1) * (most / 2 + 0.5)};
+    for (Point& p : s)
+      p = {scale * random.integer(-1, 1) * (most / 2 + 0.5), scale * random.integer(-1, 1) * (most / 2 + 0.5)};
     s[0] = {};
     if (random.chance(0.5)) s[3].x += scale * random.integer(-1, 1);
     if (rbpa::exact_integer::orientation(s[0], s[1], s[2]) <= 0) continue;
