@@ -17,7 +17,7 @@
 
 namespace rbpa {
 
-__extension__ typedef __int128 Integer128;
+__extension__ using Integer128 = __int128;
 
 struct FixedVector {
   std::int64_t x = 0, y = 0;
