@@ -383,6 +383,27 @@ TEST_SUITE("meshtopo --orient") {
       CHECK(volume_sign(p, out) == bits);
       CHECK(volume_sign(p, in) == -bits);
     }
+    // Two corners with Fibonacci numbers, whose determinant is 1 or -1, and a third that is off their plane by so much only: the
+    // products have more than a hundred bits, and their rounded sum has any sign.
+    long before = 1, number = 1;
+    for (int n = 2; n < 30; ++n) {
+      const long next = before + number;  // the square of `number` is before · next plus or minus 1
+      const std::array<long, 3> b = {before, number, 71 * n}, c = {number, next, 1000003 - n};
+      for (const int off : {-1, 0, 1}) {
+        Positions p = {{0, 0, 0}, {}, {}, {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+          p[1][k] = static_cast<double>(b[k]);
+          p[2][k] = static_cast<double>(c[k]);
+          p[3][k] = static_cast<double>(1000033 * b[k] - 900007 * c[k] + (k == 2 ? off : 0));
+        }
+        const int expected = off * static_cast<int>(before * next - number * number);
+        CAPTURE(n);
+        CHECK(volume_sign(p, out) == expected);
+        CHECK(volume_sign(p, in) == -expected);
+      }
+      before = number;
+      number = next;
+    }
     CHECK(volume_sign({}, {}) == 0);
   }
 }
