@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/component_choice.h"
 #include "cli/run.h"
 #include "cli/verbs.h"
 #include "io/cloud/read_space_points.h"
 #include "io/formats.h"
 #include "rbpa/base/point3.h"
+#include "triangulation/component_choice.h"
 
 namespace rbpa::app {
 

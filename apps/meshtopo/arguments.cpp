@@ -8,6 +8,7 @@
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/mesh/write_mesh.h"
+#include "meshtopo/check.h"
 
 namespace rbpa::app {
 namespace {
@@ -26,8 +27,8 @@ std::optional<Format> writable(std::string_view name) {
 }
 
 /// As in rbpa, the name decides where the ending does not.
-TopologyTarget parse_repair_target(const std::string& option, const std::string& path,
-                                   const std::optional<std::string>& format) {
+TopologyTarget parse_mesh_target(const std::string& option, const std::string& path,
+                                 const std::optional<std::string>& format) {
   if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
   if (path == "-" && !format)
     throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(written_mesh_formats));
@@ -59,11 +60,51 @@ TopologyTarget parse_report_target(const std::string& path, bool json) {
   refuse_ending(path, "json, txt", "--json");
 }
 
+Edits parse_edits(const TopologyArguments& arguments) {
+  Edits edits{.orient = arguments.orient};
+  if (arguments.weld) {
+    const ParsedNumber distance = parse_whole_number(*arguments.weld);
+    if (distance.fault != NumberFault::none || !(distance.value >= 0))
+      throw WrongUsage("--weld: found " + in_quotes(*arguments.weld) + ", expected a distance, at least 0");
+    edits.weld = distance.value;
+  }
+  if (arguments.keep_largest) edits.components.largest = parse_keep_largest(*arguments.keep_largest);
+  if (arguments.drop_small) parse_drop_small(*arguments.drop_small, edits.components);
+  return edits;
+}
+
+/// The first of those that are given.
+std::string edit_option(const TopologyArguments& arguments) {
+  return arguments.weld           ? "--weld"
+         : arguments.keep_largest ? "--keep-largest"
+         : arguments.drop_small   ? "--drop-small"
+                                  : "--orient";
+}
+
+/// Whether -o names the mesh: that of --repair without a name of its own, or one that is edited and not repaired.
+bool writes_mesh(const TopologyArguments& arguments, const Edits& edits) {
+  if (arguments.repair) return arguments.repaired.empty();
+  return edits.any() && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
+}
+
+/// Of several meshes there are reports, and nothing else: one OUT is one file.
+void require_reports_alone(const TopologyArguments& arguments) {
+  const auto refuse = [&](const char* option) {
+    throw WrongUsage(std::string(option) + ": found " + std::to_string(arguments.meshes.size()) +
+                     " meshes, expected one");
+  };
+  if (arguments.repair) refuse("--repair");
+  if (arguments.output && writes_mesh(arguments, parse_edits(arguments))) refuse("-o");
+  if (arguments.generators) refuse("--generators");
+  if (std::count(arguments.meshes.begin(), arguments.meshes.end(), "-") > 1)
+    throw WrongUsage("-: found standard input twice, expected it once");
+}
+
 }  // namespace
 
 std::vector<std::string> TopologyPlan::outputs() const {
   std::vector<std::string> paths;
-  if (repaired) paths.push_back(repaired->path);
+  if (written) paths.push_back(written->path);
   if (generators) paths.push_back(generators->path);
   if (report) paths.push_back(report->path);
   return paths;
@@ -71,15 +112,24 @@ std::vector<std::string> TopologyPlan::outputs() const {
 
 TopologyPlan plan(TopologyArguments arguments) {
   // `--repair MESH -o OUT`: what stands behind --repair is the mesh, as long as there is no other.
-  if (!arguments.mesh && arguments.output && !arguments.repaired.empty())
-    arguments.mesh = std::exchange(arguments.repaired, std::string());
-  if (!arguments.mesh)
+  if (arguments.meshes.empty() && arguments.output && !arguments.repaired.empty())
+    arguments.meshes = {std::exchange(arguments.repaired, std::string())};
+  if (arguments.meshes.empty())
     throw WrongUsage("MESH: found none, expected a mesh file, or - for standard input (see meshtopo --help)");
-  TopologyPlan plan{.source = parse_source(*arguments.mesh, arguments.format),
+  std::vector<MeshSource> sources;
+  for (const std::string& mesh : arguments.meshes) sources.push_back(parse_source(mesh, arguments.format));
+  if (sources.size() > 1) require_reports_alone(arguments);
+  TopologyPlan plan{.sources = std::move(sources),
                     .max_defects = parse_whole("--max-defects", arguments.max_defects, {}),
                     .quiet = arguments.quiet};
-  if (arguments.output_format && !arguments.repair) throw WrongUsage("--output-format: found no --repair, expected it");
-  const bool output_is_mesh = arguments.repair && arguments.repaired.empty();
+  plan.edits = parse_edits(arguments);
+  plan.repair = arguments.repair;
+  for (const std::string& list : arguments.checks)
+    for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
+  const bool output_is_mesh = arguments.output && writes_mesh(arguments, plan.edits);
+  const bool has_mesh = output_is_mesh || !arguments.repaired.empty();
+  if (arguments.output_format && !has_mesh && !arguments.repair)
+    throw WrongUsage("--output-format: found no --repair, expected it");
   if (arguments.output && !output_is_mesh) {
     plan.report = parse_report_target(*arguments.output, arguments.json);
     if (arguments.quiet && plan.report->format == Format::text)
@@ -87,18 +137,20 @@ TopologyPlan plan(TopologyArguments arguments) {
   } else if (arguments.json || !arguments.quiet) {
     plan.report = parse_report_target("-", arguments.json);
   }
-  if (arguments.repair) {
-    if (output_is_mesh && !arguments.output)
-      throw WrongUsage("--repair: found no OUT, expected a file for the repaired mesh");
+  if (arguments.repair && !has_mesh) throw WrongUsage("--repair: found no OUT, expected a file for the repaired mesh");
+  if (has_mesh) {
     const std::string option = output_is_mesh ? "-o" : "--repair";
     const std::string& path = output_is_mesh ? *arguments.output : arguments.repaired;
-    plan.repaired = parse_repair_target(option, path, arguments.output_format);
+    plan.written = parse_mesh_target(option, path, arguments.output_format);
     if (plan.report && path == "-" && plan.report->path == "-")
       throw WrongUsage(option +
                        " -: found standard output for the report and the mesh, expected another file or --quiet");
+  } else if (plan.edits.any() && plan.checks.empty() && !arguments.generators) {
+    throw WrongUsage(edit_option(arguments) +
+                     ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check");
   }
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
-  require_different(plan.outputs(), *arguments.mesh, "the mesh");
+  for (const MeshSource& source : plan.sources) require_different(plan.outputs(), source.path, "the mesh");
   return plan;
 }
 

@@ -7,19 +7,26 @@
 #include <vector>
 
 #include "io/mesh/read_mesh.h"
+#include "meshtopo/edits.h"
+#include "meshtopo/findings.h"
 
 namespace rbpa::app {
 
 /// As given.
 struct TopologyArguments {
-  std::optional<std::string> mesh;
+  std::vector<std::string> meshes;
   std::optional<std::string> format;
   bool json = false;
   std::optional<std::string> output;
   std::optional<std::string> output_format;
+  std::optional<std::string> weld;
+  std::optional<std::string> keep_largest;
+  std::optional<std::string> drop_small;
+  bool orient = false;
   bool repair = false;
   std::string repaired;  ///< OUT of --repair; empty where it has none, and -o names the file
   std::optional<std::string> generators;
+  std::vector<std::string> checks;  ///< lists
   std::string max_defects = "20";
   bool quiet = false;
 };
@@ -32,11 +39,14 @@ struct TopologyTarget {
 
 /// What a run reads and writes.
 struct TopologyPlan {
-  MeshSource source;
+  std::vector<MeshSource> sources;  ///< several: a report of each, and nothing else is written
   std::size_t max_defects;
   bool quiet;  ///< no progress
+  std::vector<Check> checks = {};
+  Edits edits = {};
+  bool repair = false;
   std::optional<TopologyTarget> report = std::nullopt;
-  std::optional<TopologyTarget> repaired = std::nullopt;
+  std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
   std::optional<TopologyTarget> generators = std::nullopt;
 
   std::vector<std::string> outputs() const;  ///< of all three, in the order of writing

@@ -24,15 +24,15 @@ int main(int argc, char** argv) {
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("meshtopo ") + RBPA_VERSION);
   TopologyArguments arguments;
-  app.add_option("MESH", arguments.mesh, "Mesh file, or - for standard input");
+  app.add_option("MESH", arguments.meshes, "Mesh files, or - for standard input");
   app.add_option("--format", arguments.format,
-                 "Format of MESH, where its ending does not say: " + std::string(mesh_formats))
+                 "Format of the meshes, where their ending does not say: " + std::string(mesh_formats))
       ->type_name("NAME");
   app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
   app.add_option(
          "-o,--output", arguments.output,
          "File to write the report to, by its ending json or txt; - is standard output. With --repair that names no "
-         "file, the mesh")
+         "file, or with --weld, --keep-largest, --drop-small or --orient and the ending of a mesh, the mesh")
       ->type_name("OUT");
   const CLI::Option* const repair = app.add_option("--repair", arguments.repaired,
                                                    "Write an oriented surface made of MESH, and say what was done: " +
@@ -40,11 +40,30 @@ int main(int argc, char** argv) {
                                         ->type_name("OUT")
                                         ->expected(0, 1);
   app.add_option("--output-format", arguments.output_format,
-                 "Format of the repaired mesh, where its ending does not say")
+                 "Format of the mesh that is written, where its ending does not say")
       ->type_name("NAME");
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
+  app.add_option("--weld", arguments.weld,
+                 "Make one vertex of those that a chain with no step longer than D joins; 0: of those at equal "
+                 "places. Drops faces that become degenerate or repeat another")
+      ->type_name("D");
+  app.add_option("--keep-largest", arguments.keep_largest, "Keep only so many components, those of the largest area")
+      ->type_name("K");
+  app.add_option("--drop-small", arguments.drop_small,
+                 "Drop components of fewer than N triangles, or of an area below A, in squared units of the vertices")
+      ->type_name("N|area=A");
+  app.add_flag("--orient", arguments.orient,
+               "Reverse faces so that those of a component agree, and closed ones face outward")
+      ->disable_flag_override();
+  app.add_option("--check", arguments.checks,
+                 "Properties that each mesh is to have, such as closed,manifold,oriented,genus=0,components=1; exit "
+                 "code 4 when one does not hold, and a line for each on standard error. Of the mesh as it is written, "
+                 "when it is changed")
+      ->type_name("LIST")
+      ->expected(1)
+      ->take_all();
   app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
       ->type_name("N")
       ->capture_default_str();
@@ -53,7 +72,12 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  meshtopo bunny.ply\n"
       "  meshtopo part.stl --json -o report.json\n"
-      "  meshtopo scan.obj --repair clean.off --generators loops.obj\n\n"
+      "  meshtopo scan.obj --repair clean.off --generators loops.obj\n"
+      "  meshtopo *.stl -q --check closed,manifold,genus=0\n"
+      "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n\n"
+      "Properties for --check: closed (every edge has two faces), manifold, oriented, orientable; and, as in genus=0, "
+      "vertices, edges, faces, euler, components, boundary_curves, genus, pinches, isolated, defects, "
+      "geometric_defects.\n"
       "Vertices and faces are numbered as in the file, from 0.\n" +
       std::string(exit_codes));
   add_manual(app, std::string("meshtopo ") + RBPA_VERSION);
@@ -67,7 +91,9 @@ int main(int argc, char** argv) {
     return report(program, std::string(e.what()) + " (see meshtopo --help)", wrong_usage);
   }
   arguments.repair = repair->count() > 0;
-  return run(program, [&] { run_topology(arguments); });
+  ExitCode found = done;
+  const int code = run(program, [&] { found = run_topology(arguments); });
+  return code == done ? found : code;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/failure.h"
 #include "io/interrupt.h"
 #include "meshtopo/places.h"
 
@@ -54,7 +55,7 @@ class Object {
     }
     file_.write(items.empty() ? "[]" : "\n  ]");
   }
-  void end() { file_.write("\n}\n"); }
+  void end() { file_.write("\n}"); }
 
  private:
   void begin(const std::string& key) {
@@ -66,12 +67,55 @@ class Object {
   std::string before_ = "{\n  ";
 };
 
+Json as_json(const EditReport& edits) {
+  Json json = Json::object();
+  if (edits.weld)
+    json["weld"] = {{"distance", edits.weld->distance},
+                    {"vertices_merged", edits.weld->vertices},
+                    {"corners_dropped", edits.weld->corners},
+                    {"degenerate_faces_dropped", edits.weld->degenerate_faces},
+                    {"duplicate_faces_dropped", edits.weld->duplicate_faces}};
+  if (edits.drop)
+    json["drop"] = {
+        {"components", edits.drop->components}, {"faces", edits.drop->faces}, {"vertices", edits.drop->vertices}};
+  if (edits.orient)
+    json["orient"] = {{"faces_reversed", edits.orient->faces},
+                      {"facing_outward", edits.orient->outward},
+                      {"not_orientable", edits.orient->not_orientable}};
+  return json;
+}
+
+Json as_json(const Examined& mesh) {
+  const meshops::TopologyReport& t = mesh.topology;
+  return {{"vertices", t.vertices},
+          {"edges", t.edges},
+          {"faces", t.faces},
+          {"euler", t.euler()},
+          {"components", t.components},
+          {"boundary_curves", t.boundary_curves},
+          {"genus", or_null(t.genus)},
+          {"betti", t.betti},
+          {"pinches", t.pinches},
+          {"isolated", t.isolated},
+          {"defects", mesh.defects.size()},
+          {"geometric_defects", mesh.geometric_defects.size()}};
+}
+
+Json as_json(const CheckResult& result) {
+  const std::optional<long>& expected = result.check.number;
+  return {{"check", result.check.name},
+          {"expected", expected ? Json(*expected) : Json(true)},
+          {"found", expected ? or_null(result.number) : Json(result.holds)},
+          {"holds", result.holds}};
+}
+
 }  // namespace
 
-void write_report_json(OutputFile& file, const Findings& findings) {
-  const meshops::TopologyReport& t = findings.topology;
+void write_report_json(OutputFile& file, const Findings& findings, const std::string& name) {
+  const meshops::TopologyReport& t = findings.given.topology;
   const auto in_file = [&](const auto& item) { return listed(item, findings.mesh); };
   Object report(file);
+  if (!name.empty()) report.member("file", printable(name));
   report.member("vertices", t.vertices);
   report.member("edges", t.edges);
   report.member("faces", t.faces);
@@ -82,10 +126,21 @@ void write_report_json(OutputFile& file, const Findings& findings) {
   report.member("betti", t.betti);
   report.member("pinches", t.pinches);
   report.member("isolated", t.isolated);
-  report.list("defects", findings.defects, in_file);
-  report.list("geometric_defects", findings.geometric_defects, in_file);
+  report.list("defects", findings.given.defects, in_file);
+  report.list("geometric_defects", findings.given.geometric_defects, in_file);
   report.list("per_component", t.per_component, piece);
   if (findings.repair) report.list("repair", *findings.repair, in_file);
+  if (findings.edits.any()) report.member("changes", as_json(findings.edits));
+  if (findings.result) report.member("result", as_json(*findings.result));
+  if (!findings.checks.empty())
+    report.list("checks", findings.checks, [](const CheckResult& result) { return as_json(result); });
+  report.end();
+}
+
+void write_error_json(OutputFile& file, const std::string& name, const std::string& error) {
+  Object report(file);
+  report.member("file", printable(name));
+  report.member("error", printable(error));
   report.end();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/number.h"
 #include "io/interrupt.h"
 #include "meshtopo/places.h"
 
@@ -13,20 +14,12 @@ std::string right(std::string text, std::size_t width) {
   return text;
 }
 
-/// Why there is no genus: a piece has one side only, or else three faces meet in an edge.
-std::string genus_text(const meshops::TopologyReport& t) {
-  if (t.genus) return std::to_string(*t.genus);
-  const bool orientable = std::all_of(t.per_component.begin(), t.per_component.end(),
-                                      [](const meshops::ComponentReport& piece) { return piece.orientable; });
-  return orientable ? "not a manifold" : "not orientable";
-}
-
-std::string genus_text(const meshops::ComponentReport& piece) {
+std::string genus_of_piece(const meshops::ComponentReport& piece) {
   return piece.orientable ? std::to_string(*piece.genus()) : "not orientable";
 }
 
-std::string numbers(const Findings& findings) {
-  const meshops::TopologyReport& t = findings.topology;
+std::string numbers(const Examined& mesh) {
+  const meshops::TopologyReport& t = mesh.topology;
   const auto& [b0, b1, b2] = t.betti;
   const std::pair<std::string, std::string> rows[] = {
       {"vertices", std::to_string(t.vertices)},
@@ -39,8 +32,8 @@ std::string numbers(const Findings& findings) {
       {"betti", std::to_string(b0) + " " + std::to_string(b1) + " " + std::to_string(b2)},
       {"pinches", std::to_string(t.pinches)},
       {"isolated", std::to_string(t.isolated)},
-      {"defects", std::to_string(findings.defects.size())},
-      {"geometric defects", std::to_string(findings.geometric_defects.size())}};
+      {"defects", std::to_string(mesh.defects.size())},
+      {"geometric defects", std::to_string(mesh.geometric_defects.size())}};
   std::size_t width = 0;
   for (const auto& row : rows)
     if (row.first != "genus") width = std::max(width, row.second.size());  // which may be words
@@ -59,7 +52,7 @@ std::string rest(std::size_t all, std::size_t shown) {
 
 std::string pieces(const std::vector<meshops::ComponentReport>& all, std::size_t most) {
   const bool orientable = std::all_of(all.begin(), all.end(), [](const auto& piece) { return piece.orientable; });
-  const std::size_t width = orientable ? 10 : genus_text(meshops::ComponentReport{.orientable = false}).size();
+  const std::size_t width = orientable ? 10 : genus_of_piece(meshops::ComponentReport{.orientable = false}).size();
   std::string text = "\npieces of surface, connected through edges\n";
   for (const char* title : {"first face", "vertices", "edges", "faces", "euler", "curves", "genus"})
     text += "  " + right(title, width);
@@ -71,7 +64,7 @@ std::string pieces(const std::vector<meshops::ComponentReport>& all, std::size_t
     for (const std::string& value :
          {std::to_string(piece.first_face), std::to_string(piece.vertices), std::to_string(piece.edges),
           std::to_string(piece.faces), std::to_string(piece.euler()), std::to_string(piece.boundary_curves),
-          genus_text(piece)})
+          genus_of_piece(piece)})
       text += "  " + right(value, width);
     text += "\n";
   }
@@ -90,17 +83,74 @@ std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::si
   return text + rest(items.size(), shown);
 }
 
+/// For what counted() cannot put into the plural.
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+std::string changes(const EditReport& report) {
+  std::string text = "\nchanges\n";
+  if (report.weld)
+    text += "  weld " + text_of(report.weld->distance) + ": " +
+            counted(report.weld->vertices, "vertex merged", "vertices merged") + ", " +
+            counted(report.weld->degenerate_faces, "degenerate face", "degenerate faces") + " and " +
+            counted(report.weld->duplicate_faces, "duplicate face", "duplicate faces") + " dropped\n";
+  if (report.drop)
+    text += "  drop: " + counted(report.drop->components, "component", "components") + ", " +
+            counted(report.drop->faces, "face", "faces") + ", " + counted(report.drop->vertices, "vertex", "vertices") +
+            "\n";
+  if (report.orient) {
+    text += "  orient: " + counted(report.orient->faces, "face reversed", "faces reversed") + ", " +
+            counted(report.orient->outward, "closed component faces outward", "closed components face outward") + "\n";
+    for (const std::size_t face : report.orient->not_orientable)
+      text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and as it was\n";
+  }
+  return text;
+}
+
+std::string indented(const std::string& lines) {
+  std::string text;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = lines.find('\n', begin) + 1;
+    text += "  " + lines.substr(begin, end - begin);
+    begin = end;
+  }
+  return text;
+}
+
+std::string checks(const std::vector<CheckResult>& results) {
+  std::string text = "\nchecks\n";
+  for (const CheckResult& result : results) {
+    const std::optional<long>& number = result.check.number;
+    text += "  " + result.check.name + (number ? "=" + std::to_string(*number) : "") +
+            (result.holds ? ": holds\n" : ": does not hold, found " + result.found + "\n");
+  }
+  return text;
+}
+
 }  // namespace
 
+/// A piece has one side only, or else three faces meet in an edge.
+std::string genus_text(const meshops::TopologyReport& topology) {
+  if (topology.genus) return std::to_string(*topology.genus);
+  const bool orientable = std::all_of(topology.per_component.begin(), topology.per_component.end(),
+                                      [](const meshops::ComponentReport& piece) { return piece.orientable; });
+  return orientable ? "not a manifold" : "not orientable";
+}
+
 std::string report_text(const Findings& findings, std::size_t most) {
-  std::string text = numbers(findings);
-  if (findings.topology.per_component.size() > 1) text += pieces(findings.topology.per_component, most);
-  if (!findings.defects.empty()) text += "\ndefects\n" + listed(findings.defects, findings.mesh, most);
-  if (!findings.geometric_defects.empty())
-    text += "\ngeometric defects\n" + listed(findings.geometric_defects, findings.mesh, most);
+  const Examined& given = findings.given;
+  std::string text = numbers(given);
+  if (given.topology.per_component.size() > 1) text += pieces(given.topology.per_component, most);
+  if (!given.defects.empty()) text += "\ndefects\n" + listed(given.defects, findings.mesh, most);
+  if (!given.geometric_defects.empty())
+    text += "\ngeometric defects\n" + listed(given.geometric_defects, findings.mesh, most);
   if (findings.repair)
     text += findings.repair->empty() ? "\nrepair: nothing to do\n"
                                      : "\nrepair\n" + listed(*findings.repair, findings.mesh, most);
+  if (findings.edits.any()) text += changes(findings.edits);
+  if (findings.result) text += "\nresult\n" + indented(numbers(*findings.result));
+  if (!findings.checks.empty()) text += checks(findings.checks);
   return text;
 }
 

@@ -11,6 +11,7 @@
 #include "io/progress_line.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/examine.h"
+#include "meshtopo/check.h"
 #include "meshtopo/generators.h"
 #include "meshtopo/places.h"
 #include "meshtopo/report_json.h"
@@ -21,14 +22,23 @@ namespace {
 
 using PositionSpan = std::span<const std::array<double, 3>>;
 
+std::string name_of(const MeshSource& source) { return source.path == "-" ? "standard input" : source.path; }
+
+/// Numbers of an edited mesh become those of the file.
+template <typename Item>
+void number_as_in_file(Item& item, const EditedMesh& edited) {
+  for (std::uint32_t& p : item.points) p = edited.point_was[p];
+  for (std::size_t& f : item.faces) f = edited.face_was[f];
+}
+
 /// Loops need a surface: pinches come apart by themselves, anything else is refused.
-void require_surface(const Findings& findings, const MeshSource& source) {
-  const auto defect = std::find_if(findings.defects.begin(), findings.defects.end(), [](const meshops::SoupDefect& d) {
+void require_surface(const Findings& findings, const std::vector<meshops::SoupDefect>& defects,
+                     const MeshSource& source) {
+  const auto defect = std::find_if(defects.begin(), defects.end(), [](const meshops::SoupDefect& d) {
     return d.kind != meshops::SoupDefectKind::pinch;
   });
-  if (defect == findings.defects.end()) return;
-  const std::string name = source.path == "-" ? "standard input" : source.path;
-  bad_input(name,
+  if (defect == defects.end()) return;
+  bad_input(name_of(source),
             std::string(meshops::name(defect->kind)) + " (" +
                 for_people({defect->points, defect->faces}, findings.mesh) + ")",
             "a surface for --generators, or --repair");
@@ -45,64 +55,136 @@ class Run {
  public:
   explicit Run(const TopologyPlan& plan) : plan_(plan) {}
 
-  void operator()() {
-    const MeshFile mesh = read();
-    Findings findings = examine(mesh);
-    OutputSet outputs;
-    const meshops::PolygonSoup* surface = &mesh.soup;
-    std::vector<std::array<double, 3>> moved;  // when there are more than in the file
-    std::optional<meshops::Repair> repaired;
-    if (plan_.repaired) {
-      repaired = repair(mesh, findings);
-      surface = &repaired->soup;
-      moved = mesh.positions;
-      for (std::size_t i = moved.size(); i < repaired->stands_on.size(); ++i)
-        moved.push_back(mesh.positions[repaired->stands_on[i]]);
-      write(outputs.add(plan_.repaired->path),
-            [&](OutputFile& file) { write_mesh(file, plan_.repaired->format, moved, *surface); });
-    }
-    if (plan_.generators) {
-      if (!repaired) require_surface(findings, plan_.source);
-      const PositionSpan positions = repaired ? PositionSpan(moved) : PositionSpan(mesh.positions);
-      const std::vector<Polyline> loops = find_loops(*surface, positions);
-      write(outputs.add(plan_.generators->path),
-            [&](OutputFile& file) { write_polylines(file, plan_.generators->format, positions, loops); });
-    }
-    if (plan_.report)
-      write(outputs.add(plan_.report->path), [&](OutputFile& file) {
-        if (plan_.report->format == Format::json)
-          write_report_json(file, findings);
-        else
-          file.write(report_text(findings, plan_.max_defects));
-      });
-    outputs.publish();
+  ExitCode operator()() {
+    if (plan_.sources.size() == 1)
+      report_one();
+    else
+      report_all();
+    outputs_.publish();
+    return worst_;
   }
 
  private:
+  /// Reads, changes, writes and checks one mesh. Calls report(findings) last.
+  template <typename Report>
+  void examine_mesh(const MeshSource& source, Report report) {
+    const MeshFile mesh = read(source);
+    Findings findings = {.mesh = mesh, .given = examine(mesh)};
+    std::optional<EditedMesh> edited;
+    if (plan_.edits.any()) {
+      edited = edit(mesh);
+      findings.edits = edited->report;
+    }
+    const MeshFile& whole = edited ? edited->mesh : mesh;
+    std::optional<MeshFile> repaired;
+    if (plan_.repair) {
+      meshops::Repair found = repair(whole);
+      if (edited)
+        for (meshops::RepairStep& step : found.steps) number_as_in_file(step, *edited);
+      findings.repair = std::move(found.steps);
+      repaired =
+          MeshFile{.positions = whole.positions, .soup = std::move(found.soup), .point_lines = {}, .face_lines = {}};
+      for (std::size_t i = whole.positions.size(); i < found.stands_on.size(); ++i)
+        repaired->positions.push_back(whole.positions[found.stands_on[i]]);
+    }
+    const MeshFile& result = repaired ? *repaired : whole;
+    if (edited || (repaired && !plan_.checks.empty())) findings.result = examine(result);
+    if (plan_.written)
+      write(outputs_.add(plan_.written->path),
+            [&](OutputFile& file) { write_mesh(file, plan_.written->format, result.positions, result.soup); });
+    if (plan_.generators) {
+      std::vector<meshops::SoupDefect> defects;
+      if (!repaired) defects = edited ? findings.result->defects : findings.given.defects;
+      if (edited)
+        for (meshops::SoupDefect& defect : defects) number_as_in_file(defect, *edited);
+      require_surface(findings, defects, source);
+      const std::vector<Polyline> loops = find_loops(result.soup, result.positions);
+      write(outputs_.add(plan_.generators->path),
+            [&](OutputFile& file) { write_polylines(file, plan_.generators->format, result.positions, loops); });
+    }
+    check(findings, source);
+    report(findings);
+  }
+
+  void report_one() {
+    examine_mesh(plan_.sources.front(), [&](const Findings& findings) {
+      if (plan_.report)
+        write(outputs_.add(plan_.report->path), [&](OutputFile& file) {
+          if (plan_.report->format == Format::json) {
+            write_report_json(file, findings);
+            file.write("\n");
+          } else {
+            file.write(report_text(findings, plan_.max_defects));
+          }
+        });
+    });
+  }
+
+  /// One mesh after the other: of the reports none is kept.
+  void report_all() {
+    OutputFile* const file = plan_.report ? &outputs_.add(plan_.report->path) : nullptr;
+    const bool as_json = plan_.report && plan_.report->format == Format::json;
+    for (std::size_t i = 0; i < plan_.sources.size(); ++i) {
+      const MeshSource& source = plan_.sources[i];
+      if (file && as_json) file->write(i == 0 ? "[\n" : ",\n");
+      if (file && !as_json) file->write((i == 0 ? "" : "\n") + printable(source.path) + ":\n");
+      try {
+        examine_mesh(source, [&](const Findings& findings) {
+          if (as_json)
+            write_report_json(*file, findings, source.path);
+          else if (file)
+            file->write(report_text(findings, plan_.max_defects));
+        });
+      } catch (const BadInput& error) {
+        say("meshtopo", error.what());
+        worst_ = bad_input_given;
+        if (as_json)
+          write_error_json(*file, source.path, error.what());
+        else if (file)
+          file->write("no report: " + printable(error.what()) + "\n");
+      }
+    }
+    if (!file) return;
+    if (as_json) file->write("\n]\n");
+    file->finish();
+  }
+
+  /// Says what does not hold of the mesh that comes out.
+  void check(Findings& findings, const MeshSource& source) {
+    for (const Check& wanted : plan_.checks) {
+      findings.checks.push_back(evaluate(wanted, findings.result ? *findings.result : findings.given));
+      if (findings.checks.back().holds) continue;
+      say("meshtopo", name_of(source) + ": " + failure_of(findings.checks.back()));
+      if (worst_ == done) worst_ = check_failed;
+    }
+  }
+
   /// Shown unless quiet, and unless it would be in the way of what is read or written at the terminal.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"meshtopo", !plan_.quiet && !in_the_way, doing};
   }
 
-  MeshFile read() const {
-    const ProgressLine shown = line("reading", read_from_terminal(plan_.source.path));
-    return read_mesh(plan_.source);
+  MeshFile read(const MeshSource& source) const {
+    const ProgressLine shown = line("reading", read_from_terminal(source.path));
+    return read_mesh(source);
   }
 
-  Findings examine(const MeshFile& mesh) const {
+  Examined examine(const MeshFile& mesh) const {
     const ProgressLine shown = line("topology of " + short_number(static_cast<double>(mesh.soup.faces())) + " faces");
     meshops::Examination found = meshops::examine(mesh.soup, until_interrupted());
-    return {.mesh = mesh,
-            .topology = std::move(found.report),
+    return {.topology = std::move(found.report),
             .defects = std::move(found.defects),
             .geometric_defects = find_geometric_defects(mesh)};
   }
 
-  meshops::Repair repair(const MeshFile& mesh, Findings& findings) const {
+  EditedMesh edit(const MeshFile& mesh) const {
+    const ProgressLine shown = line("changes");
+    return app::edit(mesh, plan_.edits);
+  }
+
+  meshops::Repair repair(const MeshFile& mesh) const {
     const ProgressLine shown = line("repair");
-    meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
-    findings.repair = repaired.steps;
-    return repaired;
+    return meshops::repair(mesh.soup, until_interrupted());
   }
 
   std::vector<Polyline> find_loops(const meshops::PolygonSoup& soup, PositionSpan positions) const {
@@ -118,14 +200,16 @@ class Run {
   }
 
   const TopologyPlan& plan_;
+  OutputSet outputs_;
+  ExitCode worst_ = done;
 };
 
 }  // namespace
 
-void run_topology(const TopologyArguments& arguments) {
+ExitCode run_topology(const TopologyArguments& arguments) {
   const TopologyPlan todo = plan(arguments);
   Run run(todo);
-  run();
+  return run();
 }
 
 }  // namespace rbpa::app

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "meshtopo/arguments.h"
+#include "program/exit_code.h"
 
 namespace rbpa::app {
 
-/// Throws WrongUsage, BadInput, Failure, Cancelled.
-void run_topology(const TopologyArguments& arguments);
+/// Of several meshes those that cannot be read are named on standard error, and the others reported; so is every check
+/// that does not hold. Returns the worst that was found: bad_input_given, else check_failed, else done.
+/// Throws WrongUsage, BadInput (of a single mesh), Failure, Cancelled.
+ExitCode run_topology(const TopologyArguments& arguments);
 
 }  // namespace rbpa::app

@@ -7,11 +7,19 @@
 namespace rbpa::app {
 
 /// The last two are a shell's status of a process that SIGINT or SIGPIPE ended.
-enum ExitCode { done = 0, failed = 1, wrong_usage = 2, bad_input_given = 3, cancelled = 130, closed_pipe = 141 };
+enum ExitCode {
+  done = 0,
+  failed = 1,
+  wrong_usage = 2,
+  bad_input_given = 3,
+  check_failed = 4,
+  cancelled = 130,
+  closed_pipe = 141
+};
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 130 cancelled, 141 nobody reads the "
-    "output any more.";
+    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 4 a --check of meshtopo does not hold, "
+    "130 cancelled, 141 nobody reads the output any more.";
 
 /// Prints "PROGRAM: MESSAGE" on standard error; returns `code`.
 int report(const std::string& program, const std::string& message, ExitCode code);

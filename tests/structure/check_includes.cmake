@@ -59,14 +59,14 @@ set(allowed
   "io/mesh: meshops/core meshops/topology rbpa/base io io/bytes io/cloud io/text"
   "io/polygon: rbpa rbpa/base io io/bytes io/text"
   "io/text: io io/bytes"
-  "meshtopo: meshops/core meshops/topology rbpa io io/bytes io/mesh program"
+  "meshtopo: meshops/core meshops/topology rbpa rbpa/base io io/bytes io/mesh program triangulation"
   "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh"
   "program: rbpa/base io io/bytes"
   "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base io io/cloud io/polygon"
   "report: rbpa io io/bytes io/text"
   "stream: rbpa rbpa/base rbpa/base/parallel io io/bytes io/cloud io/mesh io/polygon"
   "tasks: rbpa rbpa/base io io/bytes stream"
-  "triangulation: meshops/core rbpa rbpa/base io")
+  "triangulation: meshops/core rbpa rbpa/base io io/bytes")
 set(arrows "")
 foreach(line ${allowed})
   string(REGEX MATCHALL "[^: \n]+" folders "${line}")

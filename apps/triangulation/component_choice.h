@@ -1,4 +1,4 @@
-// What: which components of a surface are kept: --shell, --keep-largest and --drop-small of `rbpa surface`.
+// What: which components of a surface are kept: --keep-largest and --drop-small of both programs, --shell of `rbpa surface`.
 #pragma once
 
 #include <cstddef>

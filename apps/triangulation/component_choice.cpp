@@ -1,4 +1,4 @@
-#include "cli/component_choice.h"
+#include "triangulation/component_choice.h"
 
 #include <charconv>
 

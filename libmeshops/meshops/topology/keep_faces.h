@@ -1,0 +1,27 @@
+// What: a soup without some of its faces, and without the points that they leave behind.
+// Cost: linear.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/progress.h"
+#include "meshops/topology/polygon_soup.h"
+
+namespace meshops {
+
+/// Part of a given soup.
+struct SoupPart {
+  PolygonSoup soup;
+  std::vector<std::uint32_t> point_was;  ///< of each point: its number in the given soup; ascending
+  std::vector<std::size_t> face_was;     ///< of each face: its number in the given soup; ascending
+};
+
+/// The faces that are kept, in the order in which they were, and the points that are corners of them.
+/// Requires: `kept` has a value for each face; every corner is a point.
+/// Throws:   ContractViolation that names what is not so; Cancelled.
+MESHOPS_API SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, const GoOn& go_on = {});
+
+}  // namespace meshops

@@ -1,0 +1,43 @@
+// What: which faces of a soup to reverse so that its surfaces are oriented, piece by piece.
+// Law:  in an orientable piece faces run along every edge of two faces in opposite directions once they are reversed; as few
+//       as possible are.
+// Cost: near-linear.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/progress.h"
+#include "meshops/topology/polygon_soup.h"
+
+namespace meshops {
+
+/// Faces that are connected through edges of two faces, as ComponentReport has it.
+struct SurfacePiece {
+  std::size_t first_face = 0;  ///< the least one
+  std::size_t faces = 0;
+  bool closed = true;  ///< all edges have two faces
+  bool orientable = true;
+};
+
+struct Orientation {
+  static constexpr std::uint32_t none = ~0U;
+
+  std::vector<SurfacePiece> pieces;  ///< in the order of their first faces
+  std::vector<std::uint32_t>
+      piece;  ///< of each face; none: it is degenerate, a duplicate, or has a corner out of range
+  std::vector<bool>
+      reversed;  ///< of each face; of a piece that is not orientable none. When it is even, the first face of a
+                 ///< piece is not
+};
+
+/// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
+MESHOPS_API Orientation orient(const PolygonSoup& soup, const GoOn& go_on = {});
+
+/// Reverses faces of a soup. The first corner of a face stays the first.
+/// Requires: a value for each face. Throws: ContractViolation.
+MESHOPS_API void reverse_faces(PolygonSoup& soup, const std::vector<bool>& reversed);
+
+}  // namespace meshops

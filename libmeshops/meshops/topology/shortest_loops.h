@@ -1,0 +1,44 @@
+// What:   loops that generate the first homology of a mesh over Z/2, of the least total length that any such loops have.
+// Law:    b₁ loops a component; the i-th shortest of any other basis is at least as long as the i-th of these, but for the
+//         rounding of sums. docs/graph.md, section 5.
+// Cost:   for every vertex of the cut graph of homology() a search for shortest ways, which ends at half the length of the
+//         longest loop of its component found so far; for what it reaches n log n, and a word for every 64 loops.
+// Source: Erickson and Whittlesey, Greedy optimal homotopy and homology generators (SODA 2005).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshops/core/api.h"
+#include "meshops/core/connectivity.h"
+#include "meshops/core/progress.h"
+#include "meshops/topology/homology.h"
+
+namespace meshops {
+
+/// A number for every class of loops: two loops are homologous over Z/2 when their sums over edges are equal. Bit i of an edge
+/// is bit i % 64 of word i / 64.
+struct HomologySignature {
+  std::size_t loops = 0;             ///< b₁ of the mesh: as many bits are used
+  std::size_t words = 0;             ///< of an edge
+  std::vector<std::uint64_t> edges;  ///< `words` for each edge, by edge index
+
+  std::span<const std::uint64_t> of(Edge e) const {
+    return std::span(edges).subspan(static_cast<std::size_t>(e.idx()) * words, words);
+  }
+};
+
+/// Requires: validate(mesh) is empty. Throws: Cancelled. Cost: linear, plus for every bit the depth of a tree of faces.
+MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on = {});
+
+/// By ascending length, of equal ones by the vertex and then the edge they were found from. A loop meets no vertex twice; its
+/// first halfedge is that of the edge across from the vertex.
+/// Requires: validate(mesh) is empty; a length for each edge, by edge index, none negative, with a finite sum; places of deleted
+///           edges are not read.
+/// Throws:   ContractViolation; Cancelled.
+MESHOPS_API std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
+                                                      const GoOn& go_on = {});
+
+}  // namespace meshops

@@ -1,0 +1,483 @@
+// meshtopo --weld, --keep-largest, --drop-small and --orient.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "io/mesh/read_mesh.h"
+#include "meshtopo/exact.h"
+#include "meshtopo/weld.h"
+#include "support/data_folder.h"
+#include "support/mesh_files.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+using rbpa::app::MeshFile;
+
+namespace {
+
+using Positions = std::vector<std::array<double, 3>>;
+using Faces = std::vector<std::vector<std::uint32_t>>;
+
+struct Mesh {
+  Positions positions;
+  Faces faces;
+
+  /// A box from `low` to `high`, of six squares that face outward.
+  void add_box(std::array<double, 3> low, std::array<double, 3> high) {
+    const auto at = static_cast<std::uint32_t>(positions.size());
+    for (const double z : {low[2], high[2]})
+      for (const double y : {low[1], high[1]})
+        for (const double x : {low[0], high[0]}) positions.push_back({x, y, z});
+    for (const std::vector<std::uint32_t>& face :
+         Faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+      faces.emplace_back();
+      for (const std::uint32_t corner : face) faces.back().push_back(at + corner);
+    }
+  }
+  void add_triangle(std::array<double, 3> a, std::array<double, 3> b, std::array<double, 3> c) {
+    const auto at = static_cast<std::uint32_t>(positions.size());
+    positions.insert(positions.end(), {a, b, c});
+    faces.push_back({at, at + 1, at + 2});
+  }
+  void shuffle(std::mt19937& random) {
+    std::vector<std::uint32_t> order(positions.size()), place(positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::shuffle(order.begin(), order.end(), random);
+    Positions moved;
+    for (const std::uint32_t p : order) {
+      place[p] = static_cast<std::uint32_t>(moved.size());
+      moved.push_back(positions[p]);
+    }
+    positions = std::move(moved);
+    for (auto& face : faces) {
+      for (std::uint32_t& corner : face) corner = place[corner];
+      std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()), face.end());
+    }
+    std::shuffle(faces.begin(), faces.end(), random);
+  }
+  std::string off() const {
+    std::string text = "OFF\n" + std::to_string(positions.size()) + " " + std::to_string(faces.size()) + " 0\n";
+    for (const auto& p : positions)
+      for (std::size_t k = 0; k < 3; ++k) text += rbpa_number(p[k]) + (k < 2 ? " " : "\n");
+    for (const auto& face : faces) {
+      text += std::to_string(face.size());
+      for (const std::uint32_t corner : face) text += " " + std::to_string(corner);
+      text += "\n";
+    }
+    return text;
+  }
+  static std::string rbpa_number(double x) {
+    std::array<char, 32> text;
+    return {text.data(),
+            static_cast<std::size_t>(std::to_chars(text.data(), text.data() + text.size(), x).ptr - text.data())};
+  }
+};
+
+/// The faces by the places of their corners, from the least on, as a set: the mesh without its numbers.
+std::multiset<Positions> places_of(const Folder& folder, const std::string& name) {
+  const MeshFile mesh = rbpa::app::read_mesh({folder.path(name), rbpa::app::Format::off});
+  std::multiset<Positions> faces;
+  for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {
+    Positions face;
+    for (const std::uint32_t corner : mesh.soup.face(f)) face.push_back(mesh.positions[corner]);
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.insert(face);
+  }
+  return faces;
+}
+
+json changed(const Folder& folder, const std::string& arguments) {
+  CAPTURE(arguments);
+  const Outcome outcome = folder.meshtopo(arguments + " --json");
+  CHECK(outcome.err.empty());
+  REQUIRE(outcome.code == 0);
+  return json::parse(outcome.out);
+}
+
+/// Six times the volume, where it is exact in doubles.
+double six_volumes(const Positions& face_after_face, const std::vector<std::size_t>& corners) {
+  double sum = 0;
+  std::size_t at = 0;
+  for (const std::size_t n : corners) {
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const auto &a = face_after_face[at], &b = face_after_face[at + i], &c = face_after_face[at + i + 1];
+      sum +=
+          a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+    at += n;
+  }
+  return sum;
+}
+
+double six_volumes(const Folder& folder, const std::string& name) {
+  Positions all;
+  std::vector<std::size_t> corners;
+  for (const Positions& face : places_of(folder, name)) {
+    all.insert(all.end(), face.begin(), face.end());
+    corners.push_back(face.size());
+  }
+  return six_volumes(all, corners);
+}
+
+/// Chains of steps by search over all pairs; whole numbers, so that squares are exact.
+std::vector<std::uint32_t> near_by_brute_force(const Positions& positions, double distance) {
+  std::vector<std::uint32_t> least(positions.size());
+  std::iota(least.begin(), least.end(), 0U);
+  for (bool any = true; any;) {
+    any = false;
+    for (std::size_t a = 0; a < positions.size(); ++a)
+      for (std::size_t b = 0; b < positions.size(); ++b) {
+        double squares = 0;
+        for (std::size_t k = 0; k < 3; ++k) squares += std::pow(positions[a][k] - positions[b][k], 2);
+        if (squares > distance * distance || least[a] <= least[b]) continue;
+        least[a] = least[b];
+        any = true;
+      }
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_SUITE("meshtopo --weld") {
+  TEST_CASE("chains of near vertices are those of a search over all pairs") {
+    std::mt19937 random(41);
+    for (int i = 0; i < 400; ++i) {
+      const int size = 1 + static_cast<int>(random() % 30), flat = static_cast<int>(random() % 4);
+      Positions positions(1 + random() % 60);
+      for (auto& p : positions)
+        for (int k = 0; k < 3; ++k)
+          p[static_cast<std::size_t>(k)] =
+              k < flat ? 7 : static_cast<double>(random() % static_cast<unsigned>(size)) - 3;
+      for (const double distance : {0.0, 1.0, 1.4142135623730951, 1.5, 2.0, 3.0, 5.0, 100.0}) {
+        CAPTURE(distance);
+        const auto expected = near_by_brute_force(positions, distance);
+        CHECK(rbpa::app::near_vertices(positions, distance) == expected);
+        // A power of two changes nothing, however large or small: nothing overflows, and nothing is lost.
+        for (const int exponent : {-1040, 960}) {
+          Positions scaled = positions;
+          for (auto& p : scaled)
+            for (double& x : p) x = std::scalbn(x, exponent);
+          const bool is_exact = std::scalbn(std::scalbn(distance, exponent), -exponent) == distance;
+          if (is_exact) CHECK(rbpa::app::near_vertices(scaled, std::scalbn(distance, exponent)) == expected);
+        }
+      }
+    }
+  }
+
+  TEST_CASE("clusters far from each other, and a distance that is tiny beside the box") {
+    Positions positions;
+    for (const double far : {0.0, 1e300, -1e300})
+      for (int i = 0; i < 5; ++i) positions.push_back({far, static_cast<double>(i), 0});
+    CHECK(rbpa::app::near_vertices(positions, 1) ==
+          std::vector<std::uint32_t>{0, 0, 0, 0, 0, 5, 5, 5, 5, 5, 10, 10, 10, 10, 10});
+    CHECK(rbpa::app::near_vertices(positions, 0.5)[4] == 4);
+    CHECK(rbpa::app::near_vertices({{0, 0, 0}, {5e-324, 0, 0}, {1e308, 1e308, 1e308}}, 5e-324) ==
+          std::vector<std::uint32_t>{0, 0, 2});
+    CHECK(rbpa::app::near_vertices({{-1.7e308, 0, 0}, {1.7e308, 0, 0}}, 1.7e308) == std::vector<std::uint32_t>{0, 1});
+    CHECK(rbpa::app::near_vertices({}, 1).empty());
+  }
+
+  TEST_CASE("nearness is exact: a distance reached to the last bit is near, the next one is not") {
+    CHECK(rbpa::app::are_within({0, 0, 0}, {3, 4, 12}, 13));
+    CHECK_FALSE(rbpa::app::are_within({0, 0, 0}, {3, 4, 12}, std::nextafter(13.0, 0.0)));
+    CHECK_FALSE(rbpa::app::are_within({0, 0, 0}, {3, 4, std::nextafter(12.0, 13.0)}, 13));
+    CHECK(rbpa::app::are_within({0, 0, 0}, {3e-320, 4e-320, 0}, 5.0001e-320));
+    CHECK_FALSE(rbpa::app::are_within({0, 0, 0}, {3e-320, 4e-320, 0}, 4.999e-320));
+    // 0.1 + 0.2 is off by a bit that a sum in doubles does not show.
+    CHECK_FALSE(rbpa::app::are_within({1, 0, 0}, {1.1, 0, 0}, 0.1));
+    CHECK(rbpa::app::are_within({1, 0, 0}, {1.1, 0, 0}, std::nextafter(0.1, 1.0) + 1e-16));
+    CHECK_FALSE(rbpa::app::are_within({-1e308, 0, 0}, {1e308, 0, 0}, 1.7e308));
+    CHECK(rbpa::app::are_within({-8e307, 0, 0}, {8e307, 0, 0}, 1.7e308));
+  }
+
+  TEST_CASE("a box whose faces came apart is closed again, whatever the order") {
+    std::mt19937 random(43);
+    Mesh box;
+    box.add_box({0, 0, 0}, {1, 2, 3});
+    Mesh apart;
+    for (const auto& face : box.faces) {
+      apart.faces.emplace_back();
+      for (const std::uint32_t corner : face) {
+        apart.faces.back().push_back(static_cast<std::uint32_t>(apart.positions.size()));
+        apart.positions.push_back(box.positions[corner]);
+        for (double& x : apart.positions.back()) x += static_cast<double>(random() % 3) / 1024;
+      }
+    }
+    const Folder folder;
+    std::multiset<Positions> expected;
+    for (int i = 0; i < 6; ++i) {
+      folder.file("m.off", apart.off());
+      CHECK(folder.meshtopo("m.off -q --check closed").code == 4);
+      const json r = changed(folder, "m.off --weld 0.01 -o w.off");
+      CHECK(r["vertices"] == 24);
+      CHECK(r["changes"]["weld"] == json::parse(R"({"distance": 0.01, "vertices_merged": 16, "corners_dropped": 0,
+            "degenerate_faces_dropped": 0, "duplicate_faces_dropped": 0})"));
+      CHECK(r["result"]["vertices"] == 8);
+      CHECK(folder.meshtopo("w.off -q --check closed,manifold,oriented,genus=0,components=1,vertices=8").code == 0);
+      if (expected.empty()) expected = places_of(folder, "w.off");
+      CHECK(places_of(folder, "w.off") == expected);
+      apart.shuffle(random);
+    }
+    CHECK(changed(folder, "m.off --weld 0 -o w.off")["result"]["vertices"] > 8);
+  }
+
+  TEST_CASE("faces that fall together are dropped and counted, corners that do are too") {
+    const Folder folder;
+    folder.file("m.off",
+                "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 -0\n0 0.001 0\n5 5 5\n1 0 0\n"
+                "3 0 1 2\n3 4 2 7\n3 0 5 2\n4 0 1 2 5\n3 0 4 6\n");
+    const json r = changed(folder, "m.off --weld 0.001 -o w.off");
+    CHECK(r["changes"]["weld"] == json::parse(R"({"distance": 0.001, "vertices_merged": 3, "corners_dropped": 0,
+          "degenerate_faces_dropped": 2, "duplicate_faces_dropped": 2})"));
+    CHECK(folder.content("w.off") == "OFF\n5 1 0\n0 0 -0\n1 0 0\n1 1 0\n0 1 0\n5 5 5\n3 0 1 2\n");
+    const std::string text = folder.meshtopo("m.off --weld 0.001 -o w.off").out;
+    CHECK(text.find("\nchanges\n  weld 0.001: 3 vertices merged, 2 degenerate faces and 2 duplicate faces dropped\n"
+                    "\nresult\n  vertices               5\n") != std::string::npos);
+    const json exact = changed(folder, "m.off --weld 0 -o e.off");
+    CHECK(exact["changes"]["weld"]["vertices_merged"] == 2);
+    folder.file("q.off", "OFF\n5 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 1 0\n5 0 1 2 3 4\n");
+    CHECK(changed(folder, "q.off --weld 0 -o w.off")["changes"]["weld"]["corners_dropped"] == 1);
+    CHECK(folder.content("w.off").ends_with("\n4 0 1 2 3\n"));
+  }
+}
+
+TEST_SUITE("meshtopo --keep-largest and --drop-small") {
+  TEST_CASE("components go by area and by triangles, with their vertices") {
+    std::mt19937 random(47);
+    Mesh mesh;
+    mesh.add_box({0, 0, 0}, {1, 1, 1});                    // area 6, of 12 triangles
+    mesh.add_box({5, 0, 0}, {8, 3, 3});                    // area 54
+    mesh.add_triangle({0, 9, 0}, {20, 9, 0}, {0, 9, 20});  // area 200
+    mesh.positions.push_back({7, 7, 7});
+    const Folder folder;
+    for (int i = 0; i < 4; ++i) {
+      folder.file("m.off", mesh.off());
+      const auto kept = [&](const std::string& options) {
+        const json r = changed(folder, "m.off " + options + " -o k.off");
+        CHECK(r["changes"]["drop"]["components"].get<std::size_t>() + r["result"]["components"].get<std::size_t>() ==
+              3);
+        CHECK(r["result"]["isolated"] == 0);
+        CHECK(r["changes"]["drop"]["faces"].get<std::size_t>() + places_of(folder, "k.off").size() == 13);
+        return std::pair(r["result"]["faces"].get<int>(), r["result"]["vertices"].get<int>());
+      };
+      CHECK(kept("--keep-largest 1") == std::pair(1, 3));
+      CHECK(kept("--keep-largest 2") == std::pair(7, 11));
+      CHECK(kept("--keep-largest 9") == std::pair(13, 19));
+      CHECK(kept("--drop-small 2") == std::pair(12, 16));
+      CHECK(kept("--drop-small 12") == std::pair(12, 16));
+      CHECK(kept("--drop-small 13") == std::pair(0, 0));
+      CHECK(kept("--drop-small area=54") == std::pair(7, 11));
+      CHECK(kept("--drop-small area=54.001") == std::pair(1, 3));
+      CHECK(kept("--drop-small 2 --keep-largest 1") == std::pair(6, 8));
+      mesh.shuffle(random);
+    }
+    CHECK(folder.meshtopo("m.off --keep-largest 1 -o k.off")
+              .out.find("\nchanges\n  drop: 2 components, 12 faces, 17 vertices\n\nresult\n") != std::string::npos);
+  }
+
+  TEST_CASE("pieces that meet at a non-manifold edge or in a point are apart; faces that are none are dropped") {
+    const Folder folder;
+    // A tetrahedron, a fin on one of its edges, a triangle in one of its corners, a repeated face and one without area.
+    folder.file(
+        "m.off",
+        "OFF\n8 8 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n5 5 5\n-1 0 0\n0 -1 0\n9 9 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+        "3 1 2 4\n3 0 5 6\n3 0 1 2\n3 7 7 4\n");
+    const json r = changed(folder, "m.off --keep-largest 1 -o k.off --check closed,manifold,oriented,components=1");
+    CHECK(r["result"]["faces"] == 4);  // the tetrahedron: its faces beside the fin hang together through the others
+  }
+
+  TEST_CASE("the options have the words of rbpa surface") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    const auto refused = [&](const std::string& arguments) {
+      const Outcome outcome = folder.meshtopo("m.off -o k.off " + arguments);
+      CHECK(outcome.code == 2);
+      CHECK_FALSE(folder.has("k.off"));
+      return outcome.err;
+    };
+    CHECK(refused("--keep-largest 0") ==
+          "meshtopo: --keep-largest: found '0', expected a number of components, at least 1\n");
+    for (const std::string text : {"0", "area=0", "area=", "area=x", "-3", "2.5", "area=inf"})
+      CHECK(refused("'--drop-small=" + text + "'") ==
+            "meshtopo: --drop-small: found '" + text +
+                "', expected a number of triangles, such as 50, or an area, such as area=2.5\n");
+    for (const std::string text : {"-1", "x", "0.1m", "inf", "nan", "1e999"})
+      CHECK(refused("'--weld=" + text + "'") ==
+            "meshtopo: --weld: found '" + text + "', expected a distance, at least 0\n");
+  }
+}
+
+TEST_SUITE("meshtopo --orient") {
+  TEST_CASE("closed components face outward, nested ones too, whatever the order and the faces that are turned") {
+    std::mt19937 random(53);
+    Mesh mesh;
+    mesh.add_box({0, 0, 0}, {8, 8, 8});
+    mesh.add_box({2, 2, 2}, {4, 4, 4});
+    mesh.add_box({-9, 0, 0}, {-8, 1, 1});
+    const Folder folder;
+    folder.file("whole.off", mesh.off());
+    const auto expected = places_of(folder, "whole.off");
+    CHECK(six_volumes(folder, "whole.off") == 6 * (512 + 8 + 1));
+    for (int i = 0; i < 8; ++i) {
+      Mesh turned = mesh;
+      turned.shuffle(random);
+      std::size_t count = 0;
+      for (auto& face : turned.faces)
+        if (i == 7 || random() % 2 == 0) {
+          std::reverse(face.begin(), face.end());
+          ++count;
+        }
+      folder.file("m.off", turned.off());
+      const json r = changed(folder, "m.off --orient -o o.off --check oriented,closed");
+      CHECK(r["changes"]["orient"] ==
+            json{{"faces_reversed", count}, {"facing_outward", 3}, {"not_orientable", json::array()}});
+      CHECK(places_of(folder, "o.off") == expected);
+    }
+  }
+
+  TEST_CASE("what is not orientable is reported by its first face and left as it is; what is open agrees") {
+    const Folder folder;
+    folder.file("m.off",
+                "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n8 0 0\n9 0 0\n9 1 0\n8 1 0\n3 5 6 7\n3 5 7 8\n3 6 5 5\n"
+                "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n");
+    const json r = changed(folder, "m.off --orient -o o.off");
+    CHECK(r["changes"]["orient"] ==
+          json::parse(R"({"faces_reversed": 0, "facing_outward": 0, "not_orientable": [3]})"));
+    CHECK(folder.content("o.off") == folder.content("m.off"));
+    CHECK(folder.meshtopo("m.off --orient -o o.off")
+              .out.find("  orient: 0 faces reversed, 0 closed components face outward\n"
+                        "  orient: the component of face 3 is not orientable, and as it was\n") != std::string::npos);
+    // The number of the first face is that of the file, also when faces before it are gone.
+    CHECK(changed(folder, "m.off --weld 0 --orient -o o.off")["changes"]["orient"]["not_orientable"] ==
+          json::array({3}));
+  }
+
+  TEST_CASE("the sign of a volume is exact") {
+    using rbpa::app::Triangle;
+    using rbpa::app::volume_sign;
+    const std::vector<Triangle> out = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    const std::vector<Triangle> in = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    for (const double size : {1.0, 1e-320, 1e307})
+      for (const double height : {1.0, 5e-324, 1e-300, 1e300}) {
+        CAPTURE(size);
+        CAPTURE(height);
+        const Positions p = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, height}};
+        CHECK(volume_sign(p, out) == 1);
+        CHECK(volume_sign(p, in) == -1);
+      }
+    // Far from the origin, a bit above a plane, in it, and a bit below.
+    for (const int bits : {-1, 0, 1}) {
+      double z = 1e8 + 3;
+      if (bits != 0) z = std::nextafter(z, bits * 1e9);
+      const Positions p = {{1e8, 1e8, 1e8}, {1e8 + 1, 1e8, 1e8 + 1}, {1e8, 1e8 + 1, 1e8 + 1}, {1e8 + 1, 1e8 + 2, z}};
+      CHECK(volume_sign(p, out) == bits);
+      CHECK(volume_sign(p, in) == -bits);
+    }
+    // Two corners with Fibonacci numbers, whose determinant is 1 or -1, and a third that is off their plane by so much only: the
+    // products have more than a hundred bits, and their rounded sum has any sign.
+    long before = 1, number = 1;
+    for (int n = 2; n < 30; ++n) {
+      const long next = before + number;  // the square of `number` is before · next plus or minus 1
+      const std::array<long, 3> b = {before, number, 71 * n}, c = {number, next, 1000003 - n};
+      for (const int off : {-1, 0, 1}) {
+        Positions p = {{0, 0, 0}, {}, {}, {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+          p[1][k] = static_cast<double>(b[k]);
+          p[2][k] = static_cast<double>(c[k]);
+          p[3][k] = static_cast<double>(1000033 * b[k] - 900007 * c[k] + (k == 2 ? off : 0));
+        }
+        const int expected = off * static_cast<int>(before * next - number * number);
+        CAPTURE(n);
+        CHECK(volume_sign(p, out) == expected);
+        CHECK(volume_sign(p, in) == -expected);
+      }
+      before = number;
+      number = next;
+    }
+    CHECK(volume_sign({}, {}) == 0);
+  }
+}
+
+TEST_SUITE("meshtopo: changes together") {
+  TEST_CASE("weld, then drop, then orient, then repair; steps have the numbers of the file") {
+    const Folder folder;
+    // A tetrahedron of loose triangles, one of them turned, with a doubled one, and a stray triangle.
+    folder.file("m.off",
+                "OFF\n18 6 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n0 0 0\n0 1 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n"
+                "1 0 0\n0 1 0\n0 0 1\n7 7 7\n8 7 7\n7 8 7\n"
+                "3 15 16 17\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n3 12 13 14\n");
+    const json r = changed(folder,
+                           "m.off --weld 0 --drop-small 2 --orient --repair r.off --generators l.json "
+                           "--check closed,manifold,oriented,components=1,genus=0");
+    CHECK(r["changes"]["weld"]["duplicate_faces_dropped"] == 1);
+    CHECK(r["changes"]["drop"]["components"] == 1);
+    CHECK(r["changes"]["orient"]["faces_reversed"] == 1);
+    CHECK(r["repair"].empty());
+    CHECK(json::parse(folder.content("l.json")).empty());
+    CHECK(six_volumes(folder, "r.off") == 1);
+    // The pinch that a weld makes is split by the repair, and named as the file names it.
+    folder.file("p.off", "OFF\n7 3 0\n5 5 5\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n-1 0 0\n0 -1 0\n3 0 0 1\n3 1 2 3\n3 4 5 6\n");
+    const json p = changed(folder, "p.off --weld 0 --repair r.off");
+    REQUIRE(p["repair"].size() == 1);
+    CHECK(p["repair"][0] == json::parse(R"({"kind": "point_split", "where": {"vertices": [1], "faces": [],
+          "vertex_lines": [4], "face_lines": []}})"));
+    // As is a defect that keeps loops from being found.
+    folder.file("t.off",
+                "OFF\n9 4 0\n5 5 5\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n1 0 0\n0 0 1\n0 -1 0\n8 8 8\n3 0 0 1\n3 1 2 3\n3 5 4 "
+                "6\n3 1 2 7\n");
+    const Outcome refused = folder.meshtopo("t.off --weld 0 --generators g.json -q");
+    CHECK(refused.code == 3);
+    CHECK(
+        refused.err ==
+        "meshtopo: t.off: found non-manifold edge (vertices 1 2, faces 1 2 3, lines 13 14 15), expected a surface for "
+        "--generators, or --repair\n");
+    CHECK_FALSE(folder.has("g.json"));
+  }
+
+  TEST_CASE(
+      "-o names the mesh when it ends like one, every format, and nothing is written where nothing is asked for") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    for (const std::string name : {"w.off", "w.ply", "w.obj"}) {
+      const Outcome outcome = folder.meshtopo("m.off --orient -o " + name);
+      CHECK(outcome.code == 0);
+      CHECK(outcome.out.find("\nresult\n") != std::string::npos);
+      CHECK(folder.meshtopo(name + " -q --check closed,oriented,genus=0,vertices=5,faces=5").code == 0);
+    }
+    CHECK(folder.content("w.off") == pyramid_off);
+    CHECK(folder.meshtopo("m.off --orient -o - --output-format off -q").out == pyramid_off);
+    CHECK(folder.meshtopo("m.off --orient --check closed -o r.json").code == 0);
+    CHECK(json::parse(folder.content("r.json"))["result"]["faces"] == 5);
+    CHECK(folder.meshtopo("m.off --orient --repair r.off -o s.json").code == 0);
+    CHECK(folder.content("r.off") == pyramid_off);
+    for (const std::string option : {"--weld 0", "--keep-largest 1", "--drop-small 1", "--orient"}) {
+      const Outcome outcome = folder.meshtopo("m.off " + option);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err == "meshtopo: " + option.substr(0, option.find(' ')) +
+                               ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check\n");
+    }
+    CHECK(folder.meshtopo("m.off --orient -o w.stl").err.starts_with("meshtopo: w.stl: found the ending 'stl'"));
+    CHECK(folder.meshtopo("m.off --orient -o m.off").err ==
+          "meshtopo: m.off: found the file of the mesh, expected another file to write to\n");
+    CHECK(folder.content("m.off") == pyramid_off);
+  }
+
+  TEST_CASE("of several meshes each is changed for its check") {
+    const Folder folder;
+    folder.file("a.off", pyramid_off);
+    folder.file("a.stl", stl_text(pyramid_triangles));
+    CHECK(folder.meshtopo("a.off a.stl -q --weld 0 --keep-largest 1 --check closed,components=1").code == 0);
+    CHECK(folder.meshtopo("a.off a.stl -q --drop-small 5 --check closed,components=1").code == 0);
+    CHECK(folder.meshtopo("a.off a.stl -q --drop-small 7 --check closed").code == 4);
+  }
+}
