@@ -17,9 +17,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t named_curves = 10;  // of each kind
 
-constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked"};
+constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked", "cut"};
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
-                               "blocked by what smaller radii made"};
+                               "blocked by what smaller radii made", "cut apart where sheets touch"};
+constexpr std::array filling_names{"filled", "crosses", "edge_taken", "no_area"};
+constexpr std::array filling_texts{"filled", "where any filling crosses the surface",
+                                   "where any filling has an edge that two triangles have already",
+                                   "with all points on a line"};
+
+/// By rim_names. Of an edge that the ball has left open, the next triangle has three corners.
+std::size_t cause_of(const RimEdge& edge) {
+  return edge.next[0] == edge.next[1] ? 3 : static_cast<std::size_t>(edge.cause);
+}
 constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree", "blocked"};
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by what smaller radii made"};
@@ -39,6 +48,13 @@ std::string list_of_causes(const std::array<std::size_t, n>& counts, const std::
   return text;
 }
 
+/// "2 holes not filled: 1 where ..., 1 ...".
+std::string left_open(const FillingCounts& filling) {
+  std::array<std::size_t, 4> left = filling.holes;
+  left[0] = 0;
+  return counted(filling.left(), "hole") + " not filled: " + list_of_causes(left, filling_texts);
+}
+
 /// Lines about the boundary curves of one kind: one for each of the longest, and one for the others together. Those of islands
 /// are together.
 void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, CurveKind kind) {
@@ -47,11 +63,11 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, Curv
     if (facts.kinds[i] == kind) curves.push_back(&facts.holes[i]);
   std::stable_sort(curves.begin(), curves.end(), [](const Hole* a, const Hole* b) { return a->length > b->length; });
   const auto add = [&](std::size_t first, std::size_t last, const std::string& which) {
-    std::array<std::size_t, 3> causes{};
+    std::array<std::size_t, 4> causes{};
     double length = 0;
     std::size_t edges = 0;
     for (std::size_t i = first; i < last; ++i) {
-      for (const RimEdge& edge : curves[i]->edges) ++causes[static_cast<std::size_t>(edge.cause)];
+      for (const RimEdge& edge : curves[i]->edges) ++causes[cause_of(edge)];
       length += curves[i]->length;
       edges += curves[i]->edges.size();
     }
@@ -79,6 +95,11 @@ Json base(const SurfaceFacts& facts) {
     area += component.area;  // in an order that depends on the components alone
   }
   const DroppedComponents& dropped = facts.dropped;
+  const FillingCounts& filling = facts.filling;
+  Json left;
+  for (std::size_t i = 1; i < filling_names.size(); ++i) left[filling_names[i]] = filling.holes[i];
+  const Json filled = {
+      {"holes", filling.filled()}, {"triangles", filling.triangles}, {"area", filling.area}, {"left", left}};
   return {{"points", facts.points},
           {"distinct", facts.distinct},
           {"unused", facts.unused.size()},
@@ -96,7 +117,9 @@ Json base(const SurfaceFacts& facts) {
             {"triangles", dropped.triangles},
             {"points", dropped.points},
             {"area", dropped.area}}},
+          {"filled", filled},
           {"manifold", facts.manifold},
+          {"watertight", facts.watertight ? Json(true) : Json(nullptr)},
           {"crowded_edges", facts.crowded_edges},
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
@@ -132,10 +155,48 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
     lines.push_back(counted(dropped.components, "component") + " dropped: " + counted(dropped.triangles, "triangle") +
                     " of area " + rounded(dropped.area, 6) + ", and " + counted(dropped.points, "point") +
                     " in no other");
+  const FillingCounts& filling = facts.filling;
+  if (filling.filled() > 0)
+    lines.push_back(counted(filling.filled(), "hole") + " filled by " + counted(filling.triangles, "triangle") +
+                    " of area " + rounded(filling.area, 6));
+  if (filling.left() > 0) lines.push_back(left_open(filling));
+  if (facts.watertight) {
+    lines.push_back("watertight: every edge has two triangles, and no two triangles cross");
+    if (facts.components.front().volume < 0)
+      lines.push_back("the largest component faces what it encloses; --flip turns it around");
+  }
   if (facts.crowded_edges > 0)
     lines.push_back(counted(facts.crowded_edges, "edge") +
                     " with more than two triangles, which readers find not manifold; --manifold splits their vertices");
   return lines;
+}
+
+std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, const Surface& surface,
+                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, bool all_crossings) {
+  const auto place = [&](std::uint32_t i) {
+    return rounded(points[i].x, 6) + ", " + rounded(points[i].y, 6) + ", " + rounded(points[i].z, 6);
+  };
+  std::string text;
+  if (surface.triangles.empty()) text = "there is no triangle";
+  if (!facts.holes.empty()) {
+    const auto longest = std::max_element(facts.holes.begin(), facts.holes.end(),
+                                          [](const Hole& a, const Hole& b) { return a.length < b.length; });
+    text = counted(facts.holes.size(), "boundary curve") + " left" +
+           (facts.filling.left() > 0 ? ", " + left_open(facts.filling) : "") + ", the longest of length " +
+           rounded(longest->length, 6) + " with " + counted(longest->edges.size(), "edge") + " at " +
+           place(longest->edges.front().from);
+  }
+  if (!crossing.empty()) {
+    const auto [t, u] = crossing.front();
+    const auto corners = [&](std::uint32_t triangle) {
+      const auto& c = surface.triangles[triangle];
+      return "(" + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]) + ")";
+    };
+    text += (text.empty() ? "" : "; ") + std::string(all_crossings ? "" : "at least ") +
+            counted(crossing.size(), "pair") + " of triangles cross, the first of points " + corners(t) + " and " +
+            corners(u) + " at " + place(surface.triangles[t][0]);
+  }
+  return text;
 }
 
 void write_surface_stats(OutputFile& file, const SurfaceFacts& facts) {
@@ -173,8 +234,8 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
       edges.push_back({{"from", edge.from},
                        {"to", edge.to},
                        {"radius", facts.radii.at(edge.level)},
-                       {"cause", rim_names[static_cast<std::size_t>(edge.cause)]},
-                       {"next", edge.next},
+                       {"cause", rim_names[cause_of(edge)]},
+                       {"next", cause_of(edge) == 3 ? Json(nullptr) : Json(edge.next)},
                        {"at", corners_of(edge)}});
     report["holes"].push_back({{"kind", kind_names[static_cast<std::size_t>(facts.kinds[i])]},
                                {"length", hole.length},

@@ -3,15 +3,20 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/bytes/output_file.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/holes.h"
 #include "rbpa/surface.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/unused.h"
+#include "triangulation/close_surface.h"
 #include "triangulation/surface_counts.h"
 
 namespace rbpa::app {
@@ -39,6 +44,8 @@ struct SurfaceFacts {
   std::vector<CurveKind> kinds = {};  ///< of each hole
   std::vector<SurfaceComponent> components = {};
   DroppedComponents dropped = {};
+  FillingCounts filling = {};
+  bool watertight = false;        ///< asked for, and so
   bool manifold = false;          ///< vertices of files are fans
   std::size_t crowded_edges = 0;  ///< of files: that have more than two triangles
   double read_seconds = 0, normals_seconds = 0, build_seconds = 0, write_seconds = 0;
@@ -49,6 +56,10 @@ std::string text_of_radii(const std::vector<double>& radii);
 
 /// "12 unused points: 10 that ..., 2 ...", and a line for each of the longest holes and one for the others together.
 std::vector<std::string> explanations(const SurfaceFacts& facts);
+
+/// "2 curves stay open, ..., and 3 pairs of triangles cross, ...": why a surface is not watertight. Empty where it is.
+std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, const Surface& surface,
+                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, bool all_crossings);
 
 /// One JSON object each.
 void write_surface_stats(OutputFile& file, const SurfaceFacts& facts);

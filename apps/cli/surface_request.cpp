@@ -78,6 +78,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       .viewpoints = parse_viewpoint(arguments.viewpoint),
       .normals = parse_normals(arguments.normals),
       .components = {},
+      .filled = {},
       .targets = {},
       .width = parse_width(arguments.width),
       .run = parse_run(arguments.run)};
@@ -115,6 +116,13 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   if (arguments.neighbors && !request.normals) request.normals = NormalSource::estimate;
   if (arguments.keep_largest) request.components.largest = parse_keep_largest(*arguments.keep_largest);
   if (arguments.drop_small) parse_drop_small(*arguments.drop_small, request.components);
+  if (arguments.fill_holes) {
+    if (arguments.watertight) throw WrongUsage("--fill-holes: found --watertight, which fills all");
+    if (request.normals == NormalSource::none)
+      throw WrongUsage("--fill-holes: found --normals none, of which the triangles have no boundary");
+    request.filled = parse_fill_holes(*arguments.fill_holes);
+  }
+  if (arguments.watertight) request.filled = HoleChoice{};
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);

@@ -13,6 +13,7 @@
 #include "io/formats.h"
 #include "rbpa/base/point3.h"
 #include "triangulation/component_choice.h"
+#include "triangulation/hole_choice.h"
 
 namespace rbpa::app {
 
@@ -27,6 +28,7 @@ struct SurfaceRequest {
   std::vector<Point3> viewpoints;       ///< one or none
   std::optional<NormalSource> normals;  ///< absent: of the file if it has any, else estimated
   ComponentChoice components;
+  std::optional<HoleChoice> filled;  ///< absent: none are filled
   std::vector<Target> targets;
   int width;
   RunOptions run;

@@ -17,12 +17,15 @@
 #include "io/failure.h"
 #include "rbpa/auto_radii.h"
 #include "rbpa/base/error.h"
+#include "rbpa/crossing_triangles.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/estimate_normals.h"
+#include "rbpa/fill_holes.h"
 #include "rbpa/outer_shells.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
+#include "triangulation/close_surface.h"
 
 namespace rbpa::app {
 namespace {
@@ -43,7 +46,10 @@ class SurfaceRun : public Run {
   void build();
   void explain();
   void choose_components();
+  std::vector<bool> kept_by_choice() const;
   void drop(const std::vector<bool>& kept);
+  void fill();
+  void require_watertight() const;
   void write();
   SurfaceFiles files() const;
   void say_empty() const;
@@ -128,24 +134,62 @@ void SurfaceRun::explain() {
 }
 
 void SurfaceRun::choose_components() {
-  if (arguments_.manifold) {
+  facts_.manifold = arguments_.manifold || arguments_.watertight;
+  if (facts_.manifold || request_.filled) {
     surface_ = indexable_surface(surface_);
     components_ = surface_components(file_.points, surface_);
+    facts_.holes = with_causes(surface_curves(file_.points, surface_), facts_.holes);
   }
   facts_.kinds = curve_kinds(file_.points, components_, facts_.holes);
+  const std::vector<bool> kept = kept_by_choice();
+  if (std::count(kept.begin(), kept.end(), false) > 0) drop(kept);
+  if (request_.filled) fill();
+  if (arguments_.watertight) require_watertight();
+  facts_.watertight = arguments_.watertight;
+  fans_ = split_fans(surface_);
+  facts_.counts = count(fans_, components_);
+  facts_.crowded_edges = crowded_edges(facts_.manifold ? fans_.triangles : surface_.triangles);
+  if (source_ == NormalSource::none) order_ = by_shells(components_);
+  facts_.components = std::move(components_.all);
+}
+
+/// Of each component.
+std::vector<bool> SurfaceRun::kept_by_choice() const {
+  std::vector<bool> kept(components_.all.size(), true);
   if (!request_.components.keeps_all()) {
     std::vector<bool> outer;
     if (request_.components.shell != ShellChoice::all)
       outer = outer_shells(file_.points, radii_.back(), surface_, components_);
-    const std::vector<bool> kept = kept_components(components_, outer, request_.components);
-    if (std::count(kept.begin(), kept.end(), false) > 0) drop(kept);
+    kept = kept_components(components_, outer, request_.components);
   }
-  fans_ = split_fans(surface_);
-  facts_.counts = count(fans_, components_);
-  facts_.manifold = arguments_.manifold;
-  facts_.crowded_edges = crowded_edges(arguments_.manifold ? fans_.triangles : surface_.triangles);
-  if (source_ == NormalSource::none) order_ = by_shells(components_);
-  facts_.components = std::move(components_.all);
+  for (std::size_t i = 0; i < facts_.holes.size() && arguments_.watertight; ++i)
+    if (facts_.kinds[i] == CurveKind::island) kept[components_.number[facts_.holes[i].edges.front().triangle]] = false;
+  return kept;
+}
+
+void SurfaceRun::fill() {
+  BoundedSurface bounded{.surface = std::move(surface_),
+                         .components = std::move(components_),
+                         .curves = std::move(facts_.holes),
+                         .kinds = std::move(facts_.kinds)};
+  facts_.filling = step("filling holes", [&](const SurfaceOptions& how) {
+    return fill_chosen(file_.points, *request_.filled, arguments_.watertight, bounded, how);
+  });
+  surface_ = std::move(bounded.surface);
+  components_ = std::move(bounded.components);
+  facts_.holes = std::move(bounded.curves);
+  facts_.kinds = std::move(bounded.kinds);
+}
+
+void SurfaceRun::require_watertight() const {
+  constexpr std::size_t most = 1000;  // pairs that are counted
+  const auto crossing = step("looking for crossings", [&](const SurfaceOptions& how) {
+    return crossing_triangles(file_.points, surface_.triangles, most, how);
+  });
+  const std::string left = openings(facts_, file_.points, surface_, crossing, crossing.size() < most);
+  if (left.empty()) return;
+  if (surface_.triangles.empty()) say_empty();
+  throw Failure("not watertight: " + left + "; nothing is written");
 }
 
 /// Of the surface, its holes and what is known about both.

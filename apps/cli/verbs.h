@@ -93,9 +93,11 @@ struct SurfaceArguments : OutputArguments {
   std::optional<std::string> shell;
   std::optional<std::string> keep_largest;
   std::optional<std::string> drop_small;
+  std::optional<std::string> fill_holes;
   std::string width = "1200";
   bool compact = false;
   bool manifold = false;
+  bool watertight = false;
   bool json = false;
   RunArguments run;
 };

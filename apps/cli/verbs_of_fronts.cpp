@@ -100,6 +100,13 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "With --normals none: all shells (by default), outer: those that the ball touches from outside, or "
                   "largest: of these the one of the largest area")
       ->type_name("all|outer|largest");
+  verb.add_option("--fill-holes", arguments.fill_holes,
+                  "Fill holes by triangles between their points that cross nothing: all, those of at most N edges, or "
+                  "of a length of at most L; rims stay")
+      ->type_name("all|N|length=L");
+  add_switch(verb, "--watertight", arguments.watertight,
+             "Drop open islands, fill holes and rims, and write a closed --manifold surface without crossings; where "
+             "that cannot be, write nothing, say what is left, and exit with 1");
   verb.add_option("--holes", arguments.holes,
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");
@@ -113,6 +120,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface scan.xyz --radius auto -o mesh.obj --holes holes.obj\n"
       "  rbpa surface scan.ply --radius auto --drop-small 100 --manifold -o mesh.ply\n"
       "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
+      "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
       "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"
       "points are unused, is said.\n" +
