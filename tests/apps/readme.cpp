@@ -57,7 +57,7 @@ TEST_SUITE("readme") {
     CHECK(of_fill.size() == 5);
     commands.insert(commands.end(), of_fill.begin(), of_fill.end());
     const std::vector<Shown> of_surface = commands_in(read_file((root / "docs/surface.md").string()));
-    CHECK(of_surface.size() == 6);
+    CHECK(of_surface.size() == 9);
     commands.insert(commands.end(), of_surface.begin(), of_surface.end());
     commands.insert(commands.end(), of_readme.begin(), of_readme.end());
     for (const Shown& command : commands) {
