@@ -98,8 +98,11 @@ Json base(const SurfaceFacts& facts) {
   const FillingCounts& filling = facts.filling;
   Json left;
   for (std::size_t i = 1; i < filling_names.size(); ++i) left[filling_names[i]] = filling.holes[i];
-  const Json filled = {
-      {"holes", filling.filled()}, {"triangles", filling.triangles}, {"area", filling.area}, {"left", left}};
+  const Json filled = {{"holes", filling.filled()},
+                       {"triangles", filling.triangles},
+                       {"area", filling.area},
+                       {"given_up", filling.given_up},
+                       {"left", left}};
   return {{"points", facts.points},
           {"distinct", facts.distinct},
           {"unused", facts.unused.size()},
@@ -159,6 +162,8 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
   if (filling.filled() > 0)
     lines.push_back(counted(filling.filled(), "hole") + " filled by " + counted(filling.triangles, "triangle") +
                     " of area " + rounded(filling.area, 6));
+  if (filling.given_up > 0)
+    lines.push_back(counted(filling.given_up, "triangle") + " given up around holes, so that these can be filled");
   if (filling.left() > 0) lines.push_back(left_open(filling));
   if (facts.watertight) {
     lines.push_back("watertight: every edge has two triangles, and no two triangles cross");

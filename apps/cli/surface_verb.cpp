@@ -173,7 +173,8 @@ void SurfaceRun::fill() {
                          .curves = std::move(facts_.holes),
                          .kinds = std::move(facts_.kinds)};
   facts_.filling = step("filling holes", [&](const SurfaceOptions& how) {
-    return fill_chosen(file_.points, *request_.filled, arguments_.watertight, bounded, how);
+    return arguments_.watertight ? close_all(file_.points, bounded, how)
+                                 : fill_chosen(file_.points, *request_.filled, false, bounded, how);
   });
   surface_ = std::move(bounded.surface);
   components_ = std::move(bounded.components);

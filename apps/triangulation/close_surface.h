@@ -22,6 +22,7 @@ struct FillingCounts {
   std::array<std::size_t, 4> holes = {};
   std::size_t triangles = 0;  ///< new
   double area = 0;            ///< theirs
+  std::size_t given_up = 0;   ///< triangles around holes, so that these can be filled
 
   std::size_t filled() const { return holes[static_cast<std::size_t>(HoleOutcome::filled)]; }
   std::size_t left() const { return holes[1] + holes[2] + holes[3]; }
@@ -33,6 +34,7 @@ struct BoundedSurface {
   SurfaceComponents components;
   std::vector<Hole> curves;
   std::vector<CurveKind> kinds;
+  std::vector<bool> is_new = {};  ///< of each triangle: it fills a hole; empty before any is filled
 };
 
 /// Fills the holes that are chosen: of kind `hole`, or with `rims` every curve. Curves that stay keep the causes of their edges.
@@ -40,6 +42,12 @@ struct BoundedSurface {
 /// Throws:   as fill_holes().
 FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, bool rims, BoundedSurface& bounded,
                           const SurfaceOptions& options);
+
+/// Fills every curve. Where some stay open, gives up the triangles around these, then those around what still stays open, and so
+/// on, a few times, and fills what is then open. The surface keeps them where that does not help, where these are more than a
+/// twentieth of all triangles, where it would fall into more components, and where a curve that stays has more than 256 edges.
+/// Requires and throws as fill_chosen().
+FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options);
 
 /// The curves of a surface, with the causes that some of its edges have in `known`.
 std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known);

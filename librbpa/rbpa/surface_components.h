@@ -40,4 +40,7 @@ RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, co
 RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
                                  const std::vector<bool>& kept);
 
+/// The same of some triangles; their sides at others become boundary. Throws: ContractViolation on another size.
+RBPA_API Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept);
+
 }  // namespace rbpa

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -139,6 +140,47 @@ TEST_SUITE("surface") {
       CHECK(turned.code == 0);
       CHECK(turned.err.ends_with("\nrbpa: the largest component faces what it encloses; --flip turns it around\n"));
     }
+  }
+
+  TEST_CASE("triangles around holes that cannot be filled are given up, where that closes the surface") {
+    const Folder folder;
+    // Points as the file has them, so that they can be shuffled.
+    std::istringstream mesh(read_file(RBPA_TEST_DATA "/m3_spot.off"));
+    std::string word;
+    std::size_t count = 0, faces = 0, edges = 0;
+    mesh >> word >> count >> faces >> edges;
+    std::vector<std::string> points(count);
+    std::getline(mesh, word);
+    for (std::string& point : points) std::getline(mesh, point);
+    REQUIRE(points.size() > 500);
+    folder.file("p.xyz", joined(points));
+    const std::string run = "surface p.xyz --radius 0.1 --keep-largest 1 --json ";
+    const json open = json::parse(folder.rbpa(run + "--fill-holes all -o open.off").out);
+    CHECK(open["filled"]["left"]["crosses"].get<int>() > 0);
+    CHECK(open["filled"]["given_up"] == 0);
+    const Outcome outcome = folder.rbpa(run + "--watertight -o m.off");
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    const auto given_up = report["filled"]["given_up"].get<int>();
+    CHECK(given_up > 0);
+    CHECK(outcome.err.find("\nrbpa: " + std::to_string(given_up) + " triangles given up around holes, so that") !=
+          std::string::npos);
+    CHECK(report["filled"]["left"] == json::parse(R"({"crosses": 0, "edge_taken": 0, "no_area": 0})"));
+    CHECK(folder.meshtopo("m.off -q --check closed,manifold,components=1").code == 0);
+    CHECK(report["triangles"].get<int>() == open["triangles"].get<int>() - open["filled"]["triangles"].get<int>() -
+                                                given_up + report["filled"]["triangles"].get<int>());
+    std::shuffle(points.begin(), points.end(), std::mt19937(3));
+    folder.file("p.xyz", joined(points));
+    const json shuffled = json::parse(folder.rbpa(run + "--watertight -o s.off").out);
+    for (const std::string key : {"triangles", "area", "filled", "component_list"}) {
+      CAPTURE(key);
+      CHECK(shuffled[key] == report[key]);
+    }
+    // Never so many that little is left of the surface: here two thirds would have to go.
+    const Outcome plate = folder.rbpa("surface " RBPA_TEST_DATA
+                                      "/m3_plate_holes.off --radius auto --keep-largest 1 --watertight -o p.off");
+    CHECK(plate.code == 1);
+    CHECK(plate.err.find("given up") == std::string::npos);
   }
 
   TEST_CASE("what cannot be closed is named, nothing is written, and the exit code is 1") {

@@ -126,7 +126,16 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
 Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
   meshops::require(components.number.size() == surface.triangles.size() && kept.size() == components.all.size(),
                    "keep_components: expected the components of this surface, and for each of them whether it is kept");
-  Surface result = space::part_of(surface, [&](std::size_t t) { return kept[components.number[t]]; });
+  std::vector<bool> triangles;
+  triangles.reserve(surface.triangles.size());
+  for (const std::uint32_t c : components.number) triangles.push_back(kept[c]);
+  return keep_triangles(surface, triangles);
+}
+
+Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept) {
+  meshops::require(kept.size() == surface.triangles.size(),
+                   "keep_triangles: expected for each triangle whether it is kept");
+  Surface result = space::part_of(surface, [&](std::size_t t) { return kept[t]; });
   result.duplicates = surface.duplicates;
   result.distinct = surface.distinct;
   return result;

@@ -180,6 +180,34 @@ TEST_CASE("what is kept is glued as it was, and what is not kept is gone") {
   CHECK(dropped > 100);
 }
 
+TEST_CASE("some triangles are glued as they were among each other, and have boundary beside those that are dropped") {
+  const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Surface surface = rbpa::exposed_triangles(points, 10);
+  REQUIRE(surface.triangles.size() == 4);
+  for (std::size_t dropped = 0; dropped < 4; ++dropped) {
+    CAPTURE(dropped);
+    std::vector<bool> kept(4, true);
+    kept[dropped] = false;
+    const Surface part = rbpa::keep_triangles(surface, kept);
+    REQUIRE(part.triangles.size() == 3);
+    CHECK(part.distinct == 4);
+    for (std::size_t t = 0; t < 3; ++t) {
+      const std::size_t before = t < dropped ? t : t + 1;
+      CHECK(part.triangles[t] == surface.triangles[before]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t now = part.neighbors[t][k], then = surface.neighbors[before][k];
+        if (then == dropped) {
+          CHECK(now == Surface::none);
+        } else {
+          CHECK(now == then - (then > dropped));
+        }
+      }
+    }
+    CHECK(rbpa::surface_components(points, part).all[0].boundary_curves == 1);
+  }
+  CHECK_THROWS_AS(rbpa::keep_triangles(surface, {true}), meshops::ContractViolation);
+}
+
 TEST_CASE("an empty surface has no component, and wrong sizes are refused") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const Surface none;
