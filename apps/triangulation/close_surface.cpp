@@ -30,10 +30,7 @@ FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choi
     if ((rims || bounded.kinds[i] == CurveKind::hole) && choice.has(bounded.curves[i]))
       chosen.push_back(bounded.curves[i]);
   FillingCounts counts;
-  if (chosen.empty()) {
-    bounded.is_new.assign(bounded.surface.triangles.size(), false);
-    return counts;
-  }
+  if (chosen.empty()) return counts;
   FilledSurface filled = fill_holes(points, bounded.surface, chosen, options);
   std::vector<double> areas;
   for (const HoleFill& hole : filled.holes) {
@@ -51,7 +48,6 @@ FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choi
   for (Hole& curve : bounded.curves)
     for (RimEdge& edge : curve.edges) edge.triangle = number[edge.triangle];
   bounded.surface = std::move(filled.surface);
-  bounded.is_new = std::move(filled.is_new);
   bounded.curves = with_causes(surface_curves(points, bounded.surface), bounded.curves);
   bounded.components = surface_components(points, bounded.surface);
   bounded.kinds = curve_kinds(points, bounded.components, bounded.curves);
@@ -85,13 +81,13 @@ FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded,
   constexpr int rounds = 4;
   constexpr double most = 0.05;         // of the triangles that are given up
   constexpr std::size_t longest = 256;  // edges of a curve around which triangles are given up
-  BoundedSurface whole = bounded;
+  const BoundedSurface whole = bounded;
   const FillingCounts first = fill_chosen(points, {}, true, bounded, options);
-  BoundedSurface trial = bounded;
+  std::vector<Hole> open = bounded.curves;
   std::vector<bool> kept(whole.surface.triangles.size(), true);
-  for (int round = 0; round < rounds && !trial.curves.empty(); ++round) {
+  for (int round = 0; round < rounds && !open.empty(); ++round) {
     std::vector<bool> is_open(points.size(), false);
-    for (const Hole& curve : trial.curves) {
+    for (const Hole& curve : open) {
       if (curve.edges.size() > longest) return first;
       for (const RimEdge& edge : curve.edges) is_open[edge.from] = true;
     }
@@ -99,11 +95,12 @@ FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded,
       const auto& corners = whole.surface.triangles[t];
       if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return is_open[p]; })) kept[t] = false;
     }
-    trial = part_of(points, whole, kept);
+    BoundedSurface trial = part_of(points, whole, kept);
     const auto given_up = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
     if (static_cast<double>(given_up) > most * static_cast<double>(kept.size())) return first;
     FillingCounts counts = fill_chosen(points, {}, true, trial, options);
-    if (!trial.curves.empty()) continue;
+    open = std::move(trial.curves);
+    if (!open.empty()) continue;
     // The surface must not fall apart.
     if (trial.components.all.size() > whole.components.all.size()) return first;
     counts.given_up = given_up;

@@ -34,7 +34,6 @@ struct BoundedSurface {
   SurfaceComponents components;
   std::vector<Hole> curves;
   std::vector<CurveKind> kinds;
-  std::vector<bool> is_new = {};  ///< of each triangle: it fills a hole; empty before any is filled
 };
 
 /// Fills the holes that are chosen: of kind `hole`, or with `rims` every curve. Curves that stay keep the causes of their edges.
