@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "cli/stats.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "triangulation/list_of_causes.h"
 
 namespace rbpa::app {
 namespace {
@@ -20,10 +20,6 @@ constexpr std::size_t named_curves = 10;  // of each kind
 constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked", "cut"};
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
                                "blocked by what smaller radii made", "cut apart where sheets touch"};
-constexpr std::array filling_names{"filled", "crosses", "edge_taken", "no_area"};
-constexpr std::array filling_texts{"filled", "where any filling crosses the surface",
-                                   "where any filling has an edge that two triangles have already",
-                                   "with all points on a line"};
 
 /// By rim_names. Of an edge that the ball has left open, the next triangle has three corners.
 std::size_t cause_of(const RimEdge& edge) {
@@ -32,28 +28,6 @@ std::size_t cause_of(const RimEdge& edge) {
 constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree", "blocked"};
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by what smaller radii made"};
-
-/// "3 where ..., 2 ..." of the counts that are not 0, the greatest first.
-template <std::size_t n>
-std::string list_of_causes(const std::array<std::size_t, n>& counts, const std::array<const char*, n>& texts) {
-  std::array<std::size_t, n> order{};
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
-  std::string text;
-  for (const std::size_t i : order) {
-    if (counts[i] == 0) break;
-    if (!text.empty()) text += ", ";
-    text += std::to_string(counts[i]) + " " + texts[i];
-  }
-  return text;
-}
-
-/// "2 holes not filled: 1 where ..., 1 ...".
-std::string left_open(const FillingCounts& filling) {
-  std::array<std::size_t, 4> left = filling.holes;
-  left[0] = 0;
-  return counted(filling.left(), "hole") + " not filled: " + list_of_causes(left, filling_texts);
-}
 
 /// Lines about the boundary curves of one kind: one for each of the longest, and one for the others together. Those of islands
 /// are together.
@@ -95,14 +69,6 @@ Json base(const SurfaceFacts& facts) {
     area += component.area;  // in an order that depends on the components alone
   }
   const DroppedComponents& dropped = facts.dropped;
-  const FillingCounts& filling = facts.filling;
-  Json left;
-  for (std::size_t i = 1; i < filling_names.size(); ++i) left[filling_names[i]] = filling.holes[i];
-  const Json filled = {{"holes", filling.filled()},
-                       {"triangles", filling.triangles},
-                       {"area", filling.area},
-                       {"given_up", filling.given_up},
-                       {"left", left}};
   return {{"points", facts.points},
           {"distinct", facts.distinct},
           {"unused", facts.unused.size()},
@@ -120,10 +86,11 @@ Json base(const SurfaceFacts& facts) {
             {"triangles", dropped.triangles},
             {"points", dropped.points},
             {"area", dropped.area}}},
-          {"filled", filled},
+          {"filled", as_json(facts.filling)},
           {"manifold", facts.manifold},
           {"watertight", facts.watertight ? Json(true) : Json(nullptr)},
           {"crowded_edges", facts.crowded_edges},
+          {"touching_points", counts.touching},
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
           {"normals", facts.normals}};
@@ -159,14 +126,14 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
                     " of area " + rounded(dropped.area, 6) + ", and " + counted(dropped.points, "point") +
                     " in no other");
   const FillingCounts& filling = facts.filling;
-  if (filling.filled() > 0)
-    lines.push_back(counted(filling.filled(), "hole") + " filled by " + counted(filling.triangles, "triangle") +
-                    " of area " + rounded(filling.area, 6));
+  if (filling.filled() > 0) lines.push_back(filled_text(filling));
   if (filling.given_up > 0)
     lines.push_back(counted(filling.given_up, "triangle") + " given up around holes, so that these can be filled");
-  if (filling.left() > 0) lines.push_back(left_open(filling));
+  if (filling.left() > 0) lines.push_back(left_text(filling));
   if (facts.watertight) {
-    lines.push_back("watertight: every edge has two triangles, and no two triangles cross");
+    lines.push_back("watertight: every edge has two triangles, and no two triangles cross" +
+                    (facts.counts.touching == 0 ? std::string()
+                                                : "; it touches itself in " + counted(facts.counts.touching, "point")));
     if (facts.components.front().volume < 0)
       lines.push_back("the largest component faces what it encloses; --flip turns it around");
   }
@@ -187,7 +154,7 @@ std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, 
     const auto longest = std::max_element(facts.holes.begin(), facts.holes.end(),
                                           [](const Hole& a, const Hole& b) { return a.length < b.length; });
     text = counted(facts.holes.size(), "boundary curve") + " left" +
-           (facts.filling.left() > 0 ? ", " + left_open(facts.filling) : "") + ", the longest of length " +
+           (facts.filling.left() > 0 ? ", " + left_text(facts.filling) : "") + ", the longest of length " +
            rounded(longest->length, 6) + " with " + counted(longest->edges.size(), "edge") + " at " +
            place(longest->edges.front().from);
   }

@@ -174,7 +174,7 @@ void SurfaceRun::fill() {
                          .kinds = std::move(facts_.kinds)};
   facts_.filling = step("filling holes", [&](const SurfaceOptions& how) {
     return arguments_.watertight ? close_all(file_.points, bounded, how)
-                                 : fill_chosen(file_.points, *request_.filled, false, bounded, how);
+                                 : fill_chosen(file_.points, *request_.filled, bounded, how);
   });
   surface_ = std::move(bounded.surface);
   components_ = std::move(bounded.components);

@@ -101,9 +101,9 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "largest: of these the one of the largest area")
       ->type_name("all|outer|largest");
   verb.add_option("--fill-holes", arguments.fill_holes,
-                  "Fill holes by triangles between their points that cross nothing: all, those of at most N edges, or "
-                  "of a length of at most L; rims stay")
-      ->type_name("all|N|length=L");
+                  "Fill holes by triangles between their points that cross nothing: all, rims as well, those of at "
+                  "most N edges, or of a length of at most L")
+      ->type_name("all|rims|N|length=L");
   add_switch(verb, "--watertight", arguments.watertight,
              "Drop open islands, fill holes and rims, and write a closed --manifold surface without crossings; where "
              "that cannot be, write nothing, say what is left, and exit with 1");

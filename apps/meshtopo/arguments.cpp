@@ -21,20 +21,16 @@ MeshSource parse_source(const std::string& path, const std::optional<std::string
   refuse_ending(path, mesh_formats, "--format");
 }
 
-std::optional<Format> writable(std::string_view name) {
-  const std::optional<Format> known = find_format(Use::mesh, name);
-  return known && can_write_mesh(*known) ? known : std::nullopt;
-}
-
 /// As in rbpa, the name decides where the ending does not.
 TopologyTarget parse_mesh_target(const std::string& option, const std::string& path,
                                  const std::optional<std::string>& format) {
-  if (format && !writable(*format)) refuse_name("--output-format", *format, written_mesh_formats);
+  const std::optional<Format> named = format ? find_format(Use::mesh, *format) : std::nullopt;
+  if (format && !named) refuse_name("--output-format", *format, mesh_formats);
   if (path == "-" && !format)
-    throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(written_mesh_formats));
-  if (const std::optional<Format> known = writable(ending(path))) return {path, *known};
-  if (!format) refuse_ending(path, written_mesh_formats, "--output-format");
-  return {path, *writable(*format)};
+    throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(mesh_formats));
+  if (const std::optional<Format> known = find_format(Use::mesh, ending(path))) return {path, *known};
+  if (!named) refuse_ending(path, mesh_formats, "--output-format");
+  return {path, *named};
 }
 
 TopologyTarget parse_generator_target(const std::string& path) {
@@ -74,17 +70,20 @@ Edits parse_edits(const TopologyArguments& arguments) {
 }
 
 /// The first of those that are given.
-std::string edit_option(const TopologyArguments& arguments) {
+std::string change_option(const TopologyArguments& arguments) {
   return arguments.weld           ? "--weld"
          : arguments.keep_largest ? "--keep-largest"
          : arguments.drop_small   ? "--drop-small"
-                                  : "--orient";
+         : arguments.orient       ? "--orient"
+                                  : "--fill-holes";
 }
 
-/// Whether -o names the mesh: that of --repair without a name of its own, or one that is edited and not repaired.
-bool writes_mesh(const TopologyArguments& arguments, const Edits& edits) {
+/// Whether -o names the mesh: that of --repair without a name of its own, or one that is changed and not repaired.
+bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
-  return edits.any() && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
+  const bool changes =
+      arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient || arguments.fill_holes;
+  return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
 /// Of several meshes there are reports, and nothing else: one OUT is one file.
@@ -94,7 +93,7 @@ void require_reports_alone(const TopologyArguments& arguments) {
                      " meshes, expected one");
   };
   if (arguments.repair) refuse("--repair");
-  if (arguments.output && writes_mesh(arguments, parse_edits(arguments))) refuse("-o");
+  if (arguments.output && writes_mesh(arguments)) refuse("-o");
   if (arguments.generators) refuse("--generators");
   if (std::count(arguments.meshes.begin(), arguments.meshes.end(), "-") > 1)
     throw WrongUsage("-: found standard input twice, expected it once");
@@ -124,9 +123,10 @@ TopologyPlan plan(TopologyArguments arguments) {
                     .quiet = arguments.quiet};
   plan.edits = parse_edits(arguments);
   plan.repair = arguments.repair;
+  if (arguments.fill_holes) plan.fill = parse_fill_holes(*arguments.fill_holes);
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
-  const bool output_is_mesh = arguments.output && writes_mesh(arguments, plan.edits);
+  const bool output_is_mesh = arguments.output && writes_mesh(arguments);
   const bool has_mesh = output_is_mesh || !arguments.repaired.empty();
   if (arguments.output_format && !has_mesh && !arguments.repair)
     throw WrongUsage("--output-format: found no --repair, expected it");
@@ -145,8 +145,8 @@ TopologyPlan plan(TopologyArguments arguments) {
     if (plan.report && path == "-" && plan.report->path == "-")
       throw WrongUsage(option +
                        " -: found standard output for the report and the mesh, expected another file or --quiet");
-  } else if (plan.edits.any() && plan.checks.empty() && !arguments.generators) {
-    throw WrongUsage(edit_option(arguments) +
+  } else if (plan.changes() && plan.checks.empty() && !arguments.generators) {
+    throw WrongUsage(change_option(arguments) +
                      ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check");
   }
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);

@@ -9,6 +9,7 @@
 #include "io/mesh/read_mesh.h"
 #include "meshtopo/edits.h"
 #include "meshtopo/findings.h"
+#include "triangulation/hole_choice.h"
 
 namespace rbpa::app {
 
@@ -23,6 +24,7 @@ struct TopologyArguments {
   std::optional<std::string> keep_largest;
   std::optional<std::string> drop_small;
   bool orient = false;
+  std::optional<std::string> fill_holes;
   bool repair = false;
   std::string repaired;  ///< OUT of --repair; empty where it has none, and -o names the file
   std::optional<std::string> generators;
@@ -45,10 +47,13 @@ struct TopologyPlan {
   std::vector<Check> checks = {};
   Edits edits = {};
   bool repair = false;
+  std::optional<HoleChoice> fill = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
   std::optional<TopologyTarget> generators = std::nullopt;
 
+  /// Whether there is a mesh to write that is not the one of a repair alone.
+  bool changes() const { return edits.any() || fill; }
   std::vector<std::string> outputs() const;  ///< of all three, in the order of writing
 };
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "io/interrupt.h"
+#include "io/mesh/fan_triangles.h"
 #include "meshops/topology/keep_faces.h"
 #include "meshops/topology/merge_points.h"
 #include "meshops/topology/orient.h"

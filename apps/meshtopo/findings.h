@@ -10,6 +10,7 @@
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
 #include "meshtopo/edits.h"
+#include "meshtopo/fill.h"
 #include "meshtopo/geometry.h"
 
 namespace rbpa::app {
@@ -38,6 +39,10 @@ struct Findings {
   Examined given;
   std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not requested
   EditReport edits = {};
+  std::optional<Filled> fill = std::nullopt;  ///< none: not requested
+
+  bool has_changes() const { return edits.any() || fill; }
+
   std::optional<Examined> result = std::nullopt;  ///< of the mesh that comes out, where it is not the one given
   std::vector<CheckResult> checks = {};
 };

@@ -32,13 +32,13 @@ int main(int argc, char** argv) {
   app.add_option(
          "-o,--output", arguments.output,
          "File to write the report to, by its ending json or txt; - is standard output. With --repair that names no "
-         "file, or with --weld, --keep-largest, --drop-small or --orient and the ending of a mesh, the mesh")
+         "file, or with an option that changes the mesh and the ending of one, the mesh")
       ->type_name("OUT");
-  const CLI::Option* const repair = app.add_option("--repair", arguments.repaired,
-                                                   "Write an oriented surface made of MESH, and say what was done: " +
-                                                       std::string(written_mesh_formats))
-                                        ->type_name("OUT")
-                                        ->expected(0, 1);
+  const CLI::Option* const repair =
+      app.add_option("--repair", arguments.repaired,
+                     "Write an oriented surface made of MESH, and say what was done: " + std::string(mesh_formats))
+          ->type_name("OUT")
+          ->expected(0, 1);
   app.add_option("--output-format", arguments.output_format,
                  "Format of the mesh that is written, where its ending does not say")
       ->type_name("NAME");
@@ -57,6 +57,11 @@ int main(int argc, char** argv) {
   app.add_flag("--orient", arguments.orient,
                "Reverse faces so that those of a component agree, and closed ones face outward")
       ->disable_flag_override();
+  app.add_option(
+         "--fill-holes", arguments.fill_holes,
+         "Fill holes by triangles between their vertices that cross nothing: all, rims of sheets as well, those "
+         "of at most N edges, or of a length of at most L; after a repair")
+      ->type_name("all|rims|N|length=L");
   app.add_option("--check", arguments.checks,
                  "Properties that each mesh is to have, such as closed,manifold,oriented,genus=0,components=1; exit "
                  "code 4 when one does not hold, and a line for each on standard error. Of the mesh as it is written, "
@@ -74,7 +79,8 @@ int main(int argc, char** argv) {
       "  meshtopo part.stl --json -o report.json\n"
       "  meshtopo scan.obj --repair clean.off --generators loops.obj\n"
       "  meshtopo *.stl -q --check closed,manifold,genus=0\n"
-      "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n\n"
+      "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n"
+      "  meshtopo scan.ply --repair whole.ply --fill-holes all --check closed\n\n"
       "Properties for --check: closed (every edge has two faces), manifold, oriented, orientable; and, as in genus=0, "
       "vertices, edges, faces, euler, components, boundary_curves, genus, pinches, isolated, defects, "
       "geometric_defects.\n"

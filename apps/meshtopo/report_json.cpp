@@ -67,7 +67,8 @@ class Object {
   std::string before_ = "{\n  ";
 };
 
-Json as_json(const EditReport& edits) {
+Json as_json(const Findings& findings) {
+  const EditReport& edits = findings.edits;
   Json json = Json::object();
   if (edits.weld)
     json["weld"] = {{"distance", edits.weld->distance},
@@ -82,6 +83,13 @@ Json as_json(const EditReport& edits) {
     json["orient"] = {{"faces_reversed", edits.orient->faces},
                       {"facing_outward", edits.orient->outward},
                       {"not_orientable", edits.orient->not_orientable}};
+  if (findings.fill) {
+    const auto& [rims, holes, islands] = findings.fill->not_chosen;
+    json["fill"] = as_json(findings.fill->counts);
+    json["fill"].erase("given_up");
+    json["fill"]["not_chosen"] = {{"rim", rims}, {"hole", holes}, {"island", islands}};
+    json["fill"]["vertices_merged"] = findings.fill->merged;
+  }
   return json;
 }
 
@@ -130,7 +138,7 @@ void write_report_json(OutputFile& file, const Findings& findings, const std::st
   report.list("geometric_defects", findings.given.geometric_defects, in_file);
   report.list("per_component", t.per_component, piece);
   if (findings.repair) report.list("repair", *findings.repair, in_file);
-  if (findings.edits.any()) report.member("changes", as_json(findings.edits));
+  if (findings.has_changes()) report.member("changes", as_json(findings));
   if (findings.result) report.member("result", as_json(*findings.result));
   if (!findings.checks.empty())
     report.list("checks", findings.checks, [](const CheckResult& result) { return as_json(result); });

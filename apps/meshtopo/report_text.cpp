@@ -88,7 +88,8 @@ std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
-std::string changes(const EditReport& report) {
+std::string changes(const Findings& findings) {
+  const EditReport& report = findings.edits;
   std::string text = "\nchanges\n";
   if (report.weld)
     text += "  weld " + text_of(report.weld->distance) + ": " +
@@ -104,6 +105,17 @@ std::string changes(const EditReport& report) {
             counted(report.orient->outward, "closed component faces outward", "closed components face outward") + "\n";
     for (const std::size_t face : report.orient->not_orientable)
       text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and as it was\n";
+  }
+  if (findings.fill) {
+    const auto& [rims, holes, islands] = findings.fill->not_chosen;
+    text += "  fill: " + filled_text(findings.fill->counts) + "\n";
+    if (findings.fill->counts.left() > 0) text += "  fill: " + left_text(findings.fill->counts) + "\n";
+    if (holes > 0) text += "  fill: " + counted(holes, "larger hole stays", "larger holes stay") + "\n";
+    if (rims > 0) text += "  fill: " + counted(rims, "rim of a sheet stays", "rims of sheets stay") + "\n";
+    if (islands > 0) text += "  fill: " + counted(islands, "rim of an island stays", "rims of islands stay") + "\n";
+    if (findings.fill->merged > 0)
+      text += "  fill: " + counted(findings.fill->merged, "vertex merged", "vertices merged") +
+              " with one at the same place\n";
   }
   return text;
 }
@@ -148,7 +160,7 @@ std::string report_text(const Findings& findings, std::size_t most) {
   if (findings.repair)
     text += findings.repair->empty() ? "\nrepair: nothing to do\n"
                                      : "\nrepair\n" + listed(*findings.repair, findings.mesh, most);
-  if (findings.edits.any()) text += changes(findings.edits);
+  if (findings.has_changes()) text += changes(findings);
   if (findings.result) text += "\nresult\n" + indented(numbers(*findings.result));
   if (!findings.checks.empty()) text += checks(findings.checks);
   return text;

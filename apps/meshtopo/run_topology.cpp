@@ -31,9 +31,9 @@ void number_as_in_file(Item& item, const EditedMesh& edited) {
   for (std::size_t& f : item.faces) f = edited.face_was[f];
 }
 
-/// Loops need a surface: pinches come apart by themselves, anything else is refused.
-void require_surface(const Findings& findings, const std::vector<meshops::SoupDefect>& defects,
-                     const MeshSource& source) {
+/// Loops and fillings need a surface: pinches come apart by themselves, anything else is refused.
+void require_surface(const std::string& option, const Findings& findings,
+                     const std::vector<meshops::SoupDefect>& defects, const MeshSource& source) {
   const auto defect = std::find_if(defects.begin(), defects.end(), [](const meshops::SoupDefect& d) {
     return d.kind != meshops::SoupDefectKind::pinch;
   });
@@ -41,7 +41,7 @@ void require_surface(const Findings& findings, const std::vector<meshops::SoupDe
   bad_input(name_of(source),
             std::string(meshops::name(defect->kind)) + " (" +
                 for_people({defect->points, defect->faces}, findings.mesh) + ")",
-            "a surface for --generators, or --repair");
+            "a surface for " + option + ", or --repair");
 }
 
 std::vector<Polyline> generators_of(const meshops::PolygonSoup& soup, PositionSpan positions) {
@@ -87,17 +87,25 @@ class Run {
       for (std::size_t i = whole.positions.size(); i < found.stands_on.size(); ++i)
         repaired->positions.push_back(whole.positions[found.stands_on[i]]);
     }
-    const MeshFile& result = repaired ? *repaired : whole;
-    if (edited || (repaired && !plan_.checks.empty())) findings.result = examine(result);
+    const MeshFile& surface = repaired ? *repaired : whole;
+    if (!repaired && (plan_.fill || plan_.generators)) {
+      std::vector<meshops::SoupDefect> defects =
+          edited ? meshops::find_defects(whole.soup, until_interrupted()) : findings.given.defects;
+      if (edited)
+        for (meshops::SoupDefect& defect : defects) number_as_in_file(defect, *edited);
+      require_surface(plan_.fill ? "--fill-holes" : "--generators", findings, defects, source);
+    }
+    std::optional<FilledMesh> filled;
+    if (plan_.fill) {
+      filled = fill(surface);
+      findings.fill = filled->report;
+    }
+    const MeshFile& result = filled ? filled->mesh : surface;
+    if (edited || filled || (repaired && !plan_.checks.empty())) findings.result = examine(result);
     if (plan_.written)
       write(outputs_.add(plan_.written->path),
             [&](OutputFile& file) { write_mesh(file, plan_.written->format, result.positions, result.soup); });
     if (plan_.generators) {
-      std::vector<meshops::SoupDefect> defects;
-      if (!repaired) defects = edited ? findings.result->defects : findings.given.defects;
-      if (edited)
-        for (meshops::SoupDefect& defect : defects) number_as_in_file(defect, *edited);
-      require_surface(findings, defects, source);
       const std::vector<Polyline> loops = find_loops(result.soup, result.positions);
       write(outputs_.add(plan_.generators->path),
             [&](OutputFile& file) { write_polylines(file, plan_.generators->format, result.positions, loops); });
@@ -185,6 +193,11 @@ class Run {
   meshops::Repair repair(const MeshFile& mesh) const {
     const ProgressLine shown = line("repair");
     return meshops::repair(mesh.soup, until_interrupted());
+  }
+
+  FilledMesh fill(const MeshFile& mesh) const {
+    const ProgressLine shown = line("filling holes");
+    return app::fill(mesh, *plan_.fill);
   }
 
   std::vector<Polyline> find_loops(const meshops::PolygonSoup& soup, PositionSpan positions) const {

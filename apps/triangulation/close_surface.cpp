@@ -1,9 +1,12 @@
 #include "triangulation/close_surface.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 
+#include "rbpa/fill_holes.h"
 #include "rbpa/split_fans.h"
 
 namespace rbpa::app {
@@ -23,23 +26,14 @@ std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> kn
   return curves;
 }
 
-FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, bool rims, BoundedSurface& bounded,
+FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, BoundedSurface& bounded,
                           const SurfaceOptions& options) {
   std::vector<Hole> chosen;
   for (std::size_t i = 0; i < bounded.curves.size(); ++i)
-    if ((rims || bounded.kinds[i] == CurveKind::hole) && choice.has(bounded.curves[i]))
-      chosen.push_back(bounded.curves[i]);
-  FillingCounts counts;
-  if (chosen.empty()) return counts;
+    if (choice.has(bounded.curves[i], bounded.kinds[i])) chosen.push_back(bounded.curves[i]);
+  if (chosen.empty()) return {};
   FilledSurface filled = fill_holes(points, bounded.surface, chosen, options);
-  std::vector<double> areas;
-  for (const HoleFill& hole : filled.holes) {
-    ++counts.holes[static_cast<std::size_t>(hole.outcome)];
-    counts.triangles += hole.triangles;
-    areas.push_back(hole.area);
-  }
-  std::sort(areas.begin(), areas.end());  // the order of holes depends on that of the points, and their sum must not
-  for (const double area : areas) counts.area += area;
+  const FillingCounts counts = count(filled.holes);
 
   // Old triangles stay in their order, so that the edges of curves find them by counting.
   std::vector<std::uint32_t> number;
@@ -75,6 +69,21 @@ BoundedSurface part_of(std::span<const Point3> points, const BoundedSurface& who
   }
 }
 
+/// Whether at each point several fans of triangles meet: the surface touches itself there.
+std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface) {
+  std::vector<bool> touching(points.size(), false);
+  const std::vector<std::uint32_t> fans = split_fans(surface).point;  // ascending
+  for (auto at = fans.begin(); (at = std::adjacent_find(at, fans.end())) != fans.end(); ++at) touching[*at] = true;
+  return touching;
+}
+
+std::vector<bool> points_of(std::span<const Point3> points, std::span<const Hole> curves) {
+  std::vector<bool> is_open(points.size(), false);
+  for (const Hole& curve : curves)
+    for (const RimEdge& edge : curve.edges) is_open[edge.from] = true;
+  return is_open;
+}
+
 }  // namespace
 
 FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options) {
@@ -82,32 +91,36 @@ FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded,
   constexpr double most = 0.05;         // of the triangles that are given up
   constexpr std::size_t longest = 256;  // edges of a curve around which triangles are given up
   const BoundedSurface whole = bounded;
-  const FillingCounts first = fill_chosen(points, {}, true, bounded, options);
+  FillingCounts best = fill_chosen(points, {.rims = true}, bounded, options);
+  // Triangles are given up around what is open, and once nothing is, around what touches.
   std::vector<Hole> open = bounded.curves;
+  std::vector<bool> wrong = open.empty() ? touching_points(points, bounded.surface) : points_of(points, open);
+  const auto count_of = [](const std::vector<bool>& which) { return std::count(which.begin(), which.end(), true); };
+  auto least_touching = open.empty() ? count_of(wrong) : std::numeric_limits<std::ptrdiff_t>::max();
   std::vector<bool> kept(whole.surface.triangles.size(), true);
-  for (int round = 0; round < rounds && !open.empty(); ++round) {
-    std::vector<bool> is_open(points.size(), false);
-    for (const Hole& curve : open) {
-      if (curve.edges.size() > longest) return first;
-      for (const RimEdge& edge : curve.edges) is_open[edge.from] = true;
-    }
+  for (int round = 0; round < rounds && count_of(wrong) > 0; ++round) {
+    const auto is_too_long = [](const Hole& curve) { return curve.edges.size() > longest; };
+    if (std::any_of(open.begin(), open.end(), is_too_long)) break;
     for (std::size_t t = 0; t < kept.size(); ++t) {
       const auto& corners = whole.surface.triangles[t];
-      if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return is_open[p]; })) kept[t] = false;
+      if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return wrong[p]; })) kept[t] = false;
     }
     BoundedSurface trial = part_of(points, whole, kept);
-    const auto given_up = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
-    if (static_cast<double>(given_up) > most * static_cast<double>(kept.size())) return first;
-    FillingCounts counts = fill_chosen(points, {}, true, trial, options);
-    open = std::move(trial.curves);
+    const std::ptrdiff_t given_up = std::count(kept.begin(), kept.end(), false);
+    if (static_cast<double>(given_up) > most * static_cast<double>(kept.size())) break;
+    FillingCounts counts = fill_chosen(points, {.rims = true}, trial, options);
+    open = trial.curves;
+    wrong = open.empty() ? touching_points(points, trial.surface) : points_of(points, open);
     if (!open.empty()) continue;
-    // The surface must not fall apart.
-    if (trial.components.all.size() > whole.components.all.size()) return first;
-    counts.given_up = given_up;
+    if (trial.components.all.size() > whole.components.all.size()) break;  // the surface must not fall apart
+    const std::ptrdiff_t touching = count_of(wrong);
+    if (touching >= least_touching) break;
+    least_touching = touching;
+    counts.given_up = static_cast<std::size_t>(given_up);
+    best = counts;
     bounded = std::move(trial);
-    return counts;
   }
-  return first;
+  return best;
 }
 
 }  // namespace rbpa::app

@@ -11,7 +11,8 @@ namespace rbpa::app {
 HoleChoice parse_fill_holes(const std::string& text) {
   constexpr std::string_view length = "length=";
   HoleChoice choice;
-  if (text == "all") return choice;
+  choice.rims = text == "rims";
+  if (text == "all" || choice.rims) return choice;
   if (text.starts_with(length)) {
     const ParsedNumber number = parse_whole_number(std::string_view(text).substr(length.size()));
     choice.most_length = number.value;
@@ -21,7 +22,7 @@ HoleChoice parse_fill_holes(const std::string& text) {
     if (error == std::errc() && end == text.data() + text.size() && choice.most_edges >= 3) return choice;
   }
   throw WrongUsage("--fill-holes: found " + in_quotes(text) +
-                   ", expected all, a number of edges from 3, such as 30, or a length, such as length=2.5");
+                   ", expected all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5");
 }
 
 }  // namespace rbpa::app

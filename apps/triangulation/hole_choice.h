@@ -5,19 +5,24 @@
 #include <limits>
 #include <string>
 
+#include "rbpa/curve_kinds.h"
 #include "rbpa/holes.h"
 
 namespace rbpa::app {
 
-/// All of them, by default.
+/// All curves of kind `hole`, by default.
 struct HoleChoice {
   std::size_t most_edges = std::numeric_limits<std::size_t>::max();
   double most_length = std::numeric_limits<double>::infinity();
+  bool rims = false;  ///< curves of every kind
 
-  bool has(const Hole& hole) const { return hole.edges.size() <= most_edges && hole.length <= most_length; }
+  bool has(const Hole& curve, CurveKind kind) const {
+    return (rims || kind == CurveKind::hole) && curve.edges.size() <= most_edges && curve.length <= most_length;
+  }
 };
 
-/// "all"; "30": of at most so many edges; "length=2.5": at most so long. Throws WrongUsage that names the option.
+/// "all"; "rims": those and the rims of sheets and islands; "30": of at most so many edges; "length=2.5": at most so long. Throws
+/// WrongUsage that names the option.
 HoleChoice parse_fill_holes(const std::string& text);
 
 }  // namespace rbpa::app

@@ -18,7 +18,12 @@ SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components) 
     counts.boundary_curves += component.boundary_curves;
   }
   counts.edges = (3 * counts.triangles + boundary) / 2;
-  for (std::size_t v = 0; v < fans.point.size(); ++v) counts.points += v == 0 || fans.point[v] != fans.point[v - 1];
+  for (std::size_t v = 0; v < fans.point.size(); ++v) {
+    const bool is_first = v == 0 || fans.point[v] != fans.point[v - 1];
+    const bool is_last = v + 1 == fans.point.size() || fans.point[v] != fans.point[v + 1];
+    counts.points += is_first;
+    counts.touching += is_first && !is_last;
+  }
   // Euler: vertices - edges + triangles = 2 components - 2 genus - boundary curves.
   counts.genus =
       (2 * counts.components + counts.edges - counts.boundary_curves - counts.vertices - counts.triangles) / 2;

@@ -18,6 +18,7 @@ struct SurfaceCounts {
   std::size_t triangles = 0;
   std::size_t points = 0;    ///< of the input that are in a triangle
   std::size_t vertices = 0;  ///< fans
+  std::size_t touching = 0;  ///< points with several fans: the surface touches itself there
   std::size_t edges = 0;
   std::size_t boundary_curves = 0;
   std::size_t components = 0;

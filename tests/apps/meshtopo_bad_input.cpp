@@ -191,11 +191,11 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m", 2, "m: found the ending '', expected one of off, ply, obj, stl, or --format");
     refuses(folder, "m --format xyz", 2, "--format: found 'xyz', expected one of off, ply, obj, stl");
     refuses(folder, "- <m.off", 2, "-: found no --format, expected one of off, ply, obj, stl");
-    refuses(folder, "m.off --repair -o out.stl", 2,
-            "out.stl: found the ending 'stl', expected one of off, ply, obj, or --output-format");
-    refuses(folder, "m.off --repair -o - -q", 2, "-o -: found no --output-format, expected one of off, ply, obj");
-    refuses(folder, "m.off --repair -o out --output-format stl", 2,
-            "--output-format: found 'stl', expected one of off, ply, obj");
+    refuses(folder, "m.off --repair -o out.vtu", 2,
+            "out.vtu: found the ending 'vtu', expected one of off, ply, obj, stl, or --output-format");
+    refuses(folder, "m.off --repair -o - -q", 2, "-o -: found no --output-format, expected one of off, ply, obj, stl");
+    refuses(folder, "m.off --repair -o out --output-format vtu", 2,
+            "--output-format: found 'vtu', expected one of off, ply, obj, stl");
     refuses(folder, "m.off --generators loops.off", 2,
             "--generators: found the ending 'off', expected one of obj, json");
   }

@@ -3,130 +3,18 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <numeric>
-#include <random>
-#include <set>
 
-#include "io/mesh/read_mesh.h"
 #include "meshtopo/exact.h"
 #include "meshtopo/weld.h"
-#include "support/data_folder.h"
+#include "support/changed_mesh.h"
 #include "support/mesh_files.h"
-#include "support/program.h"
 
 using namespace apps_test;
 using nlohmann::json;
-using rbpa::app::MeshFile;
 
 namespace {
-
-using Positions = std::vector<std::array<double, 3>>;
-using Faces = std::vector<std::vector<std::uint32_t>>;
-
-struct Mesh {
-  Positions positions;
-  Faces faces;
-
-  /// A box from `low` to `high`, of six squares that face outward.
-  void add_box(std::array<double, 3> low, std::array<double, 3> high) {
-    const auto at = static_cast<std::uint32_t>(positions.size());
-    for (const double z : {low[2], high[2]})
-      for (const double y : {low[1], high[1]})
-        for (const double x : {low[0], high[0]}) positions.push_back({x, y, z});
-    for (const std::vector<std::uint32_t>& face :
-         Faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-      faces.emplace_back();
-      for (const std::uint32_t corner : face) faces.back().push_back(at + corner);
-    }
-  }
-  void add_triangle(std::array<double, 3> a, std::array<double, 3> b, std::array<double, 3> c) {
-    const auto at = static_cast<std::uint32_t>(positions.size());
-    positions.insert(positions.end(), {a, b, c});
-    faces.push_back({at, at + 1, at + 2});
-  }
-  void shuffle(std::mt19937& random) {
-    std::vector<std::uint32_t> order(positions.size()), place(positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::shuffle(order.begin(), order.end(), random);
-    Positions moved;
-    for (const std::uint32_t p : order) {
-      place[p] = static_cast<std::uint32_t>(moved.size());
-      moved.push_back(positions[p]);
-    }
-    positions = std::move(moved);
-    for (auto& face : faces) {
-      for (std::uint32_t& corner : face) corner = place[corner];
-      std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()), face.end());
-    }
-    std::shuffle(faces.begin(), faces.end(), random);
-  }
-  std::string off() const {
-    std::string text = "OFF\n" + std::to_string(positions.size()) + " " + std::to_string(faces.size()) + " 0\n";
-    for (const auto& p : positions)
-      for (std::size_t k = 0; k < 3; ++k) text += rbpa_number(p[k]) + (k < 2 ? " " : "\n");
-    for (const auto& face : faces) {
-      text += std::to_string(face.size());
-      for (const std::uint32_t corner : face) text += " " + std::to_string(corner);
-      text += "\n";
-    }
-    return text;
-  }
-  static std::string rbpa_number(double x) {
-    std::array<char, 32> text;
-    return {text.data(),
-            static_cast<std::size_t>(std::to_chars(text.data(), text.data() + text.size(), x).ptr - text.data())};
-  }
-};
-
-/// The faces by the places of their corners, from the least on, as a set: the mesh without its numbers.
-std::multiset<Positions> places_of(const Folder& folder, const std::string& name) {
-  const MeshFile mesh = rbpa::app::read_mesh({folder.path(name), rbpa::app::Format::off});
-  std::multiset<Positions> faces;
-  for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {
-    Positions face;
-    for (const std::uint32_t corner : mesh.soup.face(f)) face.push_back(mesh.positions[corner]);
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    faces.insert(face);
-  }
-  return faces;
-}
-
-json changed(const Folder& folder, const std::string& arguments) {
-  CAPTURE(arguments);
-  const Outcome outcome = folder.meshtopo(arguments + " --json");
-  CHECK(outcome.err.empty());
-  REQUIRE(outcome.code == 0);
-  return json::parse(outcome.out);
-}
-
-/// Six times the volume, where it is exact in doubles.
-double six_volumes(const Positions& face_after_face, const std::vector<std::size_t>& corners) {
-  double sum = 0;
-  std::size_t at = 0;
-  for (const std::size_t n : corners) {
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const auto &a = face_after_face[at], &b = face_after_face[at + i], &c = face_after_face[at + i + 1];
-      sum +=
-          a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
-    at += n;
-  }
-  return sum;
-}
-
-double six_volumes(const Folder& folder, const std::string& name) {
-  Positions all;
-  std::vector<std::size_t> corners;
-  for (const Positions& face : places_of(folder, name)) {
-    all.insert(all.end(), face.begin(), face.end());
-    corners.push_back(face.size());
-  }
-  return six_volumes(all, corners);
-}
 
 /// Chains of steps by search over all pairs; whole numbers, so that squares are exact.
 std::vector<std::uint32_t> near_by_brute_force(const Positions& positions, double distance) {
@@ -448,11 +336,12 @@ TEST_SUITE("meshtopo: changes together") {
       "-o names the mesh when it ends like one, every format, and nothing is written where nothing is asked for") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
-    for (const std::string name : {"w.off", "w.ply", "w.obj"}) {
+    for (const std::string name : {"w.off", "w.ply", "w.obj", "w.stl"}) {
       const Outcome outcome = folder.meshtopo("m.off --orient -o " + name);
       CHECK(outcome.code == 0);
       CHECK(outcome.out.find("\nresult\n") != std::string::npos);
-      CHECK(folder.meshtopo(name + " -q --check closed,oriented,genus=0,vertices=5,faces=5").code == 0);
+      const std::string faces = name == "w.stl" ? "6" : "5";  // STL has triangles
+      CHECK(folder.meshtopo(name + " -q --check closed,oriented,genus=0,vertices=5,faces=" + faces).code == 0);
     }
     CHECK(folder.content("w.off") == pyramid_off);
     CHECK(folder.meshtopo("m.off --orient -o - --output-format off -q").out == pyramid_off);
@@ -460,13 +349,18 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK(json::parse(folder.content("r.json"))["result"]["faces"] == 5);
     CHECK(folder.meshtopo("m.off --orient --repair r.off -o s.json").code == 0);
     CHECK(folder.content("r.off") == pyramid_off);
-    for (const std::string option : {"--weld 0", "--keep-largest 1", "--drop-small 1", "--orient"}) {
+    for (const std::string option :
+         {"--weld 0", "--keep-largest 1", "--drop-small 1", "--orient", "--fill-holes all"}) {
       const Outcome outcome = folder.meshtopo("m.off " + option);
       CHECK(outcome.code == 2);
       CHECK(outcome.err == "meshtopo: " + option.substr(0, option.find(' ')) +
                                ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check\n");
     }
-    CHECK(folder.meshtopo("m.off --orient -o w.stl").err.starts_with("meshtopo: w.stl: found the ending 'stl'"));
+    folder.file("far.off", "OFF\n3 1 0\n0 0 0\n1e39 0 0\n0 1 0\n3 0 1 2\n");
+    CHECK(folder.meshtopo("far.off --orient -o far.stl").err ==
+          "meshtopo: far.stl: found the coordinate 1e+39, expected one that single precision of STL holds, or another "
+          "format\n");
+    CHECK_FALSE(folder.has("far.stl"));
     CHECK(folder.meshtopo("m.off --orient -o m.off").err ==
           "meshtopo: m.off: found the file of the mesh, expected another file to write to\n");
     CHECK(folder.content("m.off") == pyramid_off);

@@ -213,7 +213,7 @@ TEST_SUITE("surface") {
       CHECK(outcome.code == 2);
       CHECK(outcome.err ==
             "rbpa: --fill-holes: found '" + text +
-                "', expected all, a number of edges from 3, such as 30, or a length, such as length=2.5\n");
+                "', expected all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5\n");
     }
     CHECK(folder.rbpa("surface p.xyz --radius 1 -o m.off --fill-holes all --watertight").err ==
           "rbpa: --fill-holes: found --watertight, which fills all\n");

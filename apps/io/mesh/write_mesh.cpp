@@ -7,6 +7,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/mesh/fan_triangles.h"
 #include "io/mesh/polygon_files.h"
 
 namespace rbpa::app {
@@ -21,15 +22,6 @@ struct SoupPolygons {
   const std::array<double, 3>& point(std::size_t i) const { return positions[i]; }
   std::span<const std::uint32_t> face(std::size_t f) const { return soup.face(f); }
 };
-
-}  // namespace
-
-void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
-                const meshops::PolygonSoup& soup) {
-  write_polygons(file, format, SoupPolygons{positions, soup});
-}
-
-namespace {
 
 /// The mesh, as the formats see it.
 struct SurfacePolygons {
@@ -98,6 +90,17 @@ void write_stl(OutputFile& file, const SpaceMesh& mesh) {
 }
 
 }  // namespace
+
+void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
+                const meshops::PolygonSoup& soup) {
+  if (format != Format::stl) return write_polygons(file, format, SoupPolygons{positions, soup});
+  std::vector<Point3> vertices;
+  for (const auto& p : positions) vertices.push_back({p[0], p[1], p[2]});
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t f = 0; f < soup.faces(); ++f)
+    for_each_fan_triangle(soup.face(f), positions, [&](const auto& triangle) { triangles.push_back(triangle); });
+  write_stl(file, {.vertices = vertices, .triangles = triangles});
+}
 
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {
   if (format == Format::stl) return write_stl(file, mesh);

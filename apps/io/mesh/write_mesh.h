@@ -15,11 +15,9 @@
 
 namespace rbpa::app {
 
-/// The formats, for messages and help: those that hold doubles and shared points, so not STL.
-constexpr std::string_view written_mesh_formats = "off, ply, obj";
-constexpr bool can_write_mesh(Format format) { return format != Format::stl; }
-
-/// OFF, PLY (binary little-endian) or OBJ. Requires: can_write_mesh(format); a position for every point of `soup`.
+/// OFF, PLY (binary little-endian), OBJ; or STL, binary, in single precision and with a face of more corners as for_each_fan_triangle()
+/// parts it. Throws BadInput, before anything is written, when a coordinate is too large for STL. Requires: one of
+/// mesh_formats; a position for every point of `soup`.
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup);
 

@@ -1,0 +1,35 @@
+// What: holes of a mesh filled: --fill-holes.
+// Law:  no vertex is added and no face is moved. The new faces are triangles, as those of `rbpa surface` are: they turn least
+//       against the faces around the hole, and cross nothing, which is decided exactly. A face of more than three corners
+//       counts there as triangles around the mean of its corners. Which holes are filled, and how, does not depend on the order of
+//       vertices and faces.
+// Cost: that of a repair and of rbpa::fill_holes().
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "io/mesh/read_mesh.h"
+#include "triangulation/filling_counts.h"
+#include "triangulation/hole_choice.h"
+
+namespace rbpa::app {
+
+struct Filled {
+  FillingCounts counts = {};
+  std::array<std::size_t, 3> not_chosen = {};  ///< boundary curves, by CurveKind
+  std::size_t merged = 0;                      ///< vertices, at equal places along a hole, that became one with another
+};
+
+struct FilledMesh {
+  MeshFile mesh;                         ///< without lines; the new faces are the last ones
+  std::vector<std::uint32_t> point_was;  ///< of each vertex: its number in the mesh that was given
+  Filled report;
+};
+
+/// Requires: a surface: no defects but pinches. Throws Cancelled.
+FilledMesh fill(const MeshFile& mesh, const HoleChoice& choice);
+
+}  // namespace rbpa::app

@@ -1,0 +1,55 @@
+#include "triangulation/filling_counts.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "triangulation/list_of_causes.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr std::array names{"filled", "crosses", "edge_taken", "no_area"};
+constexpr std::array texts{"filled", "where any filling crosses the surface",
+                           "where any filling has an edge that two triangles have already",
+                           "with all points on a line"};
+
+}  // namespace
+
+FillingCounts count(std::span<const HoleFill> holes) {
+  FillingCounts counts;
+  std::vector<double> areas;
+  for (const HoleFill& hole : holes) {
+    ++counts.holes[static_cast<std::size_t>(hole.outcome)];
+    counts.triangles += hole.triangles;
+    areas.push_back(hole.area);
+  }
+  std::sort(areas.begin(), areas.end());  // the order of holes depends on that of the points, and their sum must not
+  for (const double area : areas) counts.area += area;
+  return counts;
+}
+
+std::string filled_text(const FillingCounts& counts) {
+  return counted(counts.filled(), "hole") + " filled by " + counted(counts.triangles, "triangle") + " of area " +
+         rounded(counts.area, 6);
+}
+
+std::string left_text(const FillingCounts& counts) {
+  std::array<std::size_t, 4> left = counts.holes;
+  left[0] = 0;
+  return counted(counts.left(), "hole") + " not filled: " + list_of_causes(left, texts);
+}
+
+nlohmann::ordered_json as_json(const FillingCounts& counts) {
+  nlohmann::ordered_json left;
+  for (std::size_t i = 1; i < names.size(); ++i) left[names[i]] = counts.holes[i];
+  return {{"holes", counts.filled()},
+          {"triangles", counts.triangles},
+          {"area", counts.area},
+          {"given_up", counts.given_up},
+          {"left", left}};
+}
+
+}  // namespace rbpa::app

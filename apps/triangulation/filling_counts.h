@@ -1,0 +1,35 @@
+// What: how many holes were filled, and how many stay open for which reason; as numbers, text and JSON.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "rbpa/fill_holes.h"
+
+namespace rbpa::app {
+
+struct FillingCounts {
+  std::array<std::size_t, 4> holes = {};  ///< by HoleOutcome
+  std::size_t triangles = 0;              ///< new
+  double area = 0;                        ///< theirs
+  std::size_t given_up = 0;               ///< triangles around holes, so that these can be filled
+
+  std::size_t filled() const { return holes[static_cast<std::size_t>(HoleOutcome::filled)]; }
+  std::size_t left() const { return holes[1] + holes[2] + holes[3]; }
+};
+
+/// The same in any order of the holes.
+FillingCounts count(std::span<const HoleFill> holes);
+
+/// "3 holes filled by 12 triangles of area 0.5".
+std::string filled_text(const FillingCounts& counts);
+/// "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some are left.
+std::string left_text(const FillingCounts& counts);
+
+/// {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area"}}.
+nlohmann::ordered_json as_json(const FillingCounts& counts);
+
+}  // namespace rbpa::app
