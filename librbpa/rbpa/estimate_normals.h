@@ -3,7 +3,8 @@
 // Law:    a function of the set of points, and of no order or thread; multiplying all points by a power of two changes nothing.
 //         Equal points have equal normals, but where they have different viewpoints. An estimate, in rounded numbers; when it
 //         is wrong: docs/surface.md, section 3.
-// Cost:   O(n log n), on a scanner's lines about 30 times as much; at most about 25 neighbors + 100 bytes a point.
+// Cost:   O(n log n), on a scanner's lines about 30 times as much, on closed bodies thinner than the points are apart ten times;
+//         at most about 25 neighbors + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
 
@@ -42,6 +43,9 @@ struct NormalOptions {
 /// first of the directions +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's normal. So where no step errs
 /// (docs/surface.md, section 3) each component of a closed surface has normals that point outward, also one inside another;
 /// and a plane that is not too steep, upward.
+///
+/// Where the two sides of a closed body are nearer to each other than the points are, that tree errs. There the outer shells of
+/// the exposed_triangles() of balls of a few spacings decide.
 ///
 /// With viewpoints each normal is turned toward its own instead, as by turn_toward().
 ///

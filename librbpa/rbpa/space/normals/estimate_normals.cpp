@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "rbpa/base/error.h"
@@ -14,6 +15,7 @@
 #include "rbpa/space/normals/find_nearest.h"
 #include "rbpa/space/normals/fit_plane.h"
 #include "rbpa/space/normals/orient_normals.h"
+#include "rbpa/space/normals/outer_sides.h"
 
 namespace rbpa {
 namespace {
@@ -66,10 +68,21 @@ bool fit_double(std::vector<Point3>& points) {
 /// The normals of distinct points, in their order.
 template <typename Real>
 std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& options) {
-  const std::function<void()> go_on = asking(options.progress, points.size());
-  Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
+  const std::size_t count = points.size();
+  const std::function<void()> go_on = asking(options.progress, count);
+  Threads threads(count < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
   auto [near, normals] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
-  if (options.viewpoints.empty()) space::orient_normals<Real>(near, normals, go_on);
+  if (options.viewpoints.empty()) {
+    space::orient_normals<Real>(near, normals, go_on);
+    if constexpr (std::is_same_v<Real, double>) {  // others do not fit the sums of areas either
+      const auto watch = [&options, count](const Progress&) {
+        return !options.progress || options.progress({0, count});
+      };
+      const std::vector<std::int8_t> sides =
+          space::outer_sides(near, normals, {.threads = options.threads, .progress = watch});
+      if (!sides.empty()) space::orient_normals<Real>(near, normals, go_on, sides);
+    }
+  }
   std::vector<Point3> by_number(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i) by_number[i] = normals[near.place[i]];
   return by_number;

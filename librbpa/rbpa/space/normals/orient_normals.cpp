@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/space/normals/compare_normals.h"
+
 namespace rbpa::space {
 namespace {
 
@@ -23,33 +25,15 @@ using Number = std::uint32_t;
 using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                  boost::no_property, Number, std::size_t>;
 
-Point3 turned(const Point3& n) { return {0.0 - n.x, 0.0 - n.y, 0.0 - n.z}; }
-
-/// How the normals at the ends of an edge are related.
-struct Comparison {
-  double agreement;  ///< above 0: on the same side, below: on different sides; 1 and −1 are beyond doubt
-  double tilt;       ///< 0 where the edge lies in both planes, 2 where it is perpendicular to both
-};
-
-/// At the ends of a circular arc the normals are each other's reflections across the plane in the middle. So one is reflected
-/// before they are compared: through a thin sheet the sides are then opposite, around a sharp edge the same.
-template <typename Real>
-Comparison compare(const Point3& p, const Point3& m, const Point3& q, const Point3& n) {
-  const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);
-  const Real length = x * x + y * y + z * z;
-  const Real along_m = x * m.x + y * m.y + z * m.z, along_n = x * n.x + y * n.y + z * n.z;
-  const double product = m.x * n.x + m.y * n.y + m.z * n.z;
-  return {product - static_cast<double>(2 * (along_m * along_n) / length),
-          static_cast<double>((along_m * along_m + along_n * along_n) / length)};
-}
-
 /// The weight in the spanning tree, which prefers edges of little doubt, and edges along the surface: across it, noise decides.
-double weight(const Comparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
+double weight(const NormalComparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
 
-/// The first point to be turned in each component of the graph; its normal is turned outward.
+/// Where the tree begins: at the points whose sides are known; in a component of the graph without one, at a point whose normal
+/// is turned outward.
 class Seeds {
  public:
-  Seeds(const Neighborhoods& points, std::span<Point3> normals) : points_(points), normals_(normals) {}
+  Seeds(const Neighborhoods& points, std::span<Point3> normals, std::span<const std::int8_t> sides)
+      : points_(points), normals_(normals), sides_(sides) {}
 
   std::vector<Number> find() {
     const std::size_t size = points_.points.size();
@@ -75,7 +59,15 @@ class Seeds {
         if (is_farther(i, of_component[d], d)) of_component[d] = i;
     }
     std::vector<Number> seeds;
-    for (const Extremes& of_component : extremes) seeds.push_back(turn_one(of_component));
+    std::vector<bool> has_seed(extremes.size(), false);
+    for (Number i = 0; i < sides_.size(); ++i) {
+      if (sides_[i] == 0) continue;
+      if (sides_[i] < 0) normals_[i] = turned(normals_[i]);
+      seeds.push_back(i);
+      has_seed[component[sets.find_set(i)]] = true;
+    }
+    for (std::size_t c = 0; c < extremes.size(); ++c)
+      if (!has_seed[c]) seeds.push_back(turn_one(extremes[c]));
     return seeds;
   }
 
@@ -109,6 +101,7 @@ class Seeds {
 
   const Neighborhoods& points_;
   std::span<Point3> normals_;
+  std::span<const std::int8_t> sides_;
 };
 
 /// The graph: edges both ways between each point and its nearest, and from one more vertex, the root, to the first points.
@@ -143,7 +136,7 @@ class Turn : public boost::default_dijkstra_visitor {
     const Number u = from_[v];
     const std::size_t root = points_.points.size();
     if (v != root && u != root &&
-        compare<Real>(points_.points[u], normals_[u], points_.points[v], normals_[v]).agreement < 0)
+        compare_normals<Real>(points_.points[u], normals_[u], points_.points[v], normals_[v]).agreement < 0)
       normals_[v] = turned(normals_[v]);
     constexpr Number vertices_at_a_time = 4096;
     if (go_on_ && ++count_ % vertices_at_a_time == 0) go_on_();
@@ -160,8 +153,9 @@ class Turn : public boost::default_dijkstra_visitor {
 }  // namespace
 
 template <typename Real>
-void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on) {
-  const Graph graph = graph_of(points, Seeds(points, normals).find());
+void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on,
+                    std::span<const std::int8_t> sides) {
+  const Graph graph = graph_of(points, Seeds(points, normals, sides).find());
   const auto root = static_cast<Number>(points.points.size());
   std::vector<Number> from(root + std::size_t{1});
   std::iota(from.begin(), from.end(), Number{0});
@@ -173,7 +167,7 @@ void orient_normals(const Neighborhoods& points, std::span<Point3> normals, cons
   const auto map = [&](auto& values) { return boost::make_iterator_property_map(values.begin(), index); };
   const auto weight_of = [&](const boost::graph_traits<Graph>::edge_descriptor& edge) {
     const Number u = boost::source(edge, graph), v = boost::target(edge, graph);
-    return u == root ? 0.0 : weight(compare<Real>(points.points[u], normals[u], points.points[v], normals[v]));
+    return u == root ? 0.0 : weight(compare_normals<Real>(points.points[u], normals[u], points.points[v], normals[v]));
   };
   // Prim's algorithm as in Boost.Graph: Dijkstra's, with the last edge's weight as distance. Turning a normal changes no
   // weight.
@@ -184,7 +178,9 @@ void orient_normals(const Neighborhoods& points, std::span<Point3> normals, cons
       map(color));
 }
 
-template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&);
-template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&);
+template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
+                                     std::span<const std::int8_t>);
+template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
+                                          std::span<const std::int8_t>);
 
 }  // namespace rbpa::space

@@ -6,6 +6,7 @@
 //         in König and Gumhold, Consistent propagation of normal orientations in point clouds (2009), section 2.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 
@@ -15,11 +16,14 @@
 namespace rbpa::space {
 
 /// Turns the normals, one for each point of the neighbourhoods, as estimate_normals() promises. Calls go_on() repeatedly, if
-/// there is one.
+/// there is one. Where the outer side of a point is known, as outer_sides() has it, the tree begins there.
 template <typename Real>
-void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on);
+void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on,
+                    std::span<const std::int8_t> sides = {});
 
-extern template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&);
-extern template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&);
+extern template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
+                                            std::span<const std::int8_t>);
+extern template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
+                                                 std::span<const std::int8_t>);
 
 }  // namespace rbpa::space
