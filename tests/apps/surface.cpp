@@ -121,10 +121,10 @@ TEST_SUITE("surface") {
     CHECK(outcome.code == 0);
     const json report = json::parse(outcome.out), stats = json::parse(folder.content("s.json"));
     std::size_t shared = 0;
-    for (const auto& [key, value] : report.items())
-      if (stats.contains(key)) {
-        CAPTURE(key);
-        CHECK(stats[key] == value);
+    for (const auto& member : report.items())
+      if (stats.contains(member.key())) {
+        CAPTURE(member.key());
+        CHECK(stats[member.key()] == member.value());
         ++shared;
       }
     CHECK(shared == 21);

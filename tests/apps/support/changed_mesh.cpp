@@ -27,7 +27,7 @@ void Mesh::add_box(std::array<double, 3> low, std::array<double, 3> high) {
   for (const std::vector<std::uint32_t>& face :
        Faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
     faces.emplace_back();
-    for (const std::uint32_t corner : face) faces.back().push_back(at + corner);
+    for (const std::uint32_t v : face) faces.back().push_back(at + v);
   }
 }
 
@@ -48,7 +48,7 @@ void Mesh::shuffle(std::mt19937& random) {
   }
   positions = std::move(moved);
   for (auto& face : faces) {
-    for (std::uint32_t& corner : face) corner = place[corner];
+    for (std::uint32_t& v : face) v = place[v];
     std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()), face.end());
   }
   std::shuffle(faces.begin(), faces.end(), random);
@@ -60,7 +60,7 @@ std::string Mesh::off() const {
     for (std::size_t k = 0; k < 3; ++k) text += number(p[k]) + (k < 2 ? " " : "\n");
   for (const auto& face : faces) {
     text += std::to_string(face.size());
-    for (const std::uint32_t corner : face) text += " " + std::to_string(corner);
+    for (const std::uint32_t v : face) text += " " + std::to_string(v);
     text += "\n";
   }
   return text;
@@ -71,7 +71,7 @@ std::multiset<Positions> places_of(const Folder& folder, const std::string& name
   std::multiset<Positions> faces;
   for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {
     Positions face;
-    for (const std::uint32_t corner : mesh.soup.face(f)) face.push_back(mesh.positions[corner]);
+    for (const std::uint32_t v : mesh.soup.face(f)) face.push_back(mesh.positions[v]);
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     faces.insert(face);
   }
