@@ -46,7 +46,8 @@ void check_claims(const std::vector<File>& files, const std::string& program, co
                   const std::string& options) {
   const Folder folder;
   for (const auto& [name, content, behind] : files) {
-    CAPTURE(name);
+    const std::string& file = name;
+    CAPTURE(file);
     folder.file(name + ".gz", bomb(content, zeros, more_than_that));
     const Outcome outcome = limited(folder, program + before + name + ".gz" + options, limit);
     CHECK(outcome.code == 3);
@@ -90,7 +91,8 @@ TEST_SUITE("gzip bombs") {
                                                                  {"p.wkt", "POINT (1 2)\n"},
                                                                  {"p.f64xy", ""},
                                                                  {"p.png", png_header(2, 2)}}) {
-      CAPTURE(name);
+      const std::string& file = name;
+      CAPTURE(file);
       folder.file(name + ".gz", bomb(content, zeros, more_than_that));
       check_memory(folder, rbpa + " info " + name + ".gz", name + ".gz", stream);
       if (name == "p.f64xy") continue;  // numbers may begin like a gzip file: its name has to say that it is one
@@ -164,7 +166,8 @@ TEST_SUITE("gzip bombs") {
                                                                  {"p.pgm", comments},
                                                                  {"c.pgm", "P2\n#" + comments},
                                                                  {"p.las", comments}}) {
-      CAPTURE(name);
+      const std::string& file = name;
+      CAPTURE(file);
       folder.file(name, content);
       folder.file(name + ".gz", packed(content));
       const std::string command = "info - --format " + name.substr(2) + " < ";
@@ -180,7 +183,8 @@ TEST_SUITE("gzip bombs") {
   TEST_CASE("bytes behind the data, less than a mebibyte, count as little as where nothing is packed") {
     const Folder folder;
     for (const auto& [name, content, behind] : claiming_points()) {
-      CAPTURE(name);
+      const std::string& file = name;
+      CAPTURE(file);
       const std::string more = content + std::string(slack - 1, name == "t.pgm" ? '\n' : '\0');
       folder.file(name, more);
       folder.file(name + ".gz", packed(more));
@@ -220,7 +224,8 @@ TEST_SUITE("gzip bombs") {
         {"p.npy", npy_of_zeros("(1000000, 2)", 2'000'000)},
         {"p.las", las_of(200, {{"user", 1, std::string(5 * slack, 'x')}, {"user", 2, "y"}})}};
     for (const auto& [name, content, behind] : files) {
-      CAPTURE(name);
+      const std::string& file = name;
+      CAPTURE(file);
       folder.file(name, content);
       folder.file(name + ".gz", packed(content));
       const Outcome plain = folder.rbpa("info " + name), outcome = folder.rbpa("info " + name + ".gz");

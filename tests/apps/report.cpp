@@ -309,7 +309,8 @@ TEST_SUITE("report") {
           {"-o p.html --alpha 1", "found '--alpha', expected an option of rbpa report"},
           {"-o - --stats -", ""},
           {"", "--output is required"}}) {
-      CAPTURE(wrong);
+      const std::string& arguments = wrong;
+      CAPTURE(arguments);
       const Outcome outcome = folder.rbpa("report no_such_file.xy " + wrong);
       CHECK(outcome.code == 2);
       CHECK(outcome.out.empty());

@@ -99,12 +99,12 @@ Columns columns(std::size_t x, std::size_t y) { return {{.number = x + 1}, {.num
 template <typename Check>
 void for_each_shape(const Check& check) {
   for (const char separator : {' ', ',', ';', '\t'})
-    for (const auto& [width, x, y] : {std::array<std::size_t, 3>{2, 0, 1}, {2, 1, 0}, {3, 0, 1}, {4, 3, 1}, {3, 2, 0}})
+    for (const auto& shape : {std::array<std::size_t, 3>{2, 0, 1}, {2, 1, 0}, {3, 0, 1}, {4, 3, 1}, {3, 2, 0}})
       for (std::uint64_t seed = 0; seed < 20; ++seed) {
         CAPTURE(separator);
-        CAPTURE(width);
+        CAPTURE(shape[0]);
         CAPTURE(seed);
-        check(Tables(seed, separator, width, x, y), columns(x, y));
+        check(Tables(seed, separator, shape[0], shape[1], shape[2]), columns(shape[1], shape[2]));
       }
 }
 

@@ -25,9 +25,9 @@ TEST_CASE(
   CHECK(sphere.points.size() == 5000);
   CHECK(std::abs(static_cast<double>(torus.points.size()) - 20000) < 500);
   for (const SurfacePoints* samples : {&sphere, &noisy, &torus}) {
-    const auto& [name, points, normals, spacing] = *samples;
-    CAPTURE(name);
-    const rbpa::Surface surface = rbpa::surface(points, normals, 2 * spacing);
+    CAPTURE(samples->name);
+    const auto& points = samples->points;
+    const rbpa::Surface surface = rbpa::surface(points, samples->normals, 2 * samples->spacing);
     for (const auto& across : surface.neighbors)
       REQUIRE(std::count(across.begin(), across.end(), rbpa::Surface::none) == 0);
     const auto made = rbpa::surface_mesh(points, surface);
@@ -35,14 +35,15 @@ TEST_CASE(
                       static_cast<int>(made.mesh.n_faces());
     CHECK(euler == (samples == &torus ? -2 : 2));
     double area = 0;
-    for (const auto& [a, b, c] : surface.triangles) {
+    for (const auto& corners : surface.triangles) {
+      const rbpa::Point3& a = points[corners[0]];
       const auto minus = [&](std::uint32_t i) {
-        return rbpa::Point3{points[i].x - points[a].x, points[i].y - points[a].y, points[i].z - points[a].z};
+        return rbpa::Point3{points[i].x - a.x, points[i].y - a.y, points[i].z - a.z};
       };
-      const rbpa::Point3 u = minus(b), v = minus(c);
+      const rbpa::Point3 u = minus(corners[1]), v = minus(corners[2]);
       area += std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
     }
-    CHECK(spacing == doctest::Approx(std::sqrt(area / static_cast<double>(points.size()))).epsilon(0.03));
+    CHECK(samples->spacing == doctest::Approx(std::sqrt(area / static_cast<double>(points.size()))).epsilon(0.03));
   }
 }
 
