@@ -69,20 +69,27 @@ Edits parse_edits(const TopologyArguments& arguments) {
   return edits;
 }
 
+double parse_length(const std::string& option, const std::string& text) {
+  const ParsedNumber length = parse_whole_number(text);
+  if (length.fault == NumberFault::none && length.value > 0) return length.value;
+  throw WrongUsage(option + ": found " + in_quotes(text) + ", expected a length, such as 2.5");
+}
+
 /// The first of those that are given.
 std::string change_option(const TopologyArguments& arguments) {
   return arguments.weld           ? "--weld"
          : arguments.keep_largest ? "--keep-largest"
          : arguments.drop_small   ? "--drop-small"
          : arguments.orient       ? "--orient"
-                                  : "--fill-holes";
+         : arguments.fill_holes   ? "--fill-holes"
+                                  : "--close-tunnels-below";
 }
 
 /// Whether -o names the mesh: that of --repair without a name of its own, or one that is changed and not repaired.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
-  const bool changes =
-      arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient || arguments.fill_holes;
+  const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
+                       arguments.fill_holes || arguments.close_tunnels_below;
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
@@ -124,6 +131,8 @@ TopologyPlan plan(TopologyArguments arguments) {
   plan.edits = parse_edits(arguments);
   plan.repair = arguments.repair;
   if (arguments.fill_holes) plan.fill = parse_fill_holes(*arguments.fill_holes);
+  if (arguments.close_tunnels_below)
+    plan.tunnels_below = parse_length("--close-tunnels-below", *arguments.close_tunnels_below);
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);
@@ -149,6 +158,8 @@ TopologyPlan plan(TopologyArguments arguments) {
     throw WrongUsage(change_option(arguments) +
                      ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check");
   }
+  if (arguments.shortest && !arguments.generators) throw WrongUsage("--shortest: found no --generators, expected it");
+  plan.shortest = arguments.shortest;
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
   for (const MeshSource& source : plan.sources) require_different(plan.outputs(), source.path, "the mesh");
   return plan;

@@ -25,9 +25,11 @@ struct TopologyArguments {
   std::optional<std::string> drop_small;
   bool orient = false;
   std::optional<std::string> fill_holes;
+  std::optional<std::string> close_tunnels_below;
   bool repair = false;
   std::string repaired;  ///< OUT of --repair; empty where it has none, and -o names the file
   std::optional<std::string> generators;
+  bool shortest = false;
   std::vector<std::string> checks;  ///< lists
   std::string max_defects = "20";
   bool quiet = false;
@@ -48,12 +50,14 @@ struct TopologyPlan {
   Edits edits = {};
   bool repair = false;
   std::optional<HoleChoice> fill = std::nullopt;
+  std::optional<double> tunnels_below = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
   std::optional<TopologyTarget> generators = std::nullopt;
+  bool shortest = false;  ///< generators
 
   /// Whether there is a mesh to write that is not the one of a repair alone.
-  bool changes() const { return edits.any() || fill; }
+  bool changes() const { return edits.any() || fill || tunnels_below; }
   std::vector<std::string> outputs() const;  ///< of all three, in the order of writing
 };
 

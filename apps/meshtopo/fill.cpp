@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "io/interrupt.h"
 #include "meshops/core/disjoint_sets.h"
@@ -53,32 +54,37 @@ Obstacles obstacles_of(const meshops::PolygonSoup& soup, const std::vector<Point
 }
 
 /// The boundary curves that are chosen, as vertices; counts the others.
-std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, const HoleChoice& choice,
+std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, std::span<const std::uint32_t> stands_on,
+                                                     const CurveChoice& choice,
                                                      std::array<std::size_t, 3>& not_chosen) {
   const std::vector<Hole> curves = surface_curves(fans.points, fans.surface);
   const std::vector<CurveKind> kinds = curve_kinds(fans.points, surface_components(fans.points, fans.surface), curves);
   std::vector<std::vector<std::uint32_t>> loops;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (!choice.has(curves[i], kinds[i])) {
-      ++not_chosen[static_cast<std::size_t>(kinds[i])];
-      continue;
+    std::vector<std::uint32_t> loop, points;
+    for (const RimEdge& edge : curves[i].edges) {
+      loop.push_back(edge.from);
+      points.push_back(stands_on[edge.from]);
     }
-    loops.emplace_back();
-    for (const RimEdge& edge : curves[i].edges) loops.back().push_back(edge.from);
+    if (choice(curves[i], kinds[i], points))
+      loops.push_back(std::move(loop));
+    else
+      ++not_chosen[static_cast<std::size_t>(kinds[i])];
   }
   return loops;
 }
 
 }  // namespace
 
-FilledMesh fill(const MeshFile& mesh, const HoleChoice& choice) {
+FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
   const meshops::Repair parts = meshops::repair(mesh.soup, until_interrupted());  // a vertex for each fan
   FilledMesh result{.mesh = {.positions = mesh.positions, .soup = mesh.soup, .point_lines = {}, .face_lines = {}},
                     .point_was = std::vector<std::uint32_t>(mesh.positions.size()),
                     .report = {}};
   std::iota(result.point_was.begin(), result.point_was.end(), 0U);
   const FaceFans fans(parts, mesh.positions);
-  const std::vector<std::vector<std::uint32_t>> loops = chosen_loops(fans, choice, result.report.not_chosen);
+  const std::vector<std::vector<std::uint32_t>> loops =
+      chosen_loops(fans, parts.stands_on, choice, result.report.not_chosen);
   if (loops.empty()) return result;
   const Obstacles obstacles = obstacles_of(parts.soup, fans.points);
   const HoleFilling filling =

@@ -9,9 +9,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "io/mesh/read_mesh.h"
+#include "rbpa/curve_kinds.h"
+#include "rbpa/holes.h"
 #include "triangulation/filling_counts.h"
 #include "triangulation/hole_choice.h"
 
@@ -29,7 +33,13 @@ struct FilledMesh {
   Filled report;
 };
 
+/// Whether to fill a boundary curve: with its kind, and the points of the mesh along it.
+using CurveChoice = std::function<bool(const Hole&, CurveKind, std::span<const std::uint32_t>)>;
+
 /// Requires: a surface: no defects but pinches. Throws Cancelled.
-FilledMesh fill(const MeshFile& mesh, const HoleChoice& choice);
+FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice);
+inline FilledMesh fill(const MeshFile& mesh, const HoleChoice& choice) {
+  return fill(mesh, [&](const Hole& curve, CurveKind kind, const auto&) { return choice.has(curve, kind); });
+}
 
 }  // namespace rbpa::app

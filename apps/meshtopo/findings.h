@@ -12,6 +12,7 @@
 #include "meshtopo/edits.h"
 #include "meshtopo/fill.h"
 #include "meshtopo/geometry.h"
+#include "meshtopo/tunnels.h"
 
 namespace rbpa::app {
 
@@ -39,9 +40,10 @@ struct Findings {
   Examined given;
   std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not requested
   EditReport edits = {};
-  std::optional<Filled> fill = std::nullopt;  ///< none: not requested
+  std::optional<Filled> fill = std::nullopt;            ///< none: not requested
+  std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< the same
 
-  bool has_changes() const { return edits.any() || fill; }
+  bool has_changes() const { return edits.any() || fill || tunnels; }
 
   std::optional<Examined> result = std::nullopt;  ///< of the mesh that comes out, where it is not the one given
   std::vector<CheckResult> checks = {};

@@ -1,4 +1,5 @@
-// What: short loops that generate the first homology of a surface, as polylines through its points.
+// What: loops that generate the first homology of a surface, as polylines through its points.
+// Cost: that of meshops::homology_generators(), or of shortest_homology_loops().
 #pragma once
 
 #include <array>
@@ -7,13 +8,22 @@
 #include <vector>
 
 #include "io/mesh/write_mesh.h"
-#include "meshops/core/connectivity.h"
+#include "meshops/topology/polygon_soup.h"
 
 namespace rbpa::app {
 
-/// Vertex v of `mesh` stands on point point_of[v]. The basis is short by the lengths of the edges in space, whatever
-/// their magnitude. Requires: validate(mesh) is empty; finite positions.
-std::vector<Polyline> generators(const meshops::Connectivity& mesh, std::span<const std::uint32_t> point_of,
-                                 std::span<const std::array<double, 3>> positions);
+struct Generator {
+  double length;  ///< in space; infinite where double does not hold it
+  Polyline points;
+};
+
+/// Short ones, quickly. Requires: a surface: no defects but pinches, at which it counts as separate; finite positions. Throws
+/// Cancelled.
+std::vector<Generator> generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions);
+
+/// Those shorter than `below` of a basis of the least total length, but for rounding, by ascending length. Requires and throws the
+/// same.
+std::vector<Generator> shortest_generators(const meshops::PolygonSoup& soup,
+                                           std::span<const std::array<double, 3>> positions, double below);
 
 }  // namespace rbpa::app

@@ -45,6 +45,9 @@ int main(int argc, char** argv) {
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
+  app.add_flag("--shortest", arguments.shortest,
+               "With --generators: the basis of the least total length, which large meshes take minutes for")
+      ->disable_flag_override();
   app.add_option("--weld", arguments.weld,
                  "Make one vertex of those that a chain with no step longer than D joins; 0: of those at equal "
                  "places. Drops faces that become degenerate or repeat another")
@@ -62,6 +65,10 @@ int main(int argc, char** argv) {
          "Fill holes by triangles between their vertices that cross nothing: all, rims of sheets as well, those "
          "of at most N edges, or of a length of at most L; after a repair")
       ->type_name("all|rims|N|length=L");
+  app.add_option("--close-tunnels-below", arguments.close_tunnels_below,
+                 "Cut handles and close tunnels around which a loop shorter than L goes, where nothing crosses; after "
+                 "holes are filled")
+      ->type_name("L");
   app.add_option("--check", arguments.checks,
                  "Properties that each mesh is to have, such as closed,manifold,oriented,genus=0,components=1; exit "
                  "code 4 when one does not hold, and a line for each on standard error. Of the mesh as it is written, "

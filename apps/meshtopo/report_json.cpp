@@ -90,6 +90,11 @@ Json as_json(const Findings& findings) {
     json["fill"]["not_chosen"] = {{"rim", rims}, {"hole", holes}, {"island", islands}};
     json["fill"]["vertices_merged"] = findings.fill->merged;
   }
+  if (findings.tunnels)
+    json["tunnels"] = {{"closed", findings.tunnels->closed},
+                       {"left", findings.tunnels->left},
+                       {"faces_removed", findings.tunnels->removed},
+                       {"faces_added", findings.tunnels->added}};
   return json;
 }
 

@@ -117,6 +117,13 @@ std::string changes(const Findings& findings) {
       text += "  fill: " + counted(findings.fill->merged, "vertex merged", "vertices merged") +
               " with one at the same place\n";
   }
+  if (findings.tunnels) {
+    text += "  tunnels: " + std::to_string(findings.tunnels->closed) + " closed, " +
+            counted(findings.tunnels->removed, "face", "faces") + " removed and " +
+            std::to_string(findings.tunnels->added) + " added\n";
+    if (findings.tunnels->left > 0)
+      text += "  tunnels: " + counted(findings.tunnels->left, "other loop", "other loops") + " of that length left\n";
+  }
   return text;
 }
 

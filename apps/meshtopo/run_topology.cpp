@@ -1,7 +1,7 @@
 #include "meshtopo/run_topology.h"
 
-#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "io/bytes/output_file.h"
@@ -9,7 +9,6 @@
 #include "io/interrupt.h"
 #include "io/mesh/write_mesh.h"
 #include "io/progress_line.h"
-#include "meshops/topology/build_mesh.h"
 #include "meshops/topology/examine.h"
 #include "meshtopo/check.h"
 #include "meshtopo/generators.h"
@@ -19,8 +18,6 @@
 
 namespace rbpa::app {
 namespace {
-
-using PositionSpan = std::span<const std::array<double, 3>>;
 
 std::string name_of(const MeshSource& source) { return source.path == "-" ? "standard input" : source.path; }
 
@@ -42,12 +39,6 @@ void require_surface(const std::string& option, const Findings& findings,
             std::string(meshops::name(defect->kind)) + " (" +
                 for_people({defect->points, defect->faces}, findings.mesh) + ")",
             "a surface for " + option + ", or --repair");
-}
-
-std::vector<Polyline> generators_of(const meshops::PolygonSoup& soup, PositionSpan positions) {
-  OpenMesh::PolyConnectivity mesh;
-  const std::vector<std::uint32_t> point_of = meshops::build_mesh(mesh, soup, until_interrupted());
-  return generators(mesh, point_of, positions);
 }
 
 /// The parts of a run, each with its line on the terminal, and what is passed from one to the next.
@@ -88,25 +79,34 @@ class Run {
         repaired->positions.push_back(whole.positions[found.stands_on[i]]);
     }
     const MeshFile& surface = repaired ? *repaired : whole;
-    if (!repaired && (plan_.fill || plan_.generators)) {
+    if (!repaired && (plan_.fill || plan_.tunnels_below || plan_.generators)) {
       std::vector<meshops::SoupDefect> defects =
           edited ? meshops::find_defects(whole.soup, until_interrupted()) : findings.given.defects;
       if (edited)
         for (meshops::SoupDefect& defect : defects) number_as_in_file(defect, *edited);
-      require_surface(plan_.fill ? "--fill-holes" : "--generators", findings, defects, source);
+      require_surface(plan_.fill            ? "--fill-holes"
+                      : plan_.tunnels_below ? "--close-tunnels-below"
+                                            : "--generators",
+                      findings, defects, source);
     }
     std::optional<FilledMesh> filled;
     if (plan_.fill) {
       filled = fill(surface);
       findings.fill = filled->report;
     }
-    const MeshFile& result = filled ? filled->mesh : surface;
-    if (edited || filled || (repaired && !plan_.checks.empty())) findings.result = examine(result);
+    const MeshFile& whole_surface = filled ? filled->mesh : surface;
+    std::optional<SimplerMesh> simpler;
+    if (plan_.tunnels_below) {
+      simpler = close_tunnels(whole_surface);
+      findings.tunnels = simpler->report;
+    }
+    const MeshFile& result = simpler ? simpler->mesh : whole_surface;
+    if (findings.has_changes() || (repaired && !plan_.checks.empty())) findings.result = examine(result);
     if (plan_.written)
       write(outputs_.add(plan_.written->path),
             [&](OutputFile& file) { write_mesh(file, plan_.written->format, result.positions, result.soup); });
     if (plan_.generators) {
-      const std::vector<Polyline> loops = find_loops(result.soup, result.positions);
+      const std::vector<Polyline> loops = find_loops(result);
       write(outputs_.add(plan_.generators->path),
             [&](OutputFile& file) { write_polylines(file, plan_.generators->format, result.positions, loops); });
     }
@@ -200,9 +200,19 @@ class Run {
     return app::fill(mesh, *plan_.fill);
   }
 
-  std::vector<Polyline> find_loops(const meshops::PolygonSoup& soup, PositionSpan positions) const {
+  SimplerMesh close_tunnels(const MeshFile& mesh) const {
+    const ProgressLine shown = line("closing tunnels");
+    return app::close_tunnels(mesh, *plan_.tunnels_below);
+  }
+
+  std::vector<Polyline> find_loops(const MeshFile& mesh) const {
     const ProgressLine shown = line("loops");
-    return generators_of(soup, positions);
+    std::vector<Polyline> loops;
+    constexpr double any = std::numeric_limits<double>::infinity();
+    for (Generator& loop :
+         plan_.shortest ? shortest_generators(mesh.soup, mesh.positions, any) : generators(mesh.soup, mesh.positions))
+      loops.push_back(std::move(loop.points));
+    return loops;
   }
 
   template <typename Content>

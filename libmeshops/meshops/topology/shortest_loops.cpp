@@ -315,6 +315,11 @@ HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on
 
 std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
                                           const GoOn& go_on) {
+  return shortest_homology_loops(mesh, lengths, std::numeric_limits<double>::infinity(), go_on);
+}
+
+std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<const double> lengths, double below,
+                                          const GoOn& go_on) {
   const Homology known = homology(mesh, lengths, go_on);
   LoopSearch search(mesh, lengths, go_on);
   DisjointSets component(mesh.n_vertices());
@@ -325,12 +330,13 @@ std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<co
   });
 
   // From a root all loops of its component are generated, so that its first root leaves a basis, and each later one may replace
-  // loops by shorter ones. Of those that are not shorter than all that are known none is of use.
+  // loops by shorter ones. Of those that are not shorter than all that are known none is of use. Below a limit there may be fewer,
+  // and no known loop stands for what is longer.
   std::vector<std::vector<Candidate>> best(mesh.n_vertices());  // by the least vertex of the component
   for (const Vertex root : ends_of(mesh, known.cut_graph)) {
     std::vector<Candidate>& chosen = best[component.find(number(root))];
-    std::vector<Candidate> more =
-        search.from(root, chosen.empty() ? std::numeric_limits<double>::infinity() : chosen.back().length);
+    const bool is_basis = below == std::numeric_limits<double>::infinity() && !chosen.empty();
+    std::vector<Candidate> more = search.from(root, is_basis ? chosen.back().length : below);
     if (more.empty()) continue;
     std::vector<Candidate> all;
     std::merge(std::make_move_iterator(chosen.begin()), std::make_move_iterator(chosen.end()),

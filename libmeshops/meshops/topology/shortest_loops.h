@@ -41,4 +41,9 @@ MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const
 MESHOPS_API std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
                                                       const GoOn& go_on = {});
 
+/// The loops of that basis that are shorter than `below`. Requires and throws the same.
+/// Cost: the searches end at half of `below`, which makes short loops of large meshes cheap.
+MESHOPS_API std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<const double> lengths,
+                                                      double below, const GoOn& go_on = {});
+
 }  // namespace meshops

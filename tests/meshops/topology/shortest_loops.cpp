@@ -197,6 +197,15 @@ TEST_SUITE("shortest loops") {
           CHECK(check_loops(mesh, loops, lengths) == shortest_by_exhaustion(mesh, lengths));
           CHECK(loops == shortest_homology_basis(mesh, lengths));
           compared += loops.size();
+          // Below a length there are those that are shorter.
+          std::vector<double> known = check_loops(mesh, loops, lengths);
+          for (const double below : {0.0, known.empty() ? 1 : known[known.size() / 2], 1e300}) {
+            const std::size_t count =
+                static_cast<std::size_t>(std::lower_bound(known.begin(), known.end(), below) - known.begin());
+            const std::vector<Loop> shorter = shortest_homology_loops(mesh, lengths, below);
+            CHECK(check_loops(mesh, shorter, lengths) ==
+                  std::vector<double>(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count)));
+          }
         }
       CHECK(snapshot(mesh) == before);
     });
