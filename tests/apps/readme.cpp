@@ -59,6 +59,9 @@ TEST_SUITE("readme") {
     const std::vector<Shown> of_surface = commands_in(read_file((root / "docs/surface.md").string()));
     CHECK(of_surface.size() == 9);
     commands.insert(commands.end(), of_surface.begin(), of_surface.end());
+    const std::vector<Shown> of_scan = commands_in(read_file((root / "docs/scan_to_print.md").string()));
+    CHECK(of_scan.size() == 3);
+    commands.insert(commands.end(), of_scan.begin(), of_scan.end());
     const std::vector<Shown> of_meshtopo = commands_in(read_file((root / "docs/meshtopo.md").string()));
     CHECK(of_meshtopo.size() == 1);
     commands.insert(commands.end(), of_meshtopo.begin(), of_meshtopo.end());
