@@ -15,6 +15,7 @@
 #include "io/interrupt.h"
 #include "io/polygon/ogr.h"
 #include "python/arrays.h"
+#include "python/file_errors.h"
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/base/error.h"
@@ -104,19 +105,10 @@ py::dict read(const app::PointSource& source, bool space) {
   return result;
 }
 
-/// Errors of programs are Python's, with their text.
 py::dict read_points(const py::bytes& path, bool space, const std::vector<std::string>& fields, const MaybeText& where,
                      const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices) {
-  try {
-    return read(source_of(path, space, fields, where, columns, format, skip_invalid, vertices), space);
-  } catch (const app::BadInput& refusal) {
-    throw InvalidInput(app::printable(refusal.what()));
-  } catch (const app::WrongUsage& refusal) {
-    throw InvalidInput(app::printable(refusal.what()));
-  } catch (const app::Failure& failure) {
-    PyErr_SetString(PyExc_OSError, app::printable(failure.what()).c_str());
-    throw py::error_already_set();
-  }
+  return with_file_errors(
+      [&] { return read(source_of(path, space, fields, where, columns, format, skip_invalid, vertices), space); });
 }
 
 }  // namespace

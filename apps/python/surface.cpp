@@ -10,15 +10,24 @@
 #include <tuple>
 #include <vector>
 
+#include "io/bytes/output_file.h"
+#include "io/failure.h"
+#include "io/formats.h"
+#include "io/mesh/write_mesh.h"
 #include "python/arrays.h"
+#include "python/file_errors.h"
 #include "python/mesh.h"
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/auto_radii.h"
+#include "rbpa/close_surface.h"
+#include "rbpa/crossing_triangles.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/estimate_normals.h"
+#include "rbpa/fill_holes.h"
 #include "rbpa/holes.h"
 #include "rbpa/outer_shells.h"
+#include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
 #include "rbpa/surface_mesh.h"
@@ -83,6 +92,21 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
       if (surface.neighbors[t][k] == Surface::none)
         sides.push_back({surface.triangles[t][(k + 1) % 3], surface.triangles[t][(k + 2) % 3]});
   return sides;
+}
+
+/// Columns of a surface, and what is filled in it: of each triangle whether it is new, of each curve its outcome.
+py::dict as_dict(Surface made, std::vector<std::array<std::uint32_t, 2>> boundary, const std::vector<bool>& is_new,
+                 const std::vector<HoleFill>& holes, std::size_t given_up) {
+  py::dict result;
+  result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["boundary"] = rows<std::int32_t>(std::move(boundary));
+  result["is_new"] = line<std::uint8_t>(std::vector<std::uint8_t>(is_new.begin(), is_new.end()));
+  std::vector<std::uint8_t> outcomes;
+  for (const HoleFill& hole : holes) outcomes.push_back(static_cast<std::uint8_t>(hole.outcome));
+  result["outcomes"] = line<std::uint8_t>(std::move(outcomes));
+  result["given_up"] = given_up;
+  return result;
 }
 
 py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, unsigned threads,
@@ -247,6 +271,85 @@ std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& 
   });
 }
 
+/// The holes of at most so many edges and such a length filled; of each curve that is, its outcome.
+py::dict filled(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t most_edges,
+                double most_length, bool rims, unsigned threads) {
+  const auto input = points3_of(points, "points");
+  const Links links(triangles, neighbors);
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  FilledSurface made = watched(links.triangles.size(), py::none(), [&](Watch& watch) {
+    const Surface open = indexable_surface(of_links(links));
+    const std::vector<Hole> curves = surface_curves(input, open);
+    const std::vector<CurveKind> kinds = curve_kinds(input, surface_components(input, open), curves);
+    std::vector<Hole> chosen;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      if ((rims || kinds[i] == CurveKind::hole) && curves[i].edges.size() <= most_edges &&
+          curves[i].length <= most_length)
+        chosen.push_back(curves[i]);
+    FilledSurface result = fill_holes(input, open, chosen, {.threads = threads, .progress = watch.progress()});
+    boundary = boundary_of(result.surface);
+    return result;
+  });
+  return as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, 0);
+}
+
+/// All holes and rims; and how many pairs of triangles cross, of the first thousand.
+py::dict closed(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
+  const auto input = points3_of(points, "points");
+  const Links links(triangles, neighbors);
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  std::size_t curves = 0, crossing = 0;
+  ClosedSurface made = watched(links.triangles.size(), py::none(), [&](Watch& watch) {
+    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
+    ClosedSurface result = close_surface(input, indexable_surface(of_links(links)), options);
+    boundary = boundary_of(result.surface);
+    curves = surface_curves(input, result.surface).size();
+    constexpr std::size_t most = 1000;
+    crossing = crossing_triangles(input, result.surface.triangles, most, options).size();
+    return result;
+  });
+  py::dict result = as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, made.given_up);
+  result["kept"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.kept.begin(), made.kept.end()));
+  result["curves"] = curves;
+  result["crossing"] = crossing;
+  return result;
+}
+
+/// A mesh file by its ending; with a vertex for each fan, or the points as they are.
+void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const Indices& triangles,
+           const Indices& neighbors, bool manifold) {
+  const std::string path = name;
+  const auto input = points3_of(points, "points");
+  const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
+  const Links links(triangles, neighbors);
+  constexpr std::string_view formats = "ply, off, obj, stl, npy";
+  const std::optional<app::Format> format = app::find_format(app::Use::surface, app::ending(path));
+  if (!format || *format == app::Format::png)
+    throw InvalidInput("save: found the ending " + app::in_quotes(app::ending(path)) + ", expected one of " +
+                       std::string(formats));
+  with_file_errors([&] {
+    return watched(links.triangles.size(), py::none(), [&](Watch&) {
+      app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};
+      SplitFans fans;
+      std::vector<Point3> own_points, own_normals;
+      if (manifold && *format != app::Format::npy) {
+        fans = split_fans(of_links(links));
+        for (const std::uint32_t point : fans.point) {
+          own_points.push_back(input[point]);
+          if (!vectors.empty()) own_normals.push_back(vectors[point]);
+        }
+        mesh = {.vertices = own_points, .triangles = fans.triangles, .normals = own_normals, .points = fans.point};
+      }
+      app::OutputSet outputs;
+      app::OutputFile& file = outputs.add(path);
+      app::write_surface(file, *format, mesh);
+      file.finish();
+      outputs.publish();
+      return 0;
+    });
+  });
+}
+
 /// Fills an empty mesh: face i is triangle i, glued where the surface is.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
@@ -275,6 +378,12 @@ void bind_surface(py::module_& module) {
              arg("neighbors").noconvert());
   module.def("outer_shells", &outer_of, arg("points").noconvert(), arg("radius"), arg("triangles").noconvert(),
              arg("neighbors").noconvert());
+  module.def("fill_holes", &filled, arg("points").noconvert(), arg("triangles").noconvert(),
+             arg("neighbors").noconvert(), arg("most_edges"), arg("most_length"), arg("rims"), arg("threads"));
+  module.def("close_surface", &closed, arg("points").noconvert(), arg("triangles").noconvert(),
+             arg("neighbors").noconvert(), arg("threads"));
+  module.def("save_surface", &saved, arg("path"), arg("points").noconvert(), arg("normals").noconvert(),
+             arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("manifold"));
   module.def("surface_mesh", &mesh_of, arg("mesh"), arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert());
   module.def("surface_unused", &unused_of, arg("points").noconvert(), arg("normals").noconvert(),

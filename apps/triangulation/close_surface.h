@@ -28,11 +28,7 @@ struct BoundedSurface {
 FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, BoundedSurface& bounded,
                           const SurfaceOptions& options);
 
-/// Fills every curve. Where some stay open, gives up the triangles around these, then those around what still stays open, and so
-/// on, a few times, and fills what is then open; likewise the triangles around points at which parts of the surface touch. The
-/// surface keeps them where that does not help, where these are more than a twentieth of all triangles, where it would fall into
-/// more components, and where a curve that stays has more than 256 edges.
-/// Requires and throws as fill_chosen().
+/// The same of every curve, as rbpa::close_surface() does it.
 FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options);
 
 /// The curves of a surface, with the causes that some of its edges have in `known`.

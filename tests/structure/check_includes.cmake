@@ -62,7 +62,8 @@ set(allowed
   "meshtopo: meshops/core meshops/topology rbpa rbpa/base io io/bytes io/mesh program triangulation"
   "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh"
   "program: rbpa/base io io/bytes"
-  "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base io io/cloud io/polygon"
+  "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base io io/bytes io/cloud io/mesh
+    io/polygon"
   "report: rbpa io io/bytes io/text"
   "stream: rbpa rbpa/base rbpa/base/parallel io io/bytes io/cloud io/mesh io/polygon"
   "tasks: rbpa rbpa/base io io/bytes stream"

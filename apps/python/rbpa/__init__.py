@@ -47,7 +47,7 @@ from rbpa._delaunay import Delaunay
 from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
-from rbpa._surface import Surface, SurfaceComponent, SurfaceHole, estimate_normals, surface
+from rbpa._surface import NotWatertight, Surface, SurfaceComponent, SurfaceHole, estimate_normals, surface
 
 __all__ = [
     "AlphaShape",
@@ -56,6 +56,7 @@ __all__ = [
     "Delaunay",
     "Filtration",
     "InvalidInput",
+    "NotWatertight",
     "Plateau",
     "PointFile",
     "Polygon",
@@ -74,7 +75,8 @@ __all__ = [
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
-    *(AlphaShape, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons, Surface, SurfaceComponent, SurfaceHole),
+    *(AlphaShape, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
+    *(NotWatertight, Surface, SurfaceComponent, SurfaceHole),
     *(alpha_shape, concave_hull, estimate_normals, filtration, read_points, surface),
 ):
     _public.__module__ = __name__

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import copy
+import math
+import os
 from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, Optional, Union
@@ -49,8 +51,8 @@ def estimate_normals(
     float64 array of shape (n, 3)
         Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
         turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
-        step on which the planes of neighbours do not say which side is which, as at sharp edges and in thin parts, may turn
-        all that follow to the wrong side, on closed surfaces too. Where the side matters give normals of your own. The array
+        step on which the planes of neighbours do not say which side is which, as at sharp edges, may turn
+        all that follow to the wrong side, on closed surfaces too. Thin bodies are looked at from outside. Where the side matters give normals of your own. The array
         is yours to write into.
 
     Raises
@@ -147,6 +149,10 @@ def _as_radii(radius: Any) -> Floats:
     if array.ndim != 1 or array.size == 0:
         raise InvalidInput(f"radius: found {radius!r}, expected {expected}")
     return array
+
+
+class NotWatertight(RuntimeError):
+    """A surface that `Surface.watertight` could not close; says what is left."""
 
 
 class SurfaceHole:
@@ -246,7 +252,7 @@ class Surface(Result):
         Number k of a triangle is the one across from its corner k, or -1. Two sheets may share an edge between two points;
         these say which triangles go on in which.
     levels : int32 array of shape (m,)
-        The number of the radius that made each triangle.
+        The number of the radius that made each triangle; -1 where `fill_holes` or `watertight` did.
     boundary : int32 array of shape (b, 2)
         The sides without a neighbour, the triangle on the left.
     duplicates : int32 array of shape (d, 2)
@@ -263,6 +269,8 @@ class Surface(Result):
     duplicates: Indices
     # Of a part: the surface that it is of, and which triangles of that it has.
     _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
+    # With holes filled: the surface without, and where its triangles are here, or -1.
+    _filled_from: Optional[tuple[Surface, Indices]] = None
 
     def __init__(self, points: Floats, normals: Optional[Floats], radii: Floats, made: dict[str, Any]) -> None:
         super().__init__({"radii": radii.copy(), **made}, points=points, normals=normals)
@@ -278,6 +286,11 @@ class Surface(Result):
         if self._kept_from is not None:
             whole, kept = self._kept_from
             return [hole._renumbered(np.cumsum(kept, dtype=np.int32) - 1) for hole in whole.holes if kept[hole.triangles[0]]]
+        if self._filled_from is not None:
+            whole, place = self._filled_from
+            open_sides = set(map(tuple, self.boundary.tolist()))
+            left = [hole for hole in whole.holes if all((b, a) in open_sides for a, b in hole.edges.tolist())]
+            return [hole._renumbered(place) for hole in left]
         if self.normals is None:  # closed
             return []
         of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
@@ -369,19 +382,111 @@ class Surface(Result):
         closed object its watertight surface, without what is inside."""
         if self.normals is not None:
             raise InvalidInput("outer_shells: found a surface with normals, expected one with normals='none'")
-        if self._kept_from is not None:
+        if self._kept_from is not None or self._filled_from is not None:
             raise InvalidInput("outer_shells: found components of a surface, expected all of it: take its outer shells first")
         self._require_unchanged()
         radius = float(_not_empty(self.radii)[0])
         return self.keep(_core.outer_shells(self.points, radius, self.triangles, self.neighbors))
 
+    def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_]) -> Surface:
+        """The same with new triangles, and without those that are not kept."""
+        old = of["is_new"] == 0
+        levels = np.full(len(old), -1, dtype=np.int32)
+        levels[old] = self.levels[kept]
+        place = np.full(len(kept), -1, dtype=np.int32)
+        place[kept] = np.flatnonzero(old)
+        made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
+        filled = Surface(self.points, self.normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
+        freeze(place)
+        filled._filled_from = (self, place)
+        return filled
+
+    def fill_holes(
+        self, *, max_edges: Optional[int] = None, max_length: float = math.inf, rims: bool = False, threads: Optional[int] = None
+    ) -> Surface:
+        """The surface with its holes filled by triangles between their points.
+
+        Of all triangulations of a hole it is the one that turns least over its worst edge, then the one of least area, of those
+        that cross nothing, which is decided exactly. A hole without one stays open.
+
+        Parameters
+        ----------
+        max_edges, max_length
+            Only holes of at most so many edges, and at most that long, in the units of the points.
+        rims : bool
+            The rims of sheets and of islands as well.
+        threads
+            As for `surface`.
+
+        Returns
+        -------
+        Surface
+            Where `levels` is -1 a triangle is new. Its `holes` are those that are left.
+        """
+        self._require_unchanged()
+        most = len(self.boundary) if max_edges is None else as_count(max_edges, "max_edges", 3)
+        of = _core.fill_holes(
+            self.points, self.triangles, self.neighbors, most, float(max_length), bool(rims), as_threads(threads)
+        )
+        return self._with_filled(of, np.ones(len(self.triangles), dtype=bool))
+
+    def watertight(self, *, threads: Optional[int] = None) -> Surface:
+        """The surface closed: without open islands, all holes and rims filled, verified to have no triangles that cross.
+
+        Where holes cannot be filled otherwise, triangles around them are given up, at most a twentieth.
+
+        Returns
+        -------
+        Surface
+            Every side has a neighbour; `volume` is a number.
+
+        Raises
+        ------
+        NotWatertight
+            A boundary curve is left, or triangles cross; says how many.
+        """
+        largest = max((component.area for component in self.components), default=0.0)
+        is_island = [component.boundary_curves > 0 and component.area < 0.01 * largest for component in self.components]
+        whole = self.keep([not island for island in is_island]) if any(is_island) else self
+        of = _core.close_surface(whole.points, whole.triangles, whole.neighbors, as_threads(threads))
+        if len(of["triangles"]) == 0:
+            raise NotWatertight("watertight: found no triangle, expected some")
+        if of["curves"] or of["crossing"]:
+            raise NotWatertight(
+                f"watertight: found {of['curves']} boundary curves and {of['crossing']} pairs of triangles that cross, "
+                "expected none"
+            )
+        return whole._with_filled(of, of["kept"] != 0)
+
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
-        if self._kept_from is not None:
-            return self._kept_from[0]._unused
+        for source in (self._kept_from, self._filled_from):
+            if source is not None:
+                return source[0]._unused
         found = _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
         freeze(*found)
         return found
+
+    def save(self, path: Union[str, os.PathLike[str]], *, manifold: bool = True) -> None:
+        """Writes it as a mesh, by the ending: .ply, .off, .obj, .stl; .npy has the triangles alone.
+
+        Parameters
+        ----------
+        path
+            The file, which appears whole or not at all.
+        manifold : bool
+            A vertex for each sheet at a point, so that edges have one or two triangles; .ply has the index of the point of each as
+            `point`. False: the vertices are the points, all of them, so that an index means the same in both.
+
+        Raises
+        ------
+        InvalidInput
+            Another ending; a coordinate too large for .stl.
+        OSError
+            It cannot be written.
+        """
+        self._require_unchanged()
+        _core.save_surface(os.fsencode(path), self.points, self.normals, self.triangles, self.neighbors, bool(manifold))
 
     def mesh(self) -> meshops.Mesh:
         """A halfedge mesh of it, a new one with each call: face i is triangle i, and goes on where `neighbors` says.

@@ -74,7 +74,10 @@ class Closing {
       taken[i] = around_.taken_chords(loops_[i]);
       first[i] = space::least_triangulation(rims_[i], taken[i], {}, step);
     });
-    for (std::uint32_t i = 0; i < loops_.size(); ++i) close(i, std::move(first[i]), std::move(taken[i]));
+    for (std::uint32_t i = 0; i < loops_.size(); ++i) {
+      if (!go_on_()) throw meshops::Cancelled();
+      close(i, std::move(first[i]), std::move(taken[i]));
+    }
     assemble();
     return std::move(result_);
   }

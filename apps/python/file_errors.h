@@ -1,0 +1,26 @@
+// What: errors of reading and writing files as Python's, with their text.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "io/failure.h"
+#include "rbpa/base/error.h"
+
+namespace rbpa::python {
+
+/// What work() returns. Bad input and wrong usage become InvalidInput, failures OSError.
+template <typename Work>
+auto with_file_errors(Work work) {
+  try {
+    return work();
+  } catch (const app::BadInput& refusal) {
+    throw InvalidInput(app::printable(refusal.what()));
+  } catch (const app::WrongUsage& refusal) {
+    throw InvalidInput(app::printable(refusal.what()));
+  } catch (const app::Failure& failure) {
+    PyErr_SetString(PyExc_OSError, app::printable(failure.what()).c_str());
+    throw pybind11::error_already_set();
+  }
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,101 @@
+"""Holes of surfaces filled, closed surfaces, and their files."""
+
+import json
+import os
+import subprocess
+
+import numpy as np
+import pytest
+
+import rbpa
+
+
+def sphere_with_gaps(count=600):
+    """Points of a unit sphere but above 0.9 and near (1, 0, 0), and far from it a triangle, with normals."""
+    i = np.arange(count)
+    z = 1 - (2.0 * i + 1) / count
+    s = np.sqrt(1 - z * z)
+    points = np.column_stack((s * np.cos(i * 2.399963229728653), s * np.sin(i * 2.399963229728653), z))
+    points = points[(z <= 0.9) & (np.linalg.norm(points - [1, 0, 0], axis=1) >= 0.3)]
+    stray = np.array([[3.0, 0, 0], [3.1, 0, 0], [3, 0.1, 0]])
+    return np.concatenate((points, stray)), np.concatenate((points, [[0.0, 0, 1]] * 3))
+
+
+def opened():
+    points, normals = sphere_with_gaps()
+    return rbpa.surface(points, normals, 0.2)
+
+
+def test_holes_are_filled_and_rims_are_not():
+    made = opened()
+    assert sorted(hole.kind for hole in made.holes) == ["hole", "hole", "island"]
+    filled = made.fill_holes()
+    assert [hole.kind for hole in filled.holes] == ["island"]
+    assert filled.holes[0].edges.tolist() == next(h for h in made.holes if h.kind == "island").edges.tolist()
+    edges = sum(len(hole.edges) for hole in made.holes if hole.kind == "hole")
+    assert (filled.levels < 0).sum() == edges - 4 == len(filled.triangles) - len(made.triangles)
+    assert np.array_equal(filled.triangles[filled.levels >= 0], made.triangles)
+    assert not filled.levels.flags.writeable and np.array_equal(filled.unused, made.unused)
+    for hole in filled.holes:
+        for (start, end), t in zip(hole.edges.tolist(), hole.triangles.tolist()):
+            assert {start, end} <= set(filled.triangles[t].tolist())
+    at = np.nonzero(filled.neighbors >= 0)
+    for t, k in zip(*at):
+        other = filled.neighbors[t, k]
+        shared = set(filled.triangles[t].tolist()) - {int(filled.triangles[t, k])}
+        assert shared <= set(filled.triangles[other].tolist())
+    lengths = sorted(hole.length for hole in made.holes if hole.kind == "hole")
+    assert len(made.fill_holes(max_length=lengths[0] * 1.0001).holes) == 2
+    assert len(made.fill_holes(max_length=lengths[0] * 0.9999).holes) == 3
+    assert len(made.fill_holes(max_edges=3).holes) == 3
+    with pytest.raises(rbpa.InvalidInput, match="max_edges"):
+        made.fill_holes(max_edges=2)
+    assert len(filled.keep_largest().holes) == 0 and filled.keep_largest().volume == pytest.approx(4, rel=0.05)
+
+
+def test_watertight_surfaces_are_closed_without_islands():
+    made = opened()
+    closed = made.watertight()
+    assert len(closed.boundary) == 0 and (closed.neighbors >= 0).all() and closed.holes == []
+    assert len(closed.components) == 1 and closed.volume == pytest.approx(4, rel=0.05)
+    report = closed.report()
+    assert report.genus == 0 and report.boundary_curves == 0
+    order = np.random.default_rng(1).permutation(len(made.points))
+    again = rbpa.surface(made.points[order], made.normals[order], 0.2).watertight(threads=1)
+    rows = {tuple(sorted(map(tuple, made.points[t].tolist()))) for t in closed.triangles}
+    assert rows == {tuple(sorted(map(tuple, again.points[t].tolist()))) for t in again.triangles}
+
+
+def test_what_encloses_nothing_is_refused_with_what_is_left():
+    flat = [[x, y, 0] for x in range(4) for y in range(4)]
+    with pytest.raises(rbpa.NotWatertight, match="found 1 boundary curves and 0 pairs"):
+        rbpa.surface(flat, [[0, 0, 1]] * 16, 1).watertight()
+    with pytest.raises(rbpa.NotWatertight, match="found no triangle"):
+        rbpa.surface([[0, 0, 0]], [[0, 0, 1]], 1).watertight()
+    assert issubclass(rbpa.NotWatertight, RuntimeError)
+
+
+@pytest.mark.parametrize("ending", ["ply", "off", "obj", "stl"])
+def test_files_are_those_of_the_surface(ending, tmp_path):
+    closed = opened().watertight()
+    path = tmp_path / f"closed.{ending}"
+    closed.save(path)
+    program = os.path.join(os.path.dirname(os.environ["RBPA_PROGRAM"]), "meshtopo")
+    report = json.loads(subprocess.run([program, str(path), "--json"], check=True, capture_output=True).stdout)
+    assert report["faces"] == len(closed.triangles) and report["boundary_curves"] == 0 and report["defects"] == []
+    assert report["isolated"] == 0
+    closed.save(str(path), manifold=False)
+    report = json.loads(subprocess.run([program, str(path), "--json"], check=True, capture_output=True).stdout)
+    used = len(np.unique(closed.triangles))
+    assert report["vertices"] == (used if ending == "stl" else len(closed.points))
+
+
+def test_a_file_that_cannot_be_written_says_why(tmp_path):
+    closed = opened().watertight()
+    with pytest.raises(rbpa.InvalidInput, match="found the ending 'xyz', expected one of ply, off, obj, stl, npy"):
+        closed.save(tmp_path / "closed.xyz")
+    with pytest.raises(OSError):
+        closed.save(tmp_path / "nowhere" / "closed.ply")
+    closed.save(tmp_path / "closed.npy")
+    assert np.array_equal(np.load(tmp_path / "closed.npy"), closed.triangles)
+    assert sorted(os.listdir(tmp_path)) == ["closed.npy"]
