@@ -42,7 +42,8 @@ void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
       sides[static_cast<std::size_t>(of.facts.kinds[i])].push_back({edge.from, edge.to});
   std::vector<std::uint32_t> unused;
   for (const UnusedPoint& point : of.facts.unused) unused.push_back(point.index);
-  write_surface_png(file, {of.points, of.surface.triangles, sides[0], sides[1], sides[2], unused, of.colors}, width);
+  write_surface_png(file, {of.points, of.surface.triangles, sides[0], sides[1], sides[2], unused, of.colors, of.filled},
+                    width);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cli/surface_report.h"
 #include "io/bytes/output_file.h"
@@ -23,6 +24,7 @@ struct SurfaceFiles {
   const SplitFans& fans;                 ///< of the surface
   std::span<const std::uint32_t> order;  ///< of triangles in mesh files; empty: that of the surface
   const SurfaceFacts& facts;             ///< its holes and unused points, and whether vertices are fans
+  const std::vector<bool>& filled;       ///< of each triangle, whether it fills a hole; empty: none does
   bool compact;
 
   /// Of a picture, so many pixels wide.

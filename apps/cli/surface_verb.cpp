@@ -65,6 +65,7 @@ class SurfaceRun : public Run {
   SurfaceComponents components_;  ///< of the surface, with those that are dropped at first
   SplitFans fans_;
   std::vector<std::uint32_t> order_;  ///< in which mesh files have the triangles; empty: in that of the surface
+  std::vector<bool> filled_;          ///< of each triangle, whether it fills a hole; empty: none does
   SurfaceFacts facts_;
 
   std::span<const Point3> normals() const {
@@ -180,6 +181,7 @@ void SurfaceRun::fill() {
   components_ = std::move(bounded.components);
   facts_.holes = std::move(bounded.curves);
   facts_.kinds = std::move(bounded.kinds);
+  filled_ = std::move(bounded.filled);
 }
 
 void SurfaceRun::require_watertight() const {
@@ -234,6 +236,7 @@ SurfaceFiles SurfaceRun::files() const {
           .fans = fans_,
           .order = order_,
           .facts = facts_,
+          .filled = filled_,
           .compact = arguments_.compact};
 }
 

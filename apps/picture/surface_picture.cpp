@@ -17,6 +17,7 @@ using Place = std::array<double, 3>;
 
 constexpr Colour front_colour{0xA9, 0xCD, 0xE6};
 constexpr Colour back_colour{0xC9, 0xC2, 0xB8};
+constexpr Colour filled_colour{0x9F, 0xD3, 0xB4};  // lighter than the boundary, greener than the surface
 constexpr Colour rim_colour{0xE6, 0x9F, 0x00};
 constexpr Colour island_colour{0xCC, 0x79, 0xA7};
 
@@ -122,8 +123,10 @@ Colour shade(const Place& a, const Place& b, const Place& c, const Colour& front
   return {lit(own.red), lit(own.green), lit(own.blue)};
 }
 
-/// The mean of the colours at the corners, or that of surfaces without any.
-Colour own_colour(const SurfacePicture& picture, const std::array<std::uint32_t, 3>& t) {
+/// The mean of the colours at the corners, or that of surfaces without any; of what fills a hole its own.
+Colour own_colour(const SurfacePicture& picture, std::size_t triangle) {
+  if (!picture.filled.empty() && picture.filled[triangle]) return filled_colour;
+  const auto& t = picture.triangles[triangle];
   if (picture.colors.empty()) return front_colour;
   const auto mean = [&](std::size_t k) {
     return static_cast<std::uint8_t>((picture.colors[t[0]][k] + picture.colors[t[1]][k] + picture.colors[t[2]][k] + 1) /
@@ -144,10 +147,11 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
   const auto go_on = [&] {
     if (++done % 4096 == 0) stop_if_interrupted();
   };
-  for (const auto& t : picture.triangles) {
+  for (std::size_t i = 0; i < picture.triangles.size(); ++i) {
     go_on();
+    const auto& t = picture.triangles[i];
     const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
-    canvas.triangle(a, b, c, shade(a, b, c, own_colour(picture, t)));
+    canvas.triangle(a, b, c, shade(a, b, c, own_colour(picture, i)));
   }
   // Thicker than what is nearer than they are by as much: a rim is seen along its whole length.
   const double radius = side * std::max(1.0, width / 700.0);

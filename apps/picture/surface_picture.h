@@ -1,4 +1,5 @@
-// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, its boundary in colours,
+// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, filled holes and its boundary in
+//       colours of their own,
 //       points in no triangle as dots.
 // Law:  the same triangles give the same pixels, in any order but for triangles at the same depth.
 // Cost: the pixels that the triangles cover, four samples each (one in pictures wider than 4096).
@@ -7,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "io/bytes/output_file.h"
 #include "rbpa/base/point3.h"
@@ -19,7 +21,8 @@ struct SurfacePicture {
   std::span<const std::array<std::uint32_t, 2>> rims, holes, islands;  ///< boundary sides
   std::span<const std::uint32_t> unused;
   std::span<const std::array<std::uint8_t, 3>>
-      colors;  ///< red, green, blue of each point, or none: for triangles from the front
+      colors;                       ///< red, green, blue of each point, or none: for triangles from the front
+  const std::vector<bool>& filled;  ///< of each triangle, whether it fills a hole; or empty
 };
 
 /// Requires: a width within the bounds of scene.h. Throws as OutputFile does; Cancelled.

@@ -19,6 +19,7 @@ void replace(std::span<const Point3> points, BoundedSurface& bounded, Surface su
   for (Hole& curve : bounded.curves)
     for (RimEdge& edge : curve.edges) edge.triangle = number[edge.triangle];
   bounded.surface = std::move(surface);
+  bounded.filled = is_new;
   bounded.curves = with_causes(surface_curves(points, bounded.surface), bounded.curves);
   bounded.components = surface_components(points, bounded.surface);
   bounded.kinds = curve_kinds(points, bounded.components, bounded.curves);

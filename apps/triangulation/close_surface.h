@@ -14,12 +14,13 @@
 
 namespace rbpa::app {
 
-/// A surface with the curves at which it ends, and their kinds.
+/// A surface with the curves at which it ends and their kinds.
 struct BoundedSurface {
   Surface surface;
   SurfaceComponents components;
   std::vector<Hole> curves;
   std::vector<CurveKind> kinds;
+  std::vector<bool> filled = {};  ///< of each triangle, whether it fills a hole; empty: none does
 };
 
 /// Fills the holes that are chosen. Curves that stay keep the causes of their edges.

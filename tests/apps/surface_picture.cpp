@@ -116,4 +116,22 @@ TEST_SUITE("surface picture") {
     CHECK(std::abs(front[2] - front[0] / 8.0) < 1.5);  // the mean of 30, 0 and 60 to 240
     CHECK(middle("0 0 -1", red) == behind);
   }
+
+  TEST_CASE("what fills a hole is green") {
+    // A flat ring of points: its hole is in the middle of the picture.
+    std::string text;
+    for (int x = -4; x <= 4; ++x)
+      for (int y = -4; y <= 4; ++y)
+        if (std::max(std::abs(x), std::abs(y)) >= 2) text += std::to_string(x) + " " + std::to_string(y) + " 0 0 0 1\n";
+    const Folder folder;
+    folder.file("p.xyz", text);
+    const auto middle = [&](const std::string& option) {
+      CHECK(folder.rbpa("surface p.xyz --radius 1 -o p.png --width 300 -q " + option).code == 0);
+      return middle_of(folder.content("p.png"));
+    };
+    const auto open = middle(""), filled = middle("--fill-holes all");
+    CHECK(open[0] > 240);  // the background
+    CHECK(filled[1] > filled[0] + 20);
+    CHECK(filled[1] > filled[2] + 10);
+  }
 }
