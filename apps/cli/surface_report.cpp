@@ -93,7 +93,8 @@ Json base(const SurfaceFacts& facts) {
           {"touching_points", counts.touching},
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
-          {"normals", facts.normals}};
+          {"normals", facts.normals},
+          {"scale_space", facts.scale_space == 0 ? Json(nullptr) : Json(facts.scale_space)}};
 }
 
 /// At which of the three corners to which the ball comes the cause is.

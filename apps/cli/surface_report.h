@@ -35,8 +35,9 @@ struct SurfaceFacts {
   std::size_t points = 0;
   std::size_t distinct = 0;
   std::vector<double> radii = {};
-  bool chosen_radii = false;  ///< by auto
-  std::string normals = {};   ///< file, estimate or none
+  bool chosen_radii = false;    ///< by auto
+  std::string normals = {};     ///< file, estimate or none
+  std::size_t scale_space = 0;  ///< steps
   unsigned threads = 1;
   SurfaceCounts counts = {};
   std::vector<UnusedPoint> unused = {};

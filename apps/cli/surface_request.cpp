@@ -50,6 +50,21 @@ std::size_t parse_neighbors(const std::optional<std::string>& text) {
   return static_cast<std::size_t>(number.value);
 }
 
+std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) {
+  if (!arguments.scale_space) {
+    if (arguments.moved) throw WrongUsage("--moved: found no --scale-space, expected it");
+    return std::nullopt;
+  }
+  if (*arguments.scale_space == "auto") return 0;
+  const ParsedNumber number = parse_whole_number(*arguments.scale_space);
+  constexpr double most = 100;
+  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < 1 ||
+      number.value > most)
+    throw WrongUsage("--scale-space: found " + in_quotes(*arguments.scale_space) +
+                     ", expected a number of steps, 1 to 100, or auto");
+  return static_cast<std::size_t>(number.value);
+}
+
 std::vector<Point3> parse_viewpoint(const std::optional<std::string>& text) {
   if (!text) return {};
   std::array<double, 3> at{};
@@ -77,6 +92,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       .neighbors = parse_neighbors(arguments.neighbors),
       .viewpoints = parse_viewpoint(arguments.viewpoint),
       .normals = parse_normals(arguments.normals),
+      .scale_space = parse_scale_space(arguments),
       .components = {},
       .filled = {},
       .targets = {},

@@ -23,10 +23,11 @@ struct SurfaceRequest {
   std::string path;
   Format format;
   CloudRequest choice;
-  std::vector<double> radii;            ///< empty: auto
-  std::size_t neighbors;                ///< of which normals are estimated
-  std::vector<Point3> viewpoints;       ///< one or none
-  std::optional<NormalSource> normals;  ///< absent: of the file if it has any, else estimated
+  std::vector<double> radii;               ///< empty: auto
+  std::size_t neighbors;                   ///< of which normals are estimated
+  std::vector<Point3> viewpoints;          ///< one or none
+  std::optional<NormalSource> normals;     ///< absent: of the file if it has any, else estimated
+  std::optional<std::size_t> scale_space;  ///< steps, 0 for auto; absent: none
   ComponentChoice components;
   std::optional<HoleChoice> filled;  ///< absent: none are filled
   std::vector<Target> targets;

@@ -22,6 +22,7 @@
 #include "rbpa/estimate_normals.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/outer_shells.h"
+#include "rbpa/scale_space.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
@@ -42,6 +43,7 @@ class SurfaceRun : public Run {
   template <typename Step>
   auto step(const std::string& doing, Step&& work) const;
 
+  void move_points();
   void take_normals();
   void build();
   void explain();
@@ -57,7 +59,8 @@ class SurfaceRun : public Run {
 
   const SurfaceArguments& arguments_;
   SurfaceRequest request_;
-  SpacePoints file_;
+  SpacePoints file_;                  ///< its points are moved where that is asked for
+  std::vector<Point3> as_they_came_;  ///< the points, where they are moved
   NormalSource source_ = NormalSource::none;
   std::vector<Point3> estimated_;
   std::vector<double> radii_;  ///< by which the surface is made
@@ -68,6 +71,10 @@ class SurfaceRun : public Run {
   std::vector<bool> filled_;          ///< of each triangle, whether it fills a hole; empty: none does
   SurfaceFacts facts_;
 
+  /// Of files.
+  std::span<const Point3> points() const {
+    return as_they_came_.empty() || arguments_.moved ? file_.points : as_they_came_;
+  }
   std::span<const Point3> normals() const {
     if (source_ == NormalSource::none) return {};
     return source_ == NormalSource::estimate ? estimated_ : file_.normals;
@@ -82,6 +89,16 @@ auto SurfaceRun::step(const std::string& doing, Step&& work) const {
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
   }
+}
+
+void SurfaceRun::move_points() {
+  if (!request_.scale_space) return;
+  ScaleSpace moved = step("scale space", [&](const SurfaceOptions& how) {
+    return scale_space(file_.points,
+                       {.steps = *request_.scale_space, .threads = how.threads, .progress = how.progress});
+  });
+  facts_.scale_space = moved.steps;
+  as_they_came_ = std::exchange(file_.points, std::move(moved.points));
 }
 
 void SurfaceRun::take_normals() {
@@ -145,6 +162,7 @@ void SurfaceRun::choose_components() {
   const std::vector<bool> kept = kept_by_choice();
   if (std::count(kept.begin(), kept.end(), false) > 0) drop(kept);
   if (request_.filled) fill();
+  if (!as_they_came_.empty()) components_ = surface_components(points(), surface_);
   if (arguments_.watertight) require_watertight();
   facts_.watertight = arguments_.watertight;
   fans_ = split_fans(surface_);
@@ -187,9 +205,9 @@ void SurfaceRun::fill() {
 void SurfaceRun::require_watertight() const {
   constexpr std::size_t most = 1000;  // pairs that are counted
   const auto crossing = step("looking for crossings", [&](const SurfaceOptions& how) {
-    return crossing_triangles(file_.points, surface_.triangles, most, how);
+    return crossing_triangles(points(), surface_.triangles, most, how);
   });
-  const std::string left = openings(facts_, file_.points, surface_, crossing, crossing.size() < most);
+  const std::string left = openings(facts_, points(), surface_, crossing, crossing.size() < most);
   if (left.empty()) return;
   if (surface_.triangles.empty()) say_empty();
   throw Failure("not watertight: " + left + "; nothing is written");
@@ -229,7 +247,7 @@ void SurfaceRun::drop(const std::vector<bool>& kept) {
 }
 
 SurfaceFiles SurfaceRun::files() const {
-  return {.points = file_.points,
+  return {.points = points(),
           .normals = normals().empty() ? file_.normals : normals(),
           .colors = file_.colors,
           .surface = surface_,
@@ -268,9 +286,11 @@ std::string SurfaceRun::summary() const {
   const std::string origin = source_ == NormalSource::file       ? "normals of the file"
                              : source_ == NormalSource::estimate ? "normals estimated"
                                                                  : "without normals";
+  const std::string moved =
+      facts_.scale_space == 0 ? "" : ", moved by " + counted(facts_.scale_space, "step") + " of scale space";
   const std::size_t equal = surface_.duplicates.size();
   return counted(facts_.points, "point") + (equal > 0 ? " (" + std::to_string(equal) + " repeated)" : "") + ", " +
-         origin +
+         origin + moved +
          (facts_.radii.empty()       ? ", no radius"
           : facts_.radii.size() == 1 ? ", radius "
                                      : ", radii ") +
@@ -285,6 +305,7 @@ void SurfaceRun::run() {
   remark(file_.remarks);
   facts_.points = file_.points.size();
   facts_.read_seconds = lap();
+  move_points();
   take_normals();
   facts_.normals_seconds = lap();
   build();

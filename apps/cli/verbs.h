@@ -89,6 +89,8 @@ struct SurfaceArguments : OutputArguments {
   std::optional<std::string> neighbors;
   std::optional<std::string> viewpoint;
   bool flip = false;
+  std::optional<std::string> scale_space;
+  bool moved = false;
   std::optional<std::string> holes;
   std::optional<std::string> shell;
   std::optional<std::string> keep_largest;

@@ -83,6 +83,11 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "Where the points were seen from: normals are turned toward it, those of the file too")
       ->type_name("X,Y,Z");
   add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after all else");
+  verb.add_option("--scale-space", arguments.scale_space,
+                  "For noise: the ball rolls over points that are moved onto local planes in N steps, or in as many as "
+                  "they take to lie still; files have the points as they came")
+      ->type_name("N|auto");
+  add_switch(verb, "--moved", arguments.moved, "With --scale-space: files have the points where they are moved to");
   add_output_options(verb, arguments, surface_formats);
   add_switch(verb, "--compact", arguments.compact,
              "Leave out vertices that no triangle uses (.npy keeps input indices)");
@@ -121,6 +126,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface scan.ply --radius auto --drop-small 100 --manifold -o mesh.ply\n"
       "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
+      "  rbpa surface noisy.ply --scale-space auto --moved --radius auto -o smooth.ply\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
       "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"
       "points are unused, is said.\n" +

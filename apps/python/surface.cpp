@@ -27,6 +27,7 @@
 #include "rbpa/fill_holes.h"
 #include "rbpa/holes.h"
 #include "rbpa/outer_shells.h"
+#include "rbpa/scale_space.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
@@ -75,6 +76,17 @@ Doubles estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubl
     return estimate_normals(
         input, {.neighbors = neighbors, .viewpoints = from, .threads = threads, .progress = watch.progress()});
   }));
+}
+
+/// The moved points, and by how many steps.
+std::tuple<Doubles, std::size_t> moved(const Doubles& points, std::size_t steps, std::size_t neighbors,
+                                       unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  ScaleSpace made = watched(input.size(), progress, [&](Watch& watch) {
+    return scale_space(input,
+                       {.steps = steps, .neighbors = neighbors, .threads = threads, .progress = watch.progress()});
+  });
+  return {rows<double>(std::move(made.points)), made.steps};
 }
 
 Doubles chosen_radii(const Doubles& points, unsigned threads, const py::object& progress) {
@@ -368,6 +380,8 @@ void bind_surface(py::module_& module) {
   using py::arg;
   module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"), arg("viewpoints").noconvert(),
              arg("threads"), arg("progress"));
+  module.def("scale_space", &moved, arg("points").noconvert(), arg("steps"), arg("neighbors"), arg("threads"),
+             arg("progress"));
   module.def("auto_radii", &chosen_radii, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("surface", &surface_of, arg("points").noconvert(), arg("normals").noconvert(), arg("radii").noconvert(),
              arg("threads"), arg("progress"));

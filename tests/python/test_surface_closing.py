@@ -99,3 +99,20 @@ def test_a_file_that_cannot_be_written_says_why(tmp_path):
     closed.save(tmp_path / "closed.npy")
     assert np.array_equal(np.load(tmp_path / "closed.npy"), closed.triangles)
     assert sorted(os.listdir(tmp_path)) == ["closed.npy"]
+
+
+def test_noisy_points_are_moved_onto_the_surface():
+    rng = np.random.default_rng(5)
+    directions = rng.normal(size=(4000, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    spacing = np.sqrt(4 * np.pi / 4000)
+    points = directions * (1 + 0.5 * spacing * rng.normal(size=(4000, 1)))
+    moved = rbpa.scale_space(points)
+    assert moved.flags.writeable and np.std(np.linalg.norm(moved, axis=1)) < 0.25 * np.std(np.linalg.norm(points, axis=1))
+    made = rbpa.surface(moved, radius=[2.5 * spacing, 4 * spacing])
+    assert len(made.unused) < 80 and made.watertight().volume == pytest.approx(4 * np.pi / 3, rel=0.08)
+    assert np.array_equal(rbpa.scale_space(rbpa.scale_space(points, 1), 1), rbpa.scale_space(points, 2, threads=1))
+    with pytest.raises(rbpa.InvalidInput, match="steps"):
+        rbpa.scale_space(points, 0)
+    with pytest.raises(rbpa.InvalidInput, match="steps"):
+        rbpa.scale_space(points, "some")

@@ -47,7 +47,7 @@ from rbpa._delaunay import Delaunay
 from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
-from rbpa._surface import NotWatertight, Surface, SurfaceComponent, SurfaceHole, estimate_normals, surface
+from rbpa._surface import NotWatertight, Surface, SurfaceComponent, SurfaceHole, estimate_normals, scale_space, surface
 
 __all__ = [
     "AlphaShape",
@@ -70,6 +70,7 @@ __all__ = [
     "estimate_normals",
     "filtration",
     "read_points",
+    "scale_space",
     "surface",
 ]
 
@@ -77,6 +78,6 @@ __all__ = [
 for _public in (
     *(AlphaShape, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
     *(NotWatertight, Surface, SurfaceComponent, SurfaceHole),
-    *(alpha_shape, concave_hull, estimate_normals, filtration, read_points, surface),
+    *(alpha_shape, concave_hull, estimate_normals, filtration, read_points, scale_space, surface),
 ):
     _public.__module__ = __name__

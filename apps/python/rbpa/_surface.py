@@ -73,6 +73,55 @@ def estimate_normals(
     )
 
 
+def scale_space(
+    points: npt.ArrayLike,
+    steps: Union[int, str] = "auto",
+    neighbors: int = 30,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Floats:
+    """Noisy points moved onto the surface that they are scattered about: in each step each to the plane that fits it and its
+    nearest others.
+
+    The surface of the moved points, `surface(scale_space(points))`, has triangles between points by their numbers, so they are
+    as well triangles of the points as they came (Digne et al., Scale space meshing, 2011).
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3)
+        Finite coordinates.
+    steps : int or "auto"
+        How many; "auto": until one moves the median point otherwise than its neighbours by less than a tenth of the distance
+        between them, at most 8. Curved surfaces shrink a little in each step.
+    neighbors : int
+        A plane is fitted to each point and so many others, the nearest.
+    threads, progress
+        As in `estimate_normals`.
+
+    Returns
+    -------
+    float64 array of shape (n, 3)
+        Yours to write into. Equal points stay equal.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError: points of another shape or not finite, no number of steps.
+    Cancelled
+        `progress` returned False.
+
+    Examples
+    --------
+    >>> rbpa.scale_space([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
+    array([0., 0., 5.])
+    """
+    count = 0 if isinstance(steps, str) and steps == "auto" else as_count(steps, "steps", 1)
+    return _core.scale_space(
+        as_points(points, columns=3), count, as_count(neighbors, "neighbors", 2), as_threads(threads), progress
+    )[0]
+
+
 def surface(
     points: npt.ArrayLike,
     normals: Union[npt.ArrayLike, str, None] = None,

@@ -11,7 +11,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/cells/scale.h"
+#include "rbpa/space/normals/distinct_points.h"
 #include "rbpa/space/normals/find_nearest.h"
 #include "rbpa/space/normals/fit_plane.h"
 #include "rbpa/space/normals/orient_normals.h"
@@ -20,30 +20,6 @@
 namespace rbpa {
 namespace {
 
-/// The distinct points, ascending, and for each input point the position of its own.
-struct Distinct {
-  std::vector<Point3> points;
-  std::vector<std::uint32_t> number;
-};
-
-Distinct distinct(std::span<const Point3> points) {
-  struct Numbered {
-    Point3 at;
-    std::uint32_t index;
-  };
-  std::vector<Numbered> sorted;
-  sorted.reserve(points.size());
-  for (const Point3& p : points) sorted.push_back({p, static_cast<std::uint32_t>(sorted.size())});
-  std::sort(sorted.begin(), sorted.end(), [](const Numbered& p, const Numbered& q) { return p.at < q.at; });
-  Distinct found;
-  found.number.resize(points.size());
-  for (const Numbered& p : sorted) {
-    if (found.points.empty() || found.points.back() != p.at) found.points.push_back(p.at);
-    found.number[p.index] = static_cast<std::uint32_t>(found.points.size() - 1);
-  }
-  return found;
-}
-
 void check_viewpoints(std::span<const Point3> points, std::span<const Point3> viewpoints) {
   if (viewpoints.size() != 1 && viewpoints.size() != points.size())
     throw InvalidInput(std::to_string(viewpoints.size()) + " viewpoints of " + std::to_string(points.size()) +
@@ -51,18 +27,6 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
   for (std::size_t i = 0; i < viewpoints.size(); ++i)
     if (!is_finite(viewpoints[i]))
       throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
-}
-
-/// Multiplies the points by a power of two so that their squares fit double. Returns: false where there is no such power.
-bool fit_double(std::vector<Point3>& points) {
-  double greatest = 0;
-  for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (greatest == 0) return true;
-  const std::optional<int> exponent = space::scale_to_double(points, greatest);
-  if (!exponent) return false;
-  if (*exponent != 0)
-    for (Point3& p : points) p = {std::ldexp(p.x, *exponent), std::ldexp(p.y, *exponent), std::ldexp(p.z, *exponent)};
-  return true;
 }
 
 /// The normals of distinct points, in their order.
@@ -111,8 +75,8 @@ std::vector<Point3> estimate_normals(std::span<const Point3> points, const Norma
     throw InvalidInput("normals from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
   if (!options.viewpoints.empty()) check_viewpoints(points, options.viewpoints);
   if (points.empty()) return {};
-  Distinct sites = distinct(points);
-  const bool fits = fit_double(sites.points);
+  space::DistinctPoints sites = space::distinct_points(points);
+  const bool fits = space::fit_double(sites.points).has_value();
   const std::vector<Point3> normals = fits ? normals_of<double>(std::move(sites.points), options)
                                            : normals_of<long double>(std::move(sites.points), options);
   std::vector<Point3> result;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 #include <nanoflann.hpp>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <type_traits>
@@ -187,6 +188,18 @@ Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Thread
     go_on();
   });
   return found;
+}
+
+double spacing_of(const Neighborhoods& near) {
+  std::vector<double> spacings;
+  for (std::size_t i = 0; i < near.points.size(); ++i) {
+    const Point3 &p = near.points[i], &q = near.points[near.around(i).back()];
+    const double x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
+    spacings.push_back(std::sqrt((x * x + y * y + z * z) * std::numbers::pi / static_cast<double>(near.count + 1)));
+  }
+  const auto median = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), median, spacings.end());
+  return *median;
 }
 
 template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const std::function<void()>&,

@@ -38,6 +38,10 @@ template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
                            const std::function<void()>& go_on, const SpansPlane& spans_plane = {});
 
+/// The median over the points of the distance between neighbours: where as many points per area are in a square grid.
+/// Requires: points, with nearest others.
+double spacing_of(const Neighborhoods& near);
+
 extern template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&,
                                                    const std::function<void()>&, const SpansPlane&);
 extern template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&,

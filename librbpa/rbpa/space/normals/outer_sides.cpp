@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "meshops/core/disjoint_sets.h"
@@ -33,19 +32,6 @@ std::vector<Number> components_of(const Neighborhoods& near) {
   std::vector<Number> component(near.points.size());
   for (Number i = 0; i < component.size(); ++i) component[i] = sets.find(i);
   return component;
-}
-
-/// The median over the points of the distance between neighbours: where as many points per area are in a square grid.
-double spacing_of(const Neighborhoods& near) {
-  std::vector<double> spacings;
-  for (std::size_t i = 0; i < near.points.size(); ++i) {
-    const Point3 &p = near.points[i], &q = near.points[near.around(i).back()];
-    const double x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
-    spacings.push_back(std::sqrt((x * x + y * y + z * z) * std::numbers::pi / static_cast<double>(near.count + 1)));
-  }
-  const auto median = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), median, spacings.end());
-  return *median;
 }
 
 /// What a ball of one radius sees of each point from outside.

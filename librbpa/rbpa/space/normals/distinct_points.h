@@ -1,0 +1,26 @@
+// What: points of space without repetitions, and at a scale at which squares fit double.
+// Cost: a sort.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+/// The distinct points, ascending, and for each input point the position of its own.
+struct DistinctPoints {
+  std::vector<Point3> points;
+  std::vector<std::uint32_t> number;
+};
+
+DistinctPoints distinct_points(std::span<const Point3> points);
+
+/// Multiplies the points by a power of two so that their squares fit double. Returns: its exponent; none where there is no such
+/// power.
+std::optional<int> fit_double(std::vector<Point3>& points);
+
+}  // namespace rbpa::space
