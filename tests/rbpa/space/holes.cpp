@@ -196,7 +196,7 @@ TEST_CASE(
     "an unused point with a triangle that agrees, at any radius, is blocked; with others only, normals disagree") {
   Random random(203);
   std::size_t blocked = 0, others = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 150; ++trial) {
     const Points3 points = space_set(SpaceKind::noisy_sphere, 80, random);
     Points3 normals = points;
     for (Point3& n : normals)
