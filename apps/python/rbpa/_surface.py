@@ -116,7 +116,9 @@ def scale_space(
     >>> rbpa.scale_space([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
     array([0., 0., 5.])
     """
-    count = 0 if isinstance(steps, str) and steps == "auto" else as_count(steps, "steps", 1)
+    if isinstance(steps, str) and steps != "auto":
+        raise InvalidInput(f"steps: found {steps!r}, expected a number of steps, or 'auto'")
+    count = 0 if isinstance(steps, str) else as_count(steps, "steps", 1)
     return _core.scale_space(
         as_points(points, columns=3), count, as_count(neighbors, "neighbors", 2), as_threads(threads), progress
     )[0]
