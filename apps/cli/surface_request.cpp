@@ -40,14 +40,19 @@ std::optional<NormalSource> parse_normals(const std::optional<std::string>& text
   throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
 }
 
+/// A whole number within bounds.
+std::optional<std::size_t> count_in(const std::string& text, double least, double most) {
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < least ||
+      number.value > most)
+    return std::nullopt;
+  return static_cast<std::size_t>(number.value);
+}
+
 std::size_t parse_neighbors(const std::optional<std::string>& text) {
   if (!text) return NormalOptions{}.neighbors;
-  const ParsedNumber number = parse_whole_number(*text);
-  constexpr double most = 1000;
-  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < 2 ||
-      number.value > most)
-    throw WrongUsage("--neighbors: found " + in_quotes(*text) + ", expected a number of points, 2 to 1000");
-  return static_cast<std::size_t>(number.value);
+  if (const auto count = count_in(*text, 2, 1000)) return *count;
+  throw WrongUsage("--neighbors: found " + in_quotes(*text) + ", expected a number of points, 2 to 1000");
 }
 
 std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) {
@@ -56,13 +61,9 @@ std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) 
     return std::nullopt;
   }
   if (*arguments.scale_space == "auto") return 0;
-  const ParsedNumber number = parse_whole_number(*arguments.scale_space);
-  constexpr double most = 100;
-  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < 1 ||
-      number.value > most)
-    throw WrongUsage("--scale-space: found " + in_quotes(*arguments.scale_space) +
-                     ", expected a number of steps, 1 to 100, or auto");
-  return static_cast<std::size_t>(number.value);
+  if (const auto steps = count_in(*arguments.scale_space, 1, 100)) return *steps;
+  throw WrongUsage("--scale-space: found " + in_quotes(*arguments.scale_space) +
+                   ", expected a number of steps, 1 to 100, or auto");
 }
 
 std::vector<Point3> parse_viewpoint(const std::optional<std::string>& text) {

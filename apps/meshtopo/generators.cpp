@@ -3,7 +3,6 @@
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "io/interrupt.h"
 #include "meshops/core/live.h"
@@ -42,35 +41,31 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
 
 /// With find(mesh, lengths, exponent of their scale), loops.
 template <typename Find>
-std::vector<Generator> find_generators(const meshops::PolygonSoup& soup,
-                                       std::span<const std::array<double, 3>> positions, Find find) {
+std::vector<Polyline> find_generators(const meshops::PolygonSoup& soup,
+                                      std::span<const std::array<double, 3>> positions, Find find) {
   OpenMesh::PolyConnectivity mesh;
   const std::vector<std::uint32_t> point_of = meshops::build_mesh(mesh, soup, until_interrupted());
   const int exponent = scale_of(positions);
   const std::vector<double> lengths = edge_lengths(mesh, point_of, positions, exponent);
-  std::vector<Generator> found;
+  std::vector<Polyline> found;
   for (const meshops::Loop& loop : find(mesh, lengths, exponent)) {
-    double length = 0;
-    Polyline points;
-    for (const meshops::Halfedge h : loop) {
-      length += lengths[static_cast<std::size_t>(mesh.edge_handle(h).idx())];
+    Polyline& points = found.emplace_back();
+    for (const meshops::Halfedge h : loop)
       points.push_back(point_of[static_cast<std::size_t>(mesh.from_vertex_handle(h).idx())]);
-    }
-    found.push_back({std::scalbn(length, -exponent), std::move(points)});
   }
   return found;
 }
 
 }  // namespace
 
-std::vector<Generator> generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions) {
+std::vector<Polyline> generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions) {
   return find_generators(soup, positions, [](const Connectivity& mesh, const std::vector<double>& lengths, int) {
     return meshops::homology_generators(mesh, lengths, until_interrupted());
   });
 }
 
-std::vector<Generator> shortest_generators(const meshops::PolygonSoup& soup,
-                                           std::span<const std::array<double, 3>> positions, double below) {
+std::vector<Polyline> shortest_generators(const meshops::PolygonSoup& soup,
+                                          std::span<const std::array<double, 3>> positions, double below) {
   return find_generators(
       soup, positions, [below](const Connectivity& mesh, const std::vector<double>& lengths, int exponent) {
         return meshops::shortest_homology_loops(mesh, lengths, std::scalbn(below, exponent), until_interrupted());

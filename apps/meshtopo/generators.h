@@ -12,18 +12,13 @@
 
 namespace rbpa::app {
 
-struct Generator {
-  double length;  ///< in space; infinite where double does not hold it
-  Polyline points;
-};
-
 /// Short ones, quickly. Requires: a surface: no defects but pinches, at which it counts as separate; finite positions. Throws
 /// Cancelled.
-std::vector<Generator> generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions);
+std::vector<Polyline> generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions);
 
 /// Those shorter than `below` of a basis of the least total length, but for rounding, by ascending length. Requires and throws the
 /// same.
-std::vector<Generator> shortest_generators(const meshops::PolygonSoup& soup,
-                                           std::span<const std::array<double, 3>> positions, double below);
+std::vector<Polyline> shortest_generators(const meshops::PolygonSoup& soup,
+                                          std::span<const std::array<double, 3>> positions, double below);
 
 }  // namespace rbpa::app

@@ -207,12 +207,8 @@ class Run {
 
   std::vector<Polyline> find_loops(const MeshFile& mesh) const {
     const ProgressLine shown = line("loops");
-    std::vector<Polyline> loops;
     constexpr double any = std::numeric_limits<double>::infinity();
-    for (Generator& loop :
-         plan_.shortest ? shortest_generators(mesh.soup, mesh.positions, any) : generators(mesh.soup, mesh.positions))
-      loops.push_back(std::move(loop.points));
-    return loops;
+    return plan_.shortest ? shortest_generators(mesh.soup, mesh.positions, any) : generators(mesh.soup, mesh.positions);
   }
 
   template <typename Content>

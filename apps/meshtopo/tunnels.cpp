@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -55,15 +54,14 @@ class Closing {
     result_.report.left = 0;
     std::size_t closed = 0;
     std::vector<bool> is_taken(result_.mesh.soup.points, false);  // points of faces that are gone in this round
-    for (const Generator& loop : shortest_generators(result_.mesh.soup, result_.mesh.positions, below_)) {
+    for (const Polyline& loop : shortest_generators(result_.mesh.soup, result_.mesh.positions, below_)) {
       std::vector<std::uint32_t> places;  // numbers that no round changes
-      for (const std::uint32_t p : loop.points) places.push_back(result_.point_was[p]);
+      for (const std::uint32_t p : loop) places.push_back(result_.point_was[p]);
       std::sort(places.begin(), places.end());
-      const bool is_free =
-          std::none_of(loop.points.begin(), loop.points.end(), [&](std::uint32_t p) { return is_taken[p]; });
+      const bool is_free = std::none_of(loop.begin(), loop.end(), [&](std::uint32_t p) { return is_taken[p]; });
       if (failed_.contains(places) || !is_free) {
         ++result_.report.left;
-      } else if (close(loop.points, is_taken)) {
+      } else if (close(loop, is_taken)) {
         ++closed;
       } else {
         failed_.insert(std::move(places));
@@ -120,7 +118,6 @@ class Closing {
     result_.mesh.positions = std::move(positions);
     result_.mesh.soup = std::move(part.soup);
     result_.point_was = std::move(part.point_was);
-    topology_ = meshops::report(result_.mesh.soup, until_interrupted());
   }
 
   double below_;

@@ -50,21 +50,19 @@ TEST_SUITE("readme") {
     std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
     const std::vector<Shown> of_readme = commands_in(read_file(RBPA_README));
     const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
-    std::vector<Shown> commands = commands_in(read_file((root / "docs/which_alpha.md").string()));
+    std::vector<Shown> commands;
+    const std::pair<const char*, std::size_t> pages[] = {{"docs/which_alpha.md", 2},
+                                                         {"docs/fill.md", 5},
+                                                         {"docs/surface.md", 9},
+                                                         {"docs/scan_to_print.md", 3},
+                                                         {"docs/meshtopo.md", 1}};
+    for (const auto& page : pages) {
+      CAPTURE(page.first);
+      const std::vector<Shown> of_page = commands_in(read_file((root / page.first).string()));
+      CHECK(of_page.size() == page.second);
+      commands.insert(commands.end(), of_page.begin(), of_page.end());
+    }
     CHECK(of_readme.size() >= 8);
-    CHECK(commands.size() == 2);
-    const std::vector<Shown> of_fill = commands_in(read_file((root / "docs/fill.md").string()));
-    CHECK(of_fill.size() == 5);
-    commands.insert(commands.end(), of_fill.begin(), of_fill.end());
-    const std::vector<Shown> of_surface = commands_in(read_file((root / "docs/surface.md").string()));
-    CHECK(of_surface.size() == 9);
-    commands.insert(commands.end(), of_surface.begin(), of_surface.end());
-    const std::vector<Shown> of_scan = commands_in(read_file((root / "docs/scan_to_print.md").string()));
-    CHECK(of_scan.size() == 3);
-    commands.insert(commands.end(), of_scan.begin(), of_scan.end());
-    const std::vector<Shown> of_meshtopo = commands_in(read_file((root / "docs/meshtopo.md").string()));
-    CHECK(of_meshtopo.size() == 1);
-    commands.insert(commands.end(), of_meshtopo.begin(), of_meshtopo.end());
     commands.insert(commands.end(), of_readme.begin(), of_readme.end());
     for (const Shown& command : commands) {
       CAPTURE(command.arguments);

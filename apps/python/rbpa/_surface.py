@@ -51,9 +51,9 @@ def estimate_normals(
     float64 array of shape (n, 3)
         Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
         turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
-        step on which the planes of neighbours do not say which side is which, as at sharp edges, may turn
-        all that follow to the wrong side, on closed surfaces too. Thin bodies are looked at from outside. Where the side matters give normals of your own. The array
-        is yours to write into.
+        step on which the planes of neighbours do not determine which side is which, as at sharp edges, may turn all that follow
+        to the wrong side, on closed surfaces too. Of thin bodies a ball outside decides. Where the side matters give normals
+        of your own. The array is yours to write into.
 
     Raises
     ------

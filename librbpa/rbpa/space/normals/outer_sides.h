@@ -1,5 +1,5 @@
-// What: which side of its plane each point of a closed surface shows to a ball outside: where the tree of orient_normals() errs,
-//       as on sheets thinner than the points are apart, whose two sides no neighbourhood can tell apart.
+// What: which side of its plane each point of a closed surface shows to a ball outside. The tree of orient_normals() errs where the
+//       two sides of a body are nearer to each other than the points are: there neighbours do not determine the side.
 // How:  the exposed triangles of the outer shells face outward. The normals of a point's triangles, weighted by area, are summed:
 //       the sum is on one side of its plane where the surface is closed, and near 0 where the ball touches both sides of an open
 //       one. First a ball of 8 spacings, which slips through no gap; then smaller ones, which see more of what lies in hollows.
