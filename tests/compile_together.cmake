@@ -1,4 +1,4 @@
-# Compiles the sources of a test program eight at a time, so that what they include is parsed once for each batch. Helpers of two
+# Compiles the sources of a test program sixteen at a time, so that what they include is parsed once for each batch. Helpers of two
 # sources may have the same name: each source is included into a namespace of its own, behind the includes of all.
 # Compiled by themselves: main.cpp, sources that open a named namespace or instantiate a template of another, and those with
 # compile options of their own.
@@ -23,7 +23,7 @@ function(rbpa_compile_together program)
 
   set(number 0)
   while(together)
-    list(SUBLIST together 0 8 batch)
+    list(SUBLIST together 0 16 batch)
     list(REMOVE_ITEM together ${batch})
     set(includes "")
     set(contents "")

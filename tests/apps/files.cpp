@@ -42,8 +42,14 @@ std::string message_after(const std::function<void(const std::string&)>& change,
       redirect(STDERR_FILENO, errors, O_WRONLY | O_TRUNC);
       redirect(STDOUT_FILENO, "/dev/null", O_WRONLY);
     });
-    for (int wait = 0; wait < 200 && position_in(child.id(), path) == 0; ++wait) usleep(100);
+    // It runs a little at a time, so that it has not read all before this process, of a busy machine, runs again.
+    for (int wait = 0; wait < 200 && position_in(child.id(), path) == 0; ++wait) {
+      kill(child.id(), SIGCONT);
+      usleep(100);
+      kill(child.id(), SIGSTOP);
+    }
     change(path);
+    kill(child.id(), SIGCONT);
     ending = child.wait();
     if (ending != Ending{0, 0}) return folder.content("errors");  // else it had read all
   }

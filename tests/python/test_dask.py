@@ -103,8 +103,8 @@ def test_sources_of_every_kind(tmp_path):
 
 
 def test_tasks_are_linear_in_tiles_and_files(tmp_path):
-    points = sets.uniform(20_000)
-    files = files_of(points[np.argsort(points[:, 0])], tmp_path, 200)
+    points = sets.uniform(5_000)
+    files = files_of(points[np.argsort(points[:, 0])], tmp_path, 50)
     names = []
 
     class Counting(dask.callbacks.Callback):
@@ -112,11 +112,11 @@ def test_tasks_are_linear_in_tiles_and_files(tmp_path):
             names.append(key)
 
     with Counting():
-        found = rbpa.dask.alpha_shape(files, 0.02, storage=tmp_path, tile_points=100)
-    check(points[np.argsort(points[:, 0])], found, 0.02)
+        found = rbpa.dask.alpha_shape(files, 0.04, storage=tmp_path, tile_points=100)
+    check(points[np.argsort(points[:, 0])], found, 0.04)
     of = {verb: sum(name.startswith(f"rbpa-{verb}-") for name in names) for verb in ("count", "cut", "partial", "merge")}
-    assert of["count"] == of["cut"] == 200
-    assert 200 <= of["partial"] <= 512 and of["merge"] == of["partial"] - 1
+    assert of["count"] == of["cut"] == 50
+    assert 50 <= of["partial"] <= 128 and of["merge"] == of["partial"] - 1
     assert sum(of.values()) == len(names)
 
 
@@ -165,8 +165,8 @@ def test_files_that_change_are_noticed(tmp_path):
 
 
 @pytest.mark.filterwarnings("ignore")  # of distributed, about itself
-@pytest.mark.parametrize("kills", [0, 2])
-def test_lost_workers_do_not_change_a_byte(kills, tmp_path):
+def test_lost_workers_do_not_change_a_byte(tmp_path):
+    kills = 2
     distributed = pytest.importorskip("distributed")
     points = sets.uniform(200_000)
     files = files_of(points, tmp_path, 8)
@@ -193,4 +193,4 @@ def test_lost_workers_do_not_change_a_byte(kills, tmp_path):
             done.set()
             killer.join()
     check(points, found, 0.004)
-    assert min(kills, 1) <= len(killed) <= kills
+    assert 1 <= len(killed) <= kills

@@ -30,6 +30,7 @@ def test_without_numpy_pip_fails_before_anything_is_compiled(tmp_path):
     assert not compiled.exists()
 
 
+@pytest.mark.nightly
 def test_without_tools_pip_says_all_that_is_missing_at_once(tmp_path):
     (tmp_path / "bin").mkdir()
     ran = installed(tmp_path, ["--system-site-packages"], PATH=str(tmp_path / "bin"))

@@ -50,8 +50,8 @@ def test_isolated_points_are_seen_however_many():
 
 
 def test_outlines_of_dust_are_no_blot():
-    dust = rbpa.alpha_shape(uniform(200_000), 0.0011)
-    assert len(dust.polygons) > 3000
+    dust = rbpa.alpha_shape(uniform(50_000), 0.0022)
+    assert len(dust.polygons) > 750
     drawn = page(lambda axes: dust.polygons.plot(axes))
     assert drawn[60:240, 60:240].mean() > 0.75
     thick = rbpa.alpha_shape(uniform(300), 0.1).polygons.plot(pyplot.figure().gca(), linewidth=7).patches[0]

@@ -57,7 +57,7 @@ np.savetxt(FILE, MANY, "%.17g", ",")
 LONG_RUNS = {
     "concave_hull": lambda: rbpa.concave_hull(MANY, 0.4 / math.sqrt(len(MANY))),
     "filtered": lambda: DUST.filtered(min_hole_area=math.inf),
-    "find_simplex": lambda: TRIANGULATION.find_simplex(np.concatenate([MANY] * 20)),
+    "find_simplex": lambda: TRIANGULATION.find_simplex(np.concatenate([MANY] * 5)),
     "read_points": lambda: rbpa.read_points(FILE),
     "report": MESH.report,
     "estimate_normals": lambda: rbpa.estimate_normals(BALL),

@@ -29,6 +29,10 @@ std::uint64_t argument(std::string_view name, std::uint64_t fallback) {
   return value;
 }
 
+bool all_trials() { return argument("all-trials", 0) != 0; }
+
+int trials(int all) { return all_trials() ? all : (all + 3) / 4; }
+
 }  // namespace rbpa_test
 
 int main(int argc, char** argv) {

@@ -5,6 +5,6 @@
 
 namespace robustness {
 
-inline int moments() { return static_cast<int>(rbpa_test::argument("moments", 2)); }
+inline int moments() { return static_cast<int>(rbpa_test::argument("moments", 1)); }
 
 }  // namespace robustness

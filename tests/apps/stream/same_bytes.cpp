@@ -33,8 +33,10 @@ void check_all_tiles(const Points& points, double alpha, const std::vector<std::
 
 }  // namespace
 
-TEST_CASE("every generated set, in tiles of a few points and of some more") {
+TEST_CASE("generated sets, in tiles of a few points and of some more") {
+  std::size_t number = 0;
   for (const rbpa_test::NamedSet& set : rbpa_test::generated_sets()) {
+    if (robustness::moments() <= 8 && number++ % 3 != 0) continue;
     CAPTURE(set.name);
     const Points points = set.make();
     if (points.empty()) continue;  // no bytes are no file of points

@@ -10,6 +10,7 @@
 #include "meshops/core/validate.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/repair.h"
+#include "support/arguments.h"
 #include "support/bowties.h"
 #include "support/corpus.h"
 #include "support/soundness.h"
@@ -108,10 +109,10 @@ void spoil(TestMesh& mesh, std::mt19937& random) {
 }  // namespace
 
 TEST_SUITE("validate") {
-  TEST_CASE("on 100,000 random soups: empty exactly if the definition holds; else the pinches, one by one") {
+  TEST_CASE("on random soups: empty exactly if the definition holds; else the pinches, one by one") {
     std::mt19937 random(14);
     int sound = 0, bowties = 0, by_openmesh = 0;
-    for (int round = 0; round < 100000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(100000); ++round) {
       const PolygonSoup given = round % 16 ? random_soup(random) : broken_surface(random);
       INFO(text(given));
       const Repair repaired = repair(given);
@@ -134,16 +135,16 @@ TEST_SUITE("validate") {
       REQUIRE(is_sound_by_definition(added) == several.empty());
       by_openmesh += !several.empty();
     }
-    CHECK(sound > 20000);
-    CHECK(bowties > 20000);
-    CHECK(by_openmesh > 10000);
+    CHECK(sound > rbpa_test::trials(20000));
+    CHECK(bowties > rbpa_test::trials(20000));
+    CHECK(by_openmesh > rbpa_test::trials(10000));
   }
 
   TEST_CASE("on records changed at random it reports no defect exactly if the definition has none") {
     std::mt19937 random(15);
     int sound = 0, bad = 0;
     std::set<DefectKind> seen;
-    for (int round = 0; round < 100000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(100000); ++round) {
       TestMesh mesh;
       const Repair repaired = repair(random_soup(random));
       if (repaired.soup.faces() == 0) continue;
@@ -155,8 +156,8 @@ TEST_SUITE("validate") {
       for (const Defect& defect : defects) seen.insert(defect.kind);
       ++(defects.empty() ? sound : bad);
     }
-    CHECK(sound > 2000);
-    CHECK(bad > 50000);
+    CHECK(sound > rbpa_test::trials(2000));
+    CHECK(bad > rbpa_test::trials(50000));
     CHECK(seen.size() == 13);
   }
 }

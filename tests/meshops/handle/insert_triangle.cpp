@@ -8,6 +8,7 @@
 #include "meshops/front/boundary_curve.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
 
@@ -129,7 +130,7 @@ TEST_SUITE("insert_triangle") {
   TEST_CASE("any sides on any curves: the same mesh as create and glue") {
     std::mt19937 random(11);
     int merges = 0;
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < rbpa_test::trials(200); ++round) {
       Twins t;
       const int seeds = 1 + static_cast<int>(random() % 3);
       for (int i = 0; i < seeds; ++i) t.insert(no_sides);

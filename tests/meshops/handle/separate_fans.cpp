@@ -8,6 +8,7 @@
 #include "meshops/core/live.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/repair.h"
+#include "support/arguments.h"
 #include "support/bowties.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
@@ -31,7 +32,7 @@ TEST_SUITE("separate_fans") {
   TEST_CASE("what was tied comes apart: as many vertices as fans, the same faces, each copy beside its old vertex") {
     std::mt19937 random(3);
     int copies = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(3000); ++round) {
       const Repair repaired = repair(round % 4 ? random_soup(random) : broken_surface(random));
       TestMesh mesh;
       build_mesh(mesh, repaired.soup);

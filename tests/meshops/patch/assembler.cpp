@@ -14,6 +14,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/front/engine.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
 #include "support/snapshot.h"
@@ -219,7 +220,7 @@ struct Watch : FrontVisitor {
 TEST_SUITE("patch") {
   TEST_CASE("patches laid and joined are the mesh of their triangles one by one, however it is cut into patches") {
     std::mt19937 random(1);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < rbpa_test::trials(300); ++round) {
       CAPTURE(round);
       const Complex complex = random_complex(random);
       const Shape expected = built_singly(complex);

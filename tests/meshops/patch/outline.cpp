@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
+#include "support/arguments.h"
 #include "support/soups.h"
 
 using namespace meshops;
@@ -85,7 +86,7 @@ TEST_SUITE("patch") {
   TEST_CASE("an outline has the sides at the rim, the holes, and of each site inside the last side that comes first") {
     std::mt19937 random(5);
     Outline outline;
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < rbpa_test::trials(300); ++round) {
       CAPTURE(round);
       const Patch patch = random_patch(random);
       std::vector<int> rim, holes, next_hole;

@@ -15,7 +15,7 @@ namespace {
 void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
   std::mt19937 random(31);
   on_every_mesh([&](TestMesh& mesh, Keep keep) {
-    if (stride(mesh) > 1) return;
+    if (is_large(mesh)) return;
     for (const BoundaryCurve& curve : boundary_curves(mesh))
       if (random() % 2 && !close_curve_blocker(mesh, curve.front())) close_curve(mesh, curve.front());
     for (auto tries = mesh.n_edges() / 3; tries > 0; --tries) {

@@ -70,7 +70,7 @@ void on_every_mesh(const std::function<void(TestMesh&, Keep)>& visit) {
       mesh.garbage_collection();
       visit(mesh, keep);
     }
-    for (unsigned number = 0; number < 300; ++number) {
+    for (unsigned number = 0; number < static_cast<unsigned>(rbpa_test::trials(300)); ++number) {
       CAPTURE(number);
       TestMesh mesh;
       random_tiny_mesh(mesh, number);

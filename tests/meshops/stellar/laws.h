@@ -11,6 +11,7 @@
 #include "meshops/core/delta.h"
 #include "meshops/core/live.h"
 #include "meshops/stellar/keep.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/snapshot.h"
@@ -23,7 +24,7 @@ Delta counts(const Connectivity& mesh);
 /// No two edges join the same vertices, and no two triangles have the same corners.
 bool is_simplicial(const Connectivity& mesh);
 
-/// Visits the corpus and some hundred random gluings of a few triangles, where everything that can coincide does; once
+/// Visits the corpus and 300 random gluings of a few triangles, by day fewer, where everything that can coincide does; once
 /// with each Keep. The mesh may be changed and must be restored.
 void on_every_mesh(const std::function<void(TestMesh&, Keep)>& visit);
 
@@ -33,8 +34,10 @@ void two_triangle_sphere(TestMesh& mesh);
 /// Small meshes with degenerate places, closed or with a boundary; the same for the same number.
 void random_tiny_mesh(TestMesh& mesh, unsigned number);
 
-/// Of a large mesh every seventh element is tried.
-inline int stride(const Connectivity& mesh) { return mesh.n_faces() > 300 ? 7 : 1; }
+inline bool is_large(const Connectivity& mesh) { return mesh.n_faces() > 300; }
+
+/// Of a large mesh every seventh element is tried, by day fewer.
+inline int stride(const Connectivity& mesh) { return !is_large(mesh) ? 1 : rbpa_test::all_trials() ? 7 : 61; }
 
 /// The blocker returns a reason and the operator throws the same, with nothing changed; or nothing.
 template <typename Operate>
@@ -57,7 +60,7 @@ template <typename Split, typename Inverse>
 void check_split(TestMesh& mesh, Keep keep, Split split, Inverse inverse) {
   const auto live = live_snapshot(mesh);
   const Delta before = counts(mesh);
-  const bool was_simplicial = stride(mesh) == 1 && is_simplicial(mesh);
+  const bool was_simplicial = !is_large(mesh) && is_simplicial(mesh);
   const auto effect = split();
   check_sound(mesh);
   CHECK(counts(mesh) == before + effect.delta());
@@ -74,7 +77,7 @@ template <typename Weld, typename Inverse, typename TakeBack>
 void check_weld(TestMesh& mesh, Keep keep, const std::string& shape, Weld weld, Inverse inverse, TakeBack take_back) {
   const auto records = snapshot(mesh);
   const Delta before = counts(mesh);
-  const bool was_simplicial = stride(mesh) == 1 && is_simplicial(mesh);
+  const bool was_simplicial = !is_large(mesh) && is_simplicial(mesh);
   const auto effect = weld();
   check_sound(mesh);
   CHECK(counts(mesh) == before + effect.delta());

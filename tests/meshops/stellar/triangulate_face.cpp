@@ -11,6 +11,7 @@
 #include "meshops/stellar/diagonal.h"
 #include "meshops/topology/build_mesh.h"
 #include "stellar/laws.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/laws.h"
 
@@ -144,7 +145,7 @@ TEST_SUITE("triangulate_face") {
   TEST_CASE("of all triangulations the least is chosen, of equal ones the first; forbidden diagonals are not drawn") {
     std::mt19937 random(1980);
     int done = 0, blocked = 0, forbidden = 0;
-    for (int round = 0; round < 4000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(4000); ++round) {
       const int k = 3 + round % 6;
       TestMesh mesh;
       const Face f = polygon(mesh, k, random);
@@ -198,14 +199,14 @@ TEST_SUITE("triangulate_face") {
       CHECK(live_snapshot(mesh) == before);
       ++done;
     }
-    CHECK(done > 1000);
-    CHECK(blocked > 200);
+    CHECK(done > rbpa_test::trials(1000));
+    CHECK(blocked > rbpa_test::trials(200));
     CHECK(forbidden > 1000);
   }
 
   TEST_CASE("with a sum that is a maximum the worst triangle is as good as can be") {
     std::mt19937 random(7);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < rbpa_test::trials(300); ++round) {
       const int k = 4 + static_cast<int>(random() % 5);
       TestMesh mesh;
       Connectivity& links = mesh;
@@ -236,7 +237,7 @@ TEST_SUITE("triangulate_face") {
   TEST_CASE("by area a polygon in the plane is filled without overlaps, whatever its shape") {
     using Mesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
     std::mt19937 random(2);
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < rbpa_test::trials(200); ++round) {
       // A star around the origin: simple, and seldom convex.
       const int k = 4 + static_cast<int>(random() % 20);
       Mesh mesh;

@@ -8,6 +8,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/topology/soup_defects.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
@@ -104,7 +105,7 @@ TEST_SUITE("build_mesh") {
   TEST_CASE("every soup without other defects than pinches is built; all others are refused by the first") {
     std::mt19937 random(7);
     int built = 0, pinched = 0, refused = 0;
-    for (int round = 0; round < 6000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(6000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       INFO(text(s));
       TestMesh mesh;
@@ -121,8 +122,8 @@ TEST_SUITE("build_mesh") {
         ++refused;
       }
     }
-    CHECK(built > 500);
-    CHECK(pinched > 100);
+    CHECK(built > rbpa_test::trials(500));
+    CHECK(pinched > rbpa_test::trials(100));
     CHECK(refused > 500);
   }
 

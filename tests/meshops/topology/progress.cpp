@@ -15,6 +15,7 @@
 #include "meshops/topology/examine.h"
 #include "meshops/topology/homology.h"
 #include "meshops/topology/repair.h"
+#include "support/arguments.h"
 #include "support/soups.h"
 
 using namespace meshops;
@@ -144,7 +145,7 @@ TEST_SUITE("examine") {
       CHECK(both.defects == find_defects(given));
     }
     std::mt19937 random(8);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < rbpa_test::trials(300); ++round) {
       const PolygonSoup given = round % 2 ? random_soup(random) : broken_surface(random);
       const Examination both = examine(given);
       CHECK(both.report == report(given));

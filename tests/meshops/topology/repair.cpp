@@ -9,6 +9,7 @@
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
 #include "support/soups.h"
@@ -208,7 +209,7 @@ TEST_SUITE("repair") {
   TEST_CASE("any soup comes back as an oriented manifold, with everything that was done to it") {
     std::mt19937 random(8);
     std::map<Kind, int> seen;
-    for (int round = 0; round < 12000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(12000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       INFO(text(s));
       const Repair r = repair(s);
@@ -225,14 +226,15 @@ TEST_SUITE("repair") {
       CHECK(r.steps.empty());
       CHECK(same(r.soup, s));
     }
-    for (int kind = 0; kind <= static_cast<int>(Kind::point_split); ++kind) CHECK(seen[static_cast<Kind>(kind)] > 500);
+    for (int kind = 0; kind <= static_cast<int>(Kind::point_split); ++kind)
+      CHECK(seen[static_cast<Kind>(kind)] > rbpa_test::trials(500));
   }
 
   TEST_CASE(
       "where only directions or fans are wrong the pieces stay what they are, no more than half of each reversed") {
     std::mt19937 random(9);
     int pinched = 0, reversed = 0;
-    for (int round = 0; round < 4000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(4000); ++round) {
       const PolygonSoup s = broken_surface(random);
       const auto defects = find_defects(s);
       if (std::any_of(defects.begin(), defects.end(), [](const SoupDefect& d) {
@@ -260,7 +262,7 @@ TEST_SUITE("repair") {
   TEST_CASE("no edge is cut but where three faces meet or a piece is not orientable") {
     std::mt19937 random(10);
     int needed = 0;
-    for (int round = 0; round < 4000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(4000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       const Repair r = repair(s);
       PolygonSoup cleaned;  // the faces that are kept, as they were
@@ -282,6 +284,6 @@ TEST_SUITE("repair") {
       CHECK(cut == bad);
       needed += !cut.empty();
     }
-    CHECK(needed > 500);
+    CHECK(needed > rbpa_test::trials(500));
   }
 }

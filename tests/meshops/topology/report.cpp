@@ -9,6 +9,7 @@
 #include "meshops/handle/separate_fans.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/count.h"
+#include "support/arguments.h"
 #include "support/bowties.h"
 #include "support/corpus.h"
 #include "support/soups.h"
@@ -148,7 +149,7 @@ TEST_SUITE("report") {
   TEST_CASE("on random soups everything agrees with the boundary matrices and searches") {
     std::mt19937 random(4);
     int cut = 0, flat = 0, pinched = 0, cavities = 0, isolated = 0, holes = 0;
-    for (int round = 0; round < 5000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(5000); ++round) {
       const PolygonSoup s = round % 4 ? random_soup(random) : broken_surface(random);
       const TopologyReport r = report(s);
       INFO(meshops::test::text(s));
@@ -162,13 +163,13 @@ TEST_SUITE("report") {
       holes += r.betti[1] > 1;
       isolated += r.isolated > 0;
     }
-    for (const int times : {cut, flat, pinched, cavities, isolated, holes}) CHECK(times > 200);
+    for (const int times : {cut, flat, pinched, cavities, isolated, holes}) CHECK(times > rbpa_test::trials(200));
   }
 
   TEST_CASE("a mesh has the report of its soup, pinched or not") {
     std::mt19937 random(5);
     int pinched = 0, plain = 0;
-    for (int round = 0; round < 6000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(6000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       if (!is_oriented(s)) continue;
       TestMesh mesh;
@@ -185,8 +186,8 @@ TEST_SUITE("report") {
       CHECK(apart.pinches == 0);
       check_euler(apart);
     }
-    CHECK(pinched > 100);
-    CHECK(plain > 200);
+    CHECK(pinched > rbpa_test::trials(100));
+    CHECK(plain > rbpa_test::trials(200));
   }
 
   TEST_CASE("a mesh with bowties has the report of its faces: each fan for itself, no curve through a pinch") {
@@ -204,7 +205,7 @@ TEST_SUITE("report") {
 
     std::mt19937 random(7);
     int pinched = 0;
-    for (int round = 0; round < 8000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(8000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       if (!is_oriented(s)) continue;
       TestMesh mesh;
@@ -221,12 +222,12 @@ TEST_SUITE("report") {
       for (const Vertex v : separate_fans(apart)) points_of_fans.push_back(points[static_cast<std::size_t>(v.idx())]);
       CHECK(report(mesh, points) == report(apart, points_of_fans));
     }
-    CHECK(pinched > 200);
+    CHECK(pinched > rbpa_test::trials(200));
   }
 
   TEST_CASE("counting a mesh with bowties ends, whatever it counts") {
     std::mt19937 random(8);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < rbpa_test::trials(300); ++round) {
       TestMesh mesh;
       separate_triangles(mesh, 6);
       tie_at_random(mesh, 10, random);
@@ -284,7 +285,7 @@ TEST_SUITE("report") {
 
   TEST_CASE("no numbering of points and faces matters") {
     std::mt19937 random(6);
-    for (int round = 0; round < 1000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(1000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       TopologyReport a = report(s), b = report(shuffled(s, random, true).soup);
       const auto by_counts = [](TopologyReport& r) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "meshops/core/contract.h"
+#include "support/arguments.h"
 #include "support/soups.h"
 
 using namespace meshops;
@@ -134,7 +135,7 @@ TEST_SUITE("soup_defects") {
   TEST_CASE("on random soups they are those of the definitions, in their order") {
     std::mt19937 random(1);
     std::array<int, 7> seen{};
-    for (int round = 0; round < 6000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(6000); ++round) {
       const PolygonSoup s = round % 3 ? random_soup(random) : broken_surface(random);
       const auto defects = find_defects(s);
       INFO(text(s));
@@ -146,7 +147,7 @@ TEST_SUITE("soup_defects") {
 
   TEST_CASE("the edge reported for a component that is not orientable is one of its edges of two faces") {
     std::mt19937 random(2);
-    for (int round = 0; round < 500; ++round) {
+    for (int round = 0; round < rbpa_test::trials(500); ++round) {
       const PolygonSoup s = broken_surface(random);
       for (const SoupDefect& defect : find_defects(s)) {
         if (defect.kind != Kind::not_orientable) continue;
@@ -178,7 +179,7 @@ TEST_SUITE("soup_defects") {
       });
       return defects;
     };
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < rbpa_test::trials(2000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       auto expected = find_defects(s);
       // Of duplicates the first counts, so that their order matters.

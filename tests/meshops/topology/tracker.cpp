@@ -17,6 +17,7 @@
 #include "meshops/stellar/undo.h"
 #include "meshops/stellar/weld_edge.h"
 #include "meshops/stellar/weld_face.h"
+#include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
 
@@ -60,7 +61,7 @@ class RandomWalk {
     return Handle();
   }
   Halfedge any_boundary() {
-    for (int attempt = 0; attempt < 200; ++attempt)
+    for (int attempt = 0; attempt < rbpa_test::trials(200); ++attempt)
       if (const auto h = any<Halfedge>(mesh_.n_halfedges()); h.is_valid() && mesh_.is_boundary(h)) return h;
     return Halfedge();
   }

@@ -1,6 +1,7 @@
 // A random walk over all operators: see judge.h for the law.
 #include <doctest/doctest.h>
 
+#include "support/arguments.h"
 #include "walk/walk.h"
 
 using namespace meshops::test;
@@ -43,12 +44,12 @@ void check_tally(const std::map<std::string, Judge::Tally>& sum, int least) {
 }  // namespace
 
 TEST_SUITE("walk") {
-  TEST_CASE("100,000 steps on manifolds: what is done agrees with the model, what is refused would have been bad") {
-    check_tally(walk(Walk::On::manifolds, 1, 100000), 200);
+  TEST_CASE("random steps on manifolds: what is done agrees with the model, what is refused would have been bad") {
+    check_tally(walk(Walk::On::manifolds, 1, rbpa_test::trials(100000)), rbpa_test::trials(200));
   }
 
-  TEST_CASE("50,000 steps where fans touch: nothing crashes, nothing becomes worse") {
-    check_tally(walk(Walk::On::bowties, 1, 50000), 50);
+  TEST_CASE("random steps where fans touch: nothing crashes, nothing becomes worse") {
+    check_tally(walk(Walk::On::bowties, 1, rbpa_test::trials(50000)), rbpa_test::trials(50));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "paper/small_sets.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 
 using namespace rbpa_test;
@@ -76,7 +77,7 @@ TEST_CASE("the ball pivots to the point of the largest angle, unless their circl
   int found = 0;
   for_small_sets_of_every_kind(
       94, 30, 11, [&](const Points& points, double alpha, Random&) { found += check_pivots(points, alpha); });
-  CHECK(found > 1000);
+  CHECK(found > trials(1000));
   check_pivots(perfect_grid(5, 1), 0.7071067811865475);
   check_pivots(perfect_grid(5, 1), 0.7071067811865476);
   check_pivots(rounded_concentric(12), 1);
@@ -93,7 +94,7 @@ TEST_CASE("the nearest point is found if the ball can touch both") {
   int found = 0;
   for_small_sets_of_every_kind(
       95, 60, 11, [&](const Points& points, double alpha, Random&) { found += check_nearest(points, alpha); });
-  CHECK(found > 1000);
+  CHECK(found > trials(1000));
   const Points pair = {{1, 2}, {1, 4}};
   CHECK(Ball(pair, all_sites(pair), Radius(1)).nearest(0) == 1);
   CHECK(Ball(pair, all_sites(pair), Radius(std::nextafter(1.0, 0.0))).nearest(0) == std::nullopt);

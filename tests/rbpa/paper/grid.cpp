@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "paper/small_sets.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/shrink.h"
 
@@ -75,7 +76,7 @@ TEST_CASE("the nine cells hold what a ball can reach, once, and nothing that is 
       if (random.chance(0.7)) some.push_back(s);
     check(points, some, alpha, statistics);
   });
-  CHECK(statistics.near > 4000);
+  CHECK(statistics.near > trials(4000));
   CHECK(statistics.by_edges > 4000);
 }
 
@@ -83,7 +84,7 @@ TEST_CASE("cells that are tiny beside the coordinates are numbered well enough")
   // Neighbouring doubles far from the origin, with a diameter of half, one, … of what lies between them.
   Random random(92);
   Statistics statistics;
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < trials(1000); ++trial) {
     const int exponent = random.integer(-900, 900);
     const auto coordinate = [&] {
       const double at = random.chance(0.2) ? 0 : std::ldexp(random.chance(0.3) ? 1 : random.between(1, 2), exponent);

@@ -17,6 +17,7 @@
 #include "rbpa/mesh.h"
 #include "rbpa/paper/hrbpa.h"
 #include "rbpa/rbpa.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/levels.h"
 #include "support/sets.h"
@@ -121,8 +122,9 @@ TEST_CASE("HRBPA ends in the complex of every kind of set, and its levels are th
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
-    if (points.size() > 60) points.resize(60);
-    if (some.size() > 60) some.resize(60);
+    const std::size_t most = all_trials() ? 60 : 32;
+    if (points.size() > most) points.resize(most);
+    if (some.size() > most) some.resize(most);
     CAPTURE(set.name);
     for (const std::size_t k : {1u, 6u, 32u}) levels += check(points, infinity, k);
     for (const double alpha : set.alphas) levels += check(points, alpha, 4);
@@ -181,7 +183,7 @@ TEST_CASE("every subset of a grid of 3 by 3, even and stretched") {
 
 TEST_CASE("where exponents are extreme triangles and levels are those of the same points elsewhere") {
   for_each_far_set([&](std::string_view name, const Points& points, const Points& far) {
-    if (points.size() > 400) return;
+    if (points.size() > (all_trials() ? 400 : 150)) return;
     const double spacing = mean_spacing(points);
     for (const double alpha : {3 * spacing, infinity}) {
       INFO(name, ", alpha ", alpha);

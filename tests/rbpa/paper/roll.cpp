@@ -8,6 +8,7 @@
 
 #include "paper/small_sets.h"
 #include "rbpa/paper/ball.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 
 using namespace rbpa_test;
@@ -123,13 +124,13 @@ TEST_CASE("of points that the ball reaches at once the first around the point is
   check({{-6, 0}, {-5, 0}, {5, 0}, {4, 3}, {3, 4}, {0, 5}}, 5, statistics);
   check({{0, -6}, {0, -5}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}}, 5, statistics);
   Random random(96);
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < trials(400); ++trial) {
     Points points(7);
     fill(points, Kind::small_grid, random);
     const double alphas[] = {0.5, 1, 1.25, 2.5};
     check(distinct(points, random), alphas[random.below(4)], statistics);
   }
-  CHECK(statistics.rolls > 1000);
+  CHECK(statistics.rolls > trials(1000));
   CHECK(statistics.ties > 100);
 }
 

@@ -11,6 +11,7 @@
 #include "paper/small_sets.h"
 #include "rbpa/mesh.h"
 #include "rbpa/paper/rbpa.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/shrink.h"
 
@@ -89,7 +90,7 @@ TEST_CASE(
   int seeds = 0;
   for_small_sets_of_every_kind(97, 30, 10,
                                [&](const Points& points, double alpha, Random&) { seeds += check(points, alpha); });
-  CHECK(seeds > 120);
+  CHECK(seeds > trials(120));
   Random random(98);
   for (const Points& points : {tiny_components(8, 1), chain_of_triangles(8), pairs_at_distance_2(8, 2), star(65)})
     for (const double alpha : {0.4, 1.0, 3.0, 33.0, 35.0}) {
@@ -110,7 +111,7 @@ TEST_CASE("where the ball meets several points at once a seed is found, and each
   check(rectangles, 5);
   // Arcs of circles of radius 5 and 25, their centres on a grid, and a few stray points.
   Random random(99);
-  for (int trial = 0; trial < 250; ++trial) {
+  for (int trial = 0; trial < trials(250); ++trial) {
     const int radius = random.chance(0.5) ? 5 : 25;
     Points points;
     const auto anywhere = [&] { return double(random.integer(-2 * radius, 2 * radius)); };

@@ -11,6 +11,7 @@
 
 #include "rbpa/complex.h"
 #include "rbpa/plane/predicate/radius.h"
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/random.h"
 #include "support/samples.h"
@@ -77,7 +78,7 @@ template <typename Check>
 void for_small_sets_of_every_kind(std::uint64_t seed, int sets, int most, Check check) {
   Random random(seed);
   const auto some = [&](Kind kind) {
-    for (int set = 0; set < sets; ++set) {
+    for (int set = 0; set < trials(sets); ++set) {
       Points points(static_cast<std::size_t>(random.integer(3, most)));
       fill(points, kind, random);
       points = distinct(std::move(points), random);

@@ -17,6 +17,7 @@
 #include "meshops/core/validate.h"
 #include "rbpa/surface_levels.h"
 #include "rbpa/surface_mesh.h"
+#include "support/arguments.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -203,7 +204,7 @@ TEST_CASE("ball pivoting on the engine is the surface: triangles, gluing, and a 
   Random random(97);
   std::size_t triangles = 0, boundary = 0, fans = 0, by_sites_differs = 0, refused_by_sites = 0;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 40; ++trial) {
+    for (int trial = 0; trial < trials(40); ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       CAPTURE(trial);
       const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(40), random);
@@ -231,34 +232,34 @@ TEST_CASE("ball pivoting on the engine is the surface: triangles, gluing, and a 
           advanced<BySites>(other, points, normals, {radius}, compared).surface.neighbors != expected.neighbors;
       refused_by_sites += compared.refusals > 0;
     }
-  CHECK(triangles > 3000);
+  CHECK(triangles > trials(3000));
   CHECK(boundary > 1000);
   CHECK(fans > 100);
-  CHECK(by_sites_differs > 20);  // sites do not determine what is glued
-  CHECK(refused_by_sites > 20);
+  CHECK(by_sites_differs > trials(20));  // sites do not determine what is glued
+  CHECK(refused_by_sites > trials(20));
 }
 
 TEST_CASE("ball pivoting by several radii, each a level of the front, is the surface by several radii") {
   Random random(98);
   Compared compared;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 25; ++trial) {
+    for (int trial = 0; trial < trials(25); ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       CAPTURE(trial);
       const Points3 points = space_set(static_cast<SpaceKind>(k), 5 + random.below(30), random);
       check_same(points, some_normals(points, random), some_radii(points, random), compared);
     }
   for (std::size_t kind = 0; kind < uneven_kinds; ++kind)
-    for (int trial = 0; trial < 40; ++trial) {
+    for (int trial = 0; trial < trials(40); ++trial) {
       const Uneven set = uneven_set(kind, random);
       CAPTURE(set.name);
       CAPTURE(trial);
       check_same(set.points, set.normals, set.radii, compared);
     }
-  CHECK(compared.triangles > 4000);
-  CHECK(compared.apart > 2000);
-  CHECK(compared.rolled_over > 2000);
-  CHECK(compared.rests_no_more > 100);
+  CHECK(compared.triangles > trials(4000));
+  CHECK(compared.apart > trials(2000));
+  CHECK(compared.rolled_over > trials(2000));
+  CHECK(compared.rests_no_more > trials(100));
 }
 
 TEST_CASE("in any order of the points the front has the same surface by several radii") {

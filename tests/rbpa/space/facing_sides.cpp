@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
@@ -19,7 +20,7 @@ TEST_CASE("sides at an edge face the next one around it, and only if that is tur
   for (int i = 0; i < 12; ++i) points.push_back({std::cos(i * M_PI / 6), std::sin(i * M_PI / 6), 0.3});
   Random random(305);
   std::size_t count = 0;
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < trials(300); ++trial) {
     std::vector<rbpa::EdgeSide> sides;
     std::vector<int> at(12, 0);  // 1: the positive side comes after; -1: before
     for (std::uint32_t i = 0; i < 12; ++i) {
@@ -39,7 +40,7 @@ TEST_CASE("sides at an edge face the next one around it, and only if that is tur
     CHECK(actual == expected);
     count += expected.size();
   }
-  CHECK(count > 300);
+  CHECK(count > trials(300));
 }
 
 TEST_SUITE_END();

@@ -16,6 +16,7 @@
 #include "rbpa/surface_levels.h"
 #include "rbpa/unused.h"
 #include "space/model.h"
+#include "support/arguments.h"
 
 using namespace rbpa_test;
 using rbpa::Hole;
@@ -128,7 +129,7 @@ void check_causes(const Points3& points, const Points3& normals, const Radii& ra
 
 /// No ball of the radius that touches the point is empty, of thousands that were tried.
 bool is_held_all_around(const Points3& points, std::uint32_t v, double radius, Random& random) {
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < trials(3000); ++trial) {
     const double z = random.between(-1, 1), angle = random.between(0, 2 * M_PI), s = std::sqrt(1 - z * z);
     const Point3 c = {points[v].x + radius * s * std::cos(angle), points[v].y + radius * s * std::sin(angle),
                       points[v].z + radius * z};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
+#include "support/arguments.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -119,7 +120,7 @@ TEST_CASE("a sheet is outer on both sides") {
 TEST_CASE("shells are outer exactly if no shell winds around any ball that rests on them") {
   Random random(311);
   std::size_t inner = 0, outer = 0;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < trials(400); ++trial) {
     const auto kind = static_cast<SpaceKind>(random.below(space_kinds));
     if (kind == SpaceKind::extreme) continue;  // where solid angles have no digits
     CAPTURE(name(kind));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/rational.h"
+#include "support/arguments.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -32,7 +33,7 @@ TEST_CASE("differences of doubles are exact; products and sums are as near as de
   Random random(12);
   const Rational unit = rational(0x1p-53), unit_squared = unit * unit;
   int rounded = 0;
-  for (int trial = 0; trial < 20000; ++trial) {
+  for (int trial = 0; trial < trials(20000); ++trial) {
     const double a = random.between(-1, 1), b = std::ldexp(random.between(-1, 1), random.integer(-60, 60));
     CHECK(value(DoubleDouble::difference(a, b)) == rational(a) - rational(b));
     const DoubleDouble e = some(random), f = some(random), g = random.chance(0.5) ? e * f : some(random);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "oracle/rational.h"
+#include "support/arguments.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -57,7 +58,7 @@ TEST_CASE("a sum of products is rounded once, to the nearest double") {
   Random random(1);
   for (const int exponents : {0, 3, 30, 60, 400}) {
     CAPTURE(exponents);
-    for (int run = 0; run < 2000; ++run) {
+    for (int run = 0; run < trials(2000); ++run) {
       const Products products = random_products(random, exponents);
       Rational exact = 0;
       for (const auto& [a, b] : products) exact += rational(a) * rational(b);
@@ -88,7 +89,7 @@ TEST_CASE("huge terms cancel and leave the least ones") {
 
 TEST_CASE("the order does not matter") {
   Random random(2);
-  for (int run = 0; run < 500; ++run) {
+  for (int run = 0; run < trials(500); ++run) {
     Products products = random_products(random, 200);
     const double sum = sum_of(products);
     random.shuffle(products);
@@ -98,7 +99,7 @@ TEST_CASE("the order does not matter") {
 
 TEST_CASE("sums of parts are the sum, and its digits hold all of it") {
   Random random(3);
-  for (int run = 0; run < 500; ++run) {
+  for (int run = 0; run < trials(500); ++run) {
     const Products products = random_products(random, 300);
     std::array<ExactSum, 3> parts;
     ExactSum whole;

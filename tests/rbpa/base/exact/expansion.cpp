@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/rational.h"
+#include "support/arguments.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -54,7 +55,7 @@ void check(const rbpa::Expansion<N>& e, const Rational& expected) {
 
 TEST_CASE("sums, differences and products of expansions are exact and well formed") {
   Random random(11);
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < trials(4000); ++trial) {
     const double a = run_of_bits(random), b = run_of_bits(random), c = run_of_bits(random), d = run_of_bits(random);
     const auto e = rbpa::difference(a, b), f = rbpa::difference(c, random.chance(0.3) ? a : d);
     const Rational ev = value(e), fv = value(f);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/samples.h"
 
 using namespace rbpa_test;
@@ -29,7 +30,7 @@ TEST_CASE("magnitude() is the tightest pair of exponents") {
   Random random(1);
   std::vector<Kind> kinds(kinds_that_fit_double.begin(), kinds_that_fit_double.end());
   kinds.push_back(Kind::extreme);
-  for (int trial = 0; trial < 20000; ++trial) {
+  for (int trial = 0; trial < trials(20000); ++trial) {
     std::array<Point, 3> points;
     fill(points, kinds[random.below(kinds.size())], random);
     const auto m = rbpa::magnitude(points);
@@ -54,7 +55,7 @@ TEST_CASE("magnitude_bound() is as if every coordinate had all its bits") {
   Random random(3);
   std::vector<Kind> kinds(kinds_that_fit_double.begin(), kinds_that_fit_double.end());
   kinds.push_back(Kind::extreme);
-  for (int trial = 0; trial < 20000; ++trial) {
+  for (int trial = 0; trial < trials(20000); ++trial) {
     std::array<Point, 3> points;
     fill(points, kinds[random.below(kinds.size())], random);
     if (trial % 4 == 0) points[random.below(3)] = {0, random.below(2) == 0 ? -0.0 : random.unit()};
@@ -88,7 +89,7 @@ TEST_CASE("zeros have no magnitude, and the limits of double are those of fits_d
 TEST_CASE("samples that claim to fit double do") {
   Random random(2);
   for (const Kind kind : kinds_that_fit_double)
-    for (int trial = 0; trial < 2000; ++trial) {
+    for (int trial = 0; trial < trials(2000); ++trial) {
       std::array<Point, 4> points;
       fill(points, kind, random);
       CHECK_MESSAGE(rbpa::fits_double(rbpa::magnitude(points)), name(kind));

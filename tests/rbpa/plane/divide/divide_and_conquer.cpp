@@ -13,6 +13,7 @@
 #include "rbpa/base/exact/magnitude.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/rbpa.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/sets.h"
@@ -130,7 +131,7 @@ TEST_CASE("every triangle is the winner's at its sides, and none is missing: all
 
 TEST_CASE("every triangle is the winner's at its sides, and none is missing: a few points") {
   Random random(1);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < trials(3000); ++round) {
     CAPTURE(round);
     const TileSet set = few_points(random);
     check(set.name, distinct(set.points));

@@ -8,6 +8,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/rbpa.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -35,7 +36,7 @@ Points on_grid(std::size_t count, int width, int exponent, Random& random) {
 TEST_CASE("small sets full of ties and repetitions have the triangles of tiles") {
   Random random(77);
   std::size_t triangles = 0, repeated = 0, isolated = 0;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < trials(3000); ++trial) {
     const int width = random.integer(1, 12), exponent = random.integer(-60, 60);
     const Points points = on_grid(static_cast<std::size_t>(random.integer(0, 60)), width, exponent, random);
     const double alpha = random.chance(0.3) ? infinity : std::ldexp(0.4 + 2 * random.unit(), exponent);
@@ -51,8 +52,8 @@ TEST_CASE("small sets full of ties and repetitions have the triangles of tiles")
     repeated += found.duplicates.size();
     isolated += found.isolated.size();
   }
-  CHECK(triangles > 30000);
-  CHECK(repeated > 10000);
+  CHECK(triangles > trials(30000));
+  CHECK(repeated > trials(10000));
   CHECK(isolated > 1000);
 }
 

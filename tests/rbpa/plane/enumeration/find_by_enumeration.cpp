@@ -13,6 +13,7 @@
 
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/tile/cut.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/one_target.h"
 #include "support/shrink.h"
@@ -153,7 +154,7 @@ TEST_CASE("the results of a tile are true, and the same by every vector unit: ra
   };
   for (const TileSet& set : tile_sets())
     for (const std::uint32_t most : {5u, 40u, 2048u}) check(set, most);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < trials(200); ++round) {
     CAPTURE(round);
     check(few_points(random), round % 2 == 0 ? 6 : 2048);
   }

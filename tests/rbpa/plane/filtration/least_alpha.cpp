@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/samples.h"
 
@@ -35,7 +36,7 @@ TEST_CASE("the least alpha of a triangle admits it, and the double below does no
   for (const Kind kind : all_kinds()) {
     CAPTURE(name(kind));
     int checked = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < trials(1000); ++i) {
       std::array<Point, 3> s;
       fill(s, kind, random);
       if (exact::orientation(s[0], s[1], s[2]) == 0) continue;
@@ -65,7 +66,7 @@ TEST_CASE("the least alpha of an edge spans it, and the double below does not") 
   int equal = 0;
   for (const Kind kind : all_kinds()) {
     CAPTURE(name(kind));
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < trials(3000); ++i) {
       std::array<Point, 2> s;
       fill(s, kind, random);
       if (s[0] == s[1]) continue;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -142,7 +143,7 @@ TEST_CASE("no two points are farther apart than the diameter bound") {
     CAPTURE(set.name);
     const PointGrid grid(set.points);
     Random random(42);
-    for (int trial = 0; trial < 200 && !set.points.empty(); ++trial) {
+    for (int trial = 0; trial < trials(200) && !set.points.empty(); ++trial) {
       const Point p = set.points[random.below(set.points.size())], q = set.points[random.below(set.points.size())];
       CHECK(std::hypot(static_cast<long double>(p.x) - q.x, static_cast<long double>(p.y) - q.y) <=
             grid.diameter_bound());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/random.h"
 #include "support/samples.h"
@@ -33,7 +34,7 @@ template <typename Real>
 std::size_t check(Kind kind, Random& random) {
   CAPTURE(name(kind));
   std::size_t clear = 0;
-  for (int trial = 0; trial < 500; ++trial) {
+  for (int trial = 0; trial < trials(500); ++trial) {
     std::array<Point, 3> p;
     fill(p, kind, random);
     if (exact::orientation(p[0], p[1], p[2]) == 0) continue;
@@ -57,7 +58,7 @@ TEST_CASE("the scheduled circumradius is not above the true one, and not below h
   Random random(53);
   for (const Kind kind : kinds_that_fit_double) {
     const std::size_t clear = check<double>(kind, random);
-    if (kind != Kind::on_line && kind != Kind::near_line) CHECK(clear > 200);
+    if (kind != Kind::on_line && kind != Kind::near_line) CHECK(clear > trials(200));
     check<long double>(kind, random);
   }
   CHECK(check<long double>(Kind::extreme, random) > 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/arguments.h"
 #include "support/random.h"
 #include "support/samples.h"
 
@@ -51,7 +52,7 @@ void check_first_reaching(const Ladder& ladder, Real radius, double least) {
 
 TEST_CASE("the radii double until the last, which is as given") {
   Random random(51);
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < trials(200); ++trial) {
     const double least = std::ldexp(1 + random.unit(), random.integer(-150, 100));
     const double last = std::ldexp(1 + random.unit(), random.integer(-150, 150));
     if (least >= last) continue;
@@ -78,7 +79,7 @@ TEST_CASE("a least radius that is not below the last makes one level") {
 
 TEST_CASE("no level before the first that reaches a radius does, and that one does") {
   Random random(52);
-  for (int trial = 0; trial < 20000; ++trial) {
+  for (int trial = 0; trial < trials(20000); ++trial) {
     const double least = std::ldexp(1 + random.unit(), random.integer(-100, 10));
     const Radius last = random.chance(0.5) ? Radius() : Radius(std::ldexp(least, random.integer(1, 200)));
     const double some = random.chance(0.3) ? std::ldexp(least, random.integer(-3, 150))

@@ -12,6 +12,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/plane/partial/crc64.h"
 #include "rbpa/plane/partial/state.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/pictures.h"
 
@@ -152,7 +153,7 @@ TEST_CASE(
   Random random(3);
   const Partial rest = part(right);
   int refused = 0, read = 0, merged = 0;
-  for (int run = 0; run < 20'000; ++run) {
+  for (int run = 0; run < trials(20'000); ++run) {
     Bytes changed = bytes;
     for (int change = random.integer(1, 3); change > 0; --change) {
       const std::size_t at = 3 + random.below(words - 4);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plane/partial/cuts.h"
+#include "support/arguments.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -59,7 +60,7 @@ std::vector<Point> places() {
 
 TEST_CASE("regions of a cut are the whole plane in any order, and less when one is missing") {
   Random random(1);
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < trials(300); ++run) {
     Points points;
     for (int i = random.integer(1, 40); i > 0; --i)
       points.push_back({double(random.integer(-9, 9)), double(random.integer(-9, 9))});
@@ -80,7 +81,7 @@ TEST_CASE("regions of a cut are the whole plane in any order, and less when one 
 TEST_CASE("random regions: what is wrong and what is missing is so, and is found") {
   Random random(2);
   int overlaps = 0;
-  for (int run = 0; run < 2000; ++run) {
+  for (int run = 0; run < trials(2000); ++run) {
     Regions regions;
     for (int i = random.integer(0, 4); i > 0; --i) regions.push_back(random_region(random));
     bool twice = false, none = false;

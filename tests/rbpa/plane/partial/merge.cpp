@@ -10,6 +10,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/partial.h"
 #include "rbpa/partial_bytes.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/pictures.h"
 
@@ -68,7 +69,7 @@ TEST_CASE("a thousand random trees of merges: the same bytes") {
 
 TEST_CASE("some of the regions: the same bytes in any order, whether or not they are side by side") {
   Random random(2);
-  for (int run = 0; run < 400; ++run) {
+  for (int run = 0; run < trials(400); ++run) {
     const Points points = points_of(random_picture(9, 9, random.between(0.4, 0.8), random));
     const Regions regions = any_cut(points, 12, random);
     std::vector<Partial> some;
@@ -81,7 +82,7 @@ TEST_CASE("some of the regions: the same bytes in any order, whether or not they
 
 TEST_CASE("a part of the plane has the same bytes however it is cut") {
   Random random(6);
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < trials(300); ++run) {
     const Points points = points_of(random_picture(9, 9, random.between(0.4, 0.95), random));
     const Point middle = points[random.below(points.size())];
     const Region part{-infinity, -infinity, middle.x + 6, infinity};
@@ -112,7 +113,7 @@ TEST_CASE("the order of points, points beyond the halo and threads change no byt
 TEST_CASE("polygons taken at any time are all of them, with the same counts") {
   Random random(4);
   std::size_t early = 0;
-  for (int run = 0; run < 200; ++run) {
+  for (int run = 0; run < trials(200); ++run) {
     const Points points = points_of(random_picture(12, 12, random.between(0.3, 0.7), random));
     std::vector<Partial> parts = partials(halving_cut(points, 8, random), points, picture_alpha);
     std::vector<rbpa::CornerPolygon> taken;
@@ -138,7 +139,7 @@ TEST_CASE("polygons taken at any time are all of them, with the same counts") {
 TEST_CASE("holes taken at any time are those of the polygons that have their names") {
   Random random(5);
   std::size_t early = 0, late = 0;
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < trials(300); ++run) {
     const Points points = points_of(random_picture(12, 12, random.between(0.6, 0.95), random));
     std::vector<Partial> parts = partials(any_cut(points, 12, random), points, picture_alpha);
     std::vector<rbpa::TakenHoles> taken;
@@ -182,7 +183,7 @@ TEST_CASE("holes taken at any time are those of the polygons that have their nam
     }
     REQUIRE(difference(found, whole(points, picture_alpha)) == "");
   }
-  CHECK(early > 300);
+  CHECK(early > trials(300));
   CHECK(late > 100);
 }
 

@@ -12,6 +12,7 @@
 #include "plane/partial/cuts.h"
 #include "rbpa/partial_bytes.h"
 #include "rbpa/triangulate.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"
 #include "support/pictures.h"
@@ -104,7 +105,7 @@ TEST_CASE("sets that are hard for tiles") {
 
 TEST_CASE("a few points of any kind, and borders through most of them") {
   Random random(3);
-  for (int run = 0; run < 1500; ++run) {
+  for (int run = 0; run < trials(1500); ++run) {
     const TileSet set = few_points(random);
     CAPTURE(set.name);
     const double alpha = std::ldexp(random.between(0.5, 1), random.integer(-3, 5));
@@ -114,7 +115,7 @@ TEST_CASE("a few points of any kind, and borders through most of them") {
 
 TEST_CASE("pinches, chains of holes and islands: random pictures") {
   Random random(4);
-  for (int run = 0; run < 250; ++run) {
+  for (int run = 0; run < trials(250); ++run) {
     const Picture picture = random_picture(10, 10, random.between(0.2, 0.9), random);
     check_cuts(points_of(picture), picture_alpha, 10, 1, 3, random);
   }
@@ -190,7 +191,7 @@ TEST_CASE("how all further data is cut at random" * doctest::skip()) {
 
 TEST_CASE("how random sets and cuts go on for long" * doctest::skip()) {
   Random random(12);
-  for (int run = 0; run < 20'000; ++run) {
+  for (int run = 0; run < trials(20'000); ++run) {
     const TileSet set = few_points(random);
     CAPTURE(set.name);
     check_cuts(set.points, std::ldexp(random.between(0.5, 1), random.integer(-4, 6)), 12, 1, 3, random);

@@ -14,6 +14,7 @@
 #include "meshops/patch/patch.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/tile/cut.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/one_target.h"
 #include "support/shrink.h"
@@ -77,7 +78,7 @@ TEST_CASE("the results of a tile are true, and the same by every vector unit: sm
 
 TEST_CASE("the results of a tile are true, and the same by every vector unit: a few points") {
   Random random(2);
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < trials(600); ++round) {
     CAPTURE(round);
     const TileSet set = few_points(random);
     for (const std::uint32_t most : {1u, 6u, 2048u}) check(set, most);

@@ -16,6 +16,7 @@
 #include "rbpa/mesh.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/rbpa.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/sets.h"
 #include "support/spacing.h"
@@ -158,7 +159,7 @@ TEST_CASE("both searches find the same: tile sets and a few points") {
     check_searches(set.points, {0.3 * spacing, spacing, 4 * spacing});
   }
   Random random(7);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < trials(300); ++round) {
     const TileSet set = few_points(random);
     CAPTURE(round);
     CAPTURE(set.name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/samples.h"
 
@@ -20,7 +21,7 @@ template <typename Real>
 void check_contests(Kind kind, Random& random) {
   CAPTURE(name(kind));
   int compared = 0, wrong = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < trials(2000); ++trial) {
     std::array<Point, 4> s;
     fill(s, kind, random);
     auto& [a, b, p, q] = s;

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/samples.h"
 
@@ -19,7 +20,7 @@ TEST_CASE("integers of any length agree with rational numbers") {
   kinds.push_back(Kind::extreme);
   for (const Kind kind : kinds) {
     CAPTURE(name(kind));
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < trials(300); ++trial) {
       std::array<Point, 4> s;
       fill(s, kind, random);
       const auto& [a, b, c, d] = s;

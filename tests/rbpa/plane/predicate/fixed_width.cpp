@@ -8,6 +8,7 @@
 
 #include "rbpa/plane/predicate/exact_integer.h"
 #include "rbpa/plane/predicate/predicates.h"
+#include "support/arguments.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -37,7 +38,7 @@ TEST_CASE("the greatest integers that fit overflow nothing") {
   const double most = 0x1p29 - 1;
   int fitted = 0, ties = 0;
   Random random(5);
-  for (int trial = 0; trial < 20000; ++trial) {
+  for (int trial = 0; trial < trials(20000); ++trial) {
     const double scale = std::ldexp(1.0, random.integer(-100, 100));
     std::array<Point, 4> s;
     for (Point& p : s)
@@ -53,13 +54,13 @@ TEST_CASE("the greatest integers that fit overflow nothing") {
     CHECK(P::orientation(s[1], s[2], s[3]) == rbpa::exact_integer::orientation(s[1], s[2], s[3]));
   }
   CHECK(fitted > 1000);
-  CHECK(ties > 1000);
+  CHECK(ties > trials(1000));
 }
 
 TEST_CASE("circles through four points of a grid, and beside them, are decided as by integers of any length") {
   Random random(6);
   int ties = 0;
-  for (int trial = 0; trial < 30000; ++trial) {
+  for (int trial = 0; trial < trials(30000); ++trial) {
     const int exponent = random.integer(-100, 60), width = 1 << random.integer(1, 29);
     const Point offset = {std::ldexp(random.integer(0, 9), exponent), 0};
     std::array<Point, 4> s;
@@ -73,7 +74,7 @@ TEST_CASE("circles through four points of a grid, and beside them, are decided a
     ties += expected == 0;
     CHECK(P::in_circle(s[0], s[1], s[2], s[3]) == expected);
   }
-  CHECK(ties > 10000);
+  CHECK(ties > trials(10000));
 }
 
 TEST_SUITE_END();

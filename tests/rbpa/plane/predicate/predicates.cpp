@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/exact/magnitude.h"
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/samples.h"
 
@@ -57,7 +58,7 @@ TEST_CASE_TEMPLATE("every predicate agrees with rational numbers", Real, double,
   for (const Kind kind : kinds<Real>()) {
     CAPTURE(name(kind));
     int compared = 0;
-    for (int trial = 0; trial < 600; ++trial) {
+    for (int trial = 0; trial < trials(600); ++trial) {
       std::array<Point, 4> s;
       fill(s, kind, random);
       const auto& [a, b, c, d] = s;
@@ -107,7 +108,7 @@ TEST_CASE_TEMPLATE("exchange of arguments changes the sign as it does for the re
   Random random(33);
   for (const Kind kind : kinds<Real>()) {
     CAPTURE(name(kind));
-    for (int trial = 0; trial < 400; ++trial) {
+    for (int trial = 0; trial < trials(400); ++trial) {
       std::array<Point, 4> s;
       fill(s, kind, random);
       const auto& [a, b, c, d] = s;
@@ -171,7 +172,7 @@ TEST_CASE_TEMPLATE("a circumradius equal to alpha is equal, and one step apart i
 
 TEST_CASE("radii beyond the limits of double stand for every circumradius of coordinates that fit") {
   Random random(35);
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < trials(3000); ++trial) {
     std::array<Point, 3> s;
     fill(s, Kind::limits_of_double, random);
     if (rbpa::exact_integer::orientation(s[0], s[1], s[2]) == 0) continue;

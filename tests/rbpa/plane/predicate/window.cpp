@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/exact.h"
 #include "support/generate.h"
 #include "support/random.h"
@@ -110,7 +111,7 @@ TEST_CASE("a scaled radius admits what alpha admits of the points as they were g
     const Points points = scaled(random_grid(9, 40, false, 12), exponent);
     const Window window = window_of(points);
     const Points inside = scaled_inside(points, window);
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < trials(300); ++trial) {
       const std::size_t a = random.below(inside.size()), b = random.below(inside.size()),
                         c = random.below(inside.size());
       if (exact::orientation(points[a], points[b], points[c]) == 0) continue;

@@ -13,6 +13,7 @@
 
 #include "rbpa/plane/patches/find_patch.h"
 #include "rbpa/plane/tile/cut.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/shrink.h"
@@ -155,7 +156,7 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: sets that ar
 
 TEST_CASE("tiles and remainder are the complex, each triangle once: a few points") {
   Random random(2);
-  for (int round = 0; round < 1000; ++round) {
+  for (int round = 0; round < trials(1000); ++round) {
     CAPTURE(round);
     const TileSet set = few_points(random);
     const double spacing = mean_spacing(set.points);

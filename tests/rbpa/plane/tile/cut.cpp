@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/exact/magnitude.h"
+#include "support/arguments.h"
 #include "support/generate.h"
 #include "support/sets.h"
 #include "support/tile_sets.h"
@@ -115,7 +116,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or li
 
 TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: a few points") {
   Random random(1);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < trials(400); ++round) {
     const TileSet set = few_points(random);
     CAPTURE(round);
     CAPTURE(set.name);

@@ -11,6 +11,7 @@
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/space/cells/scale.h"
 #include "rbpa/space/predicate/normal_sign.h"
+#include "support/arguments.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
@@ -124,7 +125,7 @@ TEST_CASE(
   Random random(62);
   int balls = 0;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 400; ++trial) {
+    for (int trial = 0; trial < trials(400); ++trial) {
       Points3 s;
       double radius;
       if (!draw(static_cast<SpaceKind>(k), random, s, radius)) continue;
@@ -137,7 +138,7 @@ TEST_CASE(
       const Wide back(s[1], s[0], s[2], radius);
       CHECK(ball.side_of_plane(s[3]) == -back.side_of_plane(s[3]));
     }
-  CHECK(balls > 1000);
+  CHECK(balls > trials(1000));
 }
 
 TEST_CASE("no filter decides wrongly: points on the sphere but for their rounding") {
@@ -147,7 +148,7 @@ TEST_CASE("no filter decides wrongly: points on the sphere but for their roundin
   Random random(64);
   int inside = 0, outside = 0;
   for (int shape = 0; shape < shapes; ++shape)
-    for (int trial = 0; trial < 4000; ++trial) {
+    for (int trial = 0; trial < trials(4000); ++trial) {
       const auto near = [&](const Point3& p, double size) {
         return Point3{p.x + size * random.between(-1, 1), p.y + size * random.between(-1, 1),
                       p.z + size * random.between(-1, 1)};
@@ -180,8 +181,8 @@ TEST_CASE("no filter decides wrongly: points on the sphere but for their roundin
                             double(a.z + s * u.z + t * v.z)};
       CHECK(ball.side_of_plane(level) == rbpa::space::exact::orientation(a, b, c, level));
     }
-  CHECK(inside > 4000);
-  CHECK(outside > 4000);
+  CHECK(inside > trials(4000));
+  CHECK(outside > trials(4000));
 }
 
 TEST_CASE("on a circle the perturbation is that of the plane, whichever way the plane lies") {
@@ -234,7 +235,7 @@ TEST_CASE("a triangle's normal agrees with rational numbers") {
   Random random(63);
   int none = 0;
   for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 400; ++trial) {
+    for (int trial = 0; trial < trials(400); ++trial) {
       Points3 s = space_set(static_cast<SpaceKind>(k), 4, random);
       if (s.size() < 4) continue;
       Point3 m = random.chance(0.5) ? s[3] : random_normals(1, random).front();
@@ -244,7 +245,7 @@ TEST_CASE("a triangle's normal agrees with rational numbers") {
       none += expected == 0;
       CHECK(rbpa::space::TriangleNormal(s[0], s[1], s[2]).sign_along(m) == expected);
     }
-  CHECK(none > 300);
+  CHECK(none > trials(300));
 }
 
 TEST_SUITE_END();

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rbpa/space/cells/scale.h"
+#include "support/arguments.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
@@ -115,7 +116,7 @@ TEST_CASE("points that another one sees in one direction, at almost one distance
 TEST_CASE("a near copy of a point, farther away by less than what is rounded, hides nothing") {
   Random random(93);
   Threads threads;
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < trials(300); ++trial) {
     Points3 points = space_set(SpaceKind::cube, 4 + random.below(8), random);
     const double size = std::pow(10, -6.5 - 3 * random.unit());
     const auto nearly = [&](double a, double b) { return a + (1 + size * (2 * random.unit() - 1)) * (b - a); };
