@@ -7,8 +7,7 @@
 namespace rbpa {
 namespace {
 
-// The last bit of a product is 2^−2252 at least, as frexp() gives significands of 53 bits even to the least double,
-// 2^−1074. Two digits more, so that rounding finds three digits wherever the first is.
+// The last bit of a product is 2^−2148 at least. Rounding finds three digits wherever the first is.
 constexpr int offset = 2336;
 constexpr std::int64_t digit_mask = 0xFFFFFFFF;
 
@@ -19,9 +18,11 @@ struct Scaled {
 };
 
 Scaled scaled(double value) {
-  int exponent = 0;
-  const double fraction = std::frexp(std::abs(value), &exponent);
-  return {static_cast<std::uint64_t>(std::ldexp(fraction, 53)), exponent - 53, std::signbit(value)};
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto field = static_cast<int>((bits >> 52U) & 0x7FFU);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
+  const std::uint64_t first = field == 0 ? 0 : std::uint64_t{1} << 52U;  // subnormal numbers have none
+  return {first | fraction, std::max(field, 1) - 1075, (bits >> 63U) != 0};
 }
 
 }  // namespace
@@ -35,8 +36,13 @@ void ExactSum::add_bits(std::uint64_t bits, unsigned position, bool negative) {
   for (std::size_t i = 0; i < 3; ++i) digits_[digit + i] += negative ? -parts[i] : parts[i];
 }
 
+void ExactSum::add(double value) {
+  const Scaled x = scaled(value);
+  add_bits(x.significand, static_cast<unsigned>(x.exponent + offset), x.negative);
+  added();
+}
+
 void ExactSum::add_product(double a, double b) {
-  if (a == 0 || b == 0) return;
   const Scaled x = scaled(a), y = scaled(b);
   const bool negative = x.negative != y.negative;
   const auto position = static_cast<unsigned>(x.exponent + y.exponent + offset);
@@ -46,6 +52,10 @@ void ExactSum::add_product(double a, double b) {
   add_bits(x0 * y0, position, negative);
   add_bits(x0 * y1 + x1 * y0, position + 27, negative);
   add_bits(x1 * y1, position + 54, negative);
+  added();
+}
+
+void ExactSum::added() {
   // A product adds less than 2^34 to a digit, and a digit holds 2^63.
   if (++additions_ < (1U << 28U)) return;
   carry(digits_);

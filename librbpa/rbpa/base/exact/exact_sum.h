@@ -14,7 +14,7 @@ namespace rbpa {
 class ExactSum {
  public:
   /// Requires: finite.
-  void add(double value) { add_product(value, 1); }
+  void add(double value);
   void add_product(double a, double b);
 
   ExactSum& operator+=(const ExactSum& other);
@@ -33,6 +33,7 @@ class ExactSum {
  private:
   static void carry(Digits& digits);
   void add_bits(std::uint64_t bits, unsigned position, bool negative);
+  void added();
 
   Digits digits_{};  // digit i counts 2^(32 i − offset); between carries any integer
   std::uint32_t additions_ = 0;
