@@ -8,6 +8,7 @@ namespace rbpa::python {
 void bind_triangulation(pybind11::module_& module);
 void bind_polygons(pybind11::module_& module);
 void bind_filtration(pybind11::module_& module);
+void bind_groups(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
 void bind_soups(pybind11::module_& module);
 void bind_locator(pybind11::module_& module);

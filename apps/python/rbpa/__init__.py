@@ -15,6 +15,7 @@ What there is:
 
     alpha_shape(points, alpha="auto")    the solid alpha complex: triangles, outline, area      -> AlphaShape
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
+    alpha_shapes(points, groups), concave_hulls(points, groups)   the same of many groups       -> AlphaShapes
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
@@ -45,12 +46,14 @@ from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay
 from rbpa._filtration import Filtration, Plateau, filtration
+from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._surface import NotWatertight, Surface, SurfaceComponent, SurfaceHole, estimate_normals, scale_space, surface
 
 __all__ = [
     "AlphaShape",
+    "AlphaShapes",
     "Cancelled",
     "ContractViolation",
     "Delaunay",
@@ -66,7 +69,9 @@ __all__ = [
     "SurfaceHole",
     "__version__",
     "alpha_shape",
+    "alpha_shapes",
     "concave_hull",
+    "concave_hulls",
     "estimate_normals",
     "filtration",
     "read_points",
@@ -76,8 +81,8 @@ __all__ = [
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
-    *(AlphaShape, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
+    *(AlphaShape, AlphaShapes, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
     *(NotWatertight, Surface, SurfaceComponent, SurfaceHole),
-    *(alpha_shape, concave_hull, estimate_normals, filtration, read_points, scale_space, surface),
+    *(alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, read_points, scale_space, surface),
 ):
     _public.__module__ = __name__

@@ -81,6 +81,12 @@ class Polygons(Sequence[Polygon]):
     def __len__(self) -> int:
         return len(self._flat["areas"])
 
+    def part(self, first: int, last: int, area: float, perimeter: float) -> Polygons:
+        """Polygons first to last - 1, whose totals are known. Arrays are shared."""
+        flat = {name: self._flat[name][first:last] for name in ("areas", "perimeters")}
+        flat["polygon_begin"] = self._flat["polygon_begin"][first : last + 1]
+        return Polygons(self._points, {**self._flat, **flat, "area": area, "perimeter": perimeter})
+
     @overload
     def __getitem__(self, index: int) -> Polygon: ...
     @overload
@@ -163,7 +169,8 @@ class Polygons(Sequence[Polygon]):
         return ax
 
     def __repr__(self) -> str:
-        holes = len(self._flat["ring_begin"]) - 1 - len(self)
+        rings = self._flat["polygon_begin"]
+        holes = rings[-1] - rings[0] - len(self)
         return f"<rbpa.Polygons: {len(self)} polygons, {holes} holes, area {self.area:.6g}>"
 
 

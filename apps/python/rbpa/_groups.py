@@ -1,0 +1,247 @@
+"""Many sets of points in one call: the outline of each group."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Mapping
+from typing import Any, Iterator, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import InvalidInput
+from rbpa._input import RULES, Alpha, Floats, Indices, Integers, Progress
+from rbpa._input import as_count, as_numbers, as_points, as_radius, as_share, as_threads
+from rbpa._polygons import Polygons
+from rbpa._result import Result
+
+GroupAlphas = Union[Alpha, npt.ArrayLike, Mapping[Any, float]]
+
+
+def alpha_shapes(
+    points: npt.ArrayLike,
+    groups: Union[npt.ArrayLike, str],
+    alpha: GroupAlphas = "auto",
+    *,
+    cover: float = 1.0,
+    components: int = 1,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> AlphaShapes:
+    """The solid alpha complex of each group of the points by itself, and its outline.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 2)
+        As for `alpha_shape`, which has the same of one group.
+    groups : array_like of shape (n,), or str
+        The group of each point: numbers, texts, or anything that can be compared with itself. None and NaN: in no group. A str
+        is the name of a column of `points`, a GeoDataFrame.
+    alpha : as for `alpha_shape`, or array_like of a radius for each group, or a mapping from groups to radii
+        A rule chooses by the points of each group. "plateau:K" chooses the last plateau where there are fewer.
+        An array is in the order of `AlphaShapes.names`, which is that of numpy.unique.
+    cover, components, threads
+        As for `alpha_shape`.
+    progress : callable, optional
+        Called as progress(groups that are done, groups), else as for `alpha_shape`.
+
+    Returns
+    -------
+    AlphaShapes
+        With a group that has no polygon, as it is on one line or has a coordinate that is not finite, nothing is raised:
+        `AlphaShapes.problems` has the reason.
+
+    Raises
+    ------
+    InvalidInput, Cancelled
+        As `alpha_shape`.
+
+    Examples
+    --------
+    >>> corners = [[0, 0], [1, 0], [1, 1], [0, 1], [5, 5], [7, 5], [5, 7], [9, 9]]
+    >>> shapes = rbpa.alpha_shapes(corners, ["a"] * 4 + ["b"] * 3 + ["c"])
+    >>> shapes.areas, shapes["b"][0].shell.tolist(), shapes.problems
+    (array([1., 2., 0.]), [4, 5, 6], {'c': 'fewer than three distinct points (1)'})
+    """
+    return _shapes(points, groups, alpha, 0.0, cover, components, threads, progress)
+
+
+def concave_hulls(
+    points: npt.ArrayLike,
+    groups: Union[npt.ArrayLike, str],
+    alpha: GroupAlphas = "auto",
+    *,
+    allow_holes: bool = False,
+    cover: float = 1.0,
+    components: int = 1,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> AlphaShapes:
+    """The outline of each group of the points, holes filled: `alpha_shapes` as `concave_hull` is to `alpha_shape`."""
+    least_hole = 0.0 if allow_holes else math.inf
+    return _shapes(points, groups, alpha, least_hole, cover, components, threads, progress)
+
+
+def _shapes(
+    points: npt.ArrayLike,
+    groups: Union[npt.ArrayLike, str],
+    alpha: GroupAlphas,
+    min_hole_area: float,
+    cover: float,
+    components: int,
+    threads: Optional[int],
+    progress: Progress,
+) -> AlphaShapes:
+    array = as_points(points)
+    keys, labels = _labels(points, groups, len(array))
+    rule = alpha if isinstance(alpha, str) else None
+    share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
+    if pieces != 1 and rule != "auto":
+        raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
+    if share != 1 and rule != "auto" and rule != "min":
+        raise InvalidInput(f"cover: found alpha={alpha!r}, expected alpha='auto' or 'min', which are what it is about")
+    plateau, radii = 0, np.empty(0)
+    if rule is None:
+        radii = _radii(alpha, keys)
+    elif re.fullmatch("plateau(:[1-9][0-9]*)?", rule):
+        plateau = int(rule.partition(":")[2] or 1)
+    elif rule != "auto" and rule != "min":
+        as_radius(rule)  # type: ignore[arg-type]  # which refuses other words
+    made = _core.shapes_of_groups(
+        array, labels, len(keys), radii, share, pieces if rule == "auto" else None, plateau, min_hole_area, 0.0,
+        as_threads(threads), progress,
+    )  # fmt: skip
+    return AlphaShapes(array, keys, labels, made)
+
+
+def _labels(points: Any, groups: Any, count: int) -> tuple[npt.NDArray[Any], Indices]:
+    """The groups, and the number of that of each point, -1 for none."""
+    if isinstance(groups, str):
+        try:
+            groups = points[groups]
+        except (KeyError, IndexError, TypeError):
+            raise InvalidInput(f"groups: found {groups!r}, expected a column of the points, or a value for each point") from None
+    array = groups.to_numpy() if hasattr(groups, "to_numpy") else np.asarray(groups)
+    if array.shape != (count,):
+        raise InvalidInput(f"groups: found an array of shape {array.shape}, expected one value for each of the {count} points")
+    if array.dtype.kind == "O":
+        is_in = np.array([value is not None and value == value for value in array], bool)
+    elif array.dtype.kind in "fcmM":
+        is_in = array == array
+    else:
+        is_in = np.ones(count, bool)
+    labels = np.full(count, -1, np.int32)
+    try:
+        keys, labels[is_in] = np.unique(array[is_in], return_inverse=True)
+    except TypeError:  # values of kinds that cannot be sorted, as numbers and texts: in the order in which they come
+        seen: dict[Any, int] = {}
+        labels[is_in] = [seen.setdefault(value, len(seen)) for value in array[is_in]]
+        keys = np.empty(len(seen), object)
+        keys[:] = list(seen)
+    return keys, labels
+
+
+def _radii(alpha: Any, keys: npt.NDArray[Any]) -> Floats:
+    """One radius for all groups, or one for each."""
+    if isinstance(alpha, Mapping):
+        missing = [key for key in keys.tolist() if key not in alpha]
+        if missing:
+            raise InvalidInput(f"alpha: found no radius for group {missing[0]!r}, expected one for each group")
+        alpha = [alpha[key] for key in keys.tolist()]
+    expected = f"a radius (a number > 0, or inf), one for each group, {RULES}"
+    radii = as_numbers(alpha, "alpha", expected)
+    if radii.ndim == 0:
+        return np.array([as_radius(alpha)])
+    if radii.shape != keys.shape:
+        raise InvalidInput(f"alpha: found an array of shape {radii.shape}, expected a radius for each of the {len(keys)} groups")
+    # A single group has one radius as well, and what is wrong with it is a problem of the group.
+    return radii
+
+
+class AlphaShapes(Result, Mapping[Any, Polygons]):
+    """Alpha shapes of groups of points: what `alpha_shapes` returns. A mapping from each group to its `Polygons`.
+
+    Attributes
+    ----------
+    points : float64 array of shape (n, 2)
+        The points that were given. Indices are into it.
+    labels : int32 array of shape (n,)
+        Of each point the number of its group in `names`, or -1.
+    names : array of shape (g,)
+        The groups, ascending where they can be compared, as everything below is in their order.
+    counts : int64 array of shape (g,)
+        How many points are in each group.
+    alphas : float64 array of shape (g,)
+        The radius, given or chosen; NaN where none could be chosen.
+    areas, perimeters : float64 arrays of shape (g,)
+        Of all polygons of the group together: exact sums, rounded once.
+    problems : dict
+        Of each group without a polygon, why there is none.
+    """
+
+    names: npt.NDArray[Any]
+    labels: Indices
+    counts: Integers
+    alphas: Floats
+    areas: Floats
+    perimeters: Floats
+    problems: dict[Any, str]
+
+    def __init__(self, points: Floats, names: npt.NDArray[Any], labels: Indices, made: dict[str, Any]) -> None:
+        self._keys = names.tolist()  # as Python has them
+        self._number = {name: g for g, name in enumerate(self._keys)}
+        self.polygons = Polygons(points, made.pop("polygons"))
+        self._polygon_begin, self._simplex_begin = made.pop("polygon_begin"), made.pop("simplex_begin")
+        self._simplices = made.pop("simplices")
+        made["problems"] = {self._keys[g]: why for g, why in made["problems"].items()}
+        super().__init__({"names": names, "labels": labels, **made}, points=points)
+
+    def __len__(self) -> int:
+        return len(self._keys)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._keys)
+
+    def __getitem__(self, name: Any) -> Polygons:
+        g, begin = self._number[name], self._polygon_begin
+        return self.polygons.part(int(begin[g]), int(begin[g + 1]), float(self.areas[g]), float(self.perimeters[g]))
+
+    def simplices(self, name: Any) -> Indices:
+        """The triangles of a group: int32 array of shape (m, 3), as `AlphaShape.simplices`, holes or not."""
+        g, begin = self._number[name], self._simplex_begin
+        triangles: Indices = self._simplices[begin[g] : begin[g + 1]]
+        return triangles
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """A FeatureCollection, of a MultiPolygon for each group: geopandas.GeoDataFrame.from_features() takes it."""
+
+        def number(value: float) -> Optional[float]:
+            return float(value) if np.isfinite(value) else None
+
+        features = []
+        for g, name in enumerate(self._keys):
+            polygons = self[name]
+            properties = {
+                "group": name,
+                "points": int(self.counts[g]),
+                "alpha": number(self.alphas[g]),
+                "area": number(self.areas[g]),
+                "perimeter": number(self.perimeters[g]),
+                "polygons": len(polygons),
+            }
+            features.append({"type": "Feature", "properties": properties, "geometry": polygons.__geo_interface__})
+        return {"type": "FeatureCollection", "features": features}
+
+    def to_geojson(self) -> str:
+        """The text of a GeoJSON FeatureCollection: a feature for each group, with its number of points, alpha and area.
+
+        Every coordinate reads back to the same double. Groups that JSON has no value for are written as text.
+        """
+        return json.dumps(self.__geo_interface__, default=str)
+
+    def __repr__(self) -> str:
+        return f"<rbpa.AlphaShapes of {len(self)} groups: {len(self.polygons)} polygons, {len(self.problems)} groups without>"

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/in_order.h"
+#include "rbpa/delaunay.h"
+#include "rbpa/filtration.h"
+#include "rbpa/groups.h"
+#include "rbpa/plane/groups/chunks.h"
+#include "rbpa/plateaus.h"
+#include "rbpa/triangulate.h"
+
+namespace rbpa {
+namespace {
+
+constexpr double no_alpha = std::numeric_limits<double>::quiet_NaN();
+
+/// Why there is no triangle at any radius, or nothing.
+std::optional<std::string> without_triangles(const Triangulation& complex) {
+  if (complex.distinct == 0) return "no points";
+  if (complex.distinct < 3) return "fewer than three distinct points (" + std::to_string(complex.distinct) + ")";
+  return std::nullopt;
+}
+
+/// The shapes of a run of groups, as they are appended to those of others.
+struct ShapesOfChunk {
+  GroupPoints gathered;
+  GroupShapes made;  // `polygon_begin` and `triangle_begin` count from the beginning of the chunk
+};
+
+class GroupShaper {
+ public:
+  GroupShaper(const GroupAlpha& alpha, const GroupShapesOptions& options) : alpha_(alpha), options_(options) {}
+
+  /// Appends the shape of a group. It is worked on by `threads`.
+  void add(const Group& group, unsigned threads, GroupShapes& made) const {
+    const std::size_t before = made.polygons.size();
+    const std::string problem = find(group, threads, made);
+    made.polygon_begin.push_back(made.polygons.size());
+    made.totals.push_back(total(std::span(made.polygons).subspan(before)));
+    if (made.polygons.size() == before) made.problems.push_back({group.number, problem});
+  }
+
+ private:
+  /// Appends all but totals and problems; returns why there is no polygon.
+  std::string find(const Group& group, unsigned threads, GroupShapes& made) const {
+    made.alphas.push_back(no_alpha);
+    made.triangle_begin.push_back(made.triangle_begin.back());
+    for (std::size_t i = 0; i < group.points.size(); ++i)
+      if (const Point& p = group.points[i]; !is_finite(p))
+        return "point " + std::to_string(group.members[i]) + " is (" + text(p.x) + ", " + text(p.y) +
+               "), expected finite coordinates";
+    std::optional<Delaunay> delaunay;
+    std::optional<double> alpha;
+    if (!alpha_.given.empty()) {
+      alpha = alpha_.given[alpha_.given.size() == 1 ? 0 : group.number];
+      if (!(*alpha > 0)) return "alpha is " + text(*alpha) + ", expected a radius above 0, or infinity";
+      made.alphas.back() = *alpha;
+    } else {
+      delaunay.emplace(group.points, TriangulationOptions{.threads = threads});
+      alpha = choose(*delaunay);
+      if (alpha) made.alphas.back() = *alpha;
+    }
+    const Triangulation complex =
+        alpha ? triangulate(group.points, *alpha, {.neighbors = true, .threads = threads}) : delaunay->triangulation();
+    made.triangle_begin.back() += complex.triangles.size();
+    const auto index = [&](std::uint32_t i) { return group.members[i]; };
+    if (options_.triangles)
+      for (const Triangle& t : complex.triangles) made.triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
+    for (Polygon& polygon : polygons(group.points, complex, options_.filter)) {
+      for (std::uint32_t& i : polygon.shell.points) i = index(i);
+      for (Ring& hole : polygon.holes)
+        for (std::uint32_t& i : hole.points) i = index(i);
+      made.polygons.push_back(std::move(polygon));
+    }
+    if (!complex.triangles.empty()) return "no part has an area >= " + text(options_.filter.min_part_area);
+    if (const std::optional<std::string> why = without_triangles(complex)) return *why;
+    if (!alpha || triangulate(group.points, std::numeric_limits<double>::infinity(), {.threads = 1}).triangles.empty())
+      return "all points are collinear";
+    return "no triangle has circumradius <= " + text(*alpha);
+  }
+
+  std::optional<double> choose(const Delaunay& delaunay) const {
+    if (delaunay.triangulation().triangles.empty()) return std::nullopt;
+    const Filtration all = filtration(delaunay);
+    if (alpha_.plateau == 0) return smallest_covering(delaunay, all, alpha_.covering);
+    const std::vector<Plateau> found = plateaus(delaunay, all);
+    if (found.empty()) return std::nullopt;
+    return found[std::min(alpha_.plateau, found.size()) - 1].alpha;
+  }
+
+  const GroupAlpha& alpha_;
+  const GroupShapesOptions& options_;
+};
+
+template <typename Value>
+void append(std::vector<Value>& to, std::vector<Value>& from) {
+  to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
+}
+
+/// Of offsets that begin with 0, those behind it.
+void append_offsets(std::vector<std::uint64_t>& to, const std::vector<std::uint64_t>& from) {
+  const std::uint64_t begin = to.back();
+  for (std::size_t i = 1; i < from.size(); ++i) to.push_back(begin + from[i]);
+}
+
+void append(GroupShapes& all, GroupShapes& made) {
+  append(all.alphas, made.alphas);
+  append(all.polygons, made.polygons);
+  append_offsets(all.polygon_begin, made.polygon_begin);
+  append(all.totals, made.totals);
+  append_offsets(all.triangle_begin, made.triangle_begin);
+  append(all.triangles, made.triangles);
+  append(all.problems, made.problems);
+}
+
+void check(const GroupAlpha& alpha, std::size_t groups) {
+  const std::size_t given = alpha.given.size();
+  if (given > 1 && given != groups)
+    throw InvalidInput("alpha: found " + std::to_string(given) + " radii for " + std::to_string(groups) +
+                       " groups, expected as many, or one for all");
+  if (given == 1) check(std::span<const Point>(), alpha.given[0]);
+}
+
+}  // namespace
+
+GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups, const GroupAlpha& alpha,
+                             const GroupShapesOptions& options) {
+  check(points, groups);
+  check(alpha, groups.size());
+  const GroupShaper shaper(alpha, options);
+  const std::vector<Chunk> chunks = chunks_of(groups);
+  Threads threads = threads_for(groups.members.size(), options.threads);
+  // A group alone may be all there is to do.
+  const unsigned in_a_group = groups.size() == 1 ? options.threads : 1;
+  GroupShapes all;
+  in_order<ShapesOfChunk>(
+      threads, chunks.size(),
+      [&](std::size_t c, ShapesOfChunk& chunk) {
+        chunk.made = {};
+        for (std::size_t g = chunks[c].first; g < chunks[c].last; ++g)
+          shaper.add(chunk.gathered.of(points, groups, g), in_a_group, chunk.made);
+      },
+      [&](std::size_t c, ShapesOfChunk& chunk) {
+        append(all, chunk.made);
+        if (options.go_on && !options.go_on(chunks[c].last)) throw Cancelled();
+      },
+      [](std::size_t, ShapesOfChunk&) {});
+  return all;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,145 @@
+"""alpha_shapes() and concave_hulls(): each group is what a call with its points alone returns."""
+
+import json
+import math
+import pickle
+
+import numpy as np
+import pytest
+import rbpa
+from sets import every_kind
+
+RANDOM = np.random.default_rng(7)
+POINTS = RANDOM.random((4000, 2)) * 10
+LABELS = RANDOM.integers(0, 60, 4000)
+
+
+def alone(shapes, name, points, labels, made):
+    members = np.flatnonzero(labels == name)
+    polygons = shapes[name]
+    assert len(polygons) == len(made)
+    for ours, theirs in zip(polygons, made):
+        assert np.array_equal(ours.shell, members[theirs.shell])
+        assert all(np.array_equal(a, members[b]) for a, b in zip(ours.holes, theirs.holes))
+        assert (ours.area, ours.perimeter) == (theirs.area, theirs.perimeter)
+    assert (polygons.area, polygons.perimeter) == (made.area, made.perimeter)
+    assert polygons.to_wkt() == made.to_wkt() and repr(polygons) == repr(made)
+
+
+@pytest.mark.parametrize("rule", [1.0, math.inf, "auto", "min", "plateau"])
+def test_a_group_is_a_call_by_itself(rule):
+    shapes = rbpa.alpha_shapes(POINTS, LABELS, rule)
+    assert list(shapes) == sorted(set(LABELS.tolist())) and len(shapes) == 60
+    for g, name in enumerate(shapes):
+        one = rbpa.alpha_shape(POINTS[LABELS == name], rule)
+        alone(shapes, name, POINTS, LABELS, one.polygons)
+        assert np.array_equal(shapes.simplices(name), np.flatnonzero(LABELS == name)[one.simplices])
+        assert shapes.alphas[g] == one.alpha and shapes.areas[g] == one.area and shapes.counts[g] == len(one.points)
+
+
+@pytest.mark.parametrize("holes", [False, True])
+def test_hulls(holes):
+    shapes = rbpa.concave_hulls(POINTS, LABELS, 1.3, allow_holes=holes)
+    for name in shapes:
+        alone(shapes, name, POINTS, LABELS, rbpa.concave_hull(POINTS[LABELS == name], 1.3, allow_holes=holes))
+    covered = rbpa.concave_hulls(POINTS, LABELS, cover=0.9, components=2)
+    for name in list(covered)[:5]:
+        alone(covered, name, POINTS, LABELS, rbpa.concave_hull(POINTS[LABELS == name], cover=0.9, components=2))
+
+
+def test_generated_sets_together():
+    named = {name: points for name, points in every_kind().items() if len(points)}
+    names = list(named)
+    points = np.concatenate([np.asarray(named[name], float) for name in names])
+    labels = np.repeat(names, [len(named[name]) for name in names])
+    shapes = rbpa.alpha_shapes(points, labels)
+    for name in names:
+        made = rbpa.alpha_shape(named[name]).polygons
+        assert shapes[name].to_wkt() == made.to_wkt()
+        assert (name in shapes.problems) == (len(made) == 0)
+
+
+def test_groups_of_any_kind():
+    corners = np.array([[0, 0], [1, 0], [0, 1]] * 3, float) + np.repeat([[0, 0], [5, 0], [9, 0]], 3, axis=0)
+    for labels, keys in [
+        (["b"] * 3 + ["a"] * 3 + ["c"] * 3, ["a", "b", "c"]),
+        ([2.5] * 3 + [math.nan] * 3 + [-1] * 3, [-1.0, 2.5]),
+        ([None] * 3 + ["x"] * 3 + [None] * 3, ["x"]),
+        (["x"] * 3 + [7] * 3 + ["y"] * 3, ["x", 7, "y"]),
+        ([True] * 3 + [False] * 6, [False, True]),
+        (np.repeat(np.array(["2020-01", "NaT", "2019-01"], "datetime64[M]"), 3), None),
+    ]:
+        labels = labels if isinstance(labels, np.ndarray) else np.array(labels, object if None in labels or 7 in labels else None)
+        shapes = rbpa.alpha_shapes(corners, labels, 3)
+        if keys is not None:
+            assert list(shapes) == keys
+        assert (shapes.labels == -1).sum() == 9 - shapes.counts.sum()
+        assert len(shapes) == len(shapes.names) > 0 and not shapes.problems
+    assert len(rbpa.alpha_shapes(np.empty((0, 2)), [])) == 0
+
+
+def test_columns_of_tables():
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame({"x": POINTS[:, 0], "y": POINTS[:, 1], "animal": pandas.Categorical(LABELS.astype(str))})
+    shapes = rbpa.concave_hulls(table[["x", "y"]], table["animal"])
+    assert list(shapes) == sorted(set(LABELS.astype(str)))
+    with pytest.raises(rbpa.InvalidInput, match="groups: found 'herd', expected a column of the points"):
+        rbpa.concave_hulls(table[["x", "y"]], "herd")
+
+
+def test_what_is_wrong_with_one_group_leaves_the_others():
+    points = np.array([[0, 0], [1, 0], [0, 1], [4, 4], [5, 5], [6, 6], [0, 0], [math.nan, 0], [1, 1], [9, 9]])
+    shapes = rbpa.alpha_shapes(points, list("aaabbbcccd"))
+    assert shapes.problems == {
+        "b": "all points are collinear",
+        "c": "point 7 is (nan, 0), expected finite coordinates",
+        "d": "fewer than three distinct points (1)",
+    }
+    assert shapes.areas.tolist() == [0.5, 0, 0, 0] and len(shapes["b"]) == 0 and shapes["b"].to_wkt() == "MULTIPOLYGON EMPTY"
+    assert math.isnan(shapes.alphas[1])
+    with pytest.raises(KeyError):
+        shapes["e"]
+
+
+def test_radii_by_group():
+    radii = {name: 0.5 + name / 30 for name in range(60)}
+    by_mapping = rbpa.alpha_shapes(POINTS, LABELS, radii)
+    by_array = rbpa.alpha_shapes(POINTS, LABELS, list(radii.values()))
+    assert by_mapping.to_geojson() == by_array.to_geojson()
+    assert by_mapping[59].to_wkt() == rbpa.alpha_shape(POINTS[LABELS == 59], radii[59]).to_wkt()
+    for wrong, message in [
+        ([1, 2], "alpha: found an array of shape \\(2,\\), expected a radius for each of the 60 groups"),
+        ({0: 1}, "alpha: found no radius for group 1, expected one for each group"),
+        ("largest", "alpha: found 'largest', expected a radius"),
+        (-1, "alpha is -1, expected a radius above 0"),
+    ]:
+        with pytest.raises(rbpa.InvalidInput, match=message):
+            rbpa.alpha_shapes(POINTS, LABELS, wrong)
+    with pytest.raises(rbpa.InvalidInput, match="one value for each of the 4000 points"):
+        rbpa.alpha_shapes(POINTS, LABELS[:-1])
+    with pytest.raises(rbpa.InvalidInput, match="components: found alpha=2"):
+        rbpa.alpha_shapes(POINTS, LABELS, 2, components=3)
+    with pytest.raises(rbpa.InvalidInput, match="cover: found alpha=2"):
+        rbpa.alpha_shapes(POINTS, LABELS, 2, cover=0.5)
+
+
+def test_geojson_pickles_and_threads():
+    shapes = rbpa.alpha_shapes(POINTS, LABELS, threads=1)
+    collection = json.loads(shapes.to_geojson())
+    assert len(collection["features"]) == 60
+    first = collection["features"][0]
+    assert first["properties"]["group"] == 0 and first["properties"]["points"] == shapes.counts[0]
+    assert first["properties"]["area"] == shapes.areas[0]
+    assert json.dumps(first["geometry"]) == json.dumps(shapes[0].__geo_interface__)
+    again = pickle.loads(pickle.dumps(shapes))
+    assert again.to_geojson() == shapes.to_geojson() == rbpa.alpha_shapes(POINTS, LABELS, threads=2).to_geojson()
+    with pytest.raises(ValueError):
+        shapes.areas[0] = 1
+
+
+def test_progress_is_of_groups_and_ends_the_run():
+    points, labels = RANDOM.random((300_000, 2)), RANDOM.integers(0, 3000, 300_000)
+    seen = []
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.alpha_shapes(points, labels, threads=1, progress=lambda done, groups: seen.append((done, groups)) or len(seen) < 3)
+    assert len(seen) == 3 and all(0 <= done <= 3000 for done, groups in seen)
