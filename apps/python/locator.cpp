@@ -24,6 +24,18 @@ class ArrayLocator {
     }));
   }
 
+  /// `values`: a row for each point.
+  Doubles interpolate(const Doubles& values, const Doubles& queries) const {
+    if (values.ndim() != 2) throw py::value_error("values: expected an array of shape (n, k)");
+    const auto input = points_of(queries);
+    const auto columns = static_cast<std::size_t>(values.shape(1));
+    const std::span<const double> rows_of_points(values.data(), static_cast<std::size_t>(values.size()));
+    std::vector<double> found = watched(input.size(), py::none(), [&](Watch& watch) {
+      return locator_.interpolate(rows_of_points, columns, input, {.go_on = watch.until_stopped()});
+    });
+    return array_of<double>(std::move(found), 0);
+  }
+
  private:
   Locator make() const {
     const auto input = points_of(points_);
@@ -44,7 +56,8 @@ void bind_locator(py::module_& module) {
   py::class_<ArrayLocator>(module, "Locator")
       .def(py::init<Doubles, Indices, Indices>(), arg("points").noconvert(), arg("simplices").noconvert(),
            arg("neighbors").noconvert())
-      .def("find", &ArrayLocator::find, arg("queries").noconvert());
+      .def("find", &ArrayLocator::find, arg("queries").noconvert())
+      .def("interpolate", &ArrayLocator::interpolate, arg("values").noconvert(), arg("queries").noconvert());
 }
 
 }  // namespace rbpa::python

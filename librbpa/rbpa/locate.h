@@ -1,4 +1,4 @@
-// What:   in which triangle of a Delaunay triangulation does a point lie?
+// What:   in which triangle of a Delaunay triangulation does a point lie? And what are values at points there, linear between?
 // Law:    exact, and a function of the point and the triangulation: where the point is on a common side or corner of
 //         several triangles, the first of them.
 // How:    a walk from triangle to triangle toward the point, from a triangle near the grid cell that contains the point. Such
@@ -7,6 +7,7 @@
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -41,6 +42,14 @@ class RBPA_API Locator {
   /// that is not finite.
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
+
+  /// Values that are linear in each triangle and continuous: of each query as many as a point has, row by row. NaN where find()
+  /// finds no triangle. Of equal points the first counts.
+  /// Error:  a convex combination of the values at the corners, but for a few roundings; at a point it is the point's own
+  ///         value, to the last bit.
+  /// Throws: InvalidInput when `values` does not have `columns` > 0 numbers for each point; as find().
+  std::vector<double> interpolate(std::span<const double> values, std::size_t columns, std::span<const Point> queries,
+                                  const LocateOptions& options = {}) const;
 
  private:
   class Impl;

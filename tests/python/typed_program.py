@@ -16,6 +16,8 @@ text: str = shape.to_geojson() + shape.to_wkt()
 delaunay = rbpa.Delaunay([[0, 0], [1, 0], [0, 1]])
 begin, neighbors = delaunay.vertex_neighbor_vertices
 outline: rbpa.Polygons = rbpa.concave_hull(points, allow_holes=True)
+hulls: rbpa.AlphaShapes = rbpa.concave_hulls(points, ["a", "b"] * 2, {"a": 1.0, "b": 2.0})
+hull_of_a: rbpa.Polygons = hulls["a"]
 steps = rbpa.filtration(points)
 best: float = steps.plateaus()[0].alpha
 betti: tuple[int, int] = steps.betti(1.0)

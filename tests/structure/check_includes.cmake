@@ -16,7 +16,7 @@ set(allowed
   "rbpa/base/exact: rbpa/base"
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
   "rbpa: meshops/front rbpa/base"
-  "rbpa/plane: meshops/core meshops/topology rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/arrays rbpa/plane/divide
+  "rbpa/plane: meshops/core meshops/topology rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/arrays rbpa/plane/divide
     rbpa/plane/grid rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
   "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/divide: meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/predicate"

@@ -88,6 +88,100 @@ class Delaunay(Triangles):
         found = self._locator.find(as_points(queries.reshape(-1, 2), "xi"))
         return found.reshape(queries.shape[:-1])
 
+    def interpolate(self, values: npt.ArrayLike, xi: npt.ArrayLike, fill_value: float = math.nan) -> Any:
+        """Values at any points: linear in each triangle, as scipy.interpolate.LinearNDInterpolator has them.
+
+        Parameters
+        ----------
+        values : array_like of shape (n, ...)
+            One or several numbers for each of the points, real or complex. Of equal points the first counts.
+        xi : array_like of shape (..., 2)
+            Where values are wanted.
+        fill_value : float
+            Outside of the convex hull, and where a coordinate is not finite.
+
+        Returns
+        -------
+        array of the shape of `xi` without its last dimension, and that of `values` without its first
+            At a point of the triangulation its own value, to the last bit. Every point is looked up exactly.
+
+        Raises
+        ------
+        InvalidInput
+            Values that are not one for each point, or no numbers.
+
+        Examples
+        --------
+        >>> tri = rbpa.Delaunay([[0, 0], [4, 0], [0, 4]])
+        >>> tri.interpolate([0.0, 8.0, 4.0], [[1, 1], [0, 4], [9, 9]])
+        array([ 3.,  4., nan])
+        """
+        self._require_unchanged()
+        queries = as_array(xi, "xi")
+        if queries.ndim == 0 or queries.shape[-1] != 2:
+            raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
+        given = as_array(values, "values")
+        if given.dtype.kind not in "iufc":
+            raise _core.InvalidInput(f"values: found an array of {given.dtype}, expected numbers")
+        if given.ndim == 0 or given.shape[0] != self.npoints:
+            raise _core.InvalidInput(f"values: found an array of shape {given.shape}, expected ({self.npoints}, ...)")
+        is_complex = given.dtype.kind == "c"
+        table = np.require(given, np.complex128 if is_complex else np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+        shape = queries.shape[:-1] + given.shape[1:]
+        if 0 in shape:
+            return np.empty(shape, table.dtype)
+        rows = table.view(np.float64).reshape(self.npoints, -1)
+        at = as_points(queries.reshape(-1, 2), "xi")
+        found = self._locator.interpolate(rows, at).view(table.dtype).reshape(shape)
+        if not math.isnan(fill_value):
+            found[self._locator.find(at).reshape(queries.shape[:-1]) < 0] = fill_value
+        return found
+
+    def to_scipy(self) -> Any:
+        """A scipy.spatial.Delaunay of these triangles, for what asks for one: scipy.interpolate.LinearNDInterpolator and
+        CloughTocher2DInterpolator above all. Needs the package scipy.
+
+        Nothing is triangulated anew. It has all that SciPy's has, but for `add_points`. Its `find_simplex` is SciPy's, which is
+        not exact.
+
+        Raises
+        ------
+        InvalidInput
+            There is no triangle, and SciPy has no empty triangulation.
+        """
+        from scipy.spatial import Delaunay as OfSciPy
+
+        self._require_unchanged()
+        if self.nsimplex == 0:
+            raise _core.InvalidInput("to_scipy: found no triangle, expected one: SciPy has no empty triangulation")
+        made = OfSciPy(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
+        scale, shift, equations = self._lifted_planes()
+        made._points = self.points
+        made.npoints, made.nsimplex = self.npoints, self.nsimplex
+        made.min_bound, made.max_bound = self.min_bound, self.max_bound
+        # SciPy's own code is compiled for arrays that can be written.
+        made.simplices, made.neighbors, made.coplanar = self.simplices.copy(), self.neighbors.copy(), self.coplanar.copy()
+        made.paraboloid_scale, made.paraboloid_shift, made.equations = scale, shift, equations
+        made.good = np.ones(self.nsimplex, np.intc)
+        if hasattr(made, "_vertices"):  # of versions in which simplices have a second name
+            made._vertices = made.simplices
+        made._transform = made._vertex_to_simplex = made._vertex_neighbor_vertices = None
+        return made
+
+    def _lifted_planes(self) -> tuple[float, float, Floats]:
+        """The lower planes through the corners of each triangle, lifted to z = scale (x² + y²) + shift: (nx, ny, nz, offset)."""
+        squares = (self.points**2).sum(axis=1)
+        lowest, span = squares.min(), squares.max() - squares.min()
+        # As Qhull has it, z is as large as x and y.
+        scale = float(np.abs(self.points).max() / span) if span > 0 else 1.0
+        shift = float(-lowest * scale)
+        lifted = np.column_stack((self.points, scale * squares + shift))
+        a, b, c = np.moveaxis(lifted[self.simplices], 1, 0)
+        normals = np.cross(c - a, b - a)  # corners are counter-clockwise, and it points down
+        with np.errstate(invalid="ignore", divide="ignore"):
+            normals /= np.linalg.norm(normals, axis=1)[:, None]
+        return scale, shift, np.column_stack((normals, -(normals * a).sum(axis=1)))
+
     @cached_property
     def _locator(self) -> _core.Locator:
         return _core.Locator(self.points, self.simplices, self.neighbors)

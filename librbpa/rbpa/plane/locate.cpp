@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <string>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/exact/double_double.h"
 #include "rbpa/base/input.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/predicate/predicates.h"
@@ -29,6 +32,87 @@ std::function<void()> asking(const std::function<bool()>& go_on) {
   };
 }
 
+/// Corners of a triangle as seen from a point in it, from afar where differences would overflow.
+struct SeenFrom {
+  double scale = 1;
+  std::array<Point, 3> at;
+  std::array<double, 3> size;  // the larger of |x| and |y|
+
+  SeenFrom(const std::array<Point, 3>& corners, const Point& query) {
+    const auto see = [&] {
+      for (std::size_t k = 0; k < 3; ++k) {
+        at[k] = {scale * corners[k].x - scale * query.x, scale * corners[k].y - scale * query.y};
+        size[k] = std::max(std::abs(at[k].x), std::abs(at[k].y));
+      }
+    };
+    see();
+    if (std::isfinite(largest())) return;
+    scale = 0.5;
+    see();
+  }
+  double largest() const { return std::max({size[0], size[1], size[2]}); }
+  double least() const { return std::min({size[0], size[1], size[2]}); }
+};
+
+using Areas = std::array<double, 3>;
+
+/// Calls cross(i, j) for the corners beside each corner.
+template <typename Cross>
+Areas areas(Cross cross) {
+  return {std::max(0.0, cross(1, 2)), std::max(0.0, cross(2, 0)), std::max(0.0, cross(0, 1))};
+}
+
+/// Where products would overflow or vanish: of corners of the size of one, each with an exponent of its own.
+Areas areas_of_any_size(const SeenFrom& seen) {
+  std::array<int, 3> exponent;
+  for (std::size_t k = 0; k < 3; ++k) exponent[k] = std::ilogb(seen.size[k]);
+  const auto unit = [&](std::size_t k) {
+    return Point{std::scalbn(seen.at[k].x, -exponent[k]), std::scalbn(seen.at[k].y, -exponent[k])};
+  };
+  Areas area = areas([&](std::size_t i, std::size_t j) {
+    const Point a = unit(i), b = unit(j);
+    return a.x * b.y - a.y * b.x;
+  });
+  // The area across from a corner does without that corner's exponent.
+  const int least = std::min({exponent[0], exponent[1], exponent[2]});
+  for (std::size_t k = 0; k < 3; ++k) area[k] = std::scalbn(area[k], least - exponent[k]);
+  return area;
+}
+
+/// Of a triangle and a point in it, the share of each corner in the point: of areas, which are not negative, their sum being 1.
+std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& query) {
+  const SeenFrom seen(corners, query);
+  if (seen.least() == 0) return {double(seen.size[0] == 0), double(seen.size[1] == 0), double(seen.size[2] == 0)};
+  const bool is_of_any_size = seen.least() < 0x1p-400 || seen.largest() > 0x1p400;
+  const auto sum = [](const Areas& area) { return area[0] + area[1] + area[2]; };
+  Areas area = is_of_any_size ? areas_of_any_size(seen) : areas([&](std::size_t i, std::size_t j) {
+    return seen.at[i].x * seen.at[j].y - seen.at[i].y * seen.at[j].x;
+  });
+  // A triangle that is thin beside its length loses its area in rounded differences.
+  if (!is_of_any_size && sum(area) < 0x1p-20 * seen.largest() * seen.largest())
+    area = areas([&](std::size_t i, std::size_t j) {
+      const auto x = [&](std::size_t k) { return DoubleDouble::difference(corners[k].x, query.x); };
+      const auto y = [&](std::size_t k) { return DoubleDouble::difference(corners[k].y, query.y); };
+      return (x(i) * y(j) - y(i) * x(j)).high;
+    });
+  if (const double whole = sum(area); whole > 0) return {area[0] / whole, area[1] / whole, area[2] / whole};
+  // So thin that nothing is left: between the two corners that are farthest apart.
+  std::size_t third = 0;
+  double longest = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &a = seen.at[(k + 1) % 3], &b = seen.at[(k + 2) % 3];
+    const double length = std::hypot(b.x / 2 - a.x / 2, b.y / 2 - a.y / 2);
+    if (length <= longest) continue;
+    longest = length;
+    third = k;
+  }
+  const std::size_t a = (third + 1) % 3, b = (third + 2) % 3;
+  std::array<double, 3> share = {0, 0, 0};
+  share[a] = seen.size[b] / (seen.size[a] + seen.size[b]);
+  share[b] = 1 - share[a];
+  return share;
+}
+
 }  // namespace
 
 class Locator::Impl {
@@ -45,9 +129,10 @@ class Locator::Impl {
     for (std::size_t s = 0; s < at_site_.size(); ++s) at_site_[s] = at_point[sites_.input_index()[s]];
   }
 
-  std::uint32_t find(const Point& query) const {
+  /// `last` is a triangle found before, or none: queries that are near each other often come one after the other.
+  std::uint32_t find(const Point& query, std::uint32_t last) const {
     if (of_.triangles.empty() || !is_finite(query)) return no_index;
-    std::uint32_t at = first_near(query);
+    std::uint32_t at = last != no_index && is_near(last, query) ? last : first_near(query);
     for (std::size_t steps = 0; steps <= of_.triangles.size(); ++steps) {
       std::array<int, 3> sign;
       std::size_t k = 0;
@@ -62,11 +147,39 @@ class Locator::Impl {
     throw meshops::ContractViolation("locator: a walk goes round in circles, so the triangulation is not Delaunay");
   }
 
+  std::size_t points() const { return points_.size(); }
+
+  /// Fills in the values at a query in triangle t, as many as there are columns.
+  void interpolate(std::uint32_t t, std::span<const double> values, const Point& query,
+                   std::span<double> result) const {
+    if (t == no_index) {
+      std::fill(result.begin(), result.end(), std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
+    const auto& corners = of_.triangles[t];
+    const std::array<double, 3> share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
+    for (std::size_t column = 0; column < result.size(); ++column) {
+      result[column] = 0;
+      for (std::size_t k = 0; k < 3; ++k)  // what has no share does not count, be it infinite
+        if (share[k] > 0) result[column] += share[k] * values[corners[k] * result.size() + column];
+    }
+  }
+
  private:
   /// On which side of the side across from corner k: 1 for inside, 0 for on its line.
   int side(std::uint32_t t, std::size_t k, const Point& query) const {
     const auto& corners = of_.triangles[t];
     return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);
+  }
+
+  /// Whether the query is about as far from a triangle as its corners are from each other: then few steps lead there.
+  bool is_near(std::uint32_t t, const Point& query) const {
+    const auto& corners = of_.triangles[t];
+    const auto distance = [&](const Point& p) {
+      const Point& q = points_[corners[0]];
+      return std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
+    };
+    return distance(query) <= 2 * std::max(distance(points_[corners[1]]), distance(points_[corners[2]]));
   }
 
   /// A triangle at a point in the cell of the query, or in one near it: any will do.
@@ -129,18 +242,45 @@ Locator::Locator(Locator&&) noexcept = default;
 Locator& Locator::operator=(Locator&&) noexcept = default;
 Locator::~Locator() = default;
 
-std::vector<std::uint32_t> Locator::find(std::span<const Point> queries, const LocateOptions& options) const {
+namespace {
+
+/// Calls visit(i, last) for each query, in parts that are shared among threads; asks after each. `last` is what it returned for
+/// the query before, or none.
+template <typename Visit>
+void for_each_query(std::size_t queries, const LocateOptions& options, Visit visit) {
   constexpr std::size_t queries_at_a_time = 4096;
-  std::vector<std::uint32_t> found(queries.size());
-  Threads threads = threads_for(queries.size(), options.threads);
+  Threads threads = threads_for(queries, options.threads);
   std::mutex calling;
-  for_each_part(threads, queries.size(), queries_at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) found[i] = impl_->find(queries[i]);
+  for_each_part(threads, queries, queries_at_a_time, [&](std::size_t first, std::size_t last) {
+    std::uint32_t found = no_index;
+    for (std::size_t i = first; i < last; ++i) found = visit(i, found);
     if (!options.go_on) return;
     const std::lock_guard lock(calling);
     if (!options.go_on()) throw Cancelled();
   });
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> Locator::find(std::span<const Point> queries, const LocateOptions& options) const {
+  std::vector<std::uint32_t> found(queries.size());
+  for_each_query(queries.size(), options,
+                 [&](std::size_t i, std::uint32_t last) { return found[i] = impl_->find(queries[i], last); });
   return found;
+}
+
+std::vector<double> Locator::interpolate(std::span<const double> values, std::size_t columns,
+                                         std::span<const Point> queries, const LocateOptions& options) const {
+  if (columns == 0 || values.size() / columns != impl_->points() || values.size() % columns != 0)
+    throw InvalidInput("values: found " + std::to_string(values.size()) + " numbers, expected " +
+                       std::to_string(columns) + " for each of the " + std::to_string(impl_->points()) + " points");
+  std::vector<double> result(queries.size() * columns);
+  for_each_query(queries.size(), options, [&](std::size_t i, std::uint32_t last) {
+    const std::uint32_t t = impl_->find(queries[i], last);
+    impl_->interpolate(t, values, queries[i], std::span(result).subspan(i * columns, columns));
+    return t;
+  });
+  return result;
 }
 
 }  // namespace rbpa

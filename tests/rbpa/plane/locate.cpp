@@ -89,6 +89,108 @@ TEST_CASE("many queries and threads: the same as one by one") {
     REQUIRE(found[i] == first_by_trying_all(points, of, queries[i]));
 }
 
+TEST_CASE(
+    "values are a convex combination of those at the corners, at a point its own, and nothing where nothing is found") {
+  Random random(2);
+  std::size_t inside = 0;
+  for (const NamedSet& set : generated_sets()) {
+    CAPTURE(set.name);
+    Points points = set.make();
+    if (points.size() > 100) points.resize(100);
+    const Triangulation of = delaunay_of(points);
+    const rbpa::Locator locator(points, of);
+    const Points queries = queries_for(points, of, random);
+    std::vector<double> values;  // two for each point, the second of which is 1
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values.push_back(random.between(-1, 1));
+      values.push_back(1);
+    }
+    const auto found = locator.find(queries);
+    const std::vector<double> result = locator.interpolate(values, 2, queries);
+    REQUIRE(result.size() == 2 * queries.size());
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      if (found[i] == Triangulation::none) {
+        CHECK(std::isnan(result[2 * i]));
+        CHECK(std::isnan(result[2 * i + 1]));
+        continue;
+      }
+      ++inside;
+      const auto& corners = of.triangles[found[i]];
+      double least = 1, greatest = -1;
+      for (const std::uint32_t corner : corners) {
+        least = std::min(least, values[2 * corner]);
+        greatest = std::max(greatest, values[2 * corner]);
+        if (points[corner] == queries[i]) CHECK(result[2 * i] == values[2 * corner]);
+      }
+      CHECK(result[2 * i] >= least - 1e-15);
+      CHECK(result[2 * i] <= greatest + 1e-15);
+      CHECK(std::abs(result[2 * i + 1] - 1) <= 4e-16);
+    }
+    // In any order of the queries, with any number of threads, the same to the last bit.
+    std::vector<std::uint32_t> order(queries.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    random.shuffle(order);
+    Points shuffled;
+    for (const std::uint32_t i : order) shuffled.push_back(queries[i]);
+    const std::vector<double> again = locator.interpolate(values, 2, shuffled, {.threads = 1});
+    for (std::size_t i = 0; i < order.size(); ++i)
+      CHECK((again[2 * i] == result[2 * order[i]] || std::isnan(result[2 * order[i]])));
+  }
+  CHECK(inside > 10000);
+}
+
+TEST_CASE("a linear function is kept, wherever the points are, and values that are wrong are refused") {
+  for (const int exponent : {0, -1000, 990}) {
+    const Points unit = uniform(400, 4), queries = uniform(900, 5);
+    const auto scaled = [&](Points points) {
+      for (Point& p : points) p = {std::ldexp(p.x - 10, exponent), std::ldexp(p.y - 10, exponent)};
+      return points;
+    };
+    const Points points = scaled(unit), at = scaled(queries);
+    const Triangulation of = delaunay_of(points);
+    std::vector<double> values;
+    for (const Point& p : unit) values.push_back(2 * p.x - 3 * p.y + 1);
+    const std::vector<double> result = rbpa::Locator(points, of).interpolate(values, 1, at);
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      if (!std::isnan(result[i])) {
+        ++inside;
+        CHECK(std::abs(result[i] - (2 * queries[i].x - 3 * queries[i].y + 1)) < 1e-12);
+      }
+    CHECK(inside > 300);
+  }
+  // Far from the origin and thin: differences are rounded, and areas are lost in them.
+  for (const double thin : {1e-3, 1e-6, 1e-9}) {
+    const Point at = {1e6 + 1. / 3, 1e6 / 7};
+    const Points corners = {at, {at.x + 1, at.y + 1. / 3}, {at.x + 3, at.y + 1 - thin}};
+    const Triangulation of = delaunay_of(corners);
+    REQUIRE(of.triangles.size() == 1);
+    const rbpa::Locator locator(corners, of);
+    const std::vector<double> x = {corners[0].x - at.x, corners[1].x - at.x, corners[2].x - at.x};
+    Points queries;
+    for (int i = 1; i < 30; ++i) queries.push_back({at.x + i / 10., at.y + i / 30. - thin * i / 60});
+    const std::vector<double> found = locator.interpolate(x, 1, queries);
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      if (std::isnan(found[i])) continue;
+      ++inside;
+      CHECK(std::abs(found[i] - (queries[i].x - at.x)) < 1e-9 / thin * 1e-3);
+    }
+    CHECK(inside > 3);
+  }
+  const Points points = {{0, 0}, {4, 0}, {0, 4}};
+  const Triangulation of = delaunay_of(points);
+  const rbpa::Locator locator(points, of);
+  const std::vector<double> values = {1, 2, 3, infinity};
+  CHECK_THROWS_WITH_AS(locator.interpolate(values, 1, points),
+                       "values: found 4 numbers, expected 1 for each of the 3 points", rbpa::InvalidInput);
+  CHECK_THROWS_AS(locator.interpolate(values, 0, points), rbpa::InvalidInput);
+  CHECK_THROWS_AS(locator.interpolate(std::span(values).first(3), 1, uniform(9000, 1), {.go_on = [] { return false; }}),
+                  rbpa::Cancelled);
+  // What has no share does not count.
+  CHECK(locator.interpolate(std::span(values).last(3), 1, Points{{2, 0}, {0, 0}}) == std::vector<double>{2.5, 2});
+}
+
 TEST_CASE("nothing is found where nothing is") {
   for (const Points& points : {Points{}, Points{{1, 2}}, Points{{0, 0}, {1, 1}, {2, 2}}}) {
     const Triangulation of = delaunay_of(points);

@@ -1,0 +1,134 @@
+"""Values at points: Delaunay.interpolate(), and SciPy's interpolators on Delaunay.to_scipy()."""
+
+import math
+
+import numpy as np
+import pytest
+import rbpa
+from sets import every_kind, grid, uniform
+
+spatial = pytest.importorskip("scipy.spatial")
+interpolate = pytest.importorskip("scipy.interpolate")
+RANDOM = np.random.default_rng(5)
+
+
+def some_sets():
+    """Thirty sets that SciPy triangulates, all of whose points it has as vertices."""
+    yield from ((f"uniform {n}", uniform(n, n)) for n in (4, 10, 40, 100, 300, 1000, 3000))
+    yield from ((f"scaled {e}", uniform(200, e + 50) * 10.0**e) for e in (-9, -6, -3, 3, 6, 9))
+    yield from ((f"moved {e}", uniform(200, e) + 10.0**e) for e in (1, 2, 3))
+    yield from ((f"stretched {e}", uniform(200, 20 + e) * [1, 10.0**-e]) for e in (1, 2))
+    yield from ((f"normal {n}", np.random.default_rng(n).normal(size=(n, 2))) for n in (5, 50, 500))
+    yield from ((f"clusters {n}", (np.random.default_rng(n).integers(0, 9, (n, 2)) + uniform(n, n) / 9)) for n in (60, 600))
+    yield from ((f"jittered {n}", grid(n) + uniform(n * n, n) / 3) for n in (5, 9, 17, 33))
+    yield from ((f"turned {n}", grid(n) @ [[0.8, -0.6], [0.6, 0.8]] + uniform(n * n, n) / 50) for n in (6, 11, 21))
+
+
+SETS = dict(some_sets())
+
+
+def queries_for(points):
+    """Inside and outside, points themselves, middles of sides."""
+    low, high = points.min(0), points.max(0)
+    between = low + (high - low) * RANDOM.uniform(-0.1, 1.1, (300, 2))
+    triangles = rbpa.Delaunay(points).simplices[:50]
+    return np.concatenate([between, points[:50], points[triangles[:, :2]].mean(1), points[triangles].mean(1)])
+
+
+def test_there_are_thirty():
+    assert len(SETS) == 30
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_linear_interpolation_is_scipys_to_rounding(name):
+    points = SETS[name]
+    values, at = RANDOM.normal(size=len(points)), queries_for(points)
+    ours = rbpa.Delaunay(points)
+    theirs = interpolate.LinearNDInterpolator(spatial.Delaunay(points), values)(at)
+    on_ours = interpolate.LinearNDInterpolator(ours.to_scipy(), values)(at)
+    found = ours.interpolate(values, at)
+    # On the hull rounding decides whether SciPy finds a triangle; where both do values agree.
+    for other in (theirs, on_ours):
+        both = ~np.isnan(found) & ~np.isnan(other)
+        assert both.sum() >= 0.95 * (~np.isnan(found)).sum()
+        assert np.abs(found - other)[both].max() < 1e-6 * np.abs(values).max()
+    assert np.isnan(found).sum() == (ours.find_simplex(at) < 0).sum()
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_clough_tocher_is_scipys_to_rounding(name):
+    points = SETS[name]
+    values, at = np.sin(3 * points / np.abs(points).max()).sum(1), queries_for(points)[:300]
+    theirs = interpolate.CloughTocher2DInterpolator(spatial.Delaunay(points), values, tol=1e-12, maxiter=4000)(at)
+    on_ours = interpolate.CloughTocher2DInterpolator(rbpa.Delaunay(points).to_scipy(), values, tol=1e-12, maxiter=4000)(at)
+    both = ~np.isnan(theirs) & ~np.isnan(on_ours)
+    assert both.sum() > 0.9 * (~np.isnan(theirs)).sum()
+    assert np.abs(theirs - on_ours)[both].max() < 1e-6 * max(np.abs(values).max(), 1e-300)
+
+
+def test_all_that_scipys_has():
+    points = np.concatenate([uniform(500), uniform(500)[:20]])
+    ours, theirs = rbpa.Delaunay(points).to_scipy(), spatial.Delaunay(points)
+    assert isinstance(ours, spatial.Delaunay)
+    for name in ("npoints", "nsimplex", "ndim", "furthest_site"):
+        assert getattr(ours, name) == getattr(theirs, name)
+    # Of equal points SciPy's has either.
+    first, second = ({tuple(sorted(t)) for t in (of.simplices % 500).tolist()} for of in (ours, theirs))
+    assert first == second
+    # The planes of the same triangles, of which the lower side is outside, once both are lifted alike.
+    lifted = np.column_stack((ours.points, ours.paraboloid_scale * (ours.points**2).sum(1) + ours.paraboloid_shift))
+    distance = (ours.equations[:, None, :3] * lifted[ours.simplices]).sum(2) + ours.equations[:, 3:]
+    assert np.abs(distance).max() < 1e-12
+    assert (ours.equations[:, 2] < 0).all() and np.allclose(np.linalg.norm(ours.equations[:, :3], axis=1), 1)
+    assert ((lifted @ ours.equations[:, :3].T + ours.equations[:, 3]) < 1e-12).all()  # all points are above
+    indices, neighbors = ours.vertex_neighbor_vertices
+    assert len(indices) == len(points) + 1 and len(neighbors) == indices[-1]
+    assert ours.vertex_to_simplex[0] >= 0 and len(ours.convex_hull) == len(theirs.convex_hull)
+    at = RANDOM.random((1000, 2))
+    assert np.array_equal(ours.find_simplex(at), rbpa.Delaunay(points).find_simplex(at))
+    with pytest.raises(rbpa.InvalidInput, match="to_scipy: found no triangle"):
+        rbpa.Delaunay([[0, 0], [1, 1], [2, 2]]).to_scipy()
+
+
+@pytest.mark.parametrize("name", every_kind())
+def test_every_point_has_its_own_value_and_linear_functions_are_kept(name):
+    points = np.asarray(every_kind()[name], float)
+    triangulation = rbpa.Delaunay(points)
+    values = RANDOM.normal(size=(len(points), 3))
+    found = triangulation.interpolate(values, points)
+    assert found.shape == (len(points), 3)
+    if not triangulation.nsimplex:
+        assert np.isnan(found).all()
+        return
+    first = np.arange(len(points))
+    first[triangulation.duplicates[:, 0]] = triangulation.duplicates[:, 1]
+    assert np.array_equal(found, values[first])
+    inside = points[triangulation.simplices].mean(1) if np.abs(points).max() < 1e300 else points[triangulation.simplices[:, 0]]
+    scale = np.abs(points).max()
+    plane = points[:, 0] / scale * 2 - points[:, 1] / scale + 3
+    expected = inside[:, 0] / scale * 2 - inside[:, 1] / scale + 3
+    on_plane = triangulation.interpolate(plane, inside)
+    seen = ~np.isnan(on_plane)  # the mean of three corners, rounded, may be outside
+    assert seen.mean() > 0.5 and np.abs(on_plane - expected)[seen].max() < 1e-12
+    low, high = plane[triangulation.simplices].min(), plane[triangulation.simplices].max()
+    assert (on_plane[seen] > low - 1e-12).all() and (on_plane[seen] < high + 1e-12).all()
+
+
+def test_shapes_kinds_and_fill_values():
+    triangulation = rbpa.Delaunay([[0, 0], [4, 0], [0, 4]])
+    assert triangulation.interpolate([0, 8, 4], [1, 1]).shape == ()
+    at = np.array([[[1, 1], [0, 4]], [[9, 9], [math.nan, 0]]])
+    assert np.array_equal(triangulation.interpolate([0, 8, 4], at, fill_value=-1), [[3, 4], [-1, -1]])
+    assert np.array_equal(triangulation.interpolate([0, 8j, 4], [[1, 1]]), [1 + 2j])
+    assert triangulation.interpolate(np.zeros((3, 2, 5)), at).shape == (2, 2, 2, 5)
+    assert triangulation.interpolate([0, 8, 4], np.empty((0, 2))).shape == (0,)
+    assert np.array_equal(triangulation.interpolate([math.inf, 1, 2], [[2, 2], [4, 0]]), [1.5, 1])
+    for wrong, message in [
+        ([1, 2], "values: found an array of shape \\(2,\\), expected \\(3, ...\\)"),
+        (["a", "b", "c"], "values: found an array of <U1, expected numbers"),
+        (3, "values: found an array of shape \\(\\)"),
+    ]:
+        with pytest.raises(rbpa.InvalidInput, match=message):
+            triangulation.interpolate(wrong, [[1, 1]])
+    with pytest.raises(rbpa.InvalidInput, match="xi: found an array of shape"):
+        triangulation.interpolate([1, 2, 3], [1, 2, 3])
