@@ -49,10 +49,12 @@ PointSource parse_source(const PointArguments& arguments) {
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid)
     require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");
-  if (arguments.where) {
+  if (arguments.where || arguments.group_by) {
     const std::optional<FieldNames> names = fields_of(format);
-    require_format(names.has_value(), "--where", "without fields beside the points", "las, ply or text");
-    source.where = Condition(*arguments.where, *names);
+    require_format(names.has_value(), arguments.group_by ? "--group-by" : "--where", "without fields beside the points",
+                   "las, ply or text");
+    source.where = arguments.group_by ? Condition::with_key(*arguments.group_by, arguments.where.value_or(""), *names)
+                                      : Condition(*arguments.where, *names);
   }
   if (arguments.vertices)
     require_format(text || ogr || format == Format::wkt || format == Format::geojson, "--vertices",

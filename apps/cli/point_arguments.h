@@ -21,6 +21,7 @@ struct PointArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::optional<std::string> where;
+  std::optional<std::string> group_by;  ///< a column
   std::optional<std::string> crs;
   std::optional<std::string> layer;
   bool skip_invalid = false;

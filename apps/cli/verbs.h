@@ -30,6 +30,8 @@ struct ShapeArguments : ComplexArguments {
   std::optional<std::string> isolated;  ///< a file for the points in no polygon
 };
 void run_shape(const ShapeArguments& arguments);
+/// The same of each group of the points by itself. Requires: `group_by`.
+void run_group_shapes(const ShapeArguments& arguments);
 
 /// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {

@@ -96,6 +96,11 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
                   "File for the points in no polygon, by its ending: " + std::string(isolated_formats) +
                       (has_gdal() ? ", gpkg, fgb" : ""))
       ->type_name("FILE");
+  verb.add_option(
+          "--group-by", arguments.group_by,
+          "Shapes of groups: points with the same text in a column of a table, or number in a field of LAS, PLY "
+          "or PCD, are a shape by themselves; to .geojson, .csv or a picture")
+      ->type_name("COLUMN");
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
@@ -103,9 +108,11 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
       "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n"
+      "  rbpa shape fixes.csv --columns x,y --group-by animal --alpha auto --cover 0.95 -o ranges.geojson\n"
       "  rbpa shape points.xy --alpha auto --cover 0.99 --min-part-area 2 --min-hole-area 2 -o shape.wkt\n\n"
       "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one "
-      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in. Coordinates are those of "
+      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in. Of groups GeoJSON has a "
+      "Feature for each, and CSV a line. Coordinates are those of "
       "the input, to the last bit, and areas are in their unit squared.\n" +
       std::string(exit_codes));
   return &verb;

@@ -50,7 +50,10 @@ class TableCloud final : public Cloud {
     return block.count > 0;
   }
 
-  void finish() override { selection_.add_remarks(any_points_, name_, facts_.file.remarks); }
+  void finish() override {
+    selection_.add_remarks(any_points_, name_, facts_.file.remarks);
+    facts_.file.keys = selection_.take_keys();
+  }
 
   std::uint64_t bytes_read() const override { return lines_.content().bytes_read(); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "io/interrupt.h"
@@ -88,6 +89,21 @@ void write_pair(OutputFile& file, const Point& p, std::string_view between) {
   file.write_number(p.y);
 }
 
+void write_closed(OutputFile& file, const PolygonSigns& signs, std::span<const Point> ring) {
+  const auto write_point = [&](const Point& p) {
+    file.write(signs.open_point);
+    write_pair(file, p, signs.between_coordinates);
+    file.write(signs.close_point);
+  };
+  file.write(signs.open_list);
+  for (const Point& p : ring) {
+    write_point(p);
+    file.write(signs.between);
+  }
+  write_point(ring.front());
+  file.write(signs.close_list);
+}
+
 }  // namespace
 
 PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs)
@@ -106,18 +122,7 @@ void PolygonWriter::begin(const PolygonFacts& facts) {
 void PolygonWriter::ring(std::span<const Point> points) {
   if (any_ring_) file_.write(signs_.between);
   any_ring_ = true;
-  const auto write_point = [&](const Point& p) {
-    file_.write(signs_.open_point);
-    write_pair(file_, p, signs_.between_coordinates);
-    file_.write(signs_.close_point);
-  };
-  file_.write(signs_.open_list);
-  for (const Point& p : points) {
-    write_point(p);
-    file_.write(signs_.between);
-  }
-  write_point(points.front());  // closed
-  file_.write(signs_.close_list);
+  write_closed(file_, signs_, points);
 }
 
 void PolygonWriter::end() {
@@ -158,6 +163,108 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The lists of rings of the polygons of a group.
+void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group) {
+  std::vector<Point> corners;
+  const auto write = [&](const Ring& ring) {
+    corners.clear();
+    for (const std::uint32_t i : ring.points) corners.push_back(groups.points[i]);
+    write_closed(file, signs, corners);
+  };
+  const std::uint64_t first = groups.shapes.polygon_begin[group], last = groups.shapes.polygon_begin[group + 1];
+  for (std::uint64_t i = first; i < last; ++i) {
+    if (i > first) file.write(signs.between);
+    file.write(signs.open_list);
+    const Polygon& polygon = groups.shapes.polygons[i];
+    write(polygon.shell);
+    for (const Ring& hole : polygon.holes) {
+      file.write(signs.between);
+      write(hole);
+    }
+    file.write(signs.close_list);
+  }
+}
+
+/// Calls visit(group, problem) for each group; the problem is empty where there is a polygon.
+template <typename Visit>
+void for_each_named(const NamedShapes& groups, const Visit& visit) {
+  auto problem = groups.shapes.problems.begin();
+  for (std::size_t g = 0; g < groups.names.size(); ++g) {
+    if (g % 256 == 0) stop_if_interrupted();
+    const bool has_problem = problem != groups.shapes.problems.end() && problem->group == g;
+    visit(g, has_problem ? std::string_view(problem++->what) : std::string_view());
+  }
+}
+
+/// Bytes that are no UTF-8, as of Latin-1, become the sign for what cannot be read, which is what JSON can hold.
+std::string json_text(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string csv_text(std::string_view text) {
+  if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + '"';
+}
+
+}  // namespace
+
+void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
+  const auto write_if_finite = [&](double value) {
+    std::isfinite(value) ? file.write_number(value) : file.write("null");
+  };
+  file.write(collection(groups.crs));
+  for_each_named(groups, [&](std::size_t g, std::string_view problem) {
+    const PolygonTotals& totals = groups.shapes.totals[g];
+    file.write(g == 0 ? "\n" : ",\n");
+    file.write("{\"type\":\"Feature\",\"properties\":{\"group\":");
+    file.write(groups.are_numbers ? groups.names[g] : json_text(groups.names[g]));
+    file.write(",\"points\":");
+    file.write_number(std::uint64_t{groups.sizes[g]});
+    file.write(",\"alpha\":");
+    write_if_finite(groups.shapes.alphas[g]);
+    file.write(",\"area\":");
+    write_if_finite(totals.area);
+    file.write(",\"perimeter\":");
+    write_if_finite(totals.perimeter);
+    file.write(",\"polygons\":");
+    file.write_number(groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
+    if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
+    file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
+    write_polygons_of(file, geojson, groups, g);
+    file.write("]}}");
+  });
+  file.write("\n]}\n");
+}
+
+void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
+  file.write("group,points,alpha,area,perimeter,polygons,problem,geometry\n");
+  for_each_named(groups, [&](std::size_t g, std::string_view problem) {
+    file.write(csv_text(groups.names[g]));
+    file.write(",");
+    file.write_number(std::uint64_t{groups.sizes[g]});
+    file.write(",");
+    if (!std::isnan(groups.shapes.alphas[g])) file.write_number(groups.shapes.alphas[g]);
+    file.write(",");
+    file.write_number(groups.shapes.totals[g].area);
+    file.write(",");
+    file.write_number(groups.shapes.totals[g].perimeter);
+    file.write(",");
+    file.write_number(groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
+    file.write("," + csv_text(problem) + ",");
+    if (problem.empty()) {
+      file.write("\"MULTIPOLYGON (");
+      write_polygons_of(file, wkt, groups, g);
+      file.write(")\"\n");
+    } else {
+      file.write("MULTIPOLYGON EMPTY\n");
+    }
+  });
+}
 
 void write_points_csv(OutputFile& file, const Shape& shape) {
   file.write("x,y,polygon\n");

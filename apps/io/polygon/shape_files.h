@@ -13,6 +13,7 @@
 #include "io/crs.h"
 #include "io/formats.h"
 #include "rbpa/base/point.h"
+#include "rbpa/groups.h"
 #include "rbpa/shape.h"
 
 namespace rbpa::app {
@@ -80,6 +81,23 @@ class PolygonWriter final : public PolygonSink {
 
 /// All polygons of a shape by a PolygonWriter.
 void write_polygons(OutputFile& file, Format format, const Shape& shape);
+
+/// Shapes of groups, each with a name.
+struct NamedShapes {
+  std::span<const Point> points;
+  std::span<const std::string> names;
+  bool are_numbers = false;            ///< all names are
+  std::span<const std::size_t> sizes;  ///< points in each group
+  const GroupShapes& shapes;
+  std::optional<Crs> crs = std::nullopt;
+};
+
+/// GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha", "area",
+/// "perimeter", "polygons", and where there are none "problem".
+void write_groups_geojson(OutputFile& file, const NamedShapes& groups);
+
+/// CSV: group,points,alpha,area,perimeter,polygons,problem,geometry, a line for each group, the last being well-known text.
+void write_groups_csv(OutputFile& file, const NamedShapes& groups);
 
 /// CSV: x,y,polygon for every point, polygons numbered from 1 as in GeoJSON; nothing where it is in none.
 void write_points_csv(OutputFile& file, const Shape& shape);

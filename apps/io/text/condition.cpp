@@ -257,6 +257,23 @@ Condition::Condition(const std::string& text, const FieldNames& names, std::vect
   selects_ ? Parser(text, names, instructions_, fields_, texts_).parse() : instructions_.push_back({Step::number, 1});
 }
 
+Condition Condition::with_key(const std::string& key, const std::string& text, const FieldNames& names) {
+  if (!names.are(key)) throw WrongUsage("--group-by: found " + in_quotes(key) + ", expected " + names.described);
+  Condition condition;
+  condition.selects_ = !text.empty();
+  if (condition.selects_)
+    Parser(text, names, condition.instructions_, condition.fields_, condition.texts_).parse();
+  else
+    condition.instructions_.push_back({Step::number, 1});
+  // The key is no number that the condition may compare.
+  for (Instruction& instruction : condition.instructions_)
+    if (instruction.step == Step::field) ++instruction.field;
+  condition.fields_.insert(condition.fields_.begin(), key);
+  condition.columns_ = 1;
+  condition.has_key_ = true;
+  return condition;
+}
+
 bool Selection::holds() {
   stack_.clear();
   for (const Condition::Instruction& instruction : instructions_) {

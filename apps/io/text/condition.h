@@ -29,6 +29,9 @@ class Condition {
   Condition(const std::string& text, const FieldNames& names);
   /// The same, and fields that are wanted of each point as well: the first of fields(). Of an empty text all points count.
   Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns);
+  /// The same, and the key of each point, which is the first of fields() and the only one of columns(): where fields may be
+  /// texts it is one, whatever it looks like. Throws WrongUsage.
+  static Condition with_key(const std::string& key, const std::string& text, const FieldNames& names);
 
   enum class Step {
     field,
@@ -55,6 +58,12 @@ class Condition {
   const std::vector<std::string>& fields() const { return fields_; }
   /// How many of them are wanted of each point.
   std::size_t columns() const { return columns_; }
+  /// Whether the first of fields() is a key.
+  bool has_key() const { return has_key_; }
+  /// Who asks for a field: "--group-by" for the key, else "--where".
+  std::string_view asks_for(const std::string& field) const {
+    return has_key_ && field == fields_.front() ? "--group-by" : "--where";
+  }
   /// Whether some points may not count.
   bool selects() const { return selects_; }
   /// Whether a field is a text.
@@ -64,10 +73,13 @@ class Condition {
   const std::vector<Text>& texts() const { return texts_; }
 
  private:
-  std::vector<Instruction> instructions_;
-  std::vector<std::string> fields_;
-  std::vector<Text> texts_;
+  Condition() = default;
+
+  std::vector<Instruction> instructions_ = {};
+  std::vector<std::string> fields_ = {};
+  std::vector<Text> texts_ = {};
   std::size_t columns_ = 0;
+  bool has_key_ = false;
   bool selects_ = true;
 };
 

@@ -7,7 +7,9 @@ namespace rbpa::app {
 void LineSelection::find_columns(const std::vector<std::string_view>& names, const Lines& lines,
                                  const std::string& name) {
   if (!where_) return;
-  if (names.empty()) bad_input(name, "no header line", "one with the names that --where asks for");
+  if (names.empty())
+    bad_input(name, "no header line",
+              "one with the names that " + std::string(where_->has_key() ? "--group-by" : "--where") + " asks for");
   for (const std::string& field : where_->fields()) columns_.push_back(find_column(names, field, lines, name));
   for (const Condition::Text& text : where_->texts())
     text_columns_.push_back(find_column(names, text.field, lines, name));

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -41,20 +42,27 @@ class LineSelection {
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
     std::size_t count = 0;
+    const auto first_number = columns_.begin() + (where_->has_key() ? 1 : 0);
     for (; !fields.at_end(); ++count) {
+      if (where_->has_key() && columns_[0] == count)
+        selection_->values()[0] = keys_.number_of(without_quotes(Fields(fields).take()));
       if (std::find(text_columns_.begin(), text_columns_.end(), count) != text_columns_.end())
         compare_texts(count, without_quotes(Fields(fields).take()));
-      if (std::find(columns_.begin(), columns_.end(), count) == columns_.end()) {
+      if (std::find(first_number, columns_.end(), count) == columns_.end()) {
         fields.take();
         continue;
       }
       const double value = read(fields);
-      for (std::size_t i = 0; i < columns_.size(); ++i)  // which may have been named in two ways
-        if (columns_[i] == count) selection_->values()[i] = value;
+      for (auto i = static_cast<std::size_t>(first_number - columns_.begin()); i < columns_.size(); ++i)
+        if (columns_[i] == count)  // which may have been named in two ways
+          selection_->values()[i] = value;
     }
     take_width(count);
     return selection_->holds();
   }
+
+  /// Of the condition's key, the texts that were found: column_values() has a number for each, from 0 on.
+  std::vector<std::string> take_keys() { return std::move(keys_.texts); }
 
   /// Takes a line; one that take() refuses is left out, or the refusal stands.
   template <typename Take>
@@ -74,6 +82,17 @@ class LineSelection {
   void add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
 
  private:
+  struct Keys {
+    std::vector<std::string> texts = {};
+    std::unordered_map<std::string, std::size_t> numbers = {};
+
+    double number_of(std::string_view text) {
+      const auto [place, is_new] = numbers.try_emplace(std::string(text), texts.size());
+      if (is_new) texts.emplace_back(text);
+      return static_cast<double>(place->second);
+    }
+  };
+
   void compare_texts(std::size_t column, std::string_view found) {
     for (std::size_t i = 0; i < text_columns_.size(); ++i)
       if (text_columns_[i] == column)
@@ -85,6 +104,7 @@ class LineSelection {
   std::vector<std::size_t> columns_ = {};       // of the condition's fields
   std::vector<std::size_t> text_columns_ = {};  // of its texts
   std::optional<Selection> selection_ = std::nullopt;
+  Keys keys_ = {};
   std::size_t skipped_ = 0;
   std::string first_skipped_ = {};
 };
