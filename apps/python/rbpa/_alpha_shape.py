@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from functools import cached_property
 from typing import Any, Optional
 
@@ -14,7 +13,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._filtration import Plateau
 from rbpa._input import Alpha, Floats, Indices, Progress
-from rbpa._input import as_area, as_count, as_points, as_radius, as_share, as_threads
+from rbpa._input import as_area, as_count, as_plateau, as_points, as_radius, as_rule, as_share, as_threads
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
 from rbpa._result import Triangles
@@ -88,16 +87,12 @@ def _choose(
     points: Floats, alpha: Alpha, cover: float, components: int, threads: int, progress: Progress
 ) -> Optional[float]:
     """The radius; None where no radius satisfies the rule, as there is no triangle at any."""
-    rule = alpha if isinstance(alpha, str) else None
-    if components != 1 and rule != "auto":
-        raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
-    if cover != 1 and rule != "auto" and rule != "min":
-        raise InvalidInput(f"cover: found alpha={alpha!r}, expected alpha='auto' or 'min', which are what it is about")
+    rule = as_rule(alpha, cover, components)
     if rule == "auto" or rule == "min":
         return _core.least_alpha(points, cover, components if rule == "auto" else None, threads, progress)
-    if rule is not None and re.fullmatch("plateau(:[1-9][0-9]*)?", rule):
+    rank = None if rule is None else as_plateau(rule)
+    if rank is not None:
         found = _core.plateaus(points, threads, progress)
-        rank = int(rule.partition(":")[2] or 1)
         if found and rank > len(found):
             raise InvalidInput(f"alpha: found {alpha!r}, expected a plateau that there is: there are {len(found)}")
         return Plateau(*found[rank - 1]).alpha if found else None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Mapping
 from typing import Any, Iterator, Optional, Union
 
@@ -14,7 +13,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import RULES, Alpha, Floats, Indices, Integers, Progress
-from rbpa._input import as_count, as_numbers, as_points, as_radius, as_share, as_threads
+from rbpa._input import as_count, as_numbers, as_plateau, as_points, as_radius, as_rule, as_share, as_threads
 from rbpa._polygons import Polygons
 from rbpa._result import Result
 
@@ -97,18 +96,11 @@ def _shapes(
 ) -> AlphaShapes:
     array = as_points(points)
     keys, labels = _labels(points, groups, len(array))
-    rule = alpha if isinstance(alpha, str) else None
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
-    if pieces != 1 and rule != "auto":
-        raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
-    if share != 1 and rule != "auto" and rule != "min":
-        raise InvalidInput(f"cover: found alpha={alpha!r}, expected alpha='auto' or 'min', which are what it is about")
-    plateau, radii = 0, np.empty(0)
-    if rule is None:
-        radii = _radii(alpha, keys)
-    elif re.fullmatch("plateau(:[1-9][0-9]*)?", rule):
-        plateau = int(rule.partition(":")[2] or 1)
-    elif rule != "auto" and rule != "min":
+    rule = as_rule(alpha, share, pieces)
+    plateau = 0 if rule is None else as_plateau(rule) or 0
+    radii = _radii(alpha, keys) if rule is None else np.empty(0)
+    if rule not in (None, "auto", "min") and not plateau:
         as_radius(rule)  # type: ignore[arg-type]  # which refuses other words
     made = _core.shapes_of_groups(
         array, labels, len(keys), radii, share, pieces if rule == "auto" else None, plateau, min_hole_area, 0.0,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import decimal
 import numbers
 import os
+import re
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
@@ -136,6 +137,21 @@ def as_numbers(values: Any, name: str, expected: str) -> Floats:
 def as_radius(alpha: float, expected: str = f"a radius (a number > 0, or inf), {RULES}") -> float:
     """A number; whether it is a radius is for the library to say."""
     return as_number(alpha, "alpha", expected)
+
+
+def as_rule(alpha: Any, cover: float, components: int) -> Optional[str]:
+    """The rule by which points choose alpha, or None where it is given. Refuses what the rule does not take."""
+    rule = alpha if isinstance(alpha, str) else None
+    if components != 1 and rule != "auto":
+        raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
+    if cover != 1 and rule != "auto" and rule != "min":
+        raise InvalidInput(f"cover: found alpha={alpha!r}, expected alpha='auto' or 'min', which are what it is about")
+    return rule
+
+
+def as_plateau(rule: str) -> Optional[int]:
+    """The rank of a rule "plateau" or "plateau:K"; None of others."""
+    return int(rule.partition(":")[2] or 1) if re.fullmatch("plateau(:[1-9][0-9]*)?", rule) else None
 
 
 def as_area(area: float, name: str) -> float:
