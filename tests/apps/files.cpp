@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -32,7 +33,13 @@ std::size_t position_in(pid_t process, const std::string& path) {
   return 0;
 }
 
-/// Runs `rbpa info` on a large file, and `change(path)` once it has read a part, or for a while. Returns the message.
+/// Whether a child has, which nobody has waited for yet.
+bool has_ended(pid_t process) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == process;
+}
+
+/// Runs `rbpa info` on a large file, and `change(path)` once it has read a part. Returns the message.
 std::string message_after(const std::function<void(const std::string&)>& change, Ending& ending) {
   const Folder folder;
   const std::string path = folder.file("p.f64xy", ""), errors = folder.file("errors", "");
@@ -43,7 +50,7 @@ std::string message_after(const std::function<void(const std::string&)>& change,
       redirect(STDOUT_FILENO, "/dev/null", O_WRONLY);
     });
     // It runs a little at a time, so that it has not read all before this process, of a busy machine, runs again.
-    for (int wait = 0; wait < 200 && position_in(child.id(), path) == 0; ++wait) {
+    while (!has_ended(child.id()) && position_in(child.id(), path) == 0) {
       kill(child.id(), SIGCONT);
       usleep(100);
       kill(child.id(), SIGSTOP);
