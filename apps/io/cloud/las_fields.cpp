@@ -206,7 +206,7 @@ std::vector<LasPlace> find_las_places(const Condition& condition, unsigned forma
     const std::optional<LasField> field = find_las_field(wanted, format, minor);
     if (!field)
       bad_input(name, "point format " + std::to_string(format) + " of LAS 1." + std::to_string(minor),
-                "one with " + wanted + ", as " + std::string(condition.asks_for(wanted)) +
+                "one with " + wanted + ", as " + std::string(condition.option_of(wanted)) +
                     " asks: " + formats_with(wanted, minor));
     places.push_back({.field = *field});
   }

@@ -182,7 +182,7 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
   if (request.where)
     for (const std::string& field : request.where->fields())
       layout.condition.push_back(
-          find(field, "a field of that name, as " + std::string(request.where->asks_for(field)) + " asks"));
+          find(field, "a field of that name, as " + std::string(request.where->option_of(field)) + " asks"));
   return layout;
 }
 

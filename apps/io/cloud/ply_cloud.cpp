@@ -35,7 +35,7 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
     const std::optional<std::size_t> place = number_place(vertex, field);
     if (!place)
       bad_input(at_line(name, vertex.line), "vertices without " + in_quotes(field),
-                "a number property of that name, as " + std::string(request.where->asks_for(field)) + " asks");
+                "a number property of that name, as " + std::string(request.where->option_of(field)) + " asks");
     layout.condition.push_back(*place);
   }
   return layout;

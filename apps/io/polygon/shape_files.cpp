@@ -89,6 +89,13 @@ void write_pair(OutputFile& file, const Point& p, std::string_view between) {
   file.write_number(p.y);
 }
 
+/// The corners of a ring, in memory that is used again.
+std::span<const Point> gather(const Ring& ring, std::span<const Point> points, std::vector<Point>& corners) {
+  corners.clear();
+  for (const std::uint32_t i : ring.points) corners.push_back(points[i]);
+  return corners;
+}
+
 void write_closed(OutputFile& file, const PolygonSigns& signs, std::span<const Point> ring) {
   const auto write_point = [&](const Point& p) {
     file.write(signs.open_point);
@@ -136,11 +143,7 @@ void write_polygons(OutputFile& file, Format format, const Shape& shape) {
   PolygonWriter writer(file, format, shape.crs);
   const std::vector<std::size_t> counts = points_in_polygons(shape);
   std::vector<Point> corners;
-  const auto write = [&](const Ring& ring) {
-    corners.clear();
-    for (const std::uint32_t i : ring.points) corners.push_back(shape.points[i]);
-    writer.ring(corners);
-  };
+  const auto write = [&](const Ring& ring) { writer.ring(gather(ring, shape.points, corners)); };
   for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
     const Polygon& polygon = shape.polygons[i];
     writer.begin({polygon.area, polygon.perimeter, polygon.holes.size(), counts[i]});
@@ -169,11 +172,7 @@ namespace {
 /// The lists of rings of the polygons of a group.
 void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group) {
   std::vector<Point> corners;
-  const auto write = [&](const Ring& ring) {
-    corners.clear();
-    for (const std::uint32_t i : ring.points) corners.push_back(groups.points[i]);
-    write_closed(file, signs, corners);
-  };
+  const auto write = [&](const Ring& ring) { write_closed(file, signs, gather(ring, groups.points, corners)); };
   const std::uint64_t first = groups.shapes.polygon_begin[group], last = groups.shapes.polygon_begin[group + 1];
   for (std::uint64_t i = first; i < last; ++i) {
     if (i > first) file.write(signs.between);

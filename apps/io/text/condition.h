@@ -60,8 +60,8 @@ class Condition {
   std::size_t columns() const { return columns_; }
   /// Whether the first of fields() is a key.
   bool has_key() const { return has_key_; }
-  /// Who asks for a field: "--group-by" for the key, else "--where".
-  std::string_view asks_for(const std::string& field) const {
+  /// The option that names a field: "--group-by" the key, "--where" all others.
+  std::string_view option_of(const std::string& field) const {
     return has_key_ && field == fields_.front() ? "--group-by" : "--where";
   }
   /// Whether some points may not count.

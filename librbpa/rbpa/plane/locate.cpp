@@ -34,21 +34,18 @@ std::function<void()> asking(const std::function<bool()>& go_on) {
 
 /// Corners of a triangle as seen from a point in it, from afar where differences would overflow.
 struct SeenFrom {
-  double scale = 1;
   std::array<Point, 3> at;
   std::array<double, 3> size;  // the larger of |x| and |y|
 
   SeenFrom(const std::array<Point, 3>& corners, const Point& query) {
-    const auto see = [&] {
+    const auto see = [&](double scale) {
       for (std::size_t k = 0; k < 3; ++k) {
         at[k] = {scale * corners[k].x - scale * query.x, scale * corners[k].y - scale * query.y};
         size[k] = std::max(std::abs(at[k].x), std::abs(at[k].y));
       }
     };
-    see();
-    if (std::isfinite(largest())) return;
-    scale = 0.5;
-    see();
+    see(1);
+    if (std::isinf(largest())) see(0.5);
   }
   double largest() const { return std::max({size[0], size[1], size[2]}); }
   double least() const { return std::min({size[0], size[1], size[2]}); }
@@ -149,7 +146,7 @@ class Locator::Impl {
 
   std::size_t points() const { return points_.size(); }
 
-  /// Fills in the values at a query in triangle t, as many as there are columns.
+  /// Interpolates at a query in triangle t: writes a value for each column.
   void interpolate(std::uint32_t t, std::span<const double> values, const Point& query,
                    std::span<double> result) const {
     if (t == no_index) {

@@ -9,6 +9,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/in_order.h"
+#include "rbpa/collinear.h"
 #include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/groups.h"
@@ -81,8 +82,7 @@ class GroupShaper {
     }
     if (!complex.triangles.empty()) return "no part has an area >= " + text(options_.filter.min_part_area);
     if (const std::optional<std::string> why = without_triangles(complex)) return *why;
-    if (!alpha || triangulate(group.points, std::numeric_limits<double>::infinity(), {.threads = 1}).triangles.empty())
-      return "all points are collinear";
+    if (are_collinear(group.points)) return "all points are collinear";
     return "no triangle has circumradius <= " + text(*alpha);
   }
 
