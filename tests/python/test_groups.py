@@ -138,8 +138,8 @@ def test_geojson_pickles_and_threads():
 
 
 def test_progress_is_of_groups_and_ends_the_run():
-    points, labels = RANDOM.random((300_000, 2)), RANDOM.integers(0, 3000, 300_000)
+    points, labels = RANDOM.random((1_200_000, 2)), RANDOM.integers(0, 12_000, 1_200_000)
     seen = []
     with pytest.raises(rbpa.Cancelled):
-        rbpa.alpha_shapes(points, labels, threads=1, progress=lambda done, groups: seen.append((done, groups)) or len(seen) < 3)
-    assert len(seen) == 3 and all(0 <= done <= 3000 for done, groups in seen)
+        rbpa.alpha_shapes(points, labels, threads=1, progress=lambda done, groups: seen.append((done, groups)) or len(seen) < 2)
+    assert len(seen) == 2 and all(0 <= done <= 12_000 for done, groups in seen)
