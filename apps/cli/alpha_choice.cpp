@@ -9,6 +9,7 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "rbpa/covering.h"
 #include "rbpa/filtration.h"
 #include "rbpa/plateaus.h"
 
@@ -111,13 +112,12 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   if (choice.rule == AlphaRule::given) return choice.radius;
   const Delaunay delaunay = build_delaunay(points, run);
   std::optional<ProgressLine> line(std::in_place, "rbpa", !run.quiet, "choosing alpha");
-  const Filtration all = filtration(delaunay, until_interrupted());
   if (choice.rule != AlphaRule::plateau) {
     Covering covering{.share = choice.cover};
     if (choice.rule == AlphaRule::automatic) covering.max_components = choice.max_components;
-    return smallest_covering(delaunay, all, covering, until_interrupted());
+    return smallest_covering(delaunay, covering, until_interrupted());
   }
-  const std::vector<Plateau> found = plateaus(delaunay, all, until_interrupted());
+  const std::vector<Plateau> found = plateaus(delaunay, filtration(delaunay, until_interrupted()), until_interrupted());
   line.reset();  // nothing may be said beside it
   if (found.empty()) return std::nullopt;
   if (choice.rank > found.size())

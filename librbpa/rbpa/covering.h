@@ -38,6 +38,9 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 ///           `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
+/// The same where the filtration is wanted for nothing else: only its radii are computed, in about half the time.
+RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
+                                                 const std::function<bool()>& go_on = {});
 /// The same of triangulate(points, infinity, {.neighbors = true}), where its neighbours matter checked by require_linked().
 RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});

@@ -45,6 +45,11 @@ inline Filtration filtration(const Triangulation& delaunay, std::span<const Poin
   return filtration(Delaunay(delaunay, points, go_on, "filtration"), go_on);
 }
 
+/// The complex at a radius, 0 < alpha ≤ infinity: what triangulate(points, alpha, {.neighbors = true}) returns, without another
+/// triangulation. Requires: the filtration is that of the triangulation.
+/// Throws: ContractViolation when it is visibly of another one, or alpha is no radius. Cost: linear.
+RBPA_API Triangulation complex_at(const Delaunay& of, const Filtration& filtration, double alpha);
+
 /// The least alpha at which every distinct point is in a triangle; with `max_components`, at which moreover there are
 /// at most that many solid components (their number is not monotone in alpha: it may exceed the bound again above).
 /// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or the bound is 0.

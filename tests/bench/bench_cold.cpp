@@ -1,13 +1,7 @@
 // Single runs in fresh processes, in any order: the cold tables of docs/performance.md, and their targets.
 //   bench_cold [--runs=N] [--points=N]      15 runs of each, 1,000,000 points
-#include <stdlib.h>
-#include <unistd.h>
-
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,26 +15,6 @@
 
 namespace rbpa_bench {
 namespace {
-
-/// A file of points that is gone at the end.
-class PointsFile {
- public:
-  explicit PointsFile(const rbpa_test::Points& points) {
-    const int file = mkstemp(path_.data());
-    if (file < 0) throw std::runtime_error(path_ + ": cannot be made");
-    close(file);
-    std::ofstream(path_, std::ios::binary)
-        .write(reinterpret_cast<const char*>(points.data()),
-               static_cast<std::streamsize>(points.size() * sizeof points[0]));
-  }
-  ~PointsFile() { std::filesystem::remove(path_); }
-  PointsFile(const PointsFile&) = delete;
-  PointsFile& operator=(const PointsFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_ = (std::filesystem::temp_directory_path() / "bench_cold_XXXXXX").string();
-};
 
 /// What one contestant's runs on one set cost.
 struct Cold {

@@ -1,5 +1,6 @@
 #include "bench/cold.h"
 
+#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,6 +30,22 @@ const std::vector<Contestant>& cold_contestants() {
                                               neighbors_with(1), neighbors_with(2), cgal_points};
   return all;
 }
+
+PointsFile::PointsFile(const rbpa_test::Points& points)
+    : path_((std::filesystem::temp_directory_path() / "bench_points_XXXXXX").string()) {
+  const int file = mkstemp(path_.data());
+  if (file < 0) throw std::runtime_error(path_ + ": cannot be made");
+  close(file);
+  std::ofstream out(path_, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(points.data()),
+            static_cast<std::streamsize>(points.size() * sizeof points[0]));
+  out.close();
+  if (out) return;
+  std::filesystem::remove(path_);
+  throw std::runtime_error(path_ + ": cannot be written");
+}
+
+PointsFile::~PointsFile() { std::filesystem::remove(path_); }
 
 ColdRun run_cold(const std::string& program, std::size_t contestant, const std::string& points_file) {
   int ends[2];

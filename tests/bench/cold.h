@@ -8,11 +8,26 @@
 #include <vector>
 
 #include "bench/contest.h"
+#include "support/triangle.h"
 
 namespace rbpa_bench {
 
 /// The contestants: the meshes and arrays of one thread and two, and CGAL.
 const std::vector<Contestant>& cold_contestants();
+
+/// A temporary file of points, for run_cold().
+class PointsFile {
+ public:
+  /// Throws std::runtime_error when it cannot be written.
+  explicit PointsFile(const rbpa_test::Points& points);
+  ~PointsFile();
+  PointsFile(const PointsFile&) = delete;
+  PointsFile& operator=(const PointsFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
 
 /// One run, in a process of its own.
 struct ColdRun {

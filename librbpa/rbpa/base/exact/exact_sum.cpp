@@ -36,9 +36,17 @@ void ExactSum::add_bits(std::uint64_t bits, unsigned position, bool negative) {
   for (std::size_t i = 0; i < 3; ++i) digits_[digit + i] += negative ? -parts[i] : parts[i];
 }
 
+/// Bits are added at these positions, and between them.
+void ExactSum::touch(unsigned first_position, unsigned last_position) {
+  begin_ = std::min<std::size_t>(begin_, first_position / 32);
+  end_ = std::max<std::size_t>(end_, last_position / 32 + 3);
+}
+
 void ExactSum::add(double value) {
   const Scaled x = scaled(value);
-  add_bits(x.significand, static_cast<unsigned>(x.exponent + offset), x.negative);
+  const auto position = static_cast<unsigned>(x.exponent + offset);
+  touch(position, position);
+  add_bits(x.significand, position, x.negative);
   added();
 }
 
@@ -47,6 +55,7 @@ void ExactSum::add_product(double a, double b) {
   const bool negative = x.negative != y.negative;
   const auto position = static_cast<unsigned>(x.exponent + y.exponent + offset);
   constexpr std::uint64_t low_mask = (1U << 27U) - 1;
+  touch(position, position + 54);
   const std::uint64_t x1 = x.significand >> 27U, x0 = x.significand & low_mask;
   const std::uint64_t y1 = y.significand >> 27U, y0 = y.significand & low_mask;
   add_bits(x0 * y0, position, negative);
@@ -60,6 +69,8 @@ void ExactSum::added() {
   if (++additions_ < (1U << 28U)) return;
   carry(digits_);
   additions_ = 0;
+  begin_ = 0;
+  end_ = digits_.size();
 }
 
 void ExactSum::carry(Digits& digits) {
@@ -77,6 +88,8 @@ ExactSum& ExactSum::operator+=(const ExactSum& other) {
   carry(digits_);
   for (std::size_t i = 0; i < added.size(); ++i) digits_[i] += added[i];
   additions_ = 1;  // two digits that are carried are less than a product adds
+  begin_ = 0;
+  end_ = digits_.size();
   return *this;
 }
 
@@ -90,30 +103,51 @@ ExactSum ExactSum::of(const Digits& digits) {
   ExactSum sum;
   sum.digits_ = digits;
   sum.additions_ = 1;
+  sum.begin_ = 0;
+  sum.end_ = digits.size();
   return sum;
 }
 
 double ExactSum::rounded(int exponent) const {
-  Digits digits = this->digits();
-  const bool negative = digits.back() < 0;
-  if (negative) {
-    for (std::int64_t& digit : digits) digit = -digit;
-    carry(digits);
-  }
-  const auto first = std::find_if(digits.rbegin(), digits.rend(), [](std::int64_t digit) { return digit != 0; });
-  if (first == digits.rend()) return 0;
-  const auto top = static_cast<std::size_t>(digits.rend() - first) - 1;
-  const auto at = [&](std::size_t below) { return static_cast<std::uint64_t>(digits[top - below]); };
+  if (begin_ >= end_) return 0;
+  // The digits of the absolute value, as far as they are not 0.
+  Digits size;
+  // Returns: what is carried behind the last of them. A sum fills no more than all digits, so that there is none behind `size`.
+  const auto carried_from = [&](const Digits& digits, bool negative) {
+    std::int64_t carried = 0;
+    for (std::size_t i = begin_; i < end_; ++i) {
+      const std::int64_t digit = (negative ? -digits[i] : digits[i]) + carried;
+      size[i] = digit & digit_mask;
+      carried = digit >> 32;  // rounds down
+    }
+    return carried;
+  };
+  std::int64_t carried = carried_from(digits_, false);
+  const bool negative = carried < 0;
+  if (negative) carried = carried_from(digits_, true);
+  std::size_t top = end_;
+  if (carried != 0)
+    size[top] = carried;
+  else
+    do {
+      if (top == begin_) return 0;
+      --top;
+    } while (size[top] == 0);
+  const auto at = [&](std::size_t below) {
+    return top < begin_ + below ? std::uint64_t{0} : static_cast<std::uint64_t>(size[top - below]);
+  };
 
   // The first 64 bits, the last of which also stands for everything behind: then the conversion rounds as it must.
   const auto width = static_cast<unsigned>(std::bit_width(at(0)));
   std::uint64_t bits = (((at(0) << 32U) | at(1)) << (32 - width)) | (at(2) >> width);
   const bool more = (at(2) & ((std::uint64_t{1} << width) - 1)) != 0 ||
-                    std::any_of(first + 3, digits.rend(), [](std::int64_t digit) { return digit != 0; });
+                    (top > begin_ + 2 && std::any_of(size.begin() + static_cast<std::ptrdiff_t>(begin_),
+                                                     size.begin() + static_cast<std::ptrdiff_t>(top - 2),
+                                                     [](std::int64_t digit) { return digit != 0; }));
   bits |= more ? 1U : 0U;
   const int position = 32 * (static_cast<int>(top) - 1) - (32 - static_cast<int>(width)) - offset;
-  const double size = std::ldexp(static_cast<double>(bits), position + exponent);
-  return negative ? -size : size;
+  const double rounded = std::ldexp(static_cast<double>(bits), position + exponent);
+  return negative ? -rounded : rounded;
 }
 
 }  // namespace rbpa

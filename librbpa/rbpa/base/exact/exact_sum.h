@@ -32,10 +32,12 @@ class ExactSum {
 
  private:
   static void carry(Digits& digits);
+  void touch(unsigned first_position, unsigned last_position);
   void add_bits(std::uint64_t bits, unsigned position, bool negative);
   void added();
 
   Digits digits_{};  // digit i counts 2^(32 i − offset); between carries any integer
+  std::size_t begin_ = std::tuple_size_v<Digits>, end_ = 0;  // all others are 0
   std::uint32_t additions_ = 0;
 };
 

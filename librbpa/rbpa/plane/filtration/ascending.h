@@ -1,25 +1,23 @@
 // What: faces in the order in which a filtration has them.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "rbpa/base/steps.h"
-#include "rbpa/filtration.h"
 
 namespace rbpa {
 
-/// By alpha; equal alphas come in any order.
-inline std::vector<std::uint32_t> ascending(const Filtration& filtration, Steps& pulse) {
-  const std::vector<double>& alpha = filtration.triangle_alpha;
-  std::vector<std::uint32_t> faces(alpha.size());
-  std::iota(faces.begin(), faces.end(), 0u);
-  std::sort(faces.begin(), faces.end(), [&](std::uint32_t a, std::uint32_t b) {
-    pulse();
-    return alpha[a] < alpha[b];
-  });
+/// Numbers of faces by their radii; those of equal radius ascend.
+inline std::vector<std::uint32_t> ascending(std::span<const double> radii, Steps& step) {
+  std::vector<std::pair<double, std::uint32_t>> sorted(radii.size());
+  for (std::uint32_t face = 0; face < sorted.size(); ++face) sorted[face] = {radii[face], face};
+  sort(sorted, step, [](const auto& a, const auto& b) { return a < b; });
+  std::vector<std::uint32_t> faces(sorted.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = sorted[i].second;
   return faces;
 }
 

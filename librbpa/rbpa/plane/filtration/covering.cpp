@@ -2,51 +2,96 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/plane/filtration/ascending.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/part_sizes.h"
+#include "rbpa/plane/filtration/radii.h"
 #include "rbpa/plane/filtration/solid_parts.h"
 
 namespace rbpa {
-
 namespace {
+
+void check(const Covering& covering) {
+  meshops::require(covering.share > 0 && covering.share <= 1, "smallest_covering: a share is above 0 and at most 1");
+}
+
+/// Adds triangle after triangle in ascending order of their radii. Returns: the first radius at which
+/// is_enough(covered points, sizes of solid components).
+template <typename Enough>
+std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t points, std::span<const double> radii,
+                                   Steps& step, const Enough& is_enough) {
+  const std::vector<std::uint32_t> faces = ascending(radii, step);
+  const OwnedTriangles triangles = in_order(delaunay, faces);
+  SolidParts solid(triangles, points);
+  // So many triangles, joined by edges, have at most two vertices more.
+  PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    step();
+    solid.add_next([&](std::uint32_t size) { sizes.remove(size); }, [&](std::uint32_t size) { sizes.add(size); });
+    if (i + 1 < faces.size() && radii[faces[i + 1]] == radii[faces[i]]) continue;
+    if (is_enough(solid.covered(), sizes)) return radii[faces[i]];
+  }
+  return std::nullopt;
+}
+
+/// All points in at most so many solid components.
+std::optional<double> smallest_of_all(const Triangulation& delaunay, std::size_t points, std::span<const double> radii,
+                                      std::size_t max_components, Steps& step) {
+  const std::vector<std::uint32_t> faces = ascending(radii, step);
+  std::vector<std::uint32_t> place(faces.size());
+  for (std::uint32_t i = 0; i < faces.size(); ++i) place[faces[i]] = i;
+  meshops::DisjointSets parts(faces.size());
+  std::vector<std::uint8_t> is_covered(points, 0);
+  std::size_t left = delaunay.distinct, components = 0;
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    step();
+    ++components;
+    for (const std::uint32_t neighbor : delaunay.neighbors[faces[i]])
+      if (neighbor != Triangulation::none && place[neighbor] < i) components -= parts.join(i, place[neighbor]);
+    for (const std::uint32_t corner : delaunay.triangles[faces[i]]) {
+      left -= is_covered[corner] == 0;
+      is_covered[corner] = 1;
+    }
+    if (left > 0 || components > max_components) continue;
+    if (i + 1 == faces.size() || radii[faces[i + 1]] != radii[faces[i]]) return radii[faces[i]];
+  }
+  return std::nullopt;
+}
+
+std::optional<double> smallest(const Triangulation& delaunay, std::span<const double> radii, const Covering& covering,
+                               Steps& step) {
+  const std::size_t points = delaunay.distinct + delaunay.duplicates.size();
+  const auto is_enough = [&](std::size_t count) { return is_share(count, delaunay.distinct, covering.share); };
+  if (covering.share == 1)
+    return smallest_of_all(delaunay, points, radii, covering.max_components.value_or(radii.size()), step);
+  return first_enough(delaunay, points, radii, step, [&](std::size_t covered, const PartSizes& sizes) {
+    if (!covering.max_components) return is_enough(covered);
+    const std::size_t taken_away = sizes.sum() - sizes.largest(*covering.max_components);
+    return taken_away <= covered && is_enough(covered - taken_away);
+  });
+}
 
 std::optional<double> smallest(const Triangulation& delaunay, bool is_checked, const Filtration& filtration,
                                const Covering& covering, const std::function<bool()>& go_on) {
   require_same(filtration, delaunay, "smallest_covering");
-  meshops::require(covering.share > 0 && covering.share <= 1, "smallest_covering: a share is above 0 and at most 1");
+  check(covering);
   if (covering.share == 1) return smallest_covering(filtration, covering.max_components);
-  const std::size_t distinct = filtration.distinct;
   if (!covering.max_components) {
     const auto step = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const FiltrationStep& s) {
-      return is_share(s.covered, distinct, covering.share);
+      return is_share(s.covered, filtration.distinct, covering.share);
     });
     if (step == filtration.steps.end()) return std::nullopt;
     return step->alpha;
   }
-
-  Steps pulse(go_on);
-  const std::vector<double>& alpha = filtration.triangle_alpha;
-  const std::vector<std::uint32_t> faces = ascending(filtration, pulse);
-  const std::size_t points = delaunay.distinct + delaunay.duplicates.size();
-  if (!is_checked) require_linked(delaunay, points, go_on);
-  const OwnedTriangles triangles = in_order(delaunay, faces);
-  SolidParts parts(triangles, points);
-  // So many triangles, joined by edges, have at most two vertices more.
-  PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    pulse();
-    parts.add_next([&](std::uint32_t size) { sizes.remove(size); }, [&](std::uint32_t size) { sizes.add(size); });
-    if (i + 1 < faces.size() && alpha[faces[i + 1]] == alpha[faces[i]]) continue;
-    const std::size_t taken_away = sizes.sum() - sizes.largest(*covering.max_components);
-    if (taken_away <= parts.covered() && is_share(parts.covered() - taken_away, distinct, covering.share))
-      return alpha[faces[i]];
-  }
-  return std::nullopt;
+  if (!is_checked) require_linked(delaunay, delaunay.distinct + delaunay.duplicates.size(), go_on);
+  Steps step(go_on);
+  return smallest(delaunay, filtration.triangle_alpha, covering, step);
 }
 
 }  // namespace
@@ -59,6 +104,18 @@ std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtrati
 std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                         const Covering& covering, const std::function<bool()>& go_on) {
   return smallest(delaunay, false, filtration, covering, go_on);
+}
+
+std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
+                                        const std::function<bool()>& go_on) {
+  Steps step(go_on);
+  return smallest_covering(delaunay, radii_of(delaunay, step), covering, step);
+}
+
+std::optional<double> smallest_covering(const Delaunay& delaunay, std::span<const double> radii,
+                                        const Covering& covering, Steps& step) {
+  check(covering);
+  return smallest(delaunay.triangulation(), radii, covering, step);
 }
 
 }  // namespace rbpa

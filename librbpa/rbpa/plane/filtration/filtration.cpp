@@ -7,6 +7,7 @@
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/growth.h"
 #include "rbpa/plane/filtration/least_alpha.h"
+#include "rbpa/plane/filtration/radii.h"
 
 namespace rbpa {
 namespace {
@@ -35,18 +36,26 @@ FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double ar
 
 }  // namespace
 
+std::vector<double> radii_of(const Delaunay& of, Steps& step) {
+  const Triangulation& delaunay = of.triangulation();
+  std::vector<double> radii(delaunay.triangles.size());
+  for (std::size_t t = 0; t < radii.size(); ++t) {
+    step();
+    const auto [a, b, c] = corners_of(of.points(), delaunay.triangles[t]);
+    radii[t] = least_alpha(a, b, c);
+  }
+  return radii;
+}
+
 Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on) {
   const Triangulation& delaunay = of.triangulation();
   const std::span<const Point> points = of.points();
   Steps pulse(go_on);
-  Filtration result{.steps = {}, .triangle_alpha = {}, .distinct = delaunay.distinct};
-  result.triangle_alpha.resize(delaunay.triangles.size());
+  Filtration result{.steps = {}, .triangle_alpha = radii_of(of, pulse), .distinct = delaunay.distinct};
   std::vector<Entry> entries(delaunay.triangles.size());
   for (std::uint32_t t = 0; t < entries.size(); ++t) {
     pulse();
-    const Corners corners = corners_of(points, delaunay.triangles[t]);
-    result.triangle_alpha[t] = least_alpha(corners[0], corners[1], corners[2]);
-    entries[t] = {result.triangle_alpha[t], static_cast<double>(area(corners)), t};
+    entries[t] = {result.triangle_alpha[t], static_cast<double>(area(corners_of(points, delaunay.triangles[t]))), t};
   }
   std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
     pulse();

@@ -47,7 +47,7 @@ double least_alpha(const Point& a, const Point& b, const Point& c) {
   const double high = area > error ? rounded_up(sides / (area - error) * (1 + 16 * Exact::unit_roundoff))
                                    : std::numeric_limits<double>::infinity();
   if (low == high) return low;
-  return least(low, high, [&](double alpha) { return Exact::compare_circumradius(a, b, c, alpha) <= 0; });
+  return least(low, high, [&](double alpha) { return Exact::compare_to_close_alpha(a, b, c, alpha) <= 0; });
 }
 
 double least_alpha(const Point& a, const Point& b) {

@@ -3,7 +3,7 @@
 //         alpha > 0. So a complex "at alpha" is the cells whose least alpha is ≤ alpha, compared as plain doubles.
 // How:    an interval that holds the radius, in long double; nearly always one double only rounds it up. Else the exact
 //         predicates choose among the doubles that the interval leaves. docs/filtration.md derives the interval.
-// Cost:   about 0.1 µs; some µs where the interval does not decide (one triangle of fifty).
+// Cost:   about 0.1 µs; 1 µs where the interval does not decide (one triangle of fifteen), some µs at a tie.
 #pragma once
 
 #include "rbpa/base/point.h"

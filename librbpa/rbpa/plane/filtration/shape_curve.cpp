@@ -19,7 +19,7 @@ using Wide = long double;  // for its exponents: areas are products of coordinat
 /// Faces by alpha; of equal ones by area, so that a sum of areas in this order depends on coordinates only.
 std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const std::vector<Wide>& areas,
                                              Steps& pulse) {
-  std::vector<std::uint32_t> faces = ascending(filtration, pulse);
+  std::vector<std::uint32_t> faces = ascending(filtration.triangle_alpha, pulse);
   const std::vector<double>& alpha = filtration.triangle_alpha;
   for (auto first = faces.begin(); first != faces.end();) {
     const auto last =

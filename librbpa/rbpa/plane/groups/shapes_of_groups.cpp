@@ -9,11 +9,14 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/in_order.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/collinear.h"
 #include "rbpa/delaunay.h"
 #include "rbpa/filtration.h"
 #include "rbpa/groups.h"
+#include "rbpa/plane/filtration/radii.h"
 #include "rbpa/plane/groups/chunks.h"
+#include "rbpa/plane/shape/polygons_of_linked.h"
 #include "rbpa/plateaus.h"
 #include "rbpa/triangulate.h"
 
@@ -57,24 +60,22 @@ class GroupShaper {
       if (const Point& p = group.points[i]; !is_finite(p))
         return "point " + std::to_string(group.members[i]) + " is (" + text(p.x) + ", " + text(p.y) +
                "), expected finite coordinates";
-    std::optional<Delaunay> delaunay;
-    std::optional<double> alpha;
+    double& alpha = made.alphas.back();
+    Triangulation complex;
     if (!alpha_.given.empty()) {
-      alpha = alpha_.given[alpha_.given.size() == 1 ? 0 : group.number];
-      if (!(*alpha > 0)) return "alpha is " + text(*alpha) + ", expected a radius above 0, or infinity";
-      made.alphas.back() = *alpha;
+      const double given = alpha_.given[alpha_.given.size() == 1 ? 0 : group.number];
+      if (!(given > 0)) return "alpha is " + text(given) + ", expected a radius above 0, or infinity";
+      alpha = given;
+      complex = triangulate(group.points, alpha, {.neighbors = true, .threads = threads});
     } else {
-      delaunay.emplace(group.points, TriangulationOptions{.threads = threads});
-      alpha = choose(*delaunay);
-      if (alpha) made.alphas.back() = *alpha;
+      const Delaunay delaunay(group.points, {.threads = threads});
+      complex = choose(delaunay, alpha);
     }
-    const Triangulation complex =
-        alpha ? triangulate(group.points, *alpha, {.neighbors = true, .threads = threads}) : delaunay->triangulation();
     made.triangle_begin.back() += complex.triangles.size();
     const auto index = [&](std::uint32_t i) { return group.members[i]; };
     if (options_.triangles)
       for (const Triangle& t : complex.triangles) made.triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
-    for (Polygon& polygon : polygons(group.points, complex, options_.filter)) {
+    for (Polygon& polygon : polygons_of_linked(group.points, complex, options_.filter)) {
       for (std::uint32_t& i : polygon.shell.points) i = index(i);
       for (Ring& hole : polygon.holes)
         for (std::uint32_t& i : hole.points) i = index(i);
@@ -83,16 +84,26 @@ class GroupShaper {
     if (!complex.triangles.empty()) return "no part has an area >= " + text(options_.filter.min_part_area);
     if (const std::optional<std::string> why = without_triangles(complex)) return *why;
     if (are_collinear(group.points)) return "all points are collinear";
-    return "no triangle has circumradius <= " + text(*alpha);
+    return "no triangle has circumradius <= " + text(alpha);
   }
 
-  std::optional<double> choose(const Delaunay& delaunay) const {
-    if (delaunay.triangulation().triangles.empty()) return std::nullopt;
+  /// The complex at the radius that is chosen, which is left in `alpha`; all triangles where there is none.
+  Triangulation choose(const Delaunay& delaunay, double& alpha) const {
+    if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
+    const std::function<bool()> never;
+    Steps step(never);
+    if (alpha_.plateau == 0) {
+      const std::vector<double> radii = radii_of(delaunay, step);
+      const std::optional<double> smallest = smallest_covering(delaunay, radii, alpha_.covering, step);
+      if (!smallest) return delaunay.triangulation();
+      alpha = *smallest;
+      return complex_at(delaunay, radii, alpha);
+    }
     const Filtration all = filtration(delaunay);
-    if (alpha_.plateau == 0) return smallest_covering(delaunay, all, alpha_.covering);
     const std::vector<Plateau> found = plateaus(delaunay, all);
-    if (found.empty()) return std::nullopt;
-    return found[std::min(alpha_.plateau, found.size()) - 1].alpha;
+    if (found.empty()) return delaunay.triangulation();
+    alpha = found[std::min(alpha_.plateau, found.size()) - 1].alpha;
+    return complex_at(delaunay, all, alpha);
   }
 
   const GroupAlpha& alpha_;

@@ -7,6 +7,7 @@
 // Cost:   a few nanoseconds; 0.1–1 µs when the filter fails.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -113,6 +114,11 @@ class Predicates {
     // Which of the two holds is unpredictable at a radius like that of many triangles: a branch for the undecided only.
     if (std::abs(difference) > bound) [[likely]]
       return difference > 0 ? 1 : -1;
+    return compare_to_close_alpha(a, b, c, alpha);
+  }
+  /// The same, faster for an alpha so close that the filter would not decide.
+  static int compare_to_close_alpha(const Point& a, const Point& b, const Point& c, double alpha) {
+    if (const int finer = compare_circumradius_finely(a, b, c, alpha); finer != 0) return finer;
     return exact_integer::compare_circumradius(a, b, c, alpha);
   }
 
@@ -164,6 +170,26 @@ class Predicates {
 
     Number difference, magnitude;
   };
+
+  /// compare_circumradius() by double-double numbers; 0 where these do not decide it.
+  static int compare_circumradius_finely(const Point& a, const Point& b, const Point& c, double alpha) {
+    const auto ab = widened(a, b), bc = widened(b, c), ca = widened(c, a);
+    const DoubleDouble first = ab.dot(ab), second = bc.dot(bc), third = ca.dot(ca);
+    // Then no product leaves the range of double, and what underflows in one is below the bound: docs/predicates.md.
+    constexpr double least = 0x1p-300, largest = 0x1p300;
+    const double squared = alpha * alpha;
+    const auto [shortest, longest] = std::minmax({first.high, second.high, third.high, squared});
+    if (!(shortest > least && longest < largest)) return 0;
+    const DoubleDouble sides = first * second * third, area = ab.cross(ca);
+    const DoubleDouble twice = DoubleDouble{2 * alpha, 0} * area, difference = sides - twice * twice;
+    const double magnitude = 2 * alpha * (std::abs(ab.x.high * ca.y.high) + std::abs(ab.y.high * ca.x.high));
+    constexpr double square_of_roundoff = 0x1p-106;
+    const double bound = 64 * square_of_roundoff *
+                         (sides.high + magnitude * (std::abs(twice.high) + 8 * square_of_roundoff * magnitude));
+    if (difference.high > bound) return 1;
+    if (difference.high < -bound) return -1;
+    return 0;
+  }
 
   template <typename Number>
   static int sign_of(Number n) {

@@ -21,6 +21,8 @@ void for_each_edge(const Ring& ring, std::span<const Point> points, Visit&& visi
 double length(const Point& a, const Point& b) {
   const double dx = std::abs(b.x - a.x), dy = std::abs(b.y - a.y);
   const double larger = std::max(dx, dy), smaller = std::min(dx, dy);
+  // Where no square overflows, and one that underflows is nothing beside the other, scaling changes no bit.
+  if (larger > 0x1p-400 && larger < 0x1p400) return std::sqrt(dx * dx + dy * dy);
   if (larger == 0 || std::isinf(larger)) return larger;
   const int exponent = std::ilogb(larger);
   const double u = std::scalbn(larger, -exponent), v = std::scalbn(smaller, -exponent);

@@ -12,6 +12,7 @@
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/shape/measure.h"
 #include "rbpa/plane/shape/nesting.h"
+#include "rbpa/plane/shape/polygons_of_linked.h"
 #include "rbpa/plane/shape/split_curve.h"
 
 namespace rbpa {
@@ -155,6 +156,12 @@ std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArray
                               const std::function<bool()>& go_on) {
   check(filter);
   require_linked(complex, points.size(), go_on);
+  return polygons_of_linked(points, complex, filter, go_on);
+}
+
+std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const TriangleArrays& complex,
+                                        const PolygonFilter& filter, const std::function<bool()>& go_on) {
+  check(filter);
   Steps step(go_on);
   return polygons_of(rings_by_component(complex, points.size(), step), points, filter, step);
 }

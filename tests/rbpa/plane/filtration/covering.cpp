@@ -66,6 +66,7 @@ TEST_CASE("smallest_covering of a share is the least alpha at which the complex 
           if (rbpa::is_share(left[i], all.distinct, share)) expected = all.steps[i].alpha;
         const auto found = rbpa::smallest_covering(delaunay, all, {share, most});
         CHECK(found == expected);
+        CHECK(rbpa::smallest_covering(rbpa::Delaunay(points), {share, most}) == expected);
         if (share == 1) CHECK(found == rbpa::smallest_covering(all, most));
         below_all += found && *found < rbpa::smallest_covering(all, most);
         one_less_helps += most && found && share < 1 && *found < rbpa::smallest_covering(all, most);
@@ -148,6 +149,7 @@ TEST_CASE("a share that is none, and a filtration of other points, are refused")
   const Filtration all = rbpa::filtration(delaunay, points);
   for (const double share : {0.0, -1.0, 1.5, std::nan("")})
     CHECK_THROWS_AS(rbpa::smallest_covering(delaunay, all, {share, 1}), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::smallest_covering(rbpa::Delaunay(points), {.share = 1.5}), meshops::ContractViolation);
   const Points others = uniform(31, 38);
   CHECK_THROWS_AS(rbpa::smallest_covering(delaunay_arrays(others), all, Covering{}), meshops::ContractViolation);
 }
@@ -163,6 +165,11 @@ TEST_CASE("false from go_on cancels a search for a share, in every phase") {
   for (std::size_t last = 1; last <= calls; ++last) {
     std::size_t call = 0;
     CHECK_THROWS_AS(rbpa::smallest_covering(delaunay, all, {0.99, 1}, [&] { return ++call < last; }), rbpa::Cancelled);
+  }
+  for (const double share : {0.99, 1.0}) {
+    std::size_t call = 0;
+    CHECK_THROWS_AS(rbpa::smallest_covering(rbpa::Delaunay(delaunay, points), {share, 1}, [&] { return ++call < 3; }),
+                    rbpa::Cancelled);
   }
 }
 

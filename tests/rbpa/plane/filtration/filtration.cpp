@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "meshops/core/contract.h"
 #include "plane/filtration/small_sets.h"
@@ -95,6 +96,31 @@ TEST_CASE("a triangle is in the complex from its triangle_alpha on") {
                                     [&](double alpha) { return alpha <= step.alpha; });
       CHECK(static_cast<std::size_t>(in) == step.triangles);
     }
+  }
+}
+
+TEST_CASE("the complex at a radius is that of another triangulation") {
+  for (const SmallSet& set : small_sets()) {
+    CAPTURE(set.name);
+    const rbpa::Delaunay delaunay(set.points);
+    const Filtration all = rbpa::filtration(delaunay);
+    std::vector<double> alphas = {1e-300, infinity};
+    for (const FiltrationStep& step : all.steps) {
+      if (step.alpha > 0 && std::isfinite(step.alpha)) alphas.push_back(step.alpha);
+      if (const double below = std::nextafter(step.alpha, 0.0); below > 0) alphas.push_back(below);
+    }
+    for (const double alpha : alphas) {
+      INFO("alpha ", literal(alpha));
+      const rbpa::Triangulation at = rbpa::complex_at(delaunay, all, alpha),
+                                anew = rbpa::triangulate(set.points, alpha, {.neighbors = true});
+      CHECK(at.triangles == anew.triangles);
+      CHECK(at.neighbors == anew.neighbors);
+      CHECK(at.isolated == anew.isolated);
+      CHECK(at.duplicates == anew.duplicates);
+      CHECK(at.distinct == anew.distinct);
+    }
+    CHECK_THROWS_AS(rbpa::complex_at(delaunay, all, 0), meshops::ContractViolation);
+    if (!all.steps.empty()) CHECK_THROWS_AS(rbpa::complex_at(delaunay, {}, 1), meshops::ContractViolation);
   }
 }
 

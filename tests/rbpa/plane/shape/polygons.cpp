@@ -396,4 +396,16 @@ TEST_CASE("areas and perimeters at the ends of double are right, or infinite") {
   CHECK(one({{0x1p52, 0x1p52}, {0x1p52 + 1, 0x1p52}, {0x1p52, 0x1p52 + 1}}).area == 0.5);
 }
 
+TEST_CASE("a power of two scales areas and perimeters, to the last bit") {
+  for (const Points& points : {uniform(40, 61), Points{{0, 0}, {1, 1e-130}, {0.5, 0.7}, {3, 1e-200}}}) {
+    const Polygon before = checked(points, infinity).at(0);
+    for (const int exponent : {-410, -390, -200, 200, 390, 410}) {
+      CAPTURE(exponent);
+      const Polygon after = checked(scaled(points, exponent), infinity).at(0);
+      CHECK(after.perimeter == std::ldexp(before.perimeter, exponent));
+      CHECK(after.area == std::ldexp(before.area, 2 * exponent));
+    }
+  }
+}
+
 TEST_SUITE_END();

@@ -1,0 +1,16 @@
+// What: polygons() of a complex that is known to be linked, as one that was just computed.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/shape.h"
+
+namespace rbpa {
+
+/// Requires: as require_linked(), which is not checked.
+std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const TriangleArrays& complex,
+                                        const PolygonFilter& filter, const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa
