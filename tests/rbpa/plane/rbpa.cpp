@@ -226,12 +226,12 @@ TEST_CASE("a progress callback that returns false cancels at once") {
 TEST_CASE("progress is called as often where a triangle takes long") {
   using Compute = SolidAlphaComplex (*)(std::span<const rbpa::Point>, double, const rbpa::Options&);
   const auto calls = [](const Points& points, double alpha, Compute compute) {
-    int calls = 0;
+    int called = 0;
     compute(points, alpha, {.threads = 1, .progress = [&](const rbpa::Progress&) {
-                              ++calls;
+                              ++called;
                               return true;
                             }});
-    return calls;
+    return called;
   };
   // As released both call every millisecond: the first takes 0.8 seconds, the second 0.18.
   // A ball that reaches most points, in cells as large.
