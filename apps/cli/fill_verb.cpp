@@ -15,12 +15,12 @@
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/mesh/write_triangles.h"
 #include "io/polygon/read_polygons.h"
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
-#include "triangulation/counts.h"
 
 namespace rbpa::app {
 namespace {
@@ -175,7 +175,8 @@ void run_fill(const FillArguments& arguments) {
   if (arguments.stats) {
     stats.distinct = filling.points.size();
     stats.isolated = arrays.isolated.size();
-    stats.counts = count(arrays, Complex::solid);
+    stats.counts = count(filling.points, arrays, Complex::solid, until_interrupted());
+    stats.count_seconds = run.lap();
     stats.method = "fill";
     stats.polygons = filling.polygons.size();
     stats.of_polygons = totals;

@@ -10,7 +10,6 @@
 #include "io/failure.h"
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
-#include "triangulation/counts.h"
 
 namespace rbpa::app {
 namespace {
@@ -69,8 +68,9 @@ void run_mesh(const MeshArguments& arguments) {
 
   ComplexRun run(request, arguments);
   std::optional<Hierarchy> hierarchy;
-  const Triangulation made = build(run.points(), run.alpha, request.method, kind, any_picture || arguments.stats,
-                                   run.options(), levels ? &hierarchy : nullptr);
+  const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
+  const Triangulation made =
+      build(run.points(), run.alpha, request.method, kind, links, run.options(), levels ? &hierarchy : nullptr);
   run.stats.build_seconds = run.lap();
 
   write_targets(run, targets, made, kind, arguments.compact);
@@ -81,7 +81,8 @@ void run_mesh(const MeshArguments& arguments) {
     run.stats.distinct = made.distinct;
     run.stats.isolated = kind == Complex::full ? made.points.size() : made.isolated.size();
     if (kind == Complex::full) run.stats.dangling_edges = made.edges.size();
-    run.stats.counts = count(made, kind);
+    run.stats.counts = count(run.points(), made, kind, until_interrupted());
+    run.stats.count_seconds = run.lap();
   }
   run.finish();
 
@@ -93,3 +94,4 @@ void run_mesh(const MeshArguments& arguments) {
 }
 
 }  // namespace rbpa::app
+#include "io/interrupt.h"

@@ -1,5 +1,8 @@
 #include "cli/method.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
 
 #include "cli/progress.h"
@@ -48,25 +51,42 @@ Hierarchy build_mesh(const std::vector<Point>& points, double alpha, const Metho
   return by_levels(points, alpha, {.leaf_capacity = *method.leaf_capacity, .threads = threads, .progress = progress});
 }
 
+/// As Triangulation::boundary.
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& complex) {
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  const Mesh& mesh = complex.mesh;
+  const auto point = [&](meshops::Vertex v) { return complex.input_index[static_cast<std::size_t>(v.idx())]; };
+  for (const meshops::Halfedge halfedge : mesh.halfedges())  // those of the outside run the other way
+    if (mesh.is_boundary(halfedge))
+      boundary.push_back({point(mesh.to_vertex_handle(halfedge)), point(mesh.from_vertex_handle(halfedge))});
+  std::sort(boundary.begin(), boundary.end());
+  return boundary;
+}
+
 }  // namespace
 
-Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, bool neighbors,
+Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
                     const RunOptions& run, std::optional<Hierarchy>* mesh) {
   Triangulation arrays;
   {
     TriangleProgress progress(!run.quiet, "triangulating", progress_text);
     if (!method.makes_mesh())
-      return triangulate(
-          points, alpha,
-          {.complex = kind, .neighbors = neighbors, .threads = run.threads, .progress = progress.watch()});
+      return triangulate(points, alpha,
+                         {.complex = kind,
+                          .neighbors = links == Links::neighbors,
+                          .boundary = links == Links::boundary,
+                          .threads = run.threads,
+                          .progress = progress.watch()});
     Hierarchy made = build_mesh(points, alpha, method, run.threads, progress.watch());
     arrays.triangles = triangles(made.complex);
     arrays.isolated = made.complex.isolated;
     arrays.duplicates = made.complex.duplicates;
     arrays.distinct = made.complex.distinct;
+    if (links == Links::boundary) arrays.boundary = boundary_of(made.complex);
     if (mesh != nullptr) *mesh = std::move(made);
   }  // what is not wanted is gone before neighbours take memory
-  if (neighbors) arrays.neighbors = link_triangles(arrays.triangles, points.size(), until_interrupted());
+  if (links == Links::neighbors)
+    arrays.neighbors = link_triangles(arrays.triangles, points.size(), until_interrupted());
   return arrays;
 }
 

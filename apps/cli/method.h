@@ -34,9 +34,12 @@ struct Method {
 /// Throws WrongUsage naming the value: one that is none, or one that is about another method.
 Method parse_method(const MethodArguments& arguments);
 
+/// What is wanted beside the triangles, each more than the one before.
+enum class Links { none, boundary, neighbors };
+
 /// The complex in arrays, by triangulate() or of the mesh that the method makes, which goes to `mesh` if that is there; with
 /// a progress line unless quiet. Throws Cancelled after a signal. Requires: of a mesh a solid complex.
-Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, bool neighbors,
+Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
                     const RunOptions& run, std::optional<Hierarchy>* mesh = nullptr);
 
 /// The Delaunay triangulation, of which radii are chosen, likewise.

@@ -16,7 +16,6 @@
 #include "rbpa/coverage.h"
 #include "rbpa/link_triangles.h"
 #include "rbpa/shape.h"
-#include "triangulation/counts.h"
 
 namespace rbpa::app {
 namespace {
@@ -130,7 +129,7 @@ void run_shape(const ShapeArguments& arguments) {
 
   ComplexRun run(request, arguments);
   require_srid(files, run.file.crs);
-  Triangulation complex = build(run.points(), run.alpha, request.method, Complex::solid, false, run.options());
+  Triangulation complex = build(run.points(), run.alpha, request.method, Complex::solid, Links::none, run.options());
   // Linked now, they take less memory than from a run with neighbours.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();
@@ -151,7 +150,8 @@ void run_shape(const ShapeArguments& arguments) {
   if (arguments.stats) {
     run.stats.distinct = complex.distinct;
     run.stats.isolated = complex.isolated.size();
-    run.stats.counts = count(complex, Complex::solid);
+    run.stats.counts = count(run.points(), complex, Complex::solid, until_interrupted());
+    run.stats.count_seconds = run.lap();
     run.stats.polygons = made.size();
     run.stats.of_polygons = totals;
   }

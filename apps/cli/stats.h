@@ -37,7 +37,7 @@ struct Stats {
   std::optional<FillStats> fill = std::nullopt;     ///< keys only of `rbpa fill`
   std::optional<std::size_t> tiles = std::nullopt;  ///< key only where points were cut into tiles
   double read_seconds = 0;
-  /// Of the two passes over the input that reading is; keys only where there are such.
+  /// Of counting what was made; of the two passes over the input that reading is in `rbpa stream`. Keys only where there are such.
   std::optional<double> count_seconds = std::nullopt, cut_seconds = std::nullopt;
   std::optional<double> choose_seconds = std::nullopt;  ///< of the run that an alpha that is not given takes
   std::optional<double> build_seconds = std::nullopt;

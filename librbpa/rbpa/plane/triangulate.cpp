@@ -10,8 +10,10 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/collinear.h"
+#include "rbpa/plane/arrays/boundary_sides.h"
 #include "rbpa/plane/arrays/dangling.h"
 #include "rbpa/plane/arrays/linked_triangles.h"
+#include "rbpa/plane/arrays/outlined_triangles.h"
 #include "rbpa/plane/arrays/triangle_list.h"
 #include "rbpa/plane/divide/small_set.h"
 #include "rbpa/plane/grid/sites.h"
@@ -50,17 +52,10 @@ void find_triangles(const Sites& sites, double alpha, const std::function<bool(c
   sink.worked();
 }
 
-/// The sides at which nothing lies, by the triangles and their neighbours.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, const std::function<void()>& ask) {
-  std::vector<std::array<std::uint32_t, 2>> boundary;
-  for (std::size_t t = 0; t < of.triangles.size(); ++t) {
-    if (t % (1u << 18) == 0 && ask) ask();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (of.neighbors[t][k] == Triangulation::none)
-        boundary.push_back({of.triangles[t][(k + 1) % 3], of.triangles[t][(k + 2) % 3]});
-  }
-  std::sort(boundary.begin(), boundary.end());
-  return boundary;
+  return boundary_sides(of, [&ask, t = 0u]() mutable {
+    if (t++ % (1u << 18) == 0 && ask) ask();
+  });
 }
 
 /// The indices that are not marked and not those of duplicates, ascending.
@@ -92,11 +87,15 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Tri
     sites.reset();  // its memory is not needed where the list becomes the result
     return list.sorted(threads, ask);
   };
-  if (options.neighbors || options.boundary) {
+  if (options.neighbors) {
     LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
     OwnedTriangles sorted = find(list);
     result.triangles = std::move(sorted.triangles);
     result.neighbors = std::move(sorted.neighbors);
+  } else if (options.boundary) {
+    OutlinedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
+    result.triangles = find(list);
+    result.boundary = list.boundary();
   } else {
     TriangleList list(sites->size(), sites->input_index(), points.size(), threads);
     result.triangles = find(list);
@@ -111,7 +110,7 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
   if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
     triangulate_on_tiles(points, alpha, options, result);
   const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
-  if (options.boundary) result.boundary = boundary_of(result, ask);
+  if (options.boundary && result.boundary.empty()) result.boundary = boundary_of(result, ask);
   if (!options.neighbors) result.neighbors = std::vector<Triangle>();
   return result;
 }
