@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "rbpa/base/distinct.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/collinear.h"
 #include "rbpa/plane/arrays/boundary_sides.h"
 #include "rbpa/plane/arrays/dangling.h"
+#include "rbpa/plane/arrays/keep_triangles.h"
 #include "rbpa/plane/arrays/linked_triangles.h"
 #include "rbpa/plane/arrays/outlined_triangles.h"
 #include "rbpa/plane/arrays/triangle_list.h"
@@ -56,22 +56,6 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, c
   return boundary_sides(of, [&ask, t = 0u]() mutable {
     if (t++ % (1u << 18) == 0 && ask) ask();
   });
-}
-
-/// The indices that are not marked and not those of duplicates, ascending.
-std::vector<std::uint32_t> others(const std::vector<std::uint8_t>& marked, const std::vector<Duplicate>& duplicates) {
-  std::vector<std::uint32_t> found;
-  for_each_distinct(marked.size(), duplicates, [&](std::uint32_t i) {
-    if (marked[i] == 0) found.push_back(i);
-  });
-  return found;
-}
-
-std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t points) {
-  std::vector<std::uint8_t> covered(points, 0);
-  for (const auto& t : of.triangles)
-    for (const std::uint32_t i : t) covered[i] = 1;
-  return others(covered, of.duplicates);
 }
 
 void triangulate_on_tiles(std::span<const Point> points, double alpha, const TriangulationOptions& options,
@@ -130,7 +114,7 @@ Triangulation triangulate(std::span<const Point> points, double alpha, const Tri
   std::vector<std::uint8_t> covered(points.size(), 1);
   for (const std::uint32_t i : result.isolated) covered[i] = 0;
   for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
-  result.points = others(covered, result.duplicates);
+  result.points = unmarked(covered, result.duplicates);
   if (options.boundary)
     result.boundary = boundary_of(result, asking(options.progress, result.distinct, result.triangles.size()));
   if (!options.neighbors) result.neighbors = std::vector<Triangle>();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rbpa/plane/arrays/keep_triangles.h"
 #include "rbpa/plane/predicate/radius.h"
 
 namespace rbpa {
@@ -58,20 +59,10 @@ std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, co
 
 void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay) {
   const Radius radius = Radius::of(alpha);
-  std::vector<std::uint32_t> number(delaunay.triangles.size(), Triangulation::none);
-  std::uint32_t kept = 0;
-  for (std::size_t t = 0; t < number.size(); ++t) {
+  keep_triangles(delaunay, [&](std::size_t t) {
     const auto [a, b, c] = delaunay.triangles[t];
-    if (!radius.admits<Real>(points[a], points[b], points[c])) continue;
-    number[t] = kept;
-    delaunay.triangles[kept] = delaunay.triangles[t];
-    delaunay.neighbors[kept++] = delaunay.neighbors[t];
-  }
-  delaunay.triangles.resize(kept);
-  delaunay.neighbors.resize(kept);
-  for (auto& neighbors : delaunay.neighbors)
-    for (std::uint32_t& n : neighbors)
-      if (n != Triangulation::none) n = number[n];
+    return radius.admits<Real>(points[a], points[b], points[c]);
+  });
 }
 
 }  // namespace rbpa

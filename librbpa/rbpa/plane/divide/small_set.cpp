@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
+#include "rbpa/plane/arrays/keep_triangles.h"
 #include "rbpa/plane/divide/delaunay_edges.h"
 #include "rbpa/plane/predicate/window.h"
 
@@ -92,14 +93,6 @@ class SortedTriangles {
     }
   }
 
-  /// Whether a point is a corner of one, for all points.
-  std::vector<std::uint8_t> covered() const {
-    std::vector<std::uint8_t> is_covered(first_.size() - 1, 0);
-    for (std::size_t t = 0; t < size_; ++t)
-      for (const std::uint32_t corner : found_[t].corners) is_covered[corner] = 1;
-    return is_covered;
-  }
-
   /// Once, after find().
   void sort(std::vector<Triangle>& triangles, std::vector<Triangle>* neighbors) {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
@@ -163,7 +156,6 @@ bool triangulate_small_set(std::span<const Point> points, double alpha, const Tr
   }
   result.distinct = places.size();
   const Radius radius = Window{.exponent = 0, .beyond = {}, .bounds = radius_bounds(bound)}.scaled(Radius::of(alpha));
-  std::vector<std::uint8_t> covered(points.size(), 0);
   if (places.size() >= 3) {
     DelaunayEdges<double> delaunay(places, nullptr, {});
     SortedTriangles triangles(places, delaunay.edges(), points.size());
@@ -172,15 +164,8 @@ bool triangulate_small_set(std::span<const Point> points, double alpha, const Tr
     else
       triangles.find([&](const Point& a, const Point& b, const Point& c) { return radius.admits<double>(a, b, c); });
     triangles.sort(result.triangles, options.neighbors || options.boundary ? &result.neighbors : nullptr);
-    covered = triangles.covered();
   }
-  auto duplicate = result.duplicates.begin();
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (duplicate != result.duplicates.end() && duplicate->index == i)
-      ++duplicate;
-    else if (covered[i] == 0)
-      result.isolated.push_back(i);
-  }
+  result.isolated = isolated_in(result, points.size());
   if (options.progress && !options.progress({result.triangles.size(), result.distinct})) throw Cancelled();
   return true;
 }

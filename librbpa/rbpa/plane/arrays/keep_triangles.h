@@ -1,0 +1,49 @@
+// What: a part of a triangulation in arrays, and the points that it leaves alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/base/distinct.h"
+#include "rbpa/triangulate.h"
+
+namespace rbpa {
+
+/// Removes the triangles t for which is_kept(t) is false, also from the neighbours; the others keep their order. Requires: neighbours.
+template <typename IsKept>
+void keep_triangles(Triangulation& of, const IsKept& is_kept) {
+  std::vector<std::uint32_t> number(of.triangles.size(), Triangulation::none);
+  std::uint32_t kept = 0;
+  for (std::size_t t = 0; t < number.size(); ++t) {
+    if (!is_kept(t)) continue;
+    number[t] = kept;
+    of.triangles[kept] = of.triangles[t];
+    of.neighbors[kept++] = of.neighbors[t];
+  }
+  of.triangles.resize(kept);
+  of.neighbors.resize(kept);
+  for (Triangle& across : of.neighbors)
+    for (std::uint32_t& neighbor : across)
+      if (neighbor != Triangulation::none) neighbor = number[neighbor];
+}
+
+/// Of so many points the distinct ones that are not marked, ascending.
+inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& marked,
+                                           const std::vector<Duplicate>& duplicates) {
+  std::vector<std::uint32_t> found;
+  for_each_distinct(marked.size(), duplicates, [&](std::uint32_t i) {
+    if (marked[i] == 0) found.push_back(i);
+  });
+  return found;
+}
+
+/// Triangulation::isolated of so many points.
+inline std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t points) {
+  std::vector<std::uint8_t> covered(points, 0);
+  for (const Triangle& triangle : of.triangles)
+    for (const std::uint32_t corner : triangle) covered[corner] = 1;
+  return unmarked(covered, of.duplicates);
+}
+
+}  // namespace rbpa
