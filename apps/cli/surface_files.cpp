@@ -56,14 +56,15 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   SplitFans used;
   std::vector<Point3> own_points, own_normals;
   std::vector<std::array<std::uint8_t, 3>> own_colors;
-  if (facts.manifold || compact) {
-    if (!facts.manifold) used = without_unused(surface.triangles, points.size());
-    const SplitFans& of = facts.manifold ? fans : used;
+  const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file has the same vertices
+  if (splits || compact) {
+    if (!splits) used = without_unused(surface.triangles, points.size());
+    const SplitFans& of = splits ? fans : used;
     own_points = values_at(points, of.point);
     own_normals = values_at(normals, of.point);
     own_colors = values_at(colors, of.point);
     mesh = {own_points, of.triangles, own_normals, own_colors};
-    if (facts.manifold) mesh.points = of.point;
+    if (splits) mesh.points = of.point;
   }
   std::vector<std::array<std::uint32_t, 3>> ordered;
   if (!order.empty()) {

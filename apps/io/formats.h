@@ -26,6 +26,7 @@ enum class Format {
   pgm,
   svg,
   vtu,
+  glb,
   wkt,
   ewkt,
   geojson,
@@ -82,7 +83,7 @@ constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
-constexpr std::string_view surface_formats = "ply, off, obj, stl, npy, png";
+constexpr std::string_view surface_formats = "ply, off, obj, stl, glb, vtu, npy, png";
 constexpr std::string_view shape_formats = "geojson, json, wkt, ewkt, csv, svg, png";
 constexpr std::string_view polygon_formats = "geojson, json, wkt, ewkt, poly";
 constexpr std::string_view isolated_formats = "geojson, json, wkt, ewkt, csv";

@@ -334,7 +334,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   const auto input = points3_of(points, "points");
   const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
   const Links links(triangles, neighbors);
-  constexpr std::string_view formats = "ply, off, obj, stl, npy";
+  constexpr std::string_view formats = "ply, off, obj, stl, glb, vtu, npy";
   const std::optional<app::Format> format = app::find_format(app::Use::surface, app::ending(path));
   if (!format || *format == app::Format::png)
     throw InvalidInput("save: found the ending " + app::in_quotes(app::ending(path)) + ", expected one of " +
@@ -344,7 +344,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
       app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};
       SplitFans fans;
       std::vector<Point3> own_points, own_normals;
-      if (manifold && *format != app::Format::npy) {
+      if (*format == app::Format::glb || (manifold && *format != app::Format::npy)) {
         fans = split_fans(of_links(links));
         for (const std::uint32_t point : fans.point) {
           own_points.push_back(input[point]);

@@ -1,4 +1,4 @@
-"""VTU against meshio: rbpa's .vtu holds the points and cells of its .npy files. usage: read_vtu.py RBPA"""
+"""VTU against meshio: rbpa's .vtu holds the points and cells of its .npy files, and of surfaces. usage: read_vtu.py RBPA DATA"""
 import os
 import subprocess
 import sys
@@ -24,4 +24,11 @@ with tempfile.TemporaryDirectory() as folder:
         if complex_kind == "full":
             assert numpy.array_equal(mesh.cells_dict["line"], numpy.load("m.edges.npy"))
             assert numpy.array_equal(mesh.cells_dict["vertex"][:, 0], numpy.load("m.points.npy"))
+    for scan, options in (("m3_torus.off", []), ("m3_cube_no_bottom.off", []), ("m3_torus.off", ["--normals", "none"])):
+        subprocess.run([sys.argv[1], "surface", os.path.join(sys.argv[2], scan), "--radius", "auto", "-q", *options,
+                        "-o", "s.vtu", "-o", "s.npy"], check=True)
+        mesh = meshio.read("s.vtu")
+        assert sorted(mesh.cells_dict["triangle"].tolist()) == numpy.load("s.npy").tolist()  # that is sorted
+        assert numpy.array_equal(mesh.points, meshio.read(os.path.join(sys.argv[2], scan)).points)
+        assert ("Normals" in mesh.point_data) == (not options)
 print("meshio reads what was written")

@@ -286,8 +286,8 @@ TEST_SUITE("surface") {
             "--radius: found 2 numbers with --normals none, expected one radius");
     refuses(folder, "p.xyz --radius 1 --normals maybe -o m.off", 2,
             "--normals: found 'maybe', expected file, estimate or none");
-    const std::string formats = ", expected one of ply, off, obj, stl, npy, png, or --output-format";
-    refuses(folder, "p.xyz --radius 1 -o m.vtu", 2, "m.vtu: found the ending 'vtu'" + formats);
+    const std::string formats = ", expected one of ply, off, obj, stl, glb, vtu, npy, png, or --output-format";
+    refuses(folder, "p.xyz --radius 1 -o m.wkt", 2, "m.wkt: found the ending 'wkt'" + formats);
     refuses(folder, "p.dat --radius 1 -o m.off", 2,
             "p.dat: found the ending 'dat', expected one of xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, "
             "obj, pcd, npy, las, or --format");

@@ -30,8 +30,8 @@ struct Vtu {
     cells = std::stoul(between(file, "NumberOfCells=\"", "\""));
     positions = array<double>(file, begin, "\"Float64\" NumberOfComponents=\"3\"");
     connectivity = array<std::uint32_t>(file, begin, "\"UInt32\" Name=\"connectivity\"");
-    ends = array<std::uint64_t>(file, begin, "\"UInt64\" Name=\"offsets\"");
     types = array<std::uint8_t>(file, begin, "\"UInt8\" Name=\"types\"");
+    ends = array<std::uint64_t>(file, begin, "\"UInt64\" Name=\"offsets\"");
     CHECK(file.substr(end) == "\n</AppendedData>\n</VTKFile>\n");
   }
 

@@ -92,13 +92,55 @@ def test_files_are_those_of_the_surface(ending, tmp_path):
 
 def test_a_file_that_cannot_be_written_says_why(tmp_path):
     closed = opened().watertight()
-    with pytest.raises(rbpa.InvalidInput, match="found the ending 'xyz', expected one of ply, off, obj, stl, npy"):
+    with pytest.raises(rbpa.InvalidInput, match="found the ending 'xyz', expected one of ply, off, obj, stl, glb, vtu, npy"):
         closed.save(tmp_path / "closed.xyz")
     with pytest.raises(OSError):
         closed.save(tmp_path / "nowhere" / "closed.ply")
     closed.save(tmp_path / "closed.npy")
     assert np.array_equal(np.load(tmp_path / "closed.npy"), closed.triangles)
     assert sorted(os.listdir(tmp_path)) == ["closed.npy"]
+
+
+def test_meshio_reads_what_is_written_and_what_is_handed_over(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    closed = opened().watertight()
+    closed.save(tmp_path / "closed.vtu")
+    closed.save(tmp_path / "whole.vtu", manifold=False)
+    split, whole, given = meshio.read(tmp_path / "closed.vtu"), meshio.read(tmp_path / "whole.vtu"), closed.to_meshio()
+    of_point = split.point_data["point"]
+    assert np.array_equal(split.points, closed.points[of_point])
+    assert np.array_equal(of_point[split.cells_dict["triangle"]], closed.triangles)
+    for mesh in (whole, given):
+        assert np.array_equal(mesh.points, closed.points)
+        assert np.array_equal(mesh.cells_dict["triangle"], closed.triangles)
+        assert ("Normals" in mesh.point_data) == (closed.normals is not None)
+
+
+def test_a_scene_has_all_triangles(tmp_path):
+    closed = opened().watertight()
+    for manifold in (True, False):
+        closed.save(tmp_path / "closed.glb", manifold=manifold)
+        glb = (tmp_path / "closed.glb").read_bytes()
+        assert glb[:4] == b"glTF" and int.from_bytes(glb[8:12], "little") == len(glb)
+        tree = json.loads(glb[20 : 20 + int.from_bytes(glb[12:16], "little")])
+        indices = tree["accessors"][tree["meshes"][0]["primitives"][0]["indices"]]
+        assert indices["count"] == closed.triangles.size
+
+
+def test_a_plot_has_every_triangle_and_equal_axes():
+    pytest.importorskip("matplotlib")
+    import matplotlib.pyplot as plt
+
+    closed = opened().watertight()
+    ax = closed.plot()
+    assert len(ax.collections) == 1 and len(ax.collections[0]._vec[0]) == closed.triangles.size
+    spans = [high - low for low, high in (ax.get_xlim(), ax.get_ylim(), ax.get_zlim())]
+    assert max(spans) == pytest.approx(min(spans)) and max(spans) >= np.ptp(closed.points[closed.triangles], axis=(0, 1)).max()
+    assert closed.plot(ax, facecolors="red") is ax
+    plt.close("all")
+    nothing = rbpa.surface(np.eye(3), "none", 0.1).plot()
+    assert len(nothing.collections) == 0
+    plt.close("all")
 
 
 def test_noisy_points_are_moved_onto_the_surface():

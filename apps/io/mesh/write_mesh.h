@@ -31,9 +31,17 @@ struct SpaceMesh {
 };
 
 /// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar and points as uint `point`; STL (binary,
-/// single precision); or the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is
-/// written, when a coordinate is too large for STL. Requires: not a picture format.
+/// single precision); VTU, GLB (below); or the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before
+/// anything is written, when a coordinate is too large for STL or GLB. Requires: not a picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
+
+/// Normals as point data `Normals`, colours as `RGB`, input indices as `point`.
+void write_vtu(OutputFile& file, const SpaceMesh& mesh);
+
+/// One mesh, both sides of which are seen. Positions are in single precision; where that loses something, relative to a node's
+/// `translation`, the middle of their box. Colours are linear, as the format has them. Input indices are not written. Without a
+/// triangle the scene is empty.
+void write_glb(OutputFile& file, const SpaceMesh& mesh);
 
 /// Points one after the other, each once; the first follows the last.
 using Polyline = std::vector<std::uint32_t>;

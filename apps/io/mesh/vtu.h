@@ -1,0 +1,40 @@
+// What: unstructured grids of VTK as XML with appended raw data, little-endian.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/output_file.h"
+
+namespace rbpa::app {
+
+/// An array of numbers of points, or of cells.
+struct VtuArray {
+  std::string_view type;  ///< of VTK: "Float64", "UInt32", "UInt8"
+  std::string name;       ///< as XML
+  std::size_t components = 1;
+  std::uint64_t bytes = 0;
+  std::function<void(OutputFile&)> write = {};  ///< so many bytes
+};
+
+/// Cells are the triangles, then the edges, then the vertices, all as indices of points.
+struct VtuGrid {
+  std::uint64_t points = 0;
+  std::function<void(OutputFile&)> write_positions = {};  ///< three doubles of each point
+  std::span<const std::array<std::uint32_t, 3>> triangles = {};
+  std::span<const std::array<std::uint32_t, 2>> edges = {};
+  std::span<const std::uint32_t> vertices = {};
+  std::vector<VtuArray> of_points = {}, of_cells = {};
+  /// What programs show first, as attributes: `Scalars="feature"`.
+  std::string_view shown_of_points = "", shown_of_cells = "";
+};
+
+void write_vtu(OutputFile& file, const VtuGrid& grid);
+
+}  // namespace rbpa::app

@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/mesh/write_mesh.h"
+
+// glTF 2.0, binary: a header, a chunk of JSON, a chunk of numbers (Khronos, glTF 2.0 specification, section 4.4).
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int unsigned_short = 5123, unsigned_int = 5125, single_float = 5126;  // componentType
+constexpr int array_buffer = 34962, element_array_buffer = 34963;               // target
+
+/// Corner by corner.
+template <typename Visit>
+void for_each_coordinate(const Point3& p, const Visit& visit) {
+  visit(p.x, std::size_t{0});
+  visit(p.y, std::size_t{1});
+  visit(p.z, std::size_t{2});
+}
+
+/// Positions in single precision, which is all that the format has: as they are, or, where that would lose something, moved to the middle
+/// of their box.
+struct FloatPositions {
+  std::vector<std::array<float, 3>> at;
+  std::array<double, 3> moved = {};  // what was subtracted
+  std::array<float, 3> least, greatest;
+};
+
+FloatPositions float_positions(const OutputFile& file, std::span<const Point3> vertices) {
+  std::array<double, 3> least, greatest;
+  least.fill(std::numeric_limits<double>::infinity());
+  greatest.fill(-std::numeric_limits<double>::infinity());
+  bool are_floats = true;
+  for (const Point3& p : vertices)
+    for_each_coordinate(p, [&](double x, std::size_t k) {
+      least[k] = std::min(least[k], x);
+      greatest[k] = std::max(greatest[k], x);
+      are_floats = are_floats && static_cast<double>(static_cast<float>(x)) == x;
+    });
+  FloatPositions positions;
+  // As a float the middle reads alike in programs that keep single precision.
+  if (!are_floats)
+    for (std::size_t k = 0; k < 3; ++k) positions.moved[k] = static_cast<float>(least[k] / 2 + greatest[k] / 2);
+  constexpr double most = std::numeric_limits<float>::max();
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double x : {least[k], greatest[k]})
+      if (!(std::abs(x) <= most))
+        bad_input(file.name(), "the coordinate " + std::string(ShortestText(x)),
+                  "one that single precision of GLB holds, or another format");
+  positions.at.reserve(vertices.size());
+  positions.least.fill(std::numeric_limits<float>::infinity());
+  positions.greatest.fill(-std::numeric_limits<float>::infinity());
+  for (const Point3& p : vertices) {
+    std::array<float, 3>& at = positions.at.emplace_back();
+    for_each_coordinate(p, [&](double x, std::size_t k) {
+      at[k] = static_cast<float>(x - positions.moved[k]);
+      positions.least[k] = std::min(positions.least[k], at[k]);
+      positions.greatest[k] = std::max(positions.greatest[k], at[k]);
+    });
+  }
+  return positions;
+}
+
+/// Of length 1, which the format demands; none where one has no direction.
+std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) {
+  std::vector<std::array<float, 3>> units;
+  units.reserve(normals.size());
+  for (const Point3& n : normals) {
+    const double larger = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    if (!(larger > 0) || !std::isfinite(larger)) return {};
+    const double x = n.x / larger, y = n.y / larger, z = n.z / larger, length = std::sqrt(x * x + y * y + z * z);
+    units.push_back({static_cast<float>(x / length), static_cast<float>(y / length), static_cast<float>(z / length)});
+  }
+  return units;
+}
+
+/// Colours of files are sRGB, those of vertices here linear; with opacity, as four numbers fill eight bytes.
+std::vector<std::array<std::uint16_t, 4>> linear_colors(std::span<const std::array<std::uint8_t, 3>> colors) {
+  std::array<std::uint16_t, 256> linear;
+  for (std::size_t i = 0; i < linear.size(); ++i) {
+    const double s = static_cast<double>(i) / 255, l = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+    linear[i] = static_cast<std::uint16_t>(std::lround(65535 * l));
+  }
+  std::vector<std::array<std::uint16_t, 4>> result;
+  result.reserve(colors.size());
+  for (const auto& [red, green, blue] : colors) result.push_back({linear[red], linear[green], linear[blue], 65535});
+  return result;
+}
+
+/// The chunk of numbers, and what the JSON has of it. Keeps the spans.
+class Numbers {
+ public:
+  /// Returns: the number of the accessor.
+  template <typename Row>
+  std::size_t add(std::span<const Row> rows, int target, int component, const char* type, std::size_t count,
+                  const Json& more = Json::object()) {
+    const auto bytes = std::as_bytes(rows);
+    views_.push_back({{"buffer", 0}, {"byteOffset", size_}, {"byteLength", bytes.size()}, {"target", target}});
+    Json accessor = {{"bufferView", views_.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}};
+    accessor.update(more);
+    accessors_.push_back(accessor);
+    size_ += bytes.size();  // every row fills words of four bytes
+    write_.push_back([rows](OutputFile& file) {
+      for (const Row& row : rows) write_row(file, row);
+    });
+    return accessors_.size() - 1;
+  }
+
+  std::uint64_t size() const { return size_; }
+  const Json& views() const { return views_; }
+  const Json& accessors() const { return accessors_; }
+  void write(OutputFile& file) const {
+    for (const auto& write : write_) write(file);
+  }
+
+ private:
+  template <typename Value, std::size_t n>
+  static void write_row(OutputFile& file, const std::array<Value, n>& row) {
+    file.write_binary(std::span<const Value>(row));
+  }
+
+  std::uint64_t size_ = 0;
+  Json views_ = Json::array(), accessors_ = Json::array();
+  std::vector<std::function<void(OutputFile&)>> write_;
+};
+
+void write_word(OutputFile& file, std::uint64_t word) {
+  const std::uint32_t words[] = {static_cast<std::uint32_t>(word)};
+  file.write_binary(std::span<const std::uint32_t>(words));
+}
+
+void write_container(OutputFile& file, const Json& json, const Numbers& numbers) {
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::uint64_t size = 12 + 8 + text.size() + (numbers.size() == 0 ? 0 : 8 + numbers.size());
+  if (size > std::numeric_limits<std::uint32_t>::max())
+    bad_input(file.name(), counted(size, "byte"), "fewer than 2^32 in a GLB file");
+  file.write("glTF");
+  write_word(file, 2);
+  write_word(file, size);
+  write_word(file, text.size());
+  file.write("JSON");
+  file.write(text);
+  if (numbers.size() == 0) return;
+  write_word(file, numbers.size());
+  file.write({"BIN\0", 4});
+  numbers.write(file);
+}
+
+}  // namespace
+
+void write_glb(OutputFile& file, const SpaceMesh& mesh) {
+  Json json = {{"asset", {{"version", "2.0"}, {"generator", "rbpa"}}}, {"scene", 0}};
+  Numbers numbers;
+  if (mesh.triangles.empty()) {  // a mesh without one is none here
+    json["scenes"] = Json::array({Json::object()});
+    return write_container(file, json, numbers);
+  }
+  const FloatPositions positions = float_positions(file, mesh.vertices);
+  const std::vector<std::array<float, 3>> normals = unit_normals(mesh.normals);
+  const std::vector<std::array<std::uint16_t, 4>> colors = linear_colors(mesh.colors);
+  using Floats = std::span<const std::array<float, 3>>;
+  Json attributes;
+  attributes["POSITION"] = numbers.add(Floats(positions.at), array_buffer, single_float, "VEC3", positions.at.size(),
+                                       {{"min", positions.least}, {"max", positions.greatest}});
+  if (!normals.empty())
+    attributes["NORMAL"] = numbers.add(Floats(normals), array_buffer, single_float, "VEC3", normals.size());
+  if (!colors.empty())
+    attributes["COLOR_0"] = numbers.add(std::span<const std::array<std::uint16_t, 4>>(colors), array_buffer,
+                                        unsigned_short, "VEC4", colors.size(), {{"normalized", true}});
+  const std::size_t indices =
+      numbers.add(mesh.triangles, element_array_buffer, unsigned_int, "SCALAR", 3 * mesh.triangles.size());
+
+  Json node = {{"mesh", 0}};
+  if (positions.moved != std::array<double, 3>{}) node["translation"] = positions.moved;
+  json["scenes"] = Json::array({{{"nodes", {0}}}});
+  json["nodes"] = Json::array({node});
+  json["meshes"] = Json::array(
+      {{{"primitives", Json::array({{{"attributes", attributes}, {"indices", indices}, {"material", 0}}})}}});
+  json["materials"] =
+      Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}, {"doubleSided", true}}});
+  json["buffers"] = Json::array({{{"byteLength", numbers.size()}}});
+  json["bufferViews"] = numbers.views();
+  json["accessors"] = numbers.accessors();
+  write_container(file, json, numbers);
+}
+
+}  // namespace rbpa::app
