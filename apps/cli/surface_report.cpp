@@ -94,7 +94,11 @@ Json base(const SurfaceFacts& facts) {
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
           {"normals", facts.normals},
-          {"scale_space", facts.scale_space == 0 ? Json(nullptr) : Json(facts.scale_space)}};
+          {"scale_space", facts.scale_space == 0 ? Json(nullptr) : Json(facts.scale_space)},
+          {"outliers", facts.outlier_factor ? Json{{"points", facts.outliers.points.size()},
+                                                   {"factor", *facts.outlier_factor},
+                                                   {"median_distance", facts.outliers.distance}}
+                                            : Json(nullptr)}};
 }
 
 /// At which of the three corners to which the ball comes the cause is.
@@ -115,6 +119,10 @@ std::string text_of_radii(const std::vector<double>& radii) {
 
 std::vector<std::string> explanations(const SurfaceFacts& facts) {
   std::vector<std::string> lines;
+  if (facts.outlier_factor)
+    lines.push_back(counted(facts.outliers.points.size(), "outlier") + " left out, more than " +
+                    text_of(*facts.outlier_factor) + " times as far from the 8th nearest point as the median, " +
+                    rounded(facts.outliers.distance, 6));
   if (!facts.unused.empty()) {
     std::array<std::size_t, 4> causes{};
     for (const UnusedPoint& point : facts.unused) ++causes[static_cast<std::size_t>(point.cause)];
@@ -189,6 +197,7 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
   for (const UnusedPoint& point : facts.unused)
     report["unused_points"].push_back(
         {{"point", point.index}, {"cause", unused_names[static_cast<std::size_t>(point.cause)]}});
+  if (facts.outlier_factor) report["outlier_points"] = facts.outliers.points;
   report["component_list"] = Json::array();
   for (const SurfaceComponent& component : facts.components) {
     const Point3 &low = component.low, &high = component.high;

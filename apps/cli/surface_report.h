@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "rbpa/base/point3.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/holes.h"
+#include "rbpa/outliers.h"
 #include "rbpa/surface.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/unused.h"
@@ -38,6 +40,8 @@ struct SurfaceFacts {
   bool chosen_radii = false;    ///< by auto
   std::string normals = {};     ///< file, estimate or none
   std::size_t scale_space = 0;  ///< steps
+  std::optional<double> outlier_factor = std::nullopt;
+  Outliers outliers = {};  ///< that are left out
   unsigned threads = 1;
   SurfaceCounts counts = {};
   std::vector<UnusedPoint> unused = {};

@@ -9,6 +9,7 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "rbpa/estimate_normals.h"
+#include "rbpa/outliers.h"
 
 namespace rbpa::app {
 namespace {
@@ -55,6 +56,14 @@ std::size_t parse_neighbors(const std::optional<std::string>& text) {
   throw WrongUsage("--neighbors: found " + in_quotes(*text) + ", expected a number of points, 2 to 1000");
 }
 
+std::optional<double> parse_outlier_factor(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  if (*text == "auto") return OutlierOptions{}.factor;
+  const ParsedNumber number = parse_whole_number(*text);
+  if (number.fault == NumberFault::none && number.value >= 1) return number.value;
+  throw WrongUsage("--drop-outliers: found " + in_quotes(*text) + ", expected a factor, >= 1, or auto");
+}
+
 std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) {
   if (!arguments.scale_space) {
     if (arguments.moved) throw WrongUsage("--moved: found no --scale-space, expected it");
@@ -93,6 +102,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       .neighbors = parse_neighbors(arguments.neighbors),
       .viewpoints = parse_viewpoint(arguments.viewpoint),
       .normals = parse_normals(arguments.normals),
+      .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
       .scale_space = parse_scale_space(arguments),
       .components = {},
       .filled = {},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/left_out_points.h"
 #include "cli/progress.h"
 #include "cli/run.h"
 #include "cli/surface_files.h"
@@ -15,6 +16,7 @@
 #include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
+#include "picture/picture.h"
 #include "rbpa/auto_radii.h"
 #include "rbpa/base/error.h"
 #include "rbpa/crossing_triangles.h"
@@ -22,6 +24,7 @@
 #include "rbpa/estimate_normals.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/outer_shells.h"
+#include "rbpa/outliers.h"
 #include "rbpa/scale_space.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
@@ -43,6 +46,7 @@ class SurfaceRun : public Run {
   template <typename Step>
   auto step(const std::string& doing, Step&& work) const;
 
+  void drop_outliers();
   void move_points();
   void take_normals();
   void build();
@@ -59,7 +63,8 @@ class SurfaceRun : public Run {
 
   const SurfaceArguments& arguments_;
   SurfaceRequest request_;
-  SpacePoints file_;                  ///< its points are moved where that is asked for
+  SpacePoints file_;  ///< without outliers; its points are moved where that is asked for
+  LeftOutPoints outliers_;
   std::vector<Point3> as_they_came_;  ///< the points, where they are moved
   NormalSource source_ = NormalSource::none;
   std::vector<Point3> estimated_;
@@ -89,6 +94,16 @@ auto SurfaceRun::step(const std::string& doing, Step&& work) const {
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
   }
+}
+
+void SurfaceRun::drop_outliers() {
+  if (!request_.outlier_factor) return;
+  facts_.outlier_factor = request_.outlier_factor;
+  facts_.outliers = step("looking for outliers", [&](const SurfaceOptions& how) {
+    return outliers(file_.points,
+                    {.factor = *request_.outlier_factor, .threads = how.threads, .progress = how.progress});
+  });
+  if (!facts_.outliers.points.empty()) outliers_ = LeftOutPoints(file_, facts_.outliers.points);
 }
 
 void SurfaceRun::move_points() {
@@ -260,9 +275,23 @@ SurfaceFiles SurfaceRun::files() const {
 
 void SurfaceRun::write() {
   const ProgressLine line = writing();
-  const SurfaceFiles all = files();
-  add(request_.targets,
-      [&](OutputFile& file, const Target& target) { all.write(file, target.format, request_.width); });
+  SurfaceFiles all = files(), pictures = all;
+  std::vector<Point3> whole, seen, whole_normals;
+  if (outliers_.is_any()) {
+    whole = outliers_.all_points(all.points);
+    seen = outliers_.seen_points(all.points);
+    whole_normals = outliers_.all_normals(all.normals);
+    all.points = whole;
+    pictures.points = seen;
+    all.normals = pictures.normals = whole_normals;
+    all.colors = pictures.colors = outliers_.all_colors();
+    outliers_.renumber(surface_);
+    outliers_.renumber(fans_);
+    outliers_.renumber(facts_);
+  }
+  add(request_.targets, [&](OutputFile& file, const Target& target) {
+    (is_picture(target.format) ? pictures : all).write(file, target.format, request_.width);
+  });
   if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& file) { all.write_curves(file); });
 }
 
@@ -305,6 +334,7 @@ void SurfaceRun::run() {
   remark(file_.remarks);
   facts_.points = file_.points.size();
   facts_.read_seconds = lap();
+  drop_outliers();
   move_points();
   take_normals();
   facts_.normals_seconds = lap();

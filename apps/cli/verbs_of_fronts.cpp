@@ -83,6 +83,11 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "Where the points were seen from: normals are turned toward it, those of the file too")
       ->type_name("X,Y,Z");
   add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after all else");
+  verb.add_option(
+          "--drop-outliers", arguments.drop_outliers,
+          "Leave out points that are more than K times as far from their 8th nearest as the median point is (auto: 4). "
+          "Not for scans whose density differs by more than that")
+      ->type_name("K|auto");
   verb.add_option("--scale-space", arguments.scale_space,
                   "For noise: the ball rolls over points that are moved onto local planes in N steps, or in as many as "
                   "they take to lie still; files have the points as they came")

@@ -136,7 +136,8 @@ std::string folder_of(const StreamRequest& request) {
 
 }  // namespace
 
-Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.has_value()) {
+Scratch::Scratch(const StreamRequest& request)
+    : is_asked_for_(request.scratch.has_value()), reserve_(std::make_unique<char[]>(std::size_t{1} << 18U)) {
   std::string beside;
   if (is_asked_for_) {
     folder_ = *request.scratch;
@@ -148,7 +149,13 @@ Scratch::Scratch(const StreamRequest& request) : is_asked_for_(request.scratch.h
   constexpr int often = 1000;
   for (int i = 0; i < often; ++i) {
     if (!is_asked_for_) folder_ = beside + "/" + new_name();
-    if (make(request)) return;
+    try {
+      if (make(request)) return;
+    } catch (...) {  // no destructor runs
+      if (is_new_) remove_own();
+      if (lock_ >= 0) close(lock_);
+      throw;
+    }
   }
   throw Failure(folder_ + ": found it removed again and again, expected a folder that stays");
 }
@@ -188,9 +195,18 @@ bool Scratch::make(const StreamRequest& request) {
 }
 
 Scratch::~Scratch() {
-  std::error_code error;
-  if (!is_asked_for_ && !folder_.empty()) fs::remove_all(folder_, error);
+  if (!folder_.empty()) remove_own();
   if (lock_ >= 0) close(lock_);
+}
+
+void Scratch::remove_own() noexcept {
+  if (is_asked_for_) return;
+  reserve_.reset();
+  std::error_code error;
+  try {
+    fs::remove_all(folder_, error);
+  } catch (...) {  // NOLINT(bugprone-empty-catch): a folder that stays is removed by the next run beside it
+  }
 }
 
 std::string Scratch::tile(std::uint32_t number) const { return numbered(folder_, "tiles", number) + ".tile"; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -42,10 +43,12 @@ class Scratch {
   bool make(const StreamRequest& request);  // false: another took it away
   void clear_leftovers() const;
   bool make_marked() const;
+  void remove_own() noexcept;
 
   std::string folder_;
   bool is_asked_for_, is_new_ = false, has_run_ = false;
   int lock_ = -1;
+  std::unique_ptr<char[]> reserve_;  // to remove the folder where memory has run out
 };
 
 }  // namespace rbpa::app

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -28,11 +30,13 @@ namespace {
 /// Points in a square with holes, and what is made of them.
 class Place {
  public:
-  Place() {
+  /// Each of the two files has so many; where a run is to be killed in the middle, enough for that on a fast machine.
+  explicit Place(std::size_t points = 30'000) {
     rbpa_test::Random random(31);
+    const auto side = static_cast<std::uint64_t>(100'000 * std::sqrt(static_cast<double>(points) / 30'000));
     for (const char* name : {"a.f64xy", "b.f64xy"}) {
-      std::vector<double> values(60'000);
-      for (double& value : values) value = double(random.below(100'000)) / 100;
+      std::vector<double> values(2 * points);
+      for (double& value : values) value = double(random.below(side)) / 100;
       folder_.file(name, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
     }
     REQUIRE(ended({}) == Ending{0, 0});
@@ -189,7 +193,7 @@ std::string tamper(const std::string& folder, std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("a scratch that was tampered with gives the same bytes or one line") {
-  const Place place;
+  const Place place(60'000);
   const bool nightly = robustness::moments() > 8;
   const std::vector<std::string> beginnings = place.beginnings(nightly ? 20 : 5);
   std::mt19937 random(33);
@@ -207,7 +211,7 @@ TEST_CASE("a scratch that was tampered with gives the same bytes or one line") {
 }
 
 TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3") {
-  const Place place;
+  const Place place(60'000);
   REQUIRE(place.resumed() == Ending{0, 0});
   fs::remove(place.folder().path("t.npy"));
   fs::remove(place.folder().path("p.wkt"));

@@ -1,0 +1,74 @@
+#include "cli/left_out_points.h"
+
+#include <utility>
+
+namespace rbpa::app {
+namespace {
+
+template <typename Value>
+std::vector<Value> values_at(const std::vector<Value>& values, std::span<const std::uint32_t> number) {
+  std::vector<Value> result;
+  if (values.empty()) return result;
+  result.reserve(number.size());
+  for (const std::uint32_t i : number) result.push_back(values[i]);
+  return result;
+}
+
+}  // namespace
+
+LeftOutPoints::LeftOutPoints(SpacePoints& cloud, std::span<const std::uint32_t> left_out) : whole_(std::move(cloud)) {
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < whole_.points.size(); ++i)
+    if (next < left_out.size() && left_out[next] == i)
+      ++next;
+    else
+      number_.push_back(i);
+  cloud.points = values_at(whole_.points, number_);
+  cloud.normals = values_at(whole_.normals, number_);
+  cloud.colors = values_at(whole_.colors, number_);
+}
+
+void LeftOutPoints::renumber(Surface& surface) const {
+  if (!is_any()) return;
+  for (auto& triangle : surface.triangles)
+    for (std::uint32_t& corner : triangle) corner = number_[corner];
+  for (Duplicate& duplicate : surface.duplicates) duplicate = {number_[duplicate.index], number_[duplicate.stands_for]};
+}
+
+void LeftOutPoints::renumber(SplitFans& fans) const {
+  if (!is_any()) return;
+  for (std::uint32_t& point : fans.point) point = number_[point];
+}
+
+void LeftOutPoints::renumber(SurfaceFacts& facts) const {
+  if (!is_any()) return;
+  for (UnusedPoint& point : facts.unused) point.index = number_[point.index];
+  for (Hole& hole : facts.holes)
+    for (RimEdge& edge : hole.edges) {
+      edge.from = number_[edge.from];
+      edge.to = number_[edge.to];
+      if (edge.next == decltype(edge.next){}) continue;  // there is none
+      for (std::uint32_t& corner : edge.next) corner = number_[corner];
+    }
+}
+
+std::vector<Point3> LeftOutPoints::all(std::span<const Point3> of_others, std::vector<Point3> values) const {
+  for (std::size_t i = 0; i < of_others.size(); ++i) values[number_[i]] = of_others[i];
+  return values;
+}
+
+std::vector<Point3> LeftOutPoints::all_points(std::span<const Point3> of_others) const {
+  return all(of_others, whole_.points);
+}
+
+std::vector<Point3> LeftOutPoints::all_normals(std::span<const Point3> of_others) const {
+  if (of_others.empty()) return whole_.normals;
+  return all(of_others, whole_.normals.empty() ? std::vector<Point3>(whole_.points.size()) : whole_.normals);
+}
+
+std::vector<Point3> LeftOutPoints::seen_points(std::span<const Point3> of_others) const {
+  if (of_others.empty()) return whole_.points;
+  return all(of_others, std::vector<Point3>(whole_.points.size(), of_others.front()));
+}
+
+}  // namespace rbpa::app
