@@ -107,4 +107,9 @@ int main(int argc, char** argv) {
 }  // namespace
 }  // namespace rbpa::app
 
-int main(int argc, char** argv) { return rbpa::app::main(argc, argv); }
+int main(int argc, char** argv) {
+  int code = 0;
+  // Memory may run out while options are declared.
+  const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
+  return failed != 0 ? failed : code;
+}
