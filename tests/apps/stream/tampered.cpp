@@ -262,7 +262,7 @@ TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3")
 }
 
 TEST_CASE("a manifest that contradicts itself is refused, though its checksum is right") {
-  const Place place;
+  const Place place(3'000);
   REQUIRE(place.resumed() == Ending{0, 0});
   fs::remove(place.folder().path("t.npy"));
   fs::remove(place.folder().path("p.wkt"));
