@@ -52,7 +52,8 @@ void LeftOutPoints::renumber(SurfaceFacts& facts) const {
     }
 }
 
-std::vector<Point3> LeftOutPoints::all(std::span<const Point3> of_others, std::vector<Point3> values) const {
+template <typename Value>
+std::vector<Value> LeftOutPoints::all(std::span<const Value> of_others, std::vector<Value> values) const {
   for (std::size_t i = 0; i < of_others.size(); ++i) values[number_[i]] = of_others[i];
   return values;
 }
@@ -64,6 +65,11 @@ std::vector<Point3> LeftOutPoints::all_points(std::span<const Point3> of_others)
 std::vector<Point3> LeftOutPoints::all_normals(std::span<const Point3> of_others) const {
   if (of_others.empty()) return whole_.normals;
   return all(of_others, whole_.normals.empty() ? std::vector<Point3>(whole_.points.size()) : whole_.normals);
+}
+
+std::vector<double> LeftOutPoints::all_certainty(std::span<const double> of_others) const {
+  if (of_others.empty()) return {};
+  return all(of_others, std::vector<double>(whole_.points.size()));
 }
 
 std::vector<Point3> LeftOutPoints::seen_points(std::span<const Point3> of_others) const {

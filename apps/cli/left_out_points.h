@@ -28,15 +28,17 @@ class LeftOutPoints {
   void renumber(SurfaceFacts& facts) const;
 
   /// Those of all points: of the others as given, if there are any, and of the points left out as they came; normals that the file does
-  /// not have are 0.
+  /// not have are 0, and so are certainties.
   std::vector<Point3> all_points(std::span<const Point3> of_others) const;
   std::vector<Point3> all_normals(std::span<const Point3> of_others) const;
+  std::vector<double> all_certainty(std::span<const double> of_others) const;
   std::span<const std::array<std::uint8_t, 3>> all_colors() const { return whole_.colors; }
   /// The same where nothing is seen of the points left out: they are where the first of the others is.
   std::vector<Point3> seen_points(std::span<const Point3> of_others) const;
 
  private:
-  std::vector<Point3> all(std::span<const Point3> of_others, std::vector<Point3> values) const;
+  template <typename Value>
+  std::vector<Value> all(std::span<const Value> of_others, std::vector<Value> values) const;
 
   SpacePoints whole_ = {};
   std::vector<std::uint32_t> number_ = {};  // of each of the others, in the file

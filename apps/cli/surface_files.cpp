@@ -1,5 +1,6 @@
 #include "cli/surface_files.h"
 
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -51,11 +52,13 @@ void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
 void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
   // An .npy file has the canonical order whatever other files have.
-  if (format == Format::npy) return write_surface(file, format, {points, surface.triangles, {}, {}});
-  SpaceMesh mesh{points, surface.triangles, normals, colors};
+  if (format == Format::npy) return write_surface(file, format, {.vertices = points, .triangles = surface.triangles});
+  SpaceMesh mesh{
+      .vertices = points, .triangles = surface.triangles, .normals = normals, .colors = colors, .certainty = certainty};
   SplitFans used;
   std::vector<Point3> own_points, own_normals;
   std::vector<std::array<std::uint8_t, 3>> own_colors;
+  std::vector<double> own_certainty;
   const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file has the same vertices
   if (splits || compact) {
     if (!splits) used = without_unused(surface.triangles, points.size());
@@ -63,7 +66,12 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
     own_points = values_at(points, of.point);
     own_normals = values_at(normals, of.point);
     own_colors = values_at(colors, of.point);
-    mesh = {own_points, of.triangles, own_normals, own_colors};
+    own_certainty = values_at(certainty, of.point);
+    mesh = {.vertices = own_points,
+            .triangles = of.triangles,
+            .normals = own_normals,
+            .colors = own_colors,
+            .certainty = own_certainty};
     if (splits) mesh.points = of.point;
   }
   std::vector<std::array<std::uint32_t, 3>> ordered;
@@ -72,6 +80,18 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
     mesh.triangles = ordered;
   }
   write_surface(file, format, mesh);
+}
+
+std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> certainty) {
+  constexpr std::array sure{0x86, 0xBC, 0xE4}, in_doubt{0xD5, 0x5E, 0x00};
+  std::vector<std::array<std::uint8_t, 3>> colors;
+  colors.reserve(certainty.size());
+  for (const double share : certainty) {
+    auto& color = colors.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      color[k] = static_cast<std::uint8_t>(std::lround(in_doubt[k] + share * (sure[k] - in_doubt[k])));
+  }
+  return colors;
 }
 
 void SurfaceFiles::write_curves(OutputFile& file) const {

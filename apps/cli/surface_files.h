@@ -20,6 +20,7 @@ struct SurfaceFiles {
   std::span<const Point3> points;
   std::span<const Point3> normals;                      ///< none, or one of each point
   std::span<const std::array<std::uint8_t, 3>> colors;  ///< the same
+  std::span<const double> certainty;                    ///< of normals that are estimated; the same
   const Surface& surface;
   const SplitFans& fans;                 ///< of the surface
   std::span<const std::uint32_t> order;  ///< of triangles in mesh files; empty: that of the surface
@@ -32,5 +33,8 @@ struct SurfaceFiles {
   /// OBJ, with groups by their kinds.
   void write_curves(OutputFile& file) const;
 };
+
+/// A colour of each certainty: from orange for 0 to blue for 1.
+std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> certainty);
 
 }  // namespace rbpa::app

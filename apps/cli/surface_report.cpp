@@ -94,6 +94,7 @@ Json base(const SurfaceFacts& facts) {
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
           {"normals", facts.normals},
+          {"normals_in_doubt", facts.in_doubt ? Json(*facts.in_doubt) : Json(nullptr)},
           {"scale_space", facts.scale_space == 0 ? Json(nullptr) : Json(facts.scale_space)},
           {"outliers", facts.outlier_factor ? Json{{"points", facts.outliers.points.size()},
                                                    {"factor", *facts.outlier_factor},
@@ -123,6 +124,12 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
     lines.push_back(counted(facts.outliers.points.size(), "outlier") + " left out, more than " +
                     text_of(*facts.outlier_factor) + " times as far from the 8th nearest point as the median, " +
                     rounded(facts.outliers.distance, 6));
+  constexpr double worth_a_word = 0.05;
+  const std::size_t estimated = facts.points - facts.outliers.points.size();
+  if (const double share = static_cast<double>(facts.in_doubt.value_or(0)) / static_cast<double>(estimated);
+      estimated > 0 && share >= worth_a_word)
+    lines.push_back(rounded(100 * share, 3) +
+                    " % of the normals are in doubt: --color normals shows where, --viewpoint decides their side");
   if (!facts.unused.empty()) {
     std::array<std::size_t, 4> causes{};
     for (const UnusedPoint& point : facts.unused) ++causes[static_cast<std::size_t>(point.cause)];

@@ -37,9 +37,10 @@ struct SurfaceFacts {
   std::size_t points = 0;
   std::size_t distinct = 0;
   std::vector<double> radii = {};
-  bool chosen_radii = false;    ///< by auto
-  std::string normals = {};     ///< file, estimate or none
-  std::size_t scale_space = 0;  ///< steps
+  bool chosen_radii = false;                           ///< by auto
+  std::string normals = {};                            ///< file, estimate or none
+  std::optional<std::size_t> in_doubt = std::nullopt;  ///< normals, of those that are estimated
+  std::size_t scale_space = 0;                         ///< steps
   std::optional<double> outlier_factor = std::nullopt;
   Outliers outliers = {};  ///< that are left out
   unsigned threads = 1;

@@ -41,6 +41,13 @@ std::optional<NormalSource> parse_normals(const std::optional<std::string>& text
   throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
 }
 
+/// Whether colours are those of normals.
+bool parse_color(const std::optional<std::string>& text) {
+  if (!text || *text == "points") return false;
+  if (*text == "normals") return true;
+  throw WrongUsage("--color: found " + in_quotes(*text) + ", expected points or normals");
+}
+
 /// A whole number within bounds.
 std::optional<std::size_t> count_in(const std::string& text, double least, double most) {
   const ParsedNumber number = parse_whole_number(text);
@@ -102,6 +109,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       .neighbors = parse_neighbors(arguments.neighbors),
       .viewpoints = parse_viewpoint(arguments.viewpoint),
       .normals = parse_normals(arguments.normals),
+      .colors_normals = parse_color(arguments.color),
       .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
       .scale_space = parse_scale_space(arguments),
       .components = {},
@@ -140,6 +148,8 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
     throw WrongUsage("--normals: found none with --neighbors, --viewpoint or --flip, which change normals");
   if (request.normals == NormalSource::file && arguments.neighbors)
     throw WrongUsage("--neighbors: found --normals file, of which nothing is estimated");
+  if (request.colors_normals && request.normals && request.normals != NormalSource::estimate)
+    throw WrongUsage("--color: found normals with --normals " + *arguments.normals + ", of which nothing is estimated");
   if (arguments.neighbors && !request.normals) request.normals = NormalSource::estimate;
   if (arguments.keep_largest) request.components.largest = parse_keep_largest(*arguments.keep_largest);
   if (arguments.drop_small) parse_drop_small(*arguments.drop_small, request.components);

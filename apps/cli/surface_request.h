@@ -27,6 +27,7 @@ struct SurfaceRequest {
   std::size_t neighbors;                   ///< of which normals are estimated
   std::vector<Point3> viewpoints;          ///< one or none
   std::optional<NormalSource> normals;     ///< absent: of the file if it has any, else estimated
+  bool colors_normals;                     ///< by their certainty
   std::optional<double> outlier_factor;    ///< absent: no point is left out
   std::optional<std::size_t> scale_space;  ///< steps, 0 for auto; absent: none
   ComponentChoice components;

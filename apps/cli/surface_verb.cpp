@@ -67,7 +67,7 @@ class SurfaceRun : public Run {
   LeftOutPoints outliers_;
   std::vector<Point3> as_they_came_;  ///< the points, where they are moved
   NormalSource source_ = NormalSource::none;
-  std::vector<Point3> estimated_;
+  EstimatedNormals estimated_;
   std::vector<double> radii_;  ///< by which the surface is made
   Surface surface_;
   SurfaceComponents components_;  ///< of the surface, with those that are dropped at first
@@ -82,7 +82,7 @@ class SurfaceRun : public Run {
   }
   std::span<const Point3> normals() const {
     if (source_ == NormalSource::none) return {};
-    return source_ == NormalSource::estimate ? estimated_ : file_.normals;
+    return source_ == NormalSource::estimate ? estimated_.normals : file_.normals;
   }
 };
 
@@ -125,16 +125,21 @@ void SurfaceRun::take_normals() {
   facts_.normals = names[static_cast<std::size_t>(source_)];
   if (source_ == NormalSource::estimate) {
     estimated_ = step("estimating normals", [&](const SurfaceOptions& how) {
-      return estimate_normals(file_.points, {.neighbors = request_.neighbors,
-                                             .viewpoints = request_.viewpoints,
-                                             .threads = how.threads,
-                                             .progress = how.progress});
+      return estimate_normals_and_certainty(file_.points, {.neighbors = request_.neighbors,
+                                                           .viewpoints = request_.viewpoints,
+                                                           .threads = how.threads,
+                                                           .progress = how.progress});
     });
+    facts_.in_doubt =
+        static_cast<std::size_t>(std::count_if(estimated_.certainty.begin(), estimated_.certainty.end(),
+                                               [](double certainty) { return certainty < least_certainty; }));
+  } else if (request_.colors_normals) {
+    bad_input(input(), "normals, which --color normals does not show", "none, or --normals estimate");
   } else if (source_ == NormalSource::file && !request_.viewpoints.empty()) {
     turn_toward(file_.points, request_.viewpoints, file_.normals);
   }
   if (!arguments_.flip) return;
-  for (Point3& n : source_ == NormalSource::estimate ? estimated_ : file_.normals)
+  for (Point3& n : source_ == NormalSource::estimate ? estimated_.normals : file_.normals)
     n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};
 }
 
@@ -265,6 +270,7 @@ SurfaceFiles SurfaceRun::files() const {
   return {.points = points(),
           .normals = normals().empty() ? file_.normals : normals(),
           .colors = file_.colors,
+          .certainty = estimated_.certainty,
           .surface = surface_,
           .fans = fans_,
           .order = order_,
@@ -277,6 +283,8 @@ void SurfaceRun::write() {
   const ProgressLine line = writing();
   SurfaceFiles all = files(), pictures = all;
   std::vector<Point3> whole, seen, whole_normals;
+  std::vector<double> whole_certainty;
+  std::vector<std::array<std::uint8_t, 3>> colors;
   if (outliers_.is_any()) {
     whole = outliers_.all_points(all.points);
     seen = outliers_.seen_points(all.points);
@@ -285,10 +293,12 @@ void SurfaceRun::write() {
     pictures.points = seen;
     all.normals = pictures.normals = whole_normals;
     all.colors = pictures.colors = outliers_.all_colors();
+    all.certainty = whole_certainty = outliers_.all_certainty(all.certainty);
     outliers_.renumber(surface_);
     outliers_.renumber(fans_);
     outliers_.renumber(facts_);
   }
+  if (request_.colors_normals) all.colors = pictures.colors = colors = colors_of(all.certainty);
   add(request_.targets, [&](OutputFile& file, const Target& target) {
     (is_picture(target.format) ? pictures : all).write(file, target.format, request_.width);
   });

@@ -91,6 +91,7 @@ struct SurfaceArguments : OutputArguments {
   std::optional<std::string> neighbors;
   std::optional<std::string> viewpoint;
   bool flip = false;
+  std::optional<std::string> color;
   std::optional<std::string> drop_outliers;
   std::optional<std::string> scale_space;
   bool moved = false;

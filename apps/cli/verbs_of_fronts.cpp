@@ -83,6 +83,10 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "Where the points were seen from: normals are turned toward it, those of the file too")
       ->type_name("X,Y,Z");
   add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after all else");
+  verb.add_option("--color", arguments.color,
+                  "Colours of files and pictures: points, those of the file (by default), or normals, how sure each "
+                  "estimated normal is: blue, or orange where it is in doubt")
+      ->type_name("NAME");
   verb.add_option(
           "--drop-outliers", arguments.drop_outliers,
           "Leave out points that are more than K times as far from their 8th nearest as the median point is (auto: 4). "

@@ -68,14 +68,16 @@ struct Input {
   }
 };
 
-Doubles estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints, unsigned threads,
-                  const py::object& progress) {
+/// Normals, and how sure each is.
+std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints,
+                                       unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   const auto from = viewpoints ? points3_of(*viewpoints, "viewpoint") : std::span<const Point3>();
-  return rows<double>(watched(input.size(), progress, [&](Watch& watch) {
-    return estimate_normals(
+  EstimatedNormals made = watched(input.size(), progress, [&](Watch& watch) {
+    return estimate_normals_and_certainty(
         input, {.neighbors = neighbors, .viewpoints = from, .threads = threads, .progress = watch.progress()});
-  }));
+  });
+  return {rows<double>(std::move(made.normals)), line<double>(std::move(made.certainty))};
 }
 
 /// The moved points, and by how many steps.

@@ -55,6 +55,25 @@ struct NormalOptions {
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options = {});
 
+struct EstimatedNormals {
+  std::vector<Point3> normals;
+  std::vector<double> certainty;  ///< of each, in [0, 1]
+};
+
+/// A normal of a certainty below this is in doubt.
+inline constexpr double least_certainty = 0.5;
+
+/// The same with how sure each normal is: the lesser of
+/// - how well its neighbours determine a plane: 1 less the ratio of the two least variances of their covariance; 1 in a plane, 0 in a
+///   ball of points or on a line;
+/// - how sure its side is. An edge of the spanning tree cuts the graph of nearest points in two; the other edges across this cut agree with
+///   it or not, each weighted by how certain it is: 1 where all agree, 0 where half or more do not. The least such number on the way
+///   from the first point counts. Where a ball decides, what it sees of the point from outside more than from inside, and on from there. With
+///   viewpoints four times the cosine between normal and view, at most 1.
+/// Costs a tenth to a fifth more.
+RBPA_API EstimatedNormals estimate_normals_and_certainty(std::span<const Point3> points,
+                                                         const NormalOptions& options = {});
+
 /// Turns each normal to the side of its plane that the viewpoint is on; where that is in the plane, the first coordinate of
 /// the normal that is not 0, of z, y, x in turn, becomes positive.
 /// Requires: a normal for each point; one viewpoint, or one for each point; all finite. Throws: InvalidInput. Cost: linear.

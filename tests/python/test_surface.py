@@ -216,6 +216,16 @@ def test_outer_shells_are_what_the_ball_touches_from_outside():
         outer.outer_shells()
 
 
+def test_the_certainty_of_normals_comes_with_them():
+    normals, certainty = rbpa.estimate_normals(BALL, certainty=True)
+    assert np.array_equal(normals, rbpa.estimate_normals(BALL))
+    assert certainty.shape == (len(BALL),) and (certainty > 0.5).all() and (certainty <= 1).all()
+    line = rbpa.estimate_normals([[0, 0, 0], [1, 2, 3], [2, 4, 6]], certainty=True)
+    assert line[1].tolist() == [0, 0, 0]
+    grazing = rbpa.estimate_normals([[0, 0, 0], [1, 0, 0], [0, 1, 0]], viewpoint=[9, 9, 0], certainty=True)
+    assert grazing[1].tolist() == [0, 0, 0]
+
+
 def test_normals_are_turned_toward_a_viewpoint():
     inward = rbpa.estimate_normals(BALL, viewpoint=[0, 0, 0])
     assert (np.einsum("ij,ij->i", inward, BALL) < 0).all()

@@ -21,21 +21,22 @@ namespace rbpa::app {
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup);
 
-/// Normals, colours and points: none, or one of each vertex.
+/// Normals, colours, points and certainties: none, or one of each vertex.
 struct SpaceMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 3>> triangles;
   std::span<const Point3> normals = {};
   std::span<const std::array<std::uint8_t, 3>> colors = {};
   std::span<const std::uint32_t> points = {};  ///< input indices
+  std::span<const double> certainty = {};      ///< of the normals
 };
 
-/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar and points as uint `point`; STL (binary,
+/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar, points as uint `point` and certainties as double `certainty`; STL (binary,
 /// single precision); VTU, GLB (below); or the triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before
 /// anything is written, when a coordinate is too large for STL or GLB. Requires: not a picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 
-/// Normals as point data `Normals`, colours as `RGB`, input indices as `point`.
+/// Normals as point data `Normals`, colours as `RGB`, input indices as `point`, certainties as `certainty`.
 void write_vtu(OutputFile& file, const SpaceMesh& mesh);
 
 /// One mesh, both sides of which are seen. Positions are in single precision; where that loses something, relative to a node's

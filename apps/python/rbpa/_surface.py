@@ -7,7 +7,7 @@ import math
 import os
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -25,14 +25,39 @@ _CURVE_KINDS = ("rim", "hole", "island")
 _UNUSED_CAUSES = ("no ball rests", "hidden", "normals disagree", "blocked")
 
 
+@overload
 def estimate_normals(
     points: npt.ArrayLike,
     neighbors: int = 16,
     *,
     viewpoint: Optional[npt.ArrayLike] = None,
+    certainty: Literal[False] = False,
     threads: Optional[int] = None,
     progress: Progress = None,
-) -> Floats:
+) -> Floats: ...
+
+
+@overload
+def estimate_normals(
+    points: npt.ArrayLike,
+    neighbors: int = 16,
+    *,
+    viewpoint: Optional[npt.ArrayLike] = None,
+    certainty: Literal[True],
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> tuple[Floats, Floats]: ...
+
+
+def estimate_normals(
+    points: npt.ArrayLike,
+    neighbors: int = 16,
+    *,
+    viewpoint: Optional[npt.ArrayLike] = None,
+    certainty: bool = False,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Union[Floats, tuple[Floats, Floats]]:
     """Normals of points in space that have none: of planes through the nearest points, all turned to one side.
 
     Parameters
@@ -43,17 +68,22 @@ def estimate_normals(
         A plane is fitted to each point and so many others, the nearest. Fewer follow the noise, more round off edges.
     viewpoint : array_like of shape (3,) or (n, 3), optional
         Where all points, or each, were seen from: normals are turned toward it, and no side has to be guessed.
+    certainty : bool
+        Also how sure each normal is.
     threads, progress
         As in `surface`; `progress` is called with no triangles.
 
     Returns
     -------
-    float64 array of shape (n, 3)
+    float64 array of shape (n, 3), or with `certainty` a tuple of it and one of shape (n,)
         Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
         turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
         step on which the planes of neighbours do not determine which side is which, as at sharp edges, may turn all that follow
         to the wrong side, on closed surfaces too. Of thin bodies a ball outside decides. Where the side matters give normals
-        of your own. The array is yours to write into.
+        of your own. The arrays are yours to write into.
+
+        A certainty is in [0, 1], and below a half the normal is in doubt: the nearest points determine no plane, or votes of
+        neighbours whether it is on the side of the others contradict each other (docs/surface.md, section 3).
 
     Raises
     ------
@@ -68,9 +98,10 @@ def estimate_normals(
     array([0., 0., 1.])
     """
     seen_from = None if viewpoint is None else as_points(np.atleast_2d(np.asarray(viewpoint)), "viewpoint", columns=3)
-    return _core.estimate_normals(
+    made = _core.estimate_normals(
         as_points(points, columns=3), as_count(neighbors, "neighbors", 2), seen_from, as_threads(threads), progress
     )
+    return made if certainty else made[0]
 
 
 def scale_space(
@@ -173,7 +204,7 @@ def surface(
     radii = _core.auto_radii(array, workers, progress) if automatic else _as_radii(radius)
     vectors: Optional[Floats]
     if normals is None or (isinstance(normals, str) and normals == "estimate"):
-        vectors = _core.estimate_normals(array, 16, None, workers, progress)
+        vectors = _core.estimate_normals(array, 16, None, workers, progress)[0]
         freeze(vectors)
     elif isinstance(normals, str):
         if normals != "none":
@@ -558,7 +589,7 @@ class Surface(Result):
             For mpl_toolkits.mplot3d.art3d.Poly3DCollection. matplotlib draws some ten thousand triangles in a second.
         """
         import matplotlib.pyplot as plt
-        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+        from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import]
 
         if ax is None:
             ax = plt.figure().add_subplot(projection="3d")

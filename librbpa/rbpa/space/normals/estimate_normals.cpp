@@ -16,9 +16,30 @@
 #include "rbpa/space/normals/fit_plane.h"
 #include "rbpa/space/normals/orient_normals.h"
 #include "rbpa/space/normals/outer_sides.h"
+#include "rbpa/space/normals/side_certainty.h"
 
 namespace rbpa {
 namespace {
+
+using Wide = long double;  // products of extreme coordinates do not overflow
+
+const Point3& viewpoint_of(std::size_t i, std::span<const Point3> viewpoints) {
+  return viewpoints[viewpoints.size() == 1 ? 0 : i];
+}
+
+/// Along a unit normal, how far the viewpoint is above the plane.
+Wide height(const Point3& p, const Point3& from, const Point3& n) {
+  return (Wide(from.x) - p.x) * n.x + (Wide(from.y) - p.y) * n.y + (Wide(from.z) - p.z) * n.z;
+}
+
+/// Of the side of a normal that is turned toward a viewpoint: a plane that is seen at a grazing angle may be seen from either side.
+double view_certainty(const Point3& p, const Point3& from, const Point3& n) {
+  constexpr double beyond_doubt = 0.25;  // of the cosine of the angle between normal and view: 76 degrees
+  const Wide x = Wide(from.x) - p.x, y = Wide(from.y) - p.y, z = Wide(from.z) - p.z;
+  const Wide distance = std::sqrt(x * x + y * y + z * z);
+  if (!(distance > 0)) return 0;
+  return std::min(1.0, static_cast<double>(std::abs(height(p, from, n)) / distance) / beyond_doubt);
+}
 
 void check_viewpoints(std::span<const Point3> points, std::span<const Point3> viewpoints) {
   if (viewpoints.size() != 1 && viewpoints.size() != points.size())
@@ -29,27 +50,56 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
       throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
 }
 
-/// The normals of distinct points, in their order.
+/// The normals of distinct points, in their order; how sure they are where that is wanted, but for viewpoints.
 template <typename Real>
-std::vector<Point3> normals_of(std::vector<Point3> points, const NormalOptions& options) {
+EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_certainty) {
   const std::size_t count = points.size();
   const std::function<void()> go_on = asking(options.progress, count);
   Threads threads(count < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
-  auto [near, normals] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
+  auto [near, normals, certainty] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {
-    space::orient_normals<Real>(near, normals, go_on);
+    space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on);
+    space::OuterSides sides;
     if constexpr (std::is_same_v<Real, double>) {  // others do not fit the sums of areas either
       const auto watch = [&options, count](const Progress&) {
         return !options.progress || options.progress({0, count});
       };
-      const std::vector<std::int8_t> sides =
-          space::outer_sides(near, normals, {.threads = options.threads, .progress = watch});
-      if (!sides.empty()) space::orient_normals<Real>(near, normals, go_on, sides);
+      sides = space::outer_sides(near, normals, {.threads = options.threads, .progress = watch});
+      if (!sides.empty()) tree = space::orient_normals<Real>(near, normals, go_on, sides.side);
+    }
+    if (with_certainty) {
+      const std::vector<double> of_side = space::side_certainty<Real>(near, normals, tree, sides, go_on);
+      for (std::size_t i = 0; i < count; ++i) certainty[i] = std::min(certainty[i], of_side[i]);
     }
   }
-  std::vector<Point3> by_number(normals.size());
-  for (std::size_t i = 0; i < normals.size(); ++i) by_number[i] = normals[near.place[i]];
+  EstimatedNormals by_number{.normals = std::vector<Point3>(count), .certainty = {}};
+  for (std::size_t i = 0; i < count; ++i) by_number.normals[i] = normals[near.place[i]];
+  for (std::size_t i = 0; i < count && with_certainty; ++i) by_number.certainty.push_back(certainty[near.place[i]]);
   return by_number;
+}
+
+EstimatedNormals estimate(std::span<const Point3> points, const NormalOptions& options, bool with_certainty) {
+  space::check_points(points);
+  if (options.neighbors < 2)
+    throw InvalidInput("normals from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
+  if (!options.viewpoints.empty()) check_viewpoints(points, options.viewpoints);
+  if (points.empty()) return {};
+  space::DistinctPoints sites = space::distinct_points(points);
+  const bool fits = space::fit_double(sites.points).has_value();
+  const EstimatedNormals of_sites = fits ? normals_of<double>(std::move(sites.points), options, with_certainty)
+                                         : normals_of<long double>(std::move(sites.points), options, with_certainty);
+  EstimatedNormals result;
+  result.normals.reserve(points.size());
+  for (const std::uint32_t number : sites.number) result.normals.push_back(of_sites.normals[number]);
+  for (std::size_t i = 0; i < points.size() && with_certainty; ++i)
+    result.certainty.push_back(of_sites.certainty[sites.number[i]]);
+  if (!options.viewpoints.empty()) {
+    turn_toward(points, options.viewpoints, result.normals);
+    for (std::size_t i = 0; i < result.certainty.size(); ++i)
+      result.certainty[i] = std::min(result.certainty[i],
+                                     view_certainty(points[i], viewpoint_of(i, options.viewpoints), result.normals[i]));
+  }
+  return result;
 }
 
 }  // namespace
@@ -59,31 +109,20 @@ void turn_toward(std::span<const Point3> points, std::span<const Point3> viewpoi
     throw InvalidInput(std::to_string(normals.size()) + " normals of " + std::to_string(points.size()) +
                        " points, expected one of each");
   check_viewpoints(points, viewpoints);
-  using Real = long double;  // products of extreme coordinates do not overflow
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point3 &p = points[i], &from = viewpoints[viewpoints.size() == 1 ? 0 : i];
     Point3& n = normals[i];
-    const Real toward = (Real(from.x) - p.x) * n.x + (Real(from.y) - p.y) * n.y + (Real(from.z) - p.z) * n.z;
+    const Wide toward = height(points[i], viewpoint_of(i, viewpoints), n);
     const double first = n.z != 0 ? n.z : n.y != 0 ? n.y : n.x;
     if (toward < 0 || (toward == 0 && first < 0)) n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};
   }
 }
 
 std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options) {
-  space::check_points(points);
-  if (options.neighbors < 2)
-    throw InvalidInput("normals from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
-  if (!options.viewpoints.empty()) check_viewpoints(points, options.viewpoints);
-  if (points.empty()) return {};
-  space::DistinctPoints sites = space::distinct_points(points);
-  const bool fits = space::fit_double(sites.points).has_value();
-  const std::vector<Point3> normals = fits ? normals_of<double>(std::move(sites.points), options)
-                                           : normals_of<long double>(std::move(sites.points), options);
-  std::vector<Point3> result;
-  result.reserve(points.size());
-  for (const std::uint32_t number : sites.number) result.push_back(normals[number]);
-  if (!options.viewpoints.empty()) turn_toward(points, options.viewpoints, result);
-  return result;
+  return estimate(points, options, false).normals;
+}
+
+EstimatedNormals estimate_normals_and_certainty(std::span<const Point3> points, const NormalOptions& options) {
+  return estimate(points, options, true);
 }
 
 }  // namespace rbpa

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -34,7 +35,7 @@ template <typename Real>
 Plane fit_plane(const Neighborhoods& points, std::size_t i) {
   const Point3& at = points.points[i];
   const auto around = points.around(i);
-  if (around.empty()) return {.normal = {0, 0, 1}, .roundness = 0};
+  if (around.empty()) return {.normal = {0, 0, 1}, .roundness = 0, .flatness = 0};
   // Scaled by a power of two, so that squares are about 1 however near the points are. The last is the farthest.
   const int exponent =
       std::ilogb(difference<Real>(at, points.points[around.back()]).template lpNorm<Eigen::Infinity>());
@@ -55,8 +56,11 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
   constexpr double rounding = 0x1p-48;                   // of the covariance, a sum over a few points
-  if (spread[1] <= rounding * spread[2]) return {.normal = point(across(solver.eigenvectors().col(2))), .roundness = 0};
-  return {.normal = point(solver.eigenvectors().col(0)), .roundness = spread[1] / spread[2]};
+  if (spread[1] <= rounding * spread[2])
+    return {.normal = point(across(solver.eigenvectors().col(2))), .roundness = 0, .flatness = 0};
+  return {.normal = point(solver.eigenvectors().col(0)),
+          .roundness = spread[1] / spread[2],
+          .flatness = 1 - std::max(0.0, spread[0]) / spread[1]};
 }
 
 template <typename Real>
@@ -64,10 +68,12 @@ PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads
                           const std::function<void()>& go_on) {
   PlanesOfPoints fitted;
   fitted.normals.resize(points.size());
+  fitted.flatness.resize(points.size());
   const bool may_widen = count >= 8;
   const auto fit = [&](const Neighborhoods& near, std::size_t i) {
     const Plane plane = fit_plane<Real>(near, i);
     fitted.normals[i] = plane.normal;
+    fitted.flatness[i] = plane.flatness;
     return plane.is_certain() || !may_widen;
   };
   fitted.near = find_nearest<Real>(std::move(points), count, threads, go_on, fit);

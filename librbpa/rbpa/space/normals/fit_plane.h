@@ -14,6 +14,8 @@ namespace rbpa::space {
 struct Plane {
   Point3 normal;
   double roundness;  ///< of the points along it: 1 in a disc, 0 on a line; the ratio of the two greater eigenvalues
+  double
+      flatness;  ///< how well they determine it: 1 in a plane, 0 in a ball or on a line; 1 less the ratio of the two smaller ones
 
   /// The points determine it. At the straight rim of a sheet roundness is 0.28; on the lines of a scanner that are farther from
   /// each other than eight points along them it is about 0.
@@ -28,7 +30,8 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i);
 
 struct PlanesOfPoints {
   Neighborhoods near;
-  std::vector<Point3> normals;  ///< of fit_plane(), by positions in `near`
+  std::vector<Point3> normals;   ///< of fit_plane(), by positions in `near`
+  std::vector<double> flatness;  ///< the same
 };
 
 /// The planes of points and their `count` nearest others. Where `count` is 8 or more and these are about on a line, of wider

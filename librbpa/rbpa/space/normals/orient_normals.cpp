@@ -129,36 +129,40 @@ template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:
   Turn(const Neighborhoods& points, std::span<Point3> normals, const std::vector<Number>& from,
-       const std::function<void()>& go_on)
-      : points_(points), normals_(normals), from_(from), go_on_(go_on) {}
+       std::vector<Number>& order, const std::function<void()>& go_on)
+      : points_(points), normals_(normals), from_(from), order_(order), go_on_(go_on) {}
 
   void examine_vertex(Number v, const Graph&) {
+    order_.push_back(v);
     const Number u = from_[v];
     const std::size_t root = points_.points.size();
     if (v != root && u != root &&
         compare_normals<Real>(points_.points[u], normals_[u], points_.points[v], normals_[v]).agreement < 0)
       normals_[v] = turned(normals_[v]);
     constexpr Number vertices_at_a_time = 4096;
-    if (go_on_ && ++count_ % vertices_at_a_time == 0) go_on_();
+    if (go_on_ && order_.size() % vertices_at_a_time == 0) go_on_();
   }
 
  private:
   const Neighborhoods& points_;
   std::span<Point3> normals_;
   const std::vector<Number>& from_;
+  std::vector<Number>& order_;
   const std::function<void()>& go_on_;
-  Number count_ = 0;
 };
 
 }  // namespace
 
 template <typename Real>
-void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on,
-                    std::span<const std::int8_t> sides) {
+OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals,
+                               const std::function<void()>& go_on, std::span<const std::int8_t> sides) {
   const Graph graph = graph_of(points, Seeds(points, normals, sides).find());
   const auto root = static_cast<Number>(points.points.size());
-  std::vector<Number> from(root + std::size_t{1});
+  OrientationTree tree;
+  std::vector<Number>& from = tree.parent;
+  from.resize(root + std::size_t{1});
   std::iota(from.begin(), from.end(), Number{0});
+  tree.order.reserve(from.size());
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> least(from.size(), infinity);
   least[root] = 0;
@@ -174,13 +178,14 @@ void orient_normals(const Neighborhoods& points, std::span<Point3> normals, cons
   boost::dijkstra_shortest_paths_no_init(
       graph, root, map(from), map(least),
       boost::make_function_property_map<boost::graph_traits<Graph>::edge_descriptor, double>(weight_of), index,
-      std::less<>(), [](double, double last) { return last; }, 0.0, Turn<Real>(points, normals, from, go_on),
-      map(color));
+      std::less<>(), [](double, double last) { return last; }, 0.0,
+      Turn<Real>(points, normals, from, tree.order, go_on), map(color));
+  return tree;
 }
 
-template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
-                                     std::span<const std::int8_t>);
-template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
-                                          std::span<const std::int8_t>);
+template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
+                                                std::span<const std::int8_t>);
+template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>,
+                                                     const std::function<void()>&, std::span<const std::int8_t>);
 
 }  // namespace rbpa::space

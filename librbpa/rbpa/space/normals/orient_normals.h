@@ -9,21 +9,28 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "rbpa/base/point3.h"
 #include "rbpa/space/normals/find_nearest.h"
 
 namespace rbpa::space {
 
+/// A spanning tree of the points and a root beside them, whose number is that of the points. The root's children are where it begins.
+struct OrientationTree {
+  std::vector<std::uint32_t> order;   ///< the root and all points, each behind its parent
+  std::vector<std::uint32_t> parent;  ///< of each point, and of the root itself
+};
+
 /// Turns the normals, one for each point of the neighbourhoods, as estimate_normals() promises. Calls go_on() repeatedly, if
 /// there is one. Where the outer side of a point is known, as outer_sides() has it, the tree begins there.
 template <typename Real>
-void orient_normals(const Neighborhoods& points, std::span<Point3> normals, const std::function<void()>& go_on,
-                    std::span<const std::int8_t> sides = {});
+OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals,
+                               const std::function<void()>& go_on, std::span<const std::int8_t> sides = {});
 
-extern template void orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
-                                            std::span<const std::int8_t>);
-extern template void orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
-                                                 std::span<const std::int8_t>);
+extern template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>,
+                                                       const std::function<void()>&, std::span<const std::int8_t>);
+extern template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>,
+                                                            const std::function<void()>&, std::span<const std::int8_t>);
 
 }  // namespace rbpa::space

@@ -159,12 +159,12 @@ bool is_worth_looking(const Neighborhoods& near, std::span<const Point3> normals
 
 }  // namespace
 
-std::vector<std::int8_t> outer_sides(const Neighborhoods& near, std::span<const Point3> normals,
-                                     const SurfaceOptions& options) {
+OuterSides outer_sides(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options) {
   if (near.count == 0 || !is_worth_looking(near, normals, options)) return {};
   const std::vector<Number> component = components_of(near);
   const double spacing = spacing_of(near);
-  std::vector<std::int8_t> sides(near.points.size(), 0);
+  OuterSides sides = {.side = std::vector<std::int8_t>(near.points.size(), 0),
+                      .vote = std::vector<double>(near.points.size(), 0)};
   std::vector<bool> is_seen(near.points.size(), false), is_asked(near.points.size(), true);
   for (const double factor : {first_ball, 5.0, 3.0, 2.0}) {
     const Seen seen = look(near, normals, factor * spacing, options);
@@ -179,7 +179,8 @@ std::vector<std::int8_t> outer_sides(const Neighborhoods& near, std::span<const 
     for (Number i = 0; i < near.points.size(); ++i) {
       if (!is_asked[component[i]] || is_seen[i] || !(seen.area[i] > 0)) continue;
       is_seen[i] = true;
-      sides[i] = static_cast<std::int8_t>(seen.side(i));
+      sides.side[i] = static_cast<std::int8_t>(seen.side(i));
+      if (sides.side[i] != 0) sides.vote[i] = std::min(1.0, std::abs(seen.along[i]) / seen.area[i]);
     }
   }
   return sides;

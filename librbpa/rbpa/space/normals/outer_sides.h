@@ -20,10 +20,16 @@
 
 namespace rbpa::space {
 
-/// Of each point: 1 where the side that its normal is on is outside, −1 where the other one is, 0 where that is not known, or its
-/// component's normals are right as they are. Empty: all 0.
+/// Of each point.
+struct OuterSides {
+  std::vector<std::int8_t>
+      side;  ///< 1: that of its normal is outside, −1: the other one, 0: not known, or its component's normals are right
+  std::vector<double> vote;  ///< what the sum of its triangles has along the normal, of their area; 0 where the side is
+
+  bool empty() const { return side.empty(); }  ///< all sides are 0
+};
+
 /// Requires: unit normals, in the order of the neighbourhoods. Throws: Cancelled.
-std::vector<std::int8_t> outer_sides(const Neighborhoods& near, std::span<const Point3> normals,
-                                     const SurfaceOptions& options);
+OuterSides outer_sides(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options);
 
 }  // namespace rbpa::space

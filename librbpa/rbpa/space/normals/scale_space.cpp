@@ -22,7 +22,8 @@ template <typename Real>
 double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const std::function<void()>& go_on) {
   space::DistinctPoints sites = space::distinct_points(points);
   Threads threads(sites.points.size() < 1000 ? 1 : options.threads);
-  const auto [near, normals] = space::fit_planes<Real>(std::move(sites.points), options.neighbors, threads, go_on);
+  const auto [near, normals, flatness] =
+      space::fit_planes<Real>(std::move(sites.points), options.neighbors, threads, go_on);
   if (near.count == 0) return 0;
   std::vector<Point3> ways(near.points.size());
   for (std::size_t i = 0; i < ways.size(); ++i) {

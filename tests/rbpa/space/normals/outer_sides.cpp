@@ -92,14 +92,14 @@ std::vector<std::int8_t> sides_of(const Known& known, const std::function<bool(s
   Points3 points;
   for (const std::size_t i : order) points.push_back(known.points[i]);
   rbpa::Threads threads(1);
-  auto [near, normals] = rbpa::space::fit_planes<double>(points, 16, threads, {});
+  auto [near, normals, flatness] = rbpa::space::fit_planes<double>(points, 16, threads, {});
   for (std::size_t k = 0; k < order.size(); ++k) {
     Point3& n = normals[near.place[k]];
     const Point3& m = known.normals[order[k]];
     const bool is_wrong = n.x * m.x + n.y * m.y + n.z * m.z < 0;
     if (is_wrong != is_turned(k)) n = {-n.x, -n.y, -n.z};
   }
-  return rbpa::space::outer_sides(near, normals, options);
+  return rbpa::space::outer_sides(near, normals, options).side;
 }
 
 const Height flat = [](double, double) { return 0.0; }, saddle = [](double x, double y) { return 0.4 * x * y; },

@@ -1,0 +1,279 @@
+#include "bench/known_normals.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "support/data_folder.h"
+#include "support/random.h"
+
+namespace rbpa_bench {
+namespace {
+
+using rbpa::Point3;
+using rbpa_test::Random;
+constexpr double pi = std::numbers::pi;
+
+double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+
+/// Points on p + d n, d being noise.
+class Adder {
+ public:
+  Adder(KnownNormals& known, double noise, std::uint64_t seed) : known_(known), noise_(noise), random(seed) {}
+
+  void add(const Point3& p, const Point3& n) {
+    const double length = std::sqrt(dot(n, n)), d = noise_ > 0 ? noise_ * random.between(-1, 1) / length : 0;
+    known_.points.push_back({p.x + d * n.x, p.y + d * n.y, p.z + d * n.z});
+    known_.normals.push_back({n.x / length, n.y / length, n.z / length});
+  }
+  /// A direction at random.
+  Point3 direction() {
+    for (;;) {
+      const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+      const double square = dot(p, p);
+      if (square > 1 || square < 0.01) continue;
+      const double length = std::sqrt(square);
+      return {p.x / length, p.y / length, p.z / length};
+    }
+  }
+
+ private:
+  KnownNormals& known_;
+  double noise_;
+
+ public:
+  Random random;
+};
+
+/// x²/a² + y²/b² + z²/c² = 1, evenly by area.
+KnownNormals ellipsoid(const std::string& name, std::size_t count, const Point3& axes, double noise) {
+  KnownNormals known{.name = name};
+  const double area =
+      4 * pi *
+      std::pow((std::pow(axes.x * axes.y, 1.6) + std::pow(axes.x * axes.z, 1.6) + std::pow(axes.y * axes.z, 1.6)) / 3,
+               1 / 1.6);
+  Adder to(known, noise * std::sqrt(area / static_cast<double>(count)), 1);
+  const double most = 1 / std::min({axes.x, axes.y, axes.z});
+  while (known.points.size() < count) {
+    const Point3 u = to.direction(), n = {u.x / axes.x, u.y / axes.y, u.z / axes.z};
+    if (to.random.unit() * most < std::sqrt(dot(n, n))) to.add({axes.x * u.x, axes.y * u.y, axes.z * u.z}, n);
+  }
+  return known;
+}
+
+KnownNormals torus(std::size_t count, double noise) {
+  KnownNormals known{.name = "torus, noise " + std::string(noise > 0 ? "0.3" : "0")};
+  Adder to(known, noise * std::sqrt(2 * pi * pi / static_cast<double>(count)), 3);
+  while (known.points.size() < count) {
+    const double a = to.random.between(-pi, pi), b = to.random.between(-pi, pi);
+    if (to.random.between(0, 1.5) > 1 + 0.5 * std::cos(b)) continue;
+    const Point3 n = {std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+    to.add({std::cos(a) + 0.5 * n.x, std::sin(a) + 0.5 * n.y, 0.5 * n.z}, n);
+  }
+  return known;
+}
+
+/// A box of these sides, evenly by area, with sharp edges.
+KnownNormals box(const std::string& name, std::size_t count, const Point3& sides, double noise) {
+  KnownNormals known{.name = name};
+  const double xy = sides.x * sides.y, xz = sides.x * sides.z, yz = sides.y * sides.z;
+  Adder to(known, noise * std::sqrt(2 * (xy + xz + yz) / static_cast<double>(count)), 4);
+  while (known.points.size() < count) {
+    const double which = to.random.between(0, xy + xz + yz), side = to.random.chance(0.5) ? 1 : -1;
+    Point3 p = {sides.x * to.random.between(-0.5, 0.5), sides.y * to.random.between(-0.5, 0.5),
+                sides.z * to.random.between(-0.5, 0.5)},
+           n = {};
+    if (which < xy) {
+      p.z = side * sides.z / 2;
+      n.z = side;
+    } else if (which < xy + xz) {
+      p.y = side * sides.y / 2;
+      n.y = side;
+    } else {
+      p.x = side * sides.x / 2;
+      n.x = side;
+    }
+    to.add(p, n);
+  }
+  return known;
+}
+
+/// Where two balls of radius 1 overlap: a ridge whose angle is as given, in degrees.
+KnownNormals lens(const std::string& name, std::size_t count, double angle) {
+  KnownNormals known{.name = name};
+  Adder to(known, 0, 5);
+  const double off = std::cos(angle / 2 * pi / 180);  // of the centres from the plane between them
+  while (known.points.size() < count) {
+    const Point3 u = to.direction();
+    if (std::abs(u.z) < off) continue;
+    to.add({u.x, u.y, u.z - std::copysign(off, u.z)}, u);
+  }
+  return known;
+}
+
+/// Capsules from a palm, as fingers, `gap` apart: points of one that are in another are left out.
+KnownNormals fingers(const std::string& name, std::size_t count, double gap) {
+  struct Capsule {
+    Point3 from, to;
+    double radius;
+  };
+  std::vector<Capsule> parts = {{{-0.5, 0, 0}, {0.5, 0, 0}, 0.45}};
+  for (int i = 0; i < 4; ++i) {
+    const double x = (2 * 0.18 + gap) * (i - 1.5);
+    parts.push_back({{x, 0.2, 0}, {x, 1.6, 0}, 0.18});
+  }
+  const auto outside = [](const Capsule& c, const Point3& p) {
+    const Point3 d = {c.to.x - c.from.x, c.to.y - c.from.y, c.to.z - c.from.z},
+                 q = {p.x - c.from.x, p.y - c.from.y, p.z - c.from.z};
+    const double t = std::min(1.0, std::max(0.0, dot(q, d) / dot(d, d)));
+    return Point3{q.x - t * d.x, q.y - t * d.y, q.z - t * d.z};
+  };
+  KnownNormals known{.name = name};
+  Adder to(known, 0, 6);
+  double all = 0;
+  const auto area = [](const Capsule& c) {
+    return 2 * pi * c.radius * (std::hypot(c.to.x - c.from.x, c.to.y - c.from.y) + 2 * c.radius);
+  };
+  for (const Capsule& c : parts) all += area(c);
+  while (known.points.size() < count) {
+    double which = to.random.between(0, all);
+    std::size_t k = 0;
+    while (k + 1 < parts.size() && which > area(parts[k])) which -= area(parts[k++]);
+    const Capsule& c = parts[k];
+    const double length = std::hypot(c.to.x - c.from.x, c.to.y - c.from.y);
+    const Point3 u = to.direction();
+    const Point3 along = {(c.to.x - c.from.x) / length, (c.to.y - c.from.y) / length, 0};
+    Point3 p, n = u;
+    if (to.random.between(0, length + 2 * c.radius) < length) {
+      const double t = to.random.between(0, 1), up = dot(u, along);
+      n = {u.x - up * along.x, u.y - up * along.y, u.z - up * along.z};
+      const double l = std::sqrt(dot(n, n));
+      if (l < 0.1) continue;
+      n = {n.x / l, n.y / l, n.z / l};
+      p = {c.from.x + t * (c.to.x - c.from.x), c.from.y + t * (c.to.y - c.from.y), 0};
+    } else {
+      p = dot(u, along) < 0 ? c.from : c.to;
+    }
+    p = {p.x + c.radius * n.x, p.y + c.radius * n.y, p.z + c.radius * n.z};
+    bool is_inside = false;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Point3 d = outside(parts[i], p);
+      is_inside = is_inside || (i != k && dot(d, d) < parts[i].radius * parts[i].radius);
+    }
+    if (!is_inside) to.add(p, n);
+  }
+  return known;
+}
+
+/// A sheet over the square from −1 to 1, open.
+KnownNormals sheet(const std::string& name, std::size_t count, double noise,
+                   const std::function<double(double, double)>& height) {
+  KnownNormals known{.name = name};
+  Adder to(known, noise * 2 / std::sqrt(static_cast<double>(count)), 7);
+  while (known.points.size() < count) {
+    const double x = to.random.between(-1, 1), y = to.random.between(-1, 1);
+    constexpr double step = 1e-5;
+    to.add({x, y, height(x, y)}, {(height(x - step, y) - height(x + step, y)) / (2 * step),
+                                  (height(x, y - step) - height(x, y + step)) / (2 * step), 1});
+  }
+  return known;
+}
+
+/// On the lines of a scanner across the axis of a torus: points along a line are a twentieth of the distance of lines.
+KnownNormals scan_lines() {
+  KnownNormals known{.name = "torus, lines of a scanner"};
+  Adder to(known, 0, 8);
+  constexpr int lines = 60;
+  for (int line = 0; line < lines; ++line) {
+    const double b = 2 * pi * line / lines, out = 1 + 0.5 * std::cos(b), between_lines = 0.5 * 2 * pi / lines;
+    const int along = static_cast<int>(2 * pi * out / (between_lines / 20));
+    for (int i = 0; i < along; ++i) {
+      const double a = 2 * pi * (i + 0.5 * (line % 2)) / along;
+      const Point3 n = {std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+      to.add({std::cos(a) + 0.5 * n.x, std::sin(a) + 0.5 * n.y, 0.5 * n.z}, n);
+    }
+  }
+  return known;
+}
+
+/// A shell: a ball and the surface of a cavity in it, whose normals point into the cavity.
+KnownNormals shell() {
+  KnownNormals known = ellipsoid("ball with a cavity", 15'000, {1, 1, 1}, 0);
+  const KnownNormals inner = ellipsoid("", 5'000, {0.5, 0.5, 0.5}, 0);
+  for (std::size_t i = 0; i < inner.points.size(); ++i) {
+    const Point3& n = inner.normals[i];
+    known.points.push_back(inner.points[i]);
+    known.normals.push_back({-n.x, -n.y, -n.z});
+  }
+  return known;
+}
+
+KnownNormals with_outliers() {
+  KnownNormals known = torus(20'000, 0);
+  known.name = "torus, and 1 outlier of 20 (not counted)";
+  Random random(9);
+  for (int i = 0; i < 1000; ++i) {
+    known.points.push_back({random.between(-2, 2), random.between(-2, 2), random.between(-1, 1)});
+    known.normals.push_back({});
+  }
+  return known;
+}
+
+}  // namespace
+
+std::vector<KnownNormals> bodies_with_normals() {
+  const auto saddle = [](double x, double y) { return 0.4 * x * y; };
+  const auto waves = [](double x, double y) { return 0.2 * std::sin(4 * x + y); };
+  return {ellipsoid("sphere, noise 0", 20'000, {1, 1, 1}, 0),
+          ellipsoid("sphere, noise 0.5", 20'000, {1, 1, 1}, 0.5),
+          ellipsoid("sphere, noise 1", 20'000, {1, 1, 1}, 1),
+          ellipsoid("sphere, noise 2", 20'000, {1, 1, 1}, 2),
+          ellipsoid("sphere, noise 3", 20'000, {1, 1, 1}, 3),
+          torus(20'000, 0),
+          torus(20'000, 0.3),
+          with_outliers(),
+          scan_lines(),
+          box("cube", 20'000, {1, 1, 1}, 0),
+          box("cube, noise 0.5", 20'000, {1, 1, 1}, 0.5),
+          box("plate of a hundredth", 20'000, {1, 1, 0.01}, 0),
+          box("plate of a hundredth, few points", 900, {1, 1, 0.01}, 0),
+          box("plate of a fiftieth", 20'000, {1, 1, 0.02}, 0),
+          box("plate of a twentieth", 20'000, {1, 1, 0.05}, 0),
+          ellipsoid("ellipsoid 1, 0.25, 0.03", 15'000, {1, 0.25, 0.03}, 0),
+          ellipsoid("ellipsoid 1, 0.25, 0.005", 15'000, {1, 0.25, 0.005}, 0),
+          lens("lens, ridge of 90 degrees", 10'000, 90),
+          lens("lens, ridge of 60 degrees", 10'000, 60),
+          lens("lens, ridge of 30 degrees", 10'000, 30),
+          fingers("four fingers, 2 spacings apart", 20'000, 0.04),
+          fingers("four fingers, half a spacing apart", 20'000, 0.01),
+          sheet("open sheet, a saddle", 20'000, 0, saddle),
+          sheet("open sheet, waves, noise 0.5", 20'000, 0.5, waves),
+          shell()};
+}
+
+std::vector<KnownNormals> scans_with_normals() {
+  std::vector<KnownNormals> all;
+  for (const char* name :
+       {"c3_cilantro_frame1", "c3_hammer", "c3_lpm_car400", "c3_nefertiti", "c3_pcl_tum_rabbit", "m3_bob",
+        "m3_human_woman", "m3_plane_holes", "m3_plate_holes", "m3_quadknot", "m3_spot", "m3_torus", "m3_wingnut"}) {
+    KnownNormals known{.name = name};
+    std::ifstream file(rbpa_test::further_data() / (std::string(name) + ".xyz"));
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream numbers(line);
+      Point3 p, n;
+      if (!(numbers >> p.x >> p.y >> p.z >> n.x >> n.y >> n.z) || n == Point3{}) continue;
+      known.points.push_back(p);
+      known.normals.push_back(n);
+    }
+    if (!known.points.empty()) all.push_back(std::move(known));
+  }
+  return all;
+}
+
+}  // namespace rbpa_bench
