@@ -26,6 +26,7 @@
 #include "rbpa/region.h"
 #include "rbpa/rolling_ball.h"
 #include "rbpa/shape.h"
+#include "rbpa/solid.h"
 #include "rbpa/surface.h"
 #include "rbpa/surface_levels.h"
 #include "rbpa/topology.h"
@@ -60,5 +61,10 @@ int main() {
   const rbpa::Surface surface = rbpa::surface(sphere, normals, 0.5);
   const bool is_closed = surface.triangles.size() == 396;  // 2 n - 4
   std::puts(is_closed ? "a sphere" : "not the surface that is expected");
-  return has_triangles && has_shape && is_closed ? 0 : 1;
+
+  sphere.push_back({0, 0, 0});
+  const rbpa::Solid solid = rbpa::solid(sphere, 0.6);
+  const bool is_full = solid.simplices.size() == 396;  // each triangle with the centre
+  std::puts(is_full ? "a ball" : "not the solid that is expected");
+  return has_triangles && has_shape && is_closed && is_full ? 0 : 1;
 }

@@ -59,6 +59,28 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, doub
   return -clearance(Corners(scale, a, b, c), scale(radius)).sign();
 }
 
+int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius) {
+  const Scale scale({a, b, c, d}, radius);
+  const Corners t(scale, a, b, c);
+  const Vector w = scale(d) - t.origin, vw = cross(t.v, w), wu = cross(w, t.u);
+  const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v), ww = dot(w, w);
+  // The centre is at (uu v × w + vv w × u + ww u × v) / 2 volume, from a.
+  const Vector centre = {uu * vw.x + vv * wu.x + ww * t.n.x, uu * vw.y + vv * wu.y + ww * t.n.y,
+                         uu * vw.z + vv * wu.z + ww * t.n.z};
+  const Integer diameter = 2 * scale(radius) * dot(t.n, w), squares = dot(centre, centre) - diameter * diameter;
+  return dot(t.n, w) == 0 ? 1 : squares.sign();
+}
+
+int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
+  const Scale scale{a, b, c, d, q};
+  const Corners t(scale, a, b, c);
+  const Vector w = scale(d) - t.origin, p = scale(q) - t.origin, vw = cross(t.v, w), wu = cross(w, t.u);
+  const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v), ww = dot(w, w);
+  // The volume times the power of q, twice the centre's product being as above.
+  const Integer power = dot(p, p) * dot(t.n, w) - (uu * dot(vw, p) + vv * dot(wu, p) + ww * dot(t.n, p));
+  return -power.sign();
+}
+
 int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q) {
   const Scale scale({a, b, c, q}, radius);
   const Corners t(scale, a, b, c);

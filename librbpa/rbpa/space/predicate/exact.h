@@ -13,6 +13,13 @@ int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3&
 /// Sign of (circumradius of (a, b, c)) − radius; that of points on a line is infinite.
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, double radius);
 
+/// Sign of (circumradius of (a, b, c, d)) − radius; that of points in a plane is infinite.
+int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius);
+
+/// The side of q with respect to the sphere through a, b, c, d: 1 when q is inside, −1 when outside, 0 when on it.
+/// Requires: orientation(a, b, c, d) > 0.
+int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
 /// The side of q with respect to the ball that touches a, b, c, with its centre on the positive side of them: 1 when q is
 /// inside, −1 when outside, 0 when it touches too.
 /// Requires: the circumradius of (a, b, c) is at most the radius.

@@ -1,0 +1,323 @@
+#include "rbpa/space/insertion/insertion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "rbpa/base/error.h"
+#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/orientation.h"
+#include "rbpa/space/predicate/sphere.h"
+
+namespace rbpa::space {
+namespace {
+
+/// Errors are below this times the lengths of docs/predicates.md, section 7: 20 roundings there, and some for the bound itself.
+constexpr double filter = 24 * 0x1p-53;
+
+constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // whose faces have numbers
+
+}  // namespace
+
+Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
+                     std::span<const std::uint32_t> order)
+    : original_(points),
+      points_(spread.is_exact ? scaled : points),
+      spread_(spread),
+      index_(order.size() + 1),
+      vertex_(order.size() + 1) {
+  vertex_[at_infinity] = {0, 0, 0};
+  index_[at_infinity] = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Point3& p = scaled[order[i]];
+    index_[i + 1] = order[i];
+    vertex_[i + 1] = {p.x, p.y, p.z};
+  }
+}
+
+bool Insertion::begin() {
+  const auto exchange = [&](Vertex v, Vertex w) {
+    std::swap(index_[v], index_[w]);
+    std::swap(vertex_[v], vertex_[w]);
+  };
+  Vertex third = 3, fourth;
+  while (third <= size() && are_collinear(point(1), point(2), point(third))) ++third;
+  if (third > size()) return false;
+  exchange(3, third);
+  for (fourth = 4; fourth <= size(); ++fourth)
+    if (orientation(point(1), point(2), point(3), point(fourth)) != 0) break;
+  if (fourth > size()) return false;
+  exchange(4, fourth);
+  if (orientation(point(1), point(2), point(3), point(4)) < 0) exchange(1, 2);
+
+  // The faces of (1, 2, 3, 4), as the cavity around vertex 4 has them, and those of the ghosts on the three at it.
+  constexpr std::array<std::array<Vertex, 4>, 5> corners = {
+      {{1, 2, 3, 4}, {at_infinity, 3, 2, 4}, {at_infinity, 1, 3, 4}, {at_infinity, 2, 1, 4}, {3, 1, at_infinity, 2}}};
+  const std::uint32_t first = new_tetrahedra(corners.size());
+  const auto across = [&](std::uint32_t t, std::size_t k) {  // the face that has the same corners
+    for (std::uint32_t other = 0; other < corners.size(); ++other)
+      for (std::uint32_t j = 0; j < 4; ++j) {
+        std::array<Vertex, 4> mine = corners[t], its = corners[other];
+        mine[k] = its[j] = std::numeric_limits<Vertex>::max();
+        std::sort(mine.begin(), mine.end());
+        std::sort(its.begin(), its.end());
+        if (other != t && mine == its) return 4 * (first + other) + j;
+      }
+    return Face{0};
+  };
+  for (std::uint32_t t = 0; t < corners.size(); ++t) {
+    rim_.clear();
+    spokes_.clear();
+    for (std::size_t k = 0; k < 3; ++k) add_spoke(corners[t][k], vertex_[corners[t][3]]);
+    tetrahedra_[first + t].corner[3] = corners[t][3];
+    make(first + t, {0, 1, 2});
+    for (std::size_t k = 0; k < 4; ++k) tetrahedra_[first + t].neighbor[k] = across(t, k);
+  }
+  start_ = first;
+  return true;
+}
+
+std::size_t Insertion::insert(Vertex v) {
+  find_cavity(locate(v), v);
+  fill_cavity(v);
+  return boundary_.size();
+}
+
+inline Insertion::Estimate Insertion::estimate(std::uint32_t t, const InsertedPoint& q) const {
+  const Tetrahedron& tetrahedron = tetrahedra_[t];
+  const InsertedPoint& d = vertex_[tetrahedron.corner[3]];
+  const double x = q.x - d.x, y = q.y - d.y, z = q.z - d.z, square = x * x + y * y + z * z;
+  const auto& m = tetrahedron.minor;
+  return {m[0] * x + m[1] * y + m[2] * z + m[3] * square, error_[t].at(square)};
+}
+
+inline bool Insertion::is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+  if (estimate.value > estimate.error) return true;
+  if (estimate.value < -estimate.error) return false;
+  return decide(t, v, estimate);
+}
+
+bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+  const Tetrahedron& tetrahedron = tetrahedra_[t];
+  if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v);
+  const auto& [a, b, c, d] = tetrahedron.corner;
+  if (estimate.error < spread_.exact_below(5)) {  // the value has no error
+    if (estimate.value != 0) return estimate.value > 0;
+    return pulled_into_sphere(point(a), point(b), point(c), point(d), point(v));
+  }
+  if (spread_.is_exact) {
+    // The same terms, the error of each of which is 68 u² instead of 20 u.
+    const double value = in_sphere_by_double_double(point(a), point(b), point(c), point(d), point(v));
+    if (std::abs(value) > 0x1p-51 * estimate.error) return value > 0;
+  }
+  return in_sphere_exactly(point(a), point(b), point(c), point(d), point(v));
+}
+
+/// A point in the plane of the hull's face is beyond it if it is in the circle of the face: in the sphere of the tetrahedron
+/// behind.
+bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
+  const auto& corner = ghost.corner;
+  const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
+  const auto& face = seen_from_behind[k];  // positively oriented with a point on the other side of it
+  const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
+  if (side != 0) return side < 0;
+  const std::uint32_t behind = ghost.neighbor[k] / 4;
+  return is_inside(behind, v, estimate(behind, vertex_[v]));
+}
+
+/// The faces of two neighbours' common side is where powers with respect to their spheres are equal. So the power of the point
+/// decreases from a tetrahedron to the neighbour on the point's side of a face; the walk goes where it decreases most.
+std::uint32_t Insertion::locate(Vertex v) const {
+  const InsertedPoint& q = vertex_[v];
+  std::uint32_t t = start_;
+  const Estimate at_start = estimate(t, q);
+  if (at_start.value > at_start.error) return t;
+  // V is minus the power times six volumes, which is what minor 3 is without the sign; of ghosts it is about 0.
+  const auto power_of = [&](std::uint32_t s, double value) {
+    return tetrahedra_[s].is_ghost() ? std::numeric_limits<double>::infinity() : value / tetrahedra_[s].minor[3];
+  };
+  double power = power_of(t, at_start.value);
+  while (true) {
+    std::uint32_t best = t;
+    for (const Face face : tetrahedra_[t].neighbor) {
+      const std::uint32_t other = face / 4;
+      const Estimate estimated = estimate(other, q);
+      if (estimated.value > estimated.error) return other;
+      const double other_power = power_of(other, estimated.value);
+      if (other_power < power) {
+        power = other_power;
+        best = other;
+      }
+    }
+    if (best == t) return locate_exactly(t, v);  // rounded powers, or a tie
+    t = best;
+  }
+}
+
+/// From face to face, by exact orientations: that ends, since the exact power decreases.
+std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
+  while (true) {
+    const Tetrahedron& tetrahedron = tetrahedra_[t];
+    if (tetrahedron.is_ghost()) {
+      if (is_inside(t, v, estimate(t, vertex_[v]))) return t;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (tetrahedron.corner[k] == at_infinity) t = tetrahedron.neighbor[k] / 4;
+      continue;
+    }
+    std::uint32_t next = t;
+    for (std::size_t k = 0; k < 4 && next == t; ++k) {
+      const auto& face = seen_from_behind[k];
+      const auto& corner = tetrahedron.corner;
+      if (orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v)) > 0)
+        next = tetrahedron.neighbor[k] / 4;
+    }
+    if (next == t) return t;  // the point is in it, and no corner: inside of its sphere
+    t = next;
+    if (tetrahedra_[t].is_ghost()) return t;  // beyond its face
+  }
+}
+
+void Insertion::find_cavity(std::uint32_t first, Vertex v) {
+  const InsertedPoint q = vertex_[v];
+  cavity_.clear();
+  boundary_.clear();
+  level_.clear();
+  const auto take = [&](std::uint32_t t) {
+    error_[t] = ErrorBound::deleted();
+    cavity_.push_back(t);
+  };
+  take(first);
+  for (const Face face : tetrahedra_[first].neighbor) level_.push_back(face);
+  while (!level_.empty()) {
+    // First what can be computed side by side, then what branches.
+    if (estimates_.size() < level_.size()) estimates_.resize(2 * level_.size());
+    for (std::size_t i = 0; i < level_.size(); ++i) estimates_[i] = estimate(level_[i] / 4, q);
+    next_level_.clear();
+    for (std::size_t i = 0; i < level_.size(); ++i) {
+      const Face face = level_[i];
+      const std::uint32_t t = face / 4;
+      if (error_[t].is_deleted()) continue;
+      if (!is_inside(t, v, estimates_[i])) {
+        boundary_.push_back(face);
+        continue;
+      }
+      take(t);
+      for (std::uint32_t k = 0; k < 4; ++k)
+        if (k != face % 4) next_level_.push_back(tetrahedra_[t].neighbor[k]);
+    }
+    std::swap(level_, next_level_);
+  }
+}
+
+void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
+  rim_.push_back(corner);
+  if (corner == at_infinity) return spokes_.push_back({0, 0, 0, 1, 0});
+  const InsertedPoint& p = vertex_[corner];
+  const double x = p.x - from.x, y = p.y - from.y, z = p.z - from.z, square = x * x + y * y + z * z;
+  spokes_.push_back({x, y, z, square, std::sqrt(square)});
+}
+
+/// The number of a corner among those of the cavity's boundary.
+inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
+  InsertedPoint& p = vertex_[corner];
+  if (p.last_insertion != v) {
+    p.last_insertion = v;
+    p.local = static_cast<std::uint32_t>(rim_.size());
+    add_spoke(corner, vertex_[v]);
+  }
+  return p.local;
+}
+
+/// Room for as many tetrahedra as the boundary has faces: where those of the cavity were, and more.
+void Insertion::make_room() {
+  if (boundary_.size() < cavity_.size()) {
+    free_.insert(free_.end(), cavity_.begin() + static_cast<std::ptrdiff_t>(boundary_.size()), cavity_.end());
+    return;
+  }
+  while (cavity_.size() < boundary_.size() && !free_.empty()) {
+    cavity_.push_back(free_.back());
+    free_.pop_back();
+  }
+  if (cavity_.size() == boundary_.size()) return;
+  for (std::uint32_t t = new_tetrahedra(boundary_.size() - cavity_.size()); t < tetrahedra_.size(); ++t)
+    cavity_.push_back(t);
+}
+
+void Insertion::fill_cavity(Vertex v) {
+  rim_.clear();
+  spokes_.clear();
+  locals_.clear();
+  for (const Face face : boundary_) {
+    const auto& corner = tetrahedra_[face / 4].corner;
+    const auto& order = seen_from_behind[face % 4];
+    locals_.push_back({number_of(corner[order[0]], v), number_of(corner[order[1]], v), number_of(corner[order[2]], v)});
+  }
+  make_room();
+  edges_.begin(rim_.size(), boundary_.size());
+  for (std::size_t i = 0; i < boundary_.size(); ++i) {
+    const auto& [a, b, c] = locals_[i];
+    const Face face = 4 * cavity_[i];
+    edges_.put(b, c, face);
+    edges_.put(c, a, face + 1);
+    edges_.put(a, b, face + 2);
+  }
+  for (std::size_t i = 0; i < boundary_.size(); ++i) {
+    const std::uint32_t t = cavity_[i];
+    const auto& [a, b, c] = locals_[i];
+    tetrahedra_[t].corner[3] = v;
+    make(t, locals_[i]);
+    tetrahedra_[t].neighbor = {edges_.get(c, b), edges_.get(a, c), edges_.get(b, a), boundary_[i]};
+    tetrahedra_[boundary_[i] / 4].neighbor[boundary_[i] % 4] = 4 * t + 3;
+  }
+  start_ = cavity_[0];
+}
+
+/// Corners 0 to 2, minors, and their bound.
+inline void Insertion::make(std::uint32_t t, const Locals& locals) {
+  const Spoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];
+  const double xy = b.x * c.y - b.y * c.x, yz = b.y * c.z - b.z * c.y, xz = b.x * c.z - b.z * c.x,
+               xs = b.x * c.square - b.square * c.x, ys = b.y * c.square - b.square * c.y,
+               zs = b.z * c.square - b.square * c.z;
+  Tetrahedron& tetrahedron = tetrahedra_[t];
+  tetrahedron.minor = {-(a.y * zs - a.z * ys + a.square * yz), a.x * zs - a.z * xs + a.square * xz,
+                       -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
+  for (std::size_t k = 0; k < 3; ++k) tetrahedron.corner[k] = rim_[locals[k]];
+  double sum = a.length + b.length + c.length, product = a.length * b.length * c.length;
+  if (tetrahedron.is_ghost()) {
+    const double first = std::max(a.length, std::max(b.length, c.length));
+    product = first * (sum - first) / sum;  // the two that are not 0, and a length in place of that to infinity
+  }
+  const double weight = filter * product;
+  error_[t] = ErrorBound(0.5 * weight * sum * sum + spread_.underflow(), 1.5 * weight);
+}
+
+std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
+  const std::size_t first = tetrahedra_.size();
+  if (first + count > max_tetrahedra)
+    throw InvalidInput("more than " + std::to_string(max_tetrahedra) +
+                       " tetrahedra at a time, which cannot be numbered");
+  tetrahedra_.resize(first + count);
+  error_.resize(first + count);
+  return static_cast<std::uint32_t>(first);
+}
+
+bool Insertion::is_within(std::uint32_t t, double alpha, double scaled_alpha) const {
+  const Tetrahedron& tetrahedron = tetrahedra_[t];
+  const auto& m = tetrahedron.minor;
+  // (m0, m1, m2) is 2 minor 3 times the vector to the circumcentre. docs/predicates.md, section 7.
+  constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;
+  const double volume = std::abs(m[3]), volume_error = error_[t].slope();
+  const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]),
+               length_error = 1.25 * std::sqrt(error_[t].constant()) * std::sqrt(volume_error);
+  const double greatest_length = (length + length_error) * up, least_length = (length - length_error) * down;
+  const double greatest = 2 * scaled_alpha * (volume + volume_error) * up + 0x1p-1000,
+               least = 2 * scaled_alpha * (volume - volume_error) * down;
+  const bool in_range = spread_.is_exact && scaled_alpha > 0x1p-200 && length > 0x1p-450 && std::isfinite(length);
+  if (in_range && greatest_length <= least) return true;
+  if (in_range && least_length > greatest) return false;
+  const auto original = [&](std::size_t k) { return original_[index_[tetrahedron.corner[k]]]; };
+  return exact::compare_circumradius(original(0), original(1), original(2), original(3), alpha) <= 0;
+}
+
+}  // namespace rbpa::space

@@ -1,0 +1,51 @@
+#include "rbpa/space/predicate/sphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "rbpa/base/exact/double_double.h"
+#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/orientation.h"
+
+namespace rbpa::space {
+
+bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
+  // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner): the largest ε that does not
+  // vanish decides, and λ has the sign of the tetrahedron with q in the place of the corner.
+  std::array<const Point3*, 4> corners = {&a, &b, &c, &d}, by_size = corners;
+  std::sort(by_size.begin(), by_size.end(), [](const Point3* p, const Point3* r) { return *r < *p; });
+  for (const Point3* largest : by_size) {
+    if (*largest < q) return false;
+    std::array<const Point3*, 4> replaced = corners;
+    *std::find(replaced.begin(), replaced.end(), largest) = &q;
+    if (const int side = orientation(*replaced[0], *replaced[1], *replaced[2], *replaced[3]); side != 0)
+      return side > 0;
+  }
+  return false;  // not reached: some λ is not 0
+}
+
+double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
+  struct Row {
+    DoubleDouble x, y, z, square;
+    Row(const Point3& p, const Point3& from)
+        : x(DoubleDouble::difference(p.x, from.x)),
+          y(DoubleDouble::difference(p.y, from.y)),
+          z(DoubleDouble::difference(p.z, from.z)),
+          square(x * x + y * y + z * z) {}
+  };
+  const Row r(a, d), s(b, d), t(c, d), w(q, d);
+  const DoubleDouble xy = s.x * t.y - s.y * t.x, yz = s.y * t.z - s.z * t.y, xz = s.x * t.z - s.z * t.x,
+                     xs = s.x * t.square - s.square * t.x, ys = s.y * t.square - s.square * t.y,
+                     zs = s.z * t.square - s.square * t.z;
+  const DoubleDouble along_x = r.z * ys - r.y * zs - r.square * yz, along_y = r.x * zs - r.z * xs + r.square * xz,
+                     along_z = r.y * xs - r.x * ys - r.square * xy, volume = r.x * yz - r.y * xz + r.z * xy;
+  return (along_x * w.x + along_y * w.y + along_z * w.z + volume * w.square).high;
+}
+
+bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
+  const int side = exact::side_of_sphere(a, b, c, d, q);
+  return side == 0 ? pulled_into_sphere(a, b, c, d, q) : side > 0;
+}
+
+}  // namespace rbpa::space

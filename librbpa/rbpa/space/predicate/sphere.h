@@ -1,0 +1,22 @@
+// What: on which side of the sphere through four points a fifth is, after the filter; ties are perturbed.
+// Law:  exact for every finite input. The answers are those of one set of lifted points (docs/predicates.md, section 2): never 0.
+// Cost: a microsecond, and more at extreme exponents.
+#pragma once
+
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+/// Whether the perturbation moves q, which is on the sphere through a, b, c, d, inside.
+/// Requires: five distinct points; orientation(a, b, c, d) > 0.
+bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
+/// The in-sphere determinant, positive inside, in double-double (base/exact/double_double.h). Its error is 68 · 2^−106 times the
+/// sum of the sizes of all terms, at most (docs/predicates.md, section 7).
+/// Requires: points that fit double (base/exact/magnitude.h).
+double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
+/// Whether q is inside the perturbed sphere through a, b, c, d. Requires: as above, but q may be anywhere.
+bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
+}  // namespace rbpa::space
