@@ -18,24 +18,41 @@
 namespace rbpa {
 namespace {
 
-/// Where each corner of a row goes: the two least first, by an even permutation.
-std::array<std::uint8_t, 4> canonical_corners(const Row& row) {
-  std::array<std::uint8_t, 4> order = {0, 1, 2, 3};
-  bool is_odd = false;
-  const auto exchange = [&](std::size_t i, std::size_t j) {
-    std::swap(order[i], order[j]);
-    is_odd = !is_odd;
-  };
-  for (std::size_t place : {std::size_t{0}, std::size_t{1}})
-    for (std::size_t i = place + 1; i < 4; ++i)
-      if (row[order[i]] < row[order[place]]) exchange(place, i);
-  if (is_odd) exchange(2, 3);
-  return order;
+/// An even permutation of four numbers that puts the two least first: two bits for each place.
+using Permutation = std::uint8_t;
+
+/// Of twelve, the one for the least at i and the next at j.
+constexpr std::array<Permutation, 16> even_permutations() {
+  std::array<Permutation, 16> all{};
+  for (unsigned i = 0; i < 4; ++i)
+    for (unsigned j = 0; j < 4; ++j) {
+      if (i == j) continue;
+      unsigned k = 0;
+      while (k == i || k == j) ++k;
+      unsigned l = 6 - i - j - k;
+      const auto inversions = [&] { return (i > j) + (i > k) + (i > l) + (j > k) + (j > l) + (k > l); };
+      if (inversions() % 2 != 0) std::swap(k, l);
+      all[4 * i + j] = static_cast<Permutation>(i | j << 2U | k << 4U | l << 6U);
+    }
+  return all;
+}
+
+/// Which are the two least cannot be predicted, so that nothing branches.
+Permutation two_least_first(const Row& row) {
+  static constexpr auto all = even_permutations();
+  // Each number beside its place.
+  const auto placed = [&](std::size_t i) { return std::uint64_t{row[i]} << 2U | i; };
+  const std::uint64_t a = placed(0), b = placed(1), c = placed(2), d = placed(3);
+  const std::uint64_t low = std::min(a, b), high = std::max(a, b), other_low = std::min(c, d),
+                      other_high = std::max(c, d);
+  const std::uint64_t least = std::min(low, other_low);
+  const std::uint64_t next = std::min(std::max(low, other_low), std::min(high, other_high));
+  return all[4 * (least & 3U) + (next & 3U)];
 }
 
 template <typename Value>
-std::array<Value, 4> permuted(const std::array<Value, 4>& row, const std::array<std::uint8_t, 4>& order) {
-  return {row[order[0]], row[order[1]], row[order[2]], row[order[3]]};
+std::array<Value, 4> permuted(const std::array<Value, 4>& row, Permutation p) {
+  return {row[p & 3U], row[p >> 2U & 3U], row[p >> 4U & 3U], row[p >> 6U]};
 }
 
 /// The tetrahedra of circumradius at most alpha as rows of input indices, in canonical order, and their neighbours.
@@ -54,24 +71,32 @@ void fill_in(const space::Insertion& triangulation, double alpha, double scaled_
     return Row{triangulation.index_of(corner[0]), triangulation.index_of(corner[1]), triangulation.index_of(corner[2]),
                triangulation.index_of(corner[3])};
   };
+  meshops::FreshVector<Permutation> permutation(kept.size());
   solid.simplices.resize(kept.size());
   constexpr std::size_t at_a_time = 1u << 14;
   for_each_part(threads, kept.size(), at_a_time, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       const Row row = corners_of(kept[i]);
-      solid.simplices[i] = permuted(row, canonical_corners(row));
+      permutation[i] = two_least_first(row);
+      solid.simplices[i] = permuted(row, permutation[i]);
     }
   });
   const meshops::FreshVector<std::uint32_t> from = sort_rows(solid.simplices, points, threads);
   if (!options.neighbors) return;
-  std::vector<std::uint32_t> number(tetrahedra.size(), Solid::none);
-  for (std::size_t i = 0; i < from.size(); ++i) number[kept[from[i]]] = static_cast<std::uint32_t>(i);
+  meshops::FreshVector<std::uint32_t> number(tetrahedra.size());
+  for_each_part(threads, number.size(), 1u << 16, [&](std::size_t first, std::size_t last) {
+    std::fill(&number[first], &number[0] + last, Solid::none);
+  });
+  for_each_part(threads, from.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) number[kept[from[i]]] = static_cast<std::uint32_t>(i);
+  });
   solid.neighbors.resize(kept.size());
+  // In the order of the tetrahedra, whose neighbours are near each other.
   for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const std::uint32_t t = kept[from[i]];
-      const auto neighbor = permuted(tetrahedra[t].neighbor, canonical_corners(corners_of(t)));
-      for (std::size_t k = 0; k < 4; ++k) solid.neighbors[i][k] = number[neighbor[k] / 4];
+      Row row = permuted(tetrahedra[kept[i]].neighbor, permutation[i]);
+      for (std::uint32_t& face : row) face = number[face / 4];
+      solid.neighbors[number[kept[i]]] = row;
     }
   });
 }

@@ -23,6 +23,7 @@ class CavityEdges {
     is_small_ = vertices <= width;
     if (is_small_) return;
     const std::size_t size = std::bit_ceil(6 * faces);
+    shift_ = 64 - std::countr_zero(size);
     mask_ = size - 1;
     hashed_.assign(size, Entry{});
   }
@@ -48,7 +49,7 @@ class CavityEdges {
 
   Entry& find(std::uint32_t from, std::uint32_t to) {
     const std::uint64_t key = std::uint64_t{from} << 32U | to;
-    std::size_t at = (key * 0x9e3779b97f4a7c15U >> 20U) & mask_;
+    std::size_t at = key * 0x9e3779b97f4a7c15U >> shift_;  // the bits that all of the key's have a part in
     while (hashed_[at].from != none && (hashed_[at].from != from || hashed_[at].to != to)) at = (at + 1) & mask_;
     return hashed_[at];
   }
@@ -56,6 +57,7 @@ class CavityEdges {
   std::vector<Face> table_ = std::vector<Face>(std::size_t{width} * width);
   std::vector<Entry> hashed_;
   std::size_t mask_ = 0;
+  int shift_ = 0;
   bool is_small_ = true;
 };
 

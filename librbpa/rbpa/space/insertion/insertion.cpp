@@ -34,6 +34,10 @@ Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> sca
     index_[i + 1] = order[i];
     vertex_[i + 1] = {p.x, p.y, p.z};
   }
+  // As many as points that fill a volume have, the hull and those for a time deleted included. What is not used is not touched.
+  const std::size_t expected = 7 * order.size() + 64;
+  tetrahedra_.reserve(expected);
+  error_.reserve(expected);
 }
 
 bool Insertion::begin() {
@@ -69,6 +73,8 @@ bool Insertion::begin() {
   for (std::uint32_t t = 0; t < corners.size(); ++t) {
     rim_.clear();
     spokes_.clear();
+    rim_.make_room(3);
+    spokes_.make_room(3);
     for (std::size_t k = 0; k < 3; ++k) add_spoke(corners[t][k], vertex_[corners[t][3]]);
     tetrahedra_[first + t].corner[3] = corners[t][3];
     make(first + t, {0, 1, 2});
@@ -123,6 +129,7 @@ bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
   if (side != 0) return side < 0;
   const std::uint32_t behind = ghost.neighbor[k] / 4;
+  if (error_[behind].is_deleted()) return true;  // it is in the cavity
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
@@ -183,39 +190,46 @@ void Insertion::find_cavity(std::uint32_t first, Vertex v) {
   cavity_.clear();
   boundary_.clear();
   level_.clear();
-  const auto take = [&](std::uint32_t t) {
-    error_[t] = ErrorBound::deleted();
-    cavity_.push_back(t);
-  };
-  take(first);
-  for (const Face face : tetrahedra_[first].neighbor) level_.push_back(face);
+  cavity_.make_room(1);
+  cavity_.push(first);
+  error_[first] = ErrorBound::deleted();
+  level_.make_room(4);
+  for (const Face face : tetrahedra_[first].neighbor) level_.push(face);
   while (!level_.empty()) {
-    // First what can be computed side by side, then what branches.
-    if (estimates_.size() < level_.size()) estimates_.resize(2 * level_.size());
-    for (std::size_t i = 0; i < level_.size(); ++i) estimates_[i] = estimate(level_[i] / 4, q);
+    const std::size_t count = level_.size();
+    estimates_.clear();
+    estimates_.make_room(count);
     next_level_.clear();
-    for (std::size_t i = 0; i < level_.size(); ++i) {
+    next_level_.make_room(3 * count + 3);
+    cavity_.make_room(count + 1);  // one is written and not counted
+    boundary_.make_room(count + 1);
+    // First what can be computed side by side, then what depends on what came before. Half of the answers are yes, and nothing
+    // branches for them.
+    for (std::size_t i = 0; i < count; ++i) estimates_.push(estimate(level_[i] / 4, q));
+    for (std::size_t i = 0; i < count; ++i) {
       const Face face = level_[i];
       const std::uint32_t t = face / 4;
-      if (error_[t].is_deleted()) continue;
-      if (!is_inside(t, v, estimates_[i])) {
-        boundary_.push_back(face);
-        continue;
-      }
-      take(t);
-      for (std::uint32_t k = 0; k < 4; ++k)
-        if (k != face % 4) next_level_.push_back(tetrahedra_[t].neighbor[k]);
+      const Estimate& estimated = estimates_[i];
+      const bool is_new = !error_[t].is_deleted();
+      bool is_in = estimated.value > estimated.error;
+      if (!(std::abs(estimated.value) > estimated.error)) [[unlikely]]
+        is_in = is_new && decide(t, v, estimated);
+      const auto& neighbor = tetrahedra_[t].neighbor;
+      const bool is_taken = is_new & is_in;
+      boundary_.push_if(is_new & !is_in, face);
+      cavity_.push_if(is_taken, t);
+      error_[t] = error_[t].deleted_if(is_taken);
+      next_level_.push_if(is_taken, {neighbor[(face + 1) % 4], neighbor[(face + 2) % 4], neighbor[(face + 3) % 4]});
     }
     std::swap(level_, next_level_);
   }
 }
 
-void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
-  rim_.push_back(corner);
-  if (corner == at_infinity) return spokes_.push_back({0, 0, 0, 1, 0});
+inline void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
+  rim_.push(corner);
   const InsertedPoint& p = vertex_[corner];
   const double x = p.x - from.x, y = p.y - from.y, z = p.z - from.z, square = x * x + y * y + z * z;
-  spokes_.push_back({x, y, z, square, std::sqrt(square)});
+  spokes_.push(corner == at_infinity ? Spoke{0, 0, 0, 1, 0} : Spoke{x, y, z, square, std::sqrt(square)});
 }
 
 /// The number of a corner among those of the cavity's boundary.
@@ -231,38 +245,41 @@ inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
 
 /// Room for as many tetrahedra as the boundary has faces: where those of the cavity were, and more.
 void Insertion::make_room() {
-  if (boundary_.size() < cavity_.size()) {
-    free_.insert(free_.end(), cavity_.begin() + static_cast<std::ptrdiff_t>(boundary_.size()), cavity_.end());
+  const std::size_t wanted = boundary_.size();
+  if (wanted < cavity_.size()) {
+    free_.make_room(cavity_.size() - wanted);
+    while (cavity_.size() > wanted) free_.push(cavity_.pop());
     return;
   }
-  while (cavity_.size() < boundary_.size() && !free_.empty()) {
-    cavity_.push_back(free_.back());
-    free_.pop_back();
-  }
-  if (cavity_.size() == boundary_.size()) return;
-  for (std::uint32_t t = new_tetrahedra(boundary_.size() - cavity_.size()); t < tetrahedra_.size(); ++t)
-    cavity_.push_back(t);
+  cavity_.make_room(wanted - cavity_.size());
+  while (cavity_.size() < wanted && !free_.empty()) cavity_.push(free_.pop());
+  if (cavity_.size() == wanted) return;
+  for (std::uint32_t t = new_tetrahedra(wanted - cavity_.size()); t < tetrahedra_.size(); ++t) cavity_.push(t);
 }
 
 void Insertion::fill_cavity(Vertex v) {
+  const std::size_t faces = boundary_.size();
   rim_.clear();
   spokes_.clear();
   locals_.clear();
-  for (const Face face : boundary_) {
-    const auto& corner = tetrahedra_[face / 4].corner;
-    const auto& order = seen_from_behind[face % 4];
-    locals_.push_back({number_of(corner[order[0]], v), number_of(corner[order[1]], v), number_of(corner[order[2]], v)});
+  rim_.make_room(faces + 2);  // a sphere: faces / 2 + 2
+  spokes_.make_room(faces + 2);
+  locals_.make_room(faces);
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto& corner = tetrahedra_[boundary_[i] / 4].corner;
+    const auto& order = seen_from_behind[boundary_[i] % 4];
+    locals_.push({number_of(corner[order[0]], v), number_of(corner[order[1]], v), number_of(corner[order[2]], v)});
   }
   make_room();
-  edges_.begin(rim_.size(), boundary_.size());
-  for (std::size_t i = 0; i < boundary_.size(); ++i) {
+  edges_.begin(rim_.size(), faces);
+  for (std::size_t i = 0; i < faces; ++i) {
     const auto& [a, b, c] = locals_[i];
     const Face face = 4 * cavity_[i];
     edges_.put(b, c, face);
     edges_.put(c, a, face + 1);
     edges_.put(a, b, face + 2);
   }
-  for (std::size_t i = 0; i < boundary_.size(); ++i) {
+  for (std::size_t i = 0; i < faces; ++i) {
     const std::uint32_t t = cavity_[i];
     const auto& [a, b, c] = locals_[i];
     tetrahedra_[t].corner[3] = v;

@@ -19,6 +19,7 @@
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/insertion/cavity_edges.h"
+#include "rbpa/space/insertion/stack.h"
 #include "rbpa/space/insertion/tetrahedra.h"
 #include "rbpa/space/predicate/spread.h"
 
@@ -76,17 +77,17 @@ class Insertion {
   meshops::FreshVector<InsertedPoint> vertex_;
   meshops::FreshVector<Tetrahedron> tetrahedra_;
   meshops::FreshVector<ErrorBound> error_;
-  std::vector<std::uint32_t> free_;  // deleted tetrahedra
-  std::uint32_t start_ = 0;          // of the next walk
+  Stack<std::uint32_t> free_;  // deleted tetrahedra
+  std::uint32_t start_ = 0;    // of the next walk
 
   // Of the point at hand.
-  std::vector<std::uint32_t> cavity_;  // its tetrahedra
-  std::vector<Face> boundary_;         // its faces as those outside have them
-  std::vector<Face> level_, next_level_;
-  std::vector<Estimate> estimates_;
-  std::vector<Vertex> rim_;     // the vertices of the boundary
-  std::vector<Spoke> spokes_;   // of each of them
-  std::vector<Locals> locals_;  // of each face of the boundary
+  Stack<std::uint32_t> cavity_;  // its tetrahedra, and then those in their place
+  Stack<Face> boundary_;         // its faces as those outside have them
+  Stack<Face> level_, next_level_;
+  Stack<Estimate> estimates_;
+  Stack<Vertex> rim_;     // the vertices of the boundary
+  Stack<Spoke> spokes_;   // of each of them
+  Stack<Locals> locals_;  // of each face of the boundary
   CavityEdges edges_;
 };
 

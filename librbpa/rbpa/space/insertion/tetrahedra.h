@@ -62,6 +62,11 @@ class ErrorBound {
     bound.bits_ = ~std::uint64_t{0};
     return bound;
   }
+  ErrorBound deleted_if(bool is_meant) const {
+    ErrorBound bound;
+    bound.bits_ = bits_ | -std::uint64_t{is_meant};
+    return bound;
+  }
   bool is_deleted() const { return bits_ == ~std::uint64_t{0}; }
 
   double constant() const { return std::bit_cast<double>(bits_ << 32U); }

@@ -1,6 +1,5 @@
 #include "rbpa/space/predicate/sphere.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -9,18 +8,32 @@
 #include "rbpa/space/predicate/orientation.h"
 
 namespace rbpa::space {
+namespace {
+
+/// The order of Point3, for numbers that all compare.
+bool is_less(const Point3& p, const Point3& q) {
+  if (p.x != q.x) return p.x < q.x;
+  return p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+
+}  // namespace
 
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
   // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner): the largest ε that does not
   // vanish decides, and λ has the sign of the tetrahedron with q in the place of the corner.
-  std::array<const Point3*, 4> corners = {&a, &b, &c, &d}, by_size = corners;
-  std::sort(by_size.begin(), by_size.end(), [](const Point3* p, const Point3* r) { return *r < *p; });
-  for (const Point3* largest : by_size) {
-    if (*largest < q) return false;
+  std::array<const Point3*, 4> corners = {&a, &b, &c, &d};
+  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // mostly the first decides, so that all are not sorted
+  for (std::size_t count = 4; count > 0; --count) {
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < count; ++i)
+      if (is_less(*corners[left[largest]], *corners[left[i]])) largest = i;
+    const std::size_t k = left[largest];
+    if (is_less(*corners[k], q)) return false;
     std::array<const Point3*, 4> replaced = corners;
-    *std::find(replaced.begin(), replaced.end(), largest) = &q;
+    replaced[k] = &q;
     if (const int side = orientation(*replaced[0], *replaced[1], *replaced[2], *replaced[3]); side != 0)
       return side > 0;
+    left[largest] = left[count - 1];
   }
   return false;  // not reached: some λ is not 0
 }
