@@ -27,7 +27,7 @@ struct SolidOptions {
   /// Also fill in the neighbors.
   bool neighbors = true;
   /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. Points are inserted by
-  /// one; sorting uses more.
+  /// one; sorting, and finding tetrahedra of a small alpha, use more.
   unsigned threads = 0;
   /// Called repeatedly with the number of points inserted so far in place of triangles. Returning false cancels the run. Empty:
   /// never called.

@@ -1,19 +1,26 @@
 #include "rbpa/solid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/distinct.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
+#include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/sort/canonical_rows.h"
 #include "rbpa/base/steps.h"
+#include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/cells/scaled_points.h"
 #include "rbpa/space/insertion/insertion.h"
 #include "rbpa/space/insertion/spatial_order.h"
 #include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/triples/find_by_triples.h"
+#include "rbpa/space/triples/link_faces.h"
 
 namespace rbpa {
 namespace {
@@ -101,6 +108,63 @@ void fill_in(const space::Insertion& triangulation, double alpha, double scaled_
   });
 }
 
+/// Finds them from triples of points, where alpha is about the spacing at most and few points are cospherical. In order:
+///   1. sort the points into cells, and estimate what it would cost;
+///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
+///   3. sort them, and look up neighbours.
+/// Returns: false if insertion will be faster; then nothing is filled in.
+bool find_near(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
+  constexpr double nanoseconds_of_insertion = 1500, most_exact = 1.0 / 64;  // a point, and a share of the points
+  constexpr std::size_t sites_in_part = 1u << 12, fewest = 64;
+  if (std::isinf(alpha) || points.size() < fewest) return false;
+  Threads threads = threads_for(points.size(), options.threads);
+  const space::ScaledPoints scaled(points, alpha);
+  if (!scaled.fits_double()) return false;
+  const space::Cells cells(scaled.points(), 2 * scaled.radius(), threads);
+  const std::size_t sites = cells.sites().size();
+  if (space::triples_cost(cells) > nanoseconds_of_insertion * static_cast<double>(sites)) return false;
+
+  std::vector<std::size_t> part_begin;  // by cells
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    if (part_begin.empty() || cells.first_in(cell) - cells.first_in(part_begin.back()) >= sites_in_part)
+      part_begin.push_back(cell);
+  const std::size_t parts = part_begin.size();
+  part_begin.push_back(cells.size());
+  struct Workspace {
+    space::Triples found;
+  };
+  std::atomic<bool> gave_up = false;
+  const auto index = cells.input_index();
+  in_order<Workspace>(
+      threads, parts,
+      [&](std::size_t part, Workspace& w) {
+        const std::size_t begin = part_begin[part], end = part_begin[part + 1];
+        const auto exact =
+            fewest + static_cast<std::size_t>(most_exact * (cells.first_in(end) - cells.first_in(begin)));
+        if (!gave_up && !space::find_by_triples(cells, scaled.radius(), begin, end, exact, w.found)) gave_up = true;
+      },
+      [&](std::size_t part, Workspace& w) {
+        if (gave_up) return;
+        for (const auto& [a, b, c, d] : w.found.tetrahedra) {
+          const Row row = {index[a], index[b], index[c], index[d]};
+          solid.simplices.push_back(permuted(row, two_least_first(row)));
+        }
+        if (options.progress && !options.progress({cells.first_in(part_begin[part + 1]), sites})) throw Cancelled();
+      },
+      [](std::size_t, Workspace&) {});
+  if (gave_up) {
+    solid.simplices.clear();
+    return false;
+  }
+  sort_rows(solid.simplices, points.size(), threads);
+  if (options.neighbors) solid.neighbors = space::link_faces(solid.simplices, points.size(), threads);
+  solid.distinct = sites;
+  for (const auto& [site, equal] : cells.equals()) solid.duplicates.push_back({equal, index[site]});
+  std::sort(solid.duplicates.begin(), solid.duplicates.end(),
+            [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
+  return true;
+}
+
 void list_isolated(std::size_t points, Solid& solid) {
   std::vector<bool> is_corner(points, false);
   for (const Row& row : solid.simplices)
@@ -110,23 +174,17 @@ void list_isolated(std::size_t points, Solid& solid) {
   });
 }
 
-}  // namespace
-
-/// In order:
+/// Finds them in the triangulation of all points. In order:
 ///   1. scale the points by a power of two, and sort them;
 ///   2. insert them, one by one;
 ///   3. select the tetrahedra of circumradius at most alpha, and number them.
-Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& options) {
-  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
-  space::check_points(points);
-  const auto ask = asking(options.progress, points.size());
-  if (ask) ask();
+void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options,
+                const std::function<void()>& ask, Solid& solid) {
   const space::Spread spread = space::spread(points);
   std::vector<Point3> copy;
   const auto scaled = space::scaled(points, spread, copy);
   space::SpatialOrder sorted = space::spatial_order(points, scaled, ask);
 
-  Solid solid;
   solid.distinct = sorted.order.size();
   solid.duplicates = std::move(sorted.duplicates);
   space::Insertion triangulation(points, scaled, spread, sorted.order);
@@ -137,6 +195,17 @@ Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& op
     while (v++ < triangulation.size()) step(triangulation.insert(v));
     fill_in(triangulation, alpha, std::ldexp(alpha, spread.exponent), points.size(), options, solid);
   }
+}
+
+}  // namespace
+
+Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& options) {
+  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
+  space::check_points(points);
+  const auto ask = asking(options.progress, points.size());
+  if (ask) ask();
+  Solid solid;
+  if (!find_near(points, alpha, options, solid)) insert_all(points, alpha, options, ask, solid);
   list_isolated(points.size(), solid);
   return solid;
 }

@@ -47,8 +47,9 @@ class Cells {
    public:
     explicit Around(const Cells& cells) : cells_(cells) {}
 
-    /// Calls visit(first, last) for runs of sites that together are all sites in the cells around cell i, itself included.
-    template <typename Visit>
+    /// Calls visit(first, last) for runs of sites that together are all sites in the cells around cell i, itself included: up to
+    /// `reach` cells away, in the order of sites.
+    template <std::int64_t reach = 2, typename Visit>
     void for_each_run(std::size_t i, Visit visit) {
       const Key& key = cells_.cells_[i].key;
       const bool is_next = i >= last_query_;
@@ -76,7 +77,6 @@ class Cells {
     Key key;
     Site first;
   };
-  static constexpr std::int64_t reach = 2;
 
   /// The first cell whose key is not below `key`. Requires: all cells before `from` are below.
   std::size_t first_not_before(const Key& key, std::size_t from) const;

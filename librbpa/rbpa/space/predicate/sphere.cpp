@@ -1,11 +1,13 @@
 #include "rbpa/space/predicate/sphere.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/orientation.h"
+#include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
 namespace {
@@ -15,6 +17,13 @@ bool is_less(const Point3& p, const Point3& q) {
   if (p.x != q.x) return p.x < q.x;
   return p.y != q.y ? p.y < q.y : p.z < q.z;
 }
+
+/// a.x b.y − a.y b.x, and the same with the absolute values of both products.
+struct Minor {
+  Minor(const Vector3<double>& a, const Vector3<double>& b)
+      : value(a.x * b.y - a.y * b.x), size(std::abs(a.x * b.y) + std::abs(a.y * b.x)) {}
+  double value, size;
+};
 
 }  // namespace
 
@@ -59,6 +68,26 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
 bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
   const int side = exact::side_of_sphere(a, b, c, d, q);
   return side == 0 ? pulled_into_sphere(a, b, c, d, q) : side > 0;
+}
+
+bool in_sphere(const Point3& pa, const Point3& pb, const Point3& pc, const Point3& pd, const Point3& pq) {
+  const auto a = from<double>(pq, pa), b = from<double>(pq, pb), c = from<double>(pq, pc), d = from<double>(pq, pd);
+  const Minor ab(a, b), bc(b, c), cd(c, d), da(d, a), ac(a, c), bd(b, d);
+  const auto volume = [](double x, const Minor& yz, double y, const Minor& xz, double z, const Minor& xy) {
+    return std::array{x * yz.value - y * xz.value + z * xy.value,
+                      std::abs(x) * yz.size + std::abs(y) * xz.size + std::abs(z) * xy.size};
+  };
+  const auto abc = volume(a.z, bc, b.z, ac, c.z, ab), bcd = volume(b.z, cd, c.z, bd, d.z, bc);
+  const auto cda = volume(c.z, da, d.z, Minor(c, a), a.z, cd), dab = volume(d.z, ab, a.z, Minor(d, b), b.z, da);
+  const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), dd = dot(d, d);
+  const double value = (aa * bcd[0] - bb * cda[0]) + (cc * dab[0] - dd * abc[0]);
+  const double size = (dd * abc[1] + cc * dab[1]) + (bb * cda[1] + aa * bcd[1]);
+  const double bound = 0x1p-48 * size;
+  if (bound > least_filtered) {  // false for what is no number, too
+    if (value > bound) return true;
+    if (value < -bound) return false;
+  }
+  return in_sphere_exactly(pa, pb, pc, pd, pq);
 }
 
 }  // namespace rbpa::space

@@ -1,6 +1,6 @@
-// What: on which side of the sphere through four points a fifth is, after the filter; ties are perturbed.
+// What: on which side of the sphere through four points a fifth is; ties are perturbed.
 // Law:  exact for every finite input. The answers are those of one set of lifted points (docs/predicates.md, section 2): never 0.
-// Cost: a microsecond, and more at extreme exponents.
+// Cost: some ten nanoseconds; a microsecond where the filter fails or is left out, and more at extreme exponents.
 #pragma once
 
 #include "rbpa/base/point3.h"
@@ -18,5 +18,8 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
 
 /// Whether q is inside the perturbed sphere through a, b, c, d. Requires: as above, but q may be anywhere.
 bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
+/// The same with a floating-point filter (docs/solid_triples.md).
+bool in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
 }  // namespace rbpa::space

@@ -1,0 +1,70 @@
+#include "rbpa/space/triples/link_faces.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rbpa::space {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+/// A face by its two greater corners.
+struct Face {
+  std::uint32_t middle, greatest, row;
+  std::uint32_t across;  // number of the corner
+
+  bool operator==(const Face& other) const { return middle == other.middle && greatest == other.greatest; }
+  bool operator<(const Face& other) const {
+    return std::tie(middle, greatest, row) < std::tie(other.middle, other.greatest, other.row);
+  }
+};
+
+Face face(std::uint32_t p, std::uint32_t q, std::size_t row, std::uint32_t across) {
+  return {std::min(p, q), std::max(p, q), static_cast<std::uint32_t>(row), across};
+}
+
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 4>> link_faces(std::span<const std::array<std::uint32_t, 4>> rows,
+                                                     std::size_t bound, Threads& threads) {
+  constexpr std::size_t at_a_time = 1u << 14;
+  std::vector<std::array<std::uint32_t, 4>> neighbors(rows.size(), {none, none, none, none});
+  // Rows by their second corner: those come in the order of rows.
+  std::vector<std::uint32_t> first(bound + 1, 0), by_second(rows.size());
+  for (const auto& row : rows) ++first[row[1]];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& count : first) {
+    const std::uint32_t here = count;
+    count = sum;
+    sum += here;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) by_second[first[rows[i][1]]++] = static_cast<std::uint32_t>(i);
+  // first[v] is now the end of v's.
+
+  for_each_part(threads, bound, at_a_time, [&](std::size_t begin, std::size_t end) {
+    std::vector<Face> faces;
+    auto row = static_cast<std::size_t>(
+        std::lower_bound(rows.begin(), rows.end(), begin, [](const auto& r, std::size_t v) { return r[0] < v; }) -
+        rows.begin());
+    for (std::size_t v = begin; v < end; ++v) {
+      faces.clear();
+      for (; row < rows.size() && rows[row][0] == v; ++row) {
+        const auto& [a, b, c, d] = rows[row];
+        faces.push_back(face(c, d, row, 1));
+        faces.push_back(face(b, d, row, 2));
+        faces.push_back(face(b, c, row, 3));
+      }
+      for (std::uint32_t i = v == 0 ? 0 : first[v - 1]; i < first[v]; ++i)
+        faces.push_back(face(rows[by_second[i]][2], rows[by_second[i]][3], by_second[i], 0));
+      std::sort(faces.begin(), faces.end());
+      for (std::size_t i = 1; i < faces.size(); ++i)
+        if (faces[i] == faces[i - 1]) {
+          neighbors[faces[i].row][faces[i].across] = faces[i - 1].row;
+          neighbors[faces[i - 1].row][faces[i - 1].across] = faces[i].row;
+        }
+    }
+  });
+  return neighbors;
+}
+
+}  // namespace rbpa::space
