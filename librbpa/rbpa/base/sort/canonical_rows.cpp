@@ -47,8 +47,8 @@ meshops::FreshVector<std::uint32_t> sort_rows(std::vector<Row>& rows, std::size_
       });
   meshops::FreshVector<std::uint32_t> from(rows.size());
   for_each_index(threads, buckets, [&](std::size_t b) {
-    sort_bucket(&parted[start[b]], start[b + 1] - start[b], b << shift, std::size_t{1} << shift, &rows[start[b]],
-                &from[start[b]]);
+    sort_bucket(parted.data() + start[b], start[b + 1] - start[b], b << shift, std::size_t{1} << shift,
+                rows.data() + start[b], from.data() + start[b]);
   });
   return from;
 }
