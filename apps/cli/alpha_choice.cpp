@@ -62,6 +62,8 @@ AlphaChoice parse_choice(const RadiusArguments& arguments) {
   if (constexpr std::string_view ranked = "plateau:"; arguments.alpha->starts_with(ranked))
     return {.rule = AlphaRule::plateau,
             .rank = parse_whole("--alpha plateau", arguments.alpha->substr(ranked.size()), {.least = 1})};
+  if (constexpr std::string_view column = "column:"; arguments.alpha->starts_with(column))
+    return {.rule = AlphaRule::column, .column = arguments.alpha->substr(column.size())};
   return {.radius = parse_radius(*arguments.alpha)};
 }
 
@@ -78,8 +80,11 @@ double parse_cover(const std::string& cover) {
   return *share;
 }
 
-AlphaChoice parse_alpha(const RadiusArguments& arguments) {
+AlphaChoice parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for) {
   AlphaChoice choice = parse_choice(arguments);
+  if (choice.rule == AlphaRule::column && chosen_for != ChosenFor::groups)
+    throw WrongUsage("--alpha: found " + in_quotes(*arguments.alpha) + ", expected " + std::string(alphas) +
+                     "; a column has radii of groups (rbpa shape --group-by)");
   const auto found = [&] {
     if (arguments.squared) return "--alpha-squared " + *arguments.squared;
     if (arguments.inverse) return "--alpha-inverse " + *arguments.inverse;
@@ -102,6 +107,8 @@ std::string name_of(const AlphaChoice& choice) {
       return "min";
     case AlphaRule::plateau:
       return choice.rank == 1 ? "plateau" : "plateau:" + std::to_string(choice.rank);
+    case AlphaRule::column:
+      return "column:" + choice.column;
     case AlphaRule::given:
       break;
   }

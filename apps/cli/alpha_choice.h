@@ -25,7 +25,8 @@ enum class AlphaRule {
   given,      ///< a number > 0, or "inf"
   automatic,  ///< "auto": the least that covers every distinct point, or a share, in few enough solid components
   least,      ///< "min": the least that covers every distinct point, or a share
-  plateau     ///< "plateau": where the shape hardly changes
+  plateau,    ///< "plateau": where the shape hardly changes
+  column      ///< "column:NAME", of groups: a number beside the points
 };
 
 struct AlphaChoice {
@@ -33,6 +34,7 @@ struct AlphaChoice {
   double radius = 0;               ///< where it is given
   std::size_t max_components = 1;  ///< where it is automatic
   std::size_t rank = 1;            ///< of the plateau: the best is 1
+  std::string column = {};         ///< where it is one
   double cover = 1;                ///< share of the distinct points, where it is automatic or least
   std::string converted = {};      ///< " of --alpha-squared 25", where the radius was given so
 };
@@ -43,14 +45,16 @@ std::size_t parse_components(const std::string& components);
 /// A share of the points: above 0 and at most 1. Throws WrongUsage.
 double parse_cover(const std::string& cover);
 
-/// Throws WrongUsage naming the value, or an option that this choice does not take. Requires: one of the first three.
-AlphaChoice parse_alpha(const RadiusArguments& arguments);
+enum class ChosenFor { all_points, groups };
 
-/// "given", "auto", "min", "plateau", "plateau:2".
+/// Throws WrongUsage naming the value, or an option that this choice does not take. Requires: one of the first three.
+AlphaChoice parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
+
+/// "given", "auto", "min", "plateau", "plateau:2", "column:r".
 std::string name_of(const AlphaChoice& choice);
 
 /// The radius that the rule chooses; nothing when none covers the points, which have no triangle then at any radius.
-/// A rule that asks the points triangulates them, with a progress line unless quiet. Throws Cancelled after a signal,
+/// Requires: no column. A rule that asks the points triangulates them, with a progress line unless quiet. Throws Cancelled after a signal,
 /// WrongUsage when there are fewer plateaus than the rank.
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run);
 

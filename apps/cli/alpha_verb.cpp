@@ -42,6 +42,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
+  if (arguments.ask_for_groups()) return run_group_alpha(arguments);
   const Radii request = parse_radii(arguments);
   const ComplexKind kind = parse_complex(arguments);
   const RunOptions options = parse_run(arguments.run);

@@ -11,10 +11,10 @@
 
 namespace rbpa::app {
 
-ComplexRequest parse_request(const ComplexArguments& arguments) {
+ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for) {
   return {.options = parse_run(arguments.run),
           .source = parse_source(arguments),
-          .alpha = parse_alpha(arguments.radius),
+          .alpha = parse_alpha(arguments.radius, chosen_for),
           .method = parse_method(arguments.method),
           .width = parse_width(arguments.width)};
 }

@@ -16,7 +16,7 @@
 namespace rbpa::app {
 
 /// What the command line says, as text.
-struct ComplexArguments : PointArguments, OutputArguments {
+struct ComplexArguments : PointArguments, GroupArguments, OutputArguments {
   RadiusArguments radius;
   MethodArguments method;
   std::string width = "1200";
@@ -33,8 +33,8 @@ struct ComplexRequest {
   double bytes_a_point = 0;  ///< of memory that the run takes beyond the points; 0: that is not compared
 };
 
-/// Throws WrongUsage naming the value, before anything is read.
-ComplexRequest parse_request(const ComplexArguments& arguments);
+/// Throws WrongUsage naming the value, before anything is read. Of groups the source is that of the first file.
+ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
 /// A run whose points are read.
 struct ComplexRun : Run {

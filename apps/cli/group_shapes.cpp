@@ -1,11 +1,14 @@
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/alpha_choice.h"
 #include "cli/arguments.h"
 #include "cli/complex_run.h"
+#include "cli/named_groups.h"
+#include "cli/stats.h"
 #include "cli/verbs.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -13,76 +16,14 @@
 #include "io/polygon/shape_files.h"
 #include "picture/picture.h"
 #include "rbpa/groups.h"
+#include "rbpa/rbpa.h"
 
 namespace rbpa::app {
 namespace {
 
-/// The groups of a file, by their keys: numbers in their order, texts by their bytes.
-struct NamedGroups {
-  std::vector<std::string> names = {};
-  bool are_numbers = false;
-  Groups groups = {};
-};
-
-/// Of a format whose fields are numbers.
-NamedGroups groups_by_number(const std::vector<double>& keys) {
-  std::vector<double> values;
-  for (const double key : keys)
-    if (!std::isnan(key)) values.push_back(key + 0.0);  // zeros of both signs are one
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  std::vector<std::uint32_t> labels;
-  labels.reserve(keys.size());
-  for (const double key : keys)
-    labels.push_back(std::isnan(key) ? no_group
-                                     : static_cast<std::uint32_t>(std::lower_bound(values.begin(), values.end(), key) -
-                                                                  values.begin()));
-  NamedGroups named{.are_numbers = true, .groups = groups_of(labels, values.size())};
-  for (const double value : values) {
-    named.names.push_back(text_of(value));
-    named.are_numbers = named.are_numbers && std::isfinite(value);
-  }
-  return named;
-}
-
-/// Of a table, whose keys are texts; an empty one is none. Those of lines that do not count are left out.
-NamedGroups groups_by_text(const std::vector<double>& keys, const std::vector<std::string>& texts) {
-  std::vector<std::uint8_t> counts(texts.size(), 0);
-  for (const double key : keys) counts[static_cast<std::size_t>(key)] = 1;
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    if (counts[i] != 0 && !texts[i].empty()) order.push_back(i);
-  std::vector<double> value(texts.size(), 0);
-  bool are_numbers = true;
-  for (const std::size_t i : order) {
-    const ParsedNumber number = parse_whole_number(texts[i]);
-    are_numbers = are_numbers && number.fault == NumberFault::none;
-    value[i] = number.value;
-  }
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return are_numbers && value[i] != value[j] ? value[i] < value[j] : texts[i] < texts[j];
-  });
-  std::vector<std::uint32_t> label(texts.size(), no_group), labels;
-  NamedGroups named{.are_numbers = are_numbers};
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    label[order[k]] = static_cast<std::uint32_t>(k);
-    named.names.push_back(texts[order[k]]);
-  }
-  labels.reserve(keys.size());
-  for (const double key : keys) labels.push_back(label[static_cast<std::size_t>(key)]);
-  named.groups = groups_of(labels, order.size());
-  return named;
-}
-
-NamedGroups groups_in(const PointFile& file) {
-  if (file.fields.empty()) return {};  // no points
-  return file.keys.empty() ? groups_by_number(file.fields[0]) : groups_by_text(file.fields[0], file.keys);
-}
-
 /// Throws WrongUsage for what is of one shape of all points.
 void require_no_others(const ShapeArguments& arguments) {
-  if (arguments.isolated) throw WrongUsage("--isolated: found --group-by as well, expected one of the two");
-  if (arguments.stats) throw WrongUsage("--stats: found --group-by as well, expected one of the two");
+  if (arguments.isolated) throw WrongUsage("--isolated: found groups as well, expected one of the two");
 }
 
 void require_formats(const std::vector<Target>& targets) {
@@ -91,33 +32,63 @@ void require_formats(const std::vector<Target>& targets) {
       throw WrongUsage("--group-by: found " + output_name(target.path) + ", expected geojson, csv, svg or png");
 }
 
+/// How each group finds its radius; of the two it keeps spans.
+GroupAlpha group_alpha(const AlphaChoice& choice, const NamedGroups& named) {
+  GroupAlpha alpha;
+  if (choice.rule == AlphaRule::given) alpha.given = {&choice.radius, 1};
+  if (choice.rule == AlphaRule::column) alpha.given = named.radii;
+  alpha.covering = {.share = choice.cover};
+  if (choice.rule == AlphaRule::automatic) alpha.covering.max_components = choice.max_components;
+  if (choice.rule == AlphaRule::plateau) alpha.plateau = choice.rank;
+  return alpha;
+}
+
+/// Groups whose radius is none say why.
+void explain_radii(const NamedGroups& named, GroupShapes& shapes) {
+  if (named.radius_problems.empty()) return;
+  for (GroupProblem& problem : shapes.problems)
+    if (!named.radius_problems[problem.group].empty()) problem.what = named.radius_problems[problem.group];
+}
+
+void say_problems(const Run& run, const NamedGroups& named, const std::vector<GroupProblem>& problems) {
+  if (problems.empty()) return;
+  const GroupProblem& first = problems.front();
+  run.remark(counted(problems.size(), "group") + " without a polygon: " +
+             (problems.size() == 1 ? "" : "the first is ") + in_quotes(named.names[first.group]) + ", " + first.what);
+}
+
 }  // namespace
 
 void run_group_shapes(const ShapeArguments& arguments) {
   require_no_others(arguments);
-  const ComplexRequest request = parse_request(arguments);
+  const AlphaChoice choice = parse_alpha(arguments.radius, ChosenFor::groups);
+  const std::optional<std::string> column =
+      choice.rule == AlphaRule::column ? std::optional(choice.column) : std::nullopt;
+  const GroupSources sources = parse_group_sources(arguments, arguments, column);
+  const ComplexRequest request = parse_request(arguments, ChosenFor::groups);
   GroupShapesOptions options;
   options.filter = {.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                     .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   options.threads = request.options.threads;
-  const std::vector<Target> targets = parse_targets(Use::shape, arguments, arguments.points, {});
+  const std::vector<Target> targets = parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats}));
   require_formats(targets);
+  std::vector<std::string> outputs = given({arguments.stats});
+  for (const Target& target : targets) outputs.push_back(target.path);
+  require_different(outputs, sources);
 
-  Run run(request.source.path, arguments.outputs, request.options);
-  const PointFile file = run.read_points(request.source);
-  const NamedGroups named = groups_in(file);
-  const double radius[] = {request.alpha.radius};
-  GroupAlpha alpha;
-  if (request.alpha.rule == AlphaRule::given) alpha.given = radius;
-  alpha.covering = {.share = request.alpha.cover};
-  if (request.alpha.rule == AlphaRule::automatic) alpha.covering.max_components = request.alpha.max_components;
-  if (request.alpha.rule == AlphaRule::plateau) alpha.plateau = request.alpha.rank;
+  Run run(sources.files.size() == 1 ? arguments.points : counted(sources.files.size(), "file"), arguments.outputs,
+          request.options);
+  const NamedGroups named = read_groups(run, sources);
+  const PointFile& file = named.file;
+  Stats stats{.points = file.points.size(), .read_seconds = run.lap()};
   GroupShapes shapes;
   {
     const ProgressLine line = request.options.line("shapes of groups");
     options.go_on = [go_on = until_interrupted()](std::size_t) { return go_on(); };
-    shapes = shapes_of_groups(file.points, named.groups, alpha, options);
+    shapes = shapes_of_groups(file.points, named.groups, group_alpha(choice, named), options);
   }
+  explain_radii(named, shapes);
+  stats.build_seconds = run.lap();
   std::vector<std::size_t> sizes;
   for (std::size_t g = 0; g < named.groups.size(); ++g) sizes.push_back(named.groups[g].size());
   const NamedShapes result{file.points, named.names, named.are_numbers, sizes, shapes, file.crs};
@@ -132,21 +103,24 @@ void run_group_shapes(const ShapeArguments& arguments) {
         write_picture(out, target.format, drawing_of(file.points, shapes.polygons, {}), request.width);
     });
   }
+  if (arguments.stats) {
+    stats.write_seconds = run.lap();
+    stats.threads = threads_used(file.points.size(), request.options.threads);
+    stats.alpha_rule = name_of(choice);
+    if (choice.rule == AlphaRule::given) stats.alpha = choice.radius;
+    stats.groups = GroupStats{named.names.size(), shapes.problems.size(), shapes.triangle_begin.back()};
+    stats.polygons = shapes.polygons.size();
+    stats.of_polygons = total(shapes.polygons);
+    run.add(*arguments.stats, [&](OutputFile& out) { write_stats(out, stats); });
+  }
   run.publish();
 
-  const std::size_t left_out = file.points.size() - named.groups.members.size();
-  if (left_out > 0) run.remark(counted(left_out, "point") + " without a group");
   const auto with_geojson = std::find_if(targets.begin(), targets.end(),
                                          [](const Target& target) { return target.format == Format::geojson; });
   if (with_geojson != targets.end())
     if (const auto why = geojson_caution({file.points, shapes.polygons, {}, file.crs, file.degrees}))
       say("rbpa", output_name(with_geojson->path) + ": " + *why);
-  if (!shapes.problems.empty()) {
-    const GroupProblem& first = shapes.problems.front();
-    run.remark(counted(shapes.problems.size(), "group") +
-               " without a polygon: " + (shapes.problems.size() == 1 ? "" : "the first is ") +
-               in_quotes(named.names[first.group]) + ", " + first.what);
-  }
+  say_problems(run, named, shapes.problems);
   run.summarize(counted(file.points.size(), "point") + ", " + counted(named.names.size(), "group") + ", " +
                 counted(shapes.polygons.size(), "polygon") + ", area " + rounded(total(shapes.polygons).area, 6) +
                 list_of(targets));

@@ -1,14 +1,20 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/named_groups.h"
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/verbs.h"
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/polygon/shape_files.h"
 #include "io/sort.h"
 
 namespace rbpa::app {
@@ -64,24 +70,76 @@ std::string for_people(const Info& info) {
          "  (square root of box area / distinct points)\n";
 }
 
-std::string as_json(const Info& info) {
-  using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Info& info) {
   Json box = nullptr;
   if (info.box)
     box = {{"min", Json::array({info.box->least.x, info.box->least.y})},
            {"max", Json::array({info.box->greatest.x, info.box->greatest.y})}};
-  Json report = {{"points", info.points},
-                 {"distinct", info.distinct},
-                 {"duplicates", info.points - info.distinct},
-                 {"box", box},
-                 {"spacing", info.spacing ? Json(*info.spacing) : Json(nullptr)}};
+  return {{"points", info.points},
+          {"distinct", info.distinct},
+          {"duplicates", info.points - info.distinct},
+          {"box", box},
+          {"spacing", info.spacing ? Json(*info.spacing) : Json(nullptr)}};
+}
+
+std::string as_json(const Info& info) {
+  Json report = json_of(info);
   if (info.crs) report["crs"] = info.crs->text();
   return report.dump(2) + "\n";
+}
+
+/// A line for each group.
+void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
+  char line[160];
+  const auto row = [&](const std::string& points, const std::string& distinct, const std::string& spacing,
+                       const std::string& x, const std::string& y) {
+    std::snprintf(line, sizeof line, "%9s %9s %10s  %-23s %-23s  ", points.c_str(), distinct.c_str(), spacing.c_str(),
+                  x.c_str(), y.c_str());
+    out.write(line);
+  };
+  const auto range = [](double least, double greatest) { return rounded(least, 8) + " .. " + rounded(greatest, 8); };
+  if (json) {
+    out.write("[");
+  } else {
+    row("points", "distinct", "spacing", "x", "y");
+    out.write("group\n");
+  }
+  for (std::size_t g = 0; g < named.groups.size(); ++g) {
+    if (g % 256 == 0) stop_if_interrupted();
+    std::vector<Point> points;
+    for (const std::uint32_t i : named.groups[g]) points.push_back(named.file.points[i]);
+    const Info info = examine(std::move(points), {.quiet = true});
+    if (json) {
+      const std::string facts = json_of(info).dump();
+      out.write((g == 0 ? "\n{\"group\":" : ",\n{\"group\":") + json_name(named.names[g], named.are_numbers) + "," +
+                facts.substr(1));
+      continue;
+    }
+    row(std::to_string(info.points), std::to_string(info.distinct), info.spacing ? rounded(*info.spacing, 4) : "none",
+        info.box ? range(info.box->least.x, info.box->greatest.x) : "none",
+        info.box ? range(info.box->least.y, info.box->greatest.y) : "none");
+    out.write(printable(named.names[g]) + "\n");
+  }
+  if (json) out.write("\n]\n");
+}
+
+void run_group_info(const InfoArguments& arguments) {
+  if (arguments.stats) throw WrongUsage("--stats: found groups as well, expected one of the two");
+  const GroupSources sources = parse_group_sources(arguments, arguments);
+  require_different({"-"}, sources);
+  Run run(sources.files.size() == 1 ? arguments.points : counted(sources.files.size(), "file"), {"-"},
+          {.quiet = arguments.quiet});
+  const NamedGroups named = read_groups(run, sources);
+  run.add("-", [&](OutputFile& out) { write_groups(out, named, arguments.json); });
+  run.publish();
 }
 
 }  // namespace
 
 void run_info(const InfoArguments& arguments) {
+  if (arguments.ask_for_groups()) return run_group_info(arguments);
   const PointSource source = parse_source(arguments);
   std::vector<std::string> outputs = given({"-", arguments.stats});
   require_different(outputs, arguments.points, "points");

@@ -31,7 +31,15 @@ void require_format(bool fits, const std::string& option, const std::string& fou
   if (!fits) throw WrongUsage(option + ": found a format " + found + ", expected " + expected);
 }
 
-PointSource parse_source(const PointArguments& arguments) {
+bool GroupArguments::ask_for_groups() const {
+  if (group_by && group_by_file) throw WrongUsage("--group-by-file: found --group-by as well, expected one of the two");
+  if (inputs.size() > 1 && !group_by && !group_by_file)
+    throw WrongUsage("POINTS: found " + counted(inputs.size(), "file") +
+                     ", expected one, or --group-by-file (each is a group), or --group-by COLUMN");
+  return group_by || group_by_file;
+}
+
+PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns) {
   PointSource source{.path = arguments.points,
                      .pixels = parse_pixel_rule(arguments.pixels),
                      .skip_invalid = arguments.skip_invalid,
@@ -49,12 +57,20 @@ PointSource parse_source(const PointArguments& arguments) {
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid)
     require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");
-  if (arguments.where || arguments.group_by) {
+  const bool of_groups = columns.key || columns.radius;
+  if (of_groups && format == Format::geojson) {
+    source.properties = columns;
+    require_format(!arguments.where, "--where", "without fields beside the points", "las, ply, pcd or text");
+  } else if (arguments.where || of_groups) {
     const std::optional<FieldNames> names = fields_of(format);
-    require_format(names.has_value(), arguments.group_by ? "--group-by" : "--where", "without fields beside the points",
-                   "las, ply or text");
-    source.where = arguments.group_by ? Condition::with_key(*arguments.group_by, arguments.where.value_or(""), *names)
-                                      : Condition(*arguments.where, *names);
+    require_format(names.has_value(),
+                   columns.key ? "--group-by"
+                   : of_groups ? "--alpha column"
+                               : "--where",
+                   "without fields beside the points",
+                   of_groups ? "geojson, las, ply, pcd or text" : "las, ply or text");
+    source.where = of_groups ? Condition::of_groups(columns, arguments.where.value_or(""), *names)
+                             : Condition(*arguments.where, *names);
   }
   if (arguments.vertices)
     require_format(text || ogr || format == Format::wkt || format == Format::geojson, "--vertices",

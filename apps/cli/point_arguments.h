@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/cloud/read_points.h"
 
@@ -21,7 +22,6 @@ struct PointArguments {
   std::optional<std::string> columns;
   PixelArguments pixels;
   std::optional<std::string> where;
-  std::optional<std::string> group_by;  ///< a column
   std::optional<std::string> crs;
   std::optional<std::string> layer;
   bool skip_invalid = false;
@@ -29,9 +29,19 @@ struct PointArguments {
   bool shift_longitude = false;
 };
 
+/// What the command line says of groups of points, as text.
+struct GroupArguments {
+  std::vector<std::string> inputs;      ///< all files; the first is PointArguments::points as well
+  std::optional<std::string> group_by;  ///< a column
+  bool group_by_file = false;
+
+  /// Throws WrongUsage for several files whose points are in no groups.
+  bool ask_for_groups() const;
+};
+
 /// Where the points come from: the format as said, else by the ending; standard input is text. Throws WrongUsage naming
 /// the value, or an option that is about another format.
-PointSource parse_source(const PointArguments& arguments);
+PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns = {});
 
 /// Throws WrongUsage unless an option that was given fits the format: "--where: found a format FOUND, expected EXPECTED".
 void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);

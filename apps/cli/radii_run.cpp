@@ -16,6 +16,29 @@ Radii parse_radii(const RadiiArguments& arguments) {
           .cover = arguments.cover ? parse_cover(*arguments.cover) : 1};
 }
 
+namespace {
+
+void find_least(const Delaunay& delaunay, Radii& radii) {
+  const auto least = [&](std::optional<std::size_t> max_components) {
+    return smallest_covering(delaunay, radii.filtration, {radii.cover, max_components}, until_interrupted());
+  };
+  radii.least_covering = least(std::nullopt);
+  radii.least_connected = least(radii.max_components);
+}
+
+}  // namespace
+
+void find_radii(const Delaunay& delaunay, Radii& radii, bool with_plateaus) {
+  radii.filtration = filtration(delaunay, until_interrupted());
+  find_least(delaunay, radii);
+  if (with_plateaus) radii.plateaus = plateaus(delaunay, radii.filtration, until_interrupted());
+}
+
+std::optional<std::string> why_no_radius(const Filtration& filtration) {
+  if (!filtration.steps.empty()) return std::nullopt;
+  return filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
+}
+
 RadiiRun::RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
                    const Radii& request, bool with_plateaus)
     : Run(source.path, outputs, options), file(read_points(source)), radii(request) {
@@ -29,11 +52,7 @@ RadiiRun::RadiiRun(const PointSource& source, const std::vector<std::string>& ou
   }
   stats.distinct = radii.filtration.distinct;
   stop_if_interrupted();
-  const auto least = [&](std::optional<std::size_t> max_components) {
-    return smallest_covering(delaunay(), radii.filtration, {radii.cover, max_components}, until_interrupted());
-  };
-  radii.least_covering = least(std::nullopt);
-  radii.least_connected = least(radii.max_components);
+  find_least(delaunay(), radii);
   if (!with_plateaus) return;
   const ProgressLine line = options.line("plateaus");
   radii.plateaus = plateaus(delaunay(), radii.filtration, until_interrupted());
@@ -45,9 +64,8 @@ void RadiiRun::write_stats(OutputFile& report) {
 }
 
 void RadiiRun::say_empty() const {
-  if (!radii.filtration.steps.empty()) return;
-  const char* why = radii.filtration.distinct < 3 ? "fewer than three distinct points" : "all points are collinear";
-  say("rbpa", std::string("the complex is empty at every alpha: ") + why);
+  if (const std::optional<std::string> why = why_no_radius(radii.filtration))
+    say("rbpa", "the complex is empty at every alpha: " + *why);
 }
 
 }  // namespace rbpa::app

@@ -16,6 +16,12 @@ namespace rbpa::app {
 /// How many components, and what share of the points. Throws WrongUsage naming the value.
 Radii parse_radii(const RadiiArguments& arguments);
 
+/// What of the radii follows from a triangulation: all but `points`. Throws Cancelled after a signal.
+void find_radii(const Delaunay& delaunay, Radii& radii, bool with_plateaus);
+
+/// Why the points have no triangle at any radius, if so.
+std::optional<std::string> why_no_radius(const Filtration& filtration);
+
 struct RadiiRun : Run {
   /// Reads the points, and finds what of the radii follows from them. Throws BadInput, Failure, Cancelled.
   RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,

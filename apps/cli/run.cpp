@@ -22,9 +22,10 @@ RunOptions parse_run(const RunArguments& arguments) {
 
 PointFile Run::read_points(const PointSource& source) const {
   PointFile file = read([&] { return rbpa::app::read_points(source); });
-  remark(file.remarks);
+  const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
+  for (const std::string& text : file.remarks) remark_on(text);
   if (file.heights.differ())
-    remark("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
+    remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
   return file;
 }
 

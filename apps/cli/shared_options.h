@@ -72,6 +72,24 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_format_options(verb, arguments);
 }
 
+/// Of the verbs that have groups: POINTS may be several files.
+template <typename Arguments>
+void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& what) {
+  verb.add_option("POINTS", arguments.inputs,
+                  "File of points, .gz or not, or - for standard input; several of which points are in groups")
+      ->required()
+      ->each([&arguments](const std::string& file) {
+        if (arguments.points.empty()) arguments.points = file;
+      });
+  add_format_options(verb, arguments);
+  verb.add_option("--group-by", arguments.group_by,
+                  what +
+                      " of each group of the points: those with the same text in a column of a table, number in a "
+                      "field of LAS, PLY or PCD, or property of a Feature of GeoJSON")
+      ->type_name("COLUMN");
+  add_switch(verb, "--group-by-file", arguments.group_by_file, what + " of each file of points");
+}
+
 inline void add_method_options(CLI::App& verb, MethodArguments& arguments) {
   verb.add_option("--method", arguments.method,
                   "rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the same")
@@ -107,7 +125,7 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
           "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
           "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
           "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
-      ->type_name("R|plateau|auto|min|inf");
+      ->type_name("R|plateau[:K]|auto|min|inf");
   verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
       ->type_name("A");
   verb.add_option("--alpha-inverse", radius.inverse,

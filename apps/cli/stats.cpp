@@ -51,6 +51,12 @@ void write_stats(OutputFile& file, const Stats& stats) {
                  {"alpha_rule", or_null(stats.alpha_rule)},
                  {"method", stats.counts ? Json(stats.method) : Json(nullptr)},
                  {"threads", stats.threads}};
+  if (stats.groups) {
+    report["distinct"] = nullptr;
+    report["triangles"] = stats.groups->triangles;
+    report["groups"] = stats.groups->groups;
+    report["groups_without_polygon"] = stats.groups->without_polygon;
+  }
   if (stats.dangling_edges) report["dangling_edges"] = *stats.dangling_edges;
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;

@@ -20,6 +20,13 @@ struct FillStats {
   std::size_t left_out = 0;     ///< of these, as they are not valid
 };
 
+/// Of groups of points.
+struct GroupStats {
+  std::size_t groups = 0;
+  std::size_t without_polygon = 0;
+  std::size_t triangles = 0;  ///< of all of them
+};
+
 struct Stats {
   std::size_t points = 0;
   std::size_t distinct = 0;
@@ -34,6 +41,7 @@ struct Stats {
   /// Keys for polygons are in the report only where a verb makes them.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};
+  std::optional<GroupStats> groups = std::nullopt;  ///< keys only of groups; what is of one complex is null then
   std::optional<FillStats> fill = std::nullopt;     ///< keys only of `rbpa fill`
   std::optional<std::size_t> tiles = std::nullopt;  ///< key only where points were cut into tiles
   double read_seconds = 0;

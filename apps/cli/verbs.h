@@ -30,7 +30,7 @@ struct ShapeArguments : ComplexArguments {
   std::optional<std::string> isolated;  ///< a file for the points in no polygon
 };
 void run_shape(const ShapeArguments& arguments);
-/// The same of each group of the points by itself. Requires: `group_by`.
+/// The same of each group of the points by itself. Requires: ask_for_groups().
 void run_group_shapes(const ShapeArguments& arguments);
 
 /// The arguments of verbs that compute all radii.
@@ -42,7 +42,7 @@ struct RadiiArguments : PointArguments {
 };
 
 /// The radii at which the complex of a set of points changes, and which of them to choose, on standard output.
-struct AlphaArguments : RadiiArguments {
+struct AlphaArguments : RadiiArguments, GroupArguments {
   std::optional<std::string> picture;  ///< an .svg to write
   bool json = false;
   bool csv = false;
@@ -50,6 +50,8 @@ struct AlphaArguments : RadiiArguments {
   std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
 };
 void run_alpha(const AlphaArguments& arguments);
+/// Which radii to choose for each group of the points. Requires: ask_for_groups().
+void run_group_alpha(const AlphaArguments& arguments);
 
 /// A page that shows the complex at every radius.
 struct ReportArguments : RadiiArguments {
@@ -58,7 +60,7 @@ struct ReportArguments : RadiiArguments {
 void run_report(const ReportArguments& arguments);
 
 /// What a file of points holds, on standard output.
-struct InfoArguments : PointArguments {
+struct InfoArguments : PointArguments, GroupArguments {
   std::optional<std::string> stats;
   bool json = false;
   bool quiet = false;  ///< taken like by the other verbs; there is nothing to leave out

@@ -49,7 +49,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
   CLI::App& verb =
       *app.add_subcommand("alpha", "Every radius at which the complex changes, and which of them to choose");
-  add_point_options(verb, arguments);
+  add_group_options(verb, arguments, "What to choose");
   add_auto_options(verb, arguments);
   CLI::Option* json = add_switch(verb, "--json", arguments.json, "Everything as JSON");
   add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
@@ -68,7 +68,8 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       "best is "
       "recommended. Parts are solid components: they hang together through edges, components through points.\n\n"
       "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
-      "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n\n" +
+      "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n"
+      "  rbpa alpha fixes.csv --columns x,y --group-by animal --csv\n\n" +
       std::string(exit_codes));
   return &verb;
 }
@@ -81,7 +82,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "far from the others do not decide it. A number, where you know which gaps are to stay open. min covers every "
       "point, and auto does so in one piece, so that the loneliest point decides them; with --cover 0.99 they leave "
       "out 1 point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
-  add_point_options(verb, arguments);
+  add_group_options(verb, arguments, "Shapes");
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, target_formats(Use::shape));
   add_method_options(verb, arguments.method);
@@ -96,11 +97,6 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
                   "File for the points in no polygon, by its ending: " + std::string(isolated_formats) +
                       (has_gdal() ? ", gpkg, fgb" : ""))
       ->type_name("FILE");
-  verb.add_option(
-          "--group-by", arguments.group_by,
-          "Shapes of groups: points with the same text in a column of a table, or number in a field of LAS, PLY "
-          "or PCD, are a shape by themselves; to .geojson, .csv or a picture")
-      ->type_name("COLUMN");
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
@@ -109,10 +105,12 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
       "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n"
       "  rbpa shape fixes.csv --columns x,y --group-by animal --alpha auto --cover 0.95 -o ranges.geojson\n"
+      "  rbpa shape tiles/*.las --group-by-file --alpha 2 -o footprints.geojson\n"
       "  rbpa shape points.xy --alpha auto --cover 0.99 --min-part-area 2 --min-hole-area 2 -o shape.wkt\n\n"
       "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one "
       "MULTIPOLYGON; CSV has the points, each with the number of the polygon that it is in. Of groups GeoJSON has a "
-      "Feature for each, and CSV a line. Coordinates are those of "
+      "Feature for each, and CSV a line; --alpha follows the points of each by itself, and may be column:NAME, a "
+      "number beside them. Coordinates are those of "
       "the input, to the last bit, and areas are in their unit squared.\n" +
       std::string(exit_codes));
   return &verb;
@@ -120,12 +118,12 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
 
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("info", "How many points there are, how many twice, their box and spacing");
-  add_point_options(verb, arguments);
+  add_group_options(verb, arguments, "The same");
   add_switch(verb, "--json", arguments.json, "As JSON");
   add_switch(verb, "-q,--quiet", arguments.quiet, "As for the other verbs; this one says nothing but what is asked");
   verb.footer(
       "The spacing is the square root of box area / distinct points: a first idea of a good alpha.\n\n"
-      "Example:\n  rbpa info points.xy --json\n\n" +
+      "Examples:\n  rbpa info points.xy --json\n  rbpa info fixes.csv --columns x,y --group-by animal\n\n" +
       std::string(exit_codes));
   return &verb;
 }

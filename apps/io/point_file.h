@@ -32,9 +32,10 @@ struct PointFile {
   std::vector<Point> points = {};                ///< in the order of the file, all finite
   std::optional<Crs> crs = std::nullopt;         ///< where the file names one
   std::vector<std::vector<double>> fields = {};  ///< a column of each that the condition's columns() ask for
-  /// Of a table whose condition has a key: its texts, which `fields` has the numbers of.
+  /// Of a table whose condition has a key, and of GeoJSON: its texts, which `fields` has the numbers of. An empty one is none.
   std::vector<std::string> keys = {};
-  bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
+  bool keys_are_texts = false;  ///< some are texts where others may be numbers, whatever they look like
+  bool degrees = false;         ///< x is a longitude and y a latitude, as a CRS or the names of columns say
   /// That they have heights, which differ and are left out. Never of LAS, of which footprints are what is wanted.
   Heights heights = {};
   /// What was found by itself and might be meant otherwise, or was left out: a sentence each, for people.

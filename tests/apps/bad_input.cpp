@@ -160,7 +160,9 @@ TEST_SUITE("wrong usage") {
       refuses(folder, "mesh p.xy " + before + "-o m.off --alhpa 2", 2,
               "found '--alhpa', expected an option of rbpa mesh (see rbpa mesh --help)");
     refuses(folder, "shape p.xy q.xy --alpha 1 -o s.wkt", 2,
-            "found 'q.xy', expected no more arguments of rbpa shape (see rbpa shape --help)");
+            "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN");
+    refuses(folder, "mesh p.xy q.xy --alpha 1 -o s.ply", 2,
+            "found 'q.xy', expected no more arguments of rbpa mesh (see rbpa mesh --help)");
   }
 
   TEST_CASE("an empty name") {

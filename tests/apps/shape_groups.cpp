@@ -145,11 +145,9 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
             "--group-by: found s.wkt, expected geojson, csv, svg or png", 2);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
-            "--isolated: found --group-by as well, expected one of the two", 2);
-    refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --stats t.json",
-            "--stats: found --group-by as well, expected one of the two", 2);
+            "--isolated: found groups as well, expected one of the two", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",
-            "--group-by: found a format without fields beside the points, expected las, ply or text", 2);
+            "--group-by: found a format without fields beside the points, expected geojson, las, ply, pcd or text", 2);
     CHECK(folder.names() == std::vector<std::string>{"p.csv", "p.xy"});
   }
 
@@ -162,5 +160,161 @@ TEST_SUITE("shape groups") {
     REQUIRE(folder.rbpa("shape l.csv --group-by g --alpha 1 -o s.geojson -o s.csv -q").code == 0);
     CHECK(properties(folder.content("s.geojson"))[0]["group"] == "K\xef\xbf\xbdln");
     CHECK(folder.content("s.csv").find("\nK\xf6ln,3,1,") != std::string::npos);
+  }
+
+  TEST_CASE("a property of Features of GeoJSON is a key: a text, a number, true or false; null and none are no group") {
+    const Folder folder;
+    const auto feature = [](const std::string& properties, const std::string& points) {
+      return "{\"type\":\"Feature\",\"properties\":" + properties +
+             ",\"geometry\":{\"type\":\"MultiPoint\",\"coordinates\":" + points + "}}";
+    };
+    folder.file("p.geojson", "{\"type\":\"FeatureCollection\",\"features\":[" +
+                                 feature(R"({"k":"Zo\u00eb \"x\"","r":1,"j":{"k":"inner"}})", "[[0,0],[1,0],[0,1]]") +
+                                 "," + feature(R"({"k":5})", "[[4,4],[5,4],[4,5]]") + "," +
+                                 feature(R"({"k":5.0})", "[[5,5]]") + "," + feature("null", "[[8,8]]") + "," +
+                                 feature(R"({"k":null})", "[[8,9]]") + "," + feature(R"({"k":""})", "[[9,9]]") + "," +
+                                 feature(R"({"k":true})", "[[9,8]]") +
+                                 ",{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[7,7]},"
+                                 "\"properties\":{\"k\":5}}]}");
+    const Outcome outcome = folder.rbpa("shape p.geojson --group-by k --alpha inf -o s.geojson");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.find("3 points without a group") != std::string::npos);
+    const json found = properties(folder.content("s.geojson"));
+    REQUIRE(found.size() == 3);
+    CHECK(found[0]["group"] == "5");  // there are texts: no number
+    CHECK(found[0]["points"] == 5);
+    CHECK(found[1]["group"] == "Zo\u00eb \"x\"");
+    CHECK(found[1]["area"] == 0.5);
+    CHECK(found[2]["group"] == "true");
+    REQUIRE(folder.rbpa("shape p.geojson --group-by k --alpha column:r -o r.geojson -q").code == 0);
+    const json with_radii = properties(folder.content("r.geojson"));
+    CHECK(with_radii[0]["problem"] == "column 'r' has no radius above 0 for point 3");
+    CHECK(with_radii[1]["alpha"] == 1);
+    folder.file("n.geojson", "{\"type\":\"FeatureCollection\",\"features\":[" + feature(R"({"k":10})", "[[0,0]]") +
+                                 "," + feature(R"({"k":9})", "[[1,1]]") + "]}");
+    REQUIRE(folder.rbpa("shape n.geojson --group-by k --alpha 1 -o n.out.geojson -q").code == 0);
+    CHECK(properties(folder.content("n.out.geojson"))[0]["group"] == 9);
+    refuses(folder, "n.geojson --group-by kind --alpha 1 -o s.csv",
+            "n.geojson: found no Feature with a property 'kind', expected some, as --group-by asks", 3);
+    refuses(folder, "n.geojson --group-by k --where k>1 --alpha 1 -o s.csv",
+            "--where: found a format without fields beside the points, expected las, ply, pcd or text", 2);
+    folder.file("l.geojson", feature(R"({"k":[1]})", "[[0,0]]"));
+    refuses(folder, "l.geojson --group-by k --alpha 1 -o s.csv",
+            "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by asks", 3);
+  }
+
+  TEST_CASE("names are numbers only where JSON reads each of them as itself") {
+    const Folder folder;
+    const auto kind_of = [&](const std::string& a, const std::string& b) {
+      folder.file("k.csv", "x,y,g\n0,0," + a + "\n1,1," + b + "\n");
+      REQUIRE(folder.rbpa("shape k.csv --group-by g --alpha 1 -o k.geojson -q").code == 0);
+      const json found = properties(folder.content("k.geojson"));
+      return std::string(found[0]["group"].type_name()) + " " + found[0]["group"].dump() + " " +
+             found[1]["group"].dump();
+    };
+    CHECK(kind_of("10", "9") == "number 9 10");
+    CHECK(kind_of("1.5", "-2e3") == "number -2000.0 1.5");
+    CHECK(kind_of("007", "08") == "string \"007\" \"08\"");
+    CHECK(kind_of("1", "1.0") == "string \"1\" \"1.0\"");
+    CHECK(kind_of("+1", "2") == "string \"+1\" \"2\"");
+    CHECK(kind_of(".5", "2") == "string \".5\" \"2\"");
+    CHECK(kind_of("5.", "2") == "string \"2\" \"5.\"");
+    CHECK(kind_of("inf", "2") == "string \"2\" \"inf\"");
+    CHECK(kind_of("9007199254740993", "2") == "string \"2\" \"9007199254740993\"");
+  }
+
+  TEST_CASE("each of several files is a group, or has points of the groups of a column") {
+    const Folder folder;
+    folder.file("b.csv", "x,y,animal\n0,0,ox\n1,0,ox\n");
+    folder.file("a.csv", "x,y,animal\n0,1,ox\n5,5,elk\n6,5,elk\n5,6,elk\n");
+    folder.file("empty.csv", "x,y,animal\n");
+    Outcome outcome = folder.rbpa("shape b.csv a.csv empty.csv --group-by-file --alpha inf -o s.csv");
+    CHECK(outcome.err ==
+          "rbpa: 3 files: 2 groups without a polygon: the first is 'b.csv', fewer than three distinct points (2)\n"
+          "rbpa: 6 points, 3 groups, 1 polygon, area 5 -> s.csv\n");
+    CHECK(folder.content("s.csv").find("\nempty.csv,0,inf,0,0,0,\"no points\",MULTIPOLYGON EMPTY\n") !=
+          std::string::npos);
+    REQUIRE(folder.rbpa("shape b.csv a.csv --group-by animal --alpha inf -o g.csv -q").code == 0);
+    CHECK(folder.content("g.csv") ==
+          "group,points,alpha,area,perimeter,polygons,problem,geometry\n"
+          "elk,3,inf,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((5 5, 6 5, 5 6, 5 5)))\"\n"
+          "ox,3,inf,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))\"\n");
+    refuses(folder, "b.csv a.csv --alpha 1 -o s.csv",
+            "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN", 2);
+    refuses(folder, "b.csv a.csv --group-by-file --group-by animal --alpha 1 -o s.csv",
+            "--group-by-file: found --group-by as well, expected one of the two", 2);
+    refuses(folder, "b.csv a.csv --group-by-file --alpha 1 -o a.csv",
+            "a.csv: found the file of points, expected another file to write to", 2);
+    folder.file("c.geojson", "{\"type\":\"Point\",\"coordinates\":[1,1]}");
+    outcome = folder.rbpa("shape a.csv c.geojson --group-by-file --alpha 1 -o s.csv -q");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err ==
+          "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs says it of all)\n");
+  }
+
+  TEST_CASE("radii of a column: one for each group, or a problem of the group; --stats counts groups") {
+    const Folder folder;
+    folder.file("p.csv",
+                "x,y,g,r\n0,0,a,1\n1,0,a,1.0\n0,1,a,1\n5,5,b,1\n6,5,b,2\n5,6,b,1\n0,0,c,0.5\n1,0,c,.5\n0,1,c,0.5\n"
+                "0,0,d,\n1,0,d,\n0,0,e,inf\n1,0,e,inf\n0,9,e,inf\n0,0,f,-1\n,,,\n");
+    REQUIRE(folder.rbpa("shape p.csv --skip-invalid --group-by g --alpha column:r -o s.csv --stats t.json -q").code ==
+            0);
+    CHECK(folder.content("s.csv") ==
+          "group,points,alpha,area,perimeter,polygons,problem,geometry\n"
+          "a,3,1,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))\"\n"
+          "b,3,,0,0,0,\"column 'r' has the radii 1 and 2, expected one\",MULTIPOLYGON EMPTY\n"
+          "c,3,0.5,0,0,0,\"no triangle has circumradius <= 0.5\",MULTIPOLYGON EMPTY\n"
+          "d,2,,0,0,0,\"column 'r' has no radius above 0 for point 9\",MULTIPOLYGON EMPTY\n"
+          "e,3,inf,4.5,19.055385138137417,1,,\"MULTIPOLYGON (((0 0, 1 0, 0 9, 0 0)))\"\n"
+          "f,1,,0,0,0,\"column 'r' has no radius above 0 for point 14\",MULTIPOLYGON EMPTY\n");
+    const json stats = json::parse(folder.content("t.json"));
+    CHECK(stats["groups"] == 6);
+    CHECK(stats["groups_without_polygon"] == 4);
+    CHECK(stats["points"] == 15);
+    CHECK(stats["triangles"] == 2);
+    CHECK(stats["polygons"] == 2);
+    CHECK(stats["area"] == 5);
+    CHECK(stats["distinct"].is_null());
+    CHECK(stats["alpha_rule"] == "column:r");
+    CHECK(stats["seconds"]["build"] > 0);
+    const std::string rules = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
+    refuses(folder, "p.csv --alpha column:r -o x.csv",
+            "--alpha: found 'column:r', expected " + rules + "; a column has radii of groups (rbpa shape --group-by)",
+            2);
+    refuses(folder, "p.csv --group-by g --alpha column: -o x.csv",
+            "--alpha column: found '', expected the name of a column (in double quotes where it is no word)", 2);
+    refuses(folder, "p.csv --group-by g --alpha column:q -o x.csv",
+            "p.csv:1: found 'x,y,g,r', expected a header with a column 'q'", 3);
+  }
+
+  TEST_CASE("info and alpha of groups are those of their points alone") {
+    const Folder folder;
+    folder.file("p.csv", fixes);
+    const auto last = [&](const std::string& arguments) { return folder.rbpa(arguments).out; };
+    const json infos = json::parse(last("info p.csv --group-by animal --json -q"));
+    REQUIRE(infos.size() == 3);
+    for (const json& group : infos) {
+      const std::string name = group["group"];
+      json alone = json::parse(last("info p.csv --json -q --where \"animal == '" + name + "'\""));
+      alone["group"] = name;
+      CHECK(group == alone);
+    }
+    CHECK(last("info p.csv --group-by animal -q").find("        3         3     0.5774  0 .. 1 ") != std::string::npos);
+    const json radii = json::parse(last("alpha p.csv --group-by animal --json -q"));
+    REQUIRE(radii.size() == 3);
+    for (const json& group : radii) {
+      const json alone =
+          json::parse(last("alpha p.csv --json -q --where \"animal == '" + group["group"].get<std::string>() + "'\""));
+      CHECK(group["auto"] == alone["auto"]);
+      CHECK(group["min"] == alone["min"]);
+      CHECK(group["recommended"] == alone["recommended"]);
+      CHECK(group["plateau"] == (alone["plateaus"].empty() ? json() : alone["plateaus"][0]["alpha"]));
+    }
+    CHECK(radii[0]["problem"] == "fewer than three distinct points");
+    CHECK(last("alpha p.csv --group-by animal --csv -q")
+              .starts_with("group,points,distinct,min,auto,plateau,recommended,problem\n"
+                           "bear,1,1,,,,,\"fewer than three distinct points\"\nlynx,3,3,1.118033988749895,"));
+    CHECK(last("alpha p.csv --group-by animal -q").find("  wolf, grey\n") != std::string::npos);
+    CHECK(folder.rbpa("alpha p.csv --group-by animal --persistence").code == 2);
   }
 }

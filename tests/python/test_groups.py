@@ -83,6 +83,11 @@ def test_columns_of_tables():
     table = pandas.DataFrame({"x": POINTS[:, 0], "y": POINTS[:, 1], "animal": pandas.Categorical(LABELS.astype(str))})
     shapes = rbpa.concave_hulls(table[["x", "y"]], table["animal"])
     assert list(shapes) == sorted(set(LABELS.astype(str)))
+    some_missing = pandas.Series([pandas.NA if i % 5 == 0 else f"a{i % 3}" for i in range(len(POINTS))], dtype="string")
+    shapes = rbpa.concave_hulls(POINTS, some_missing)
+    assert list(shapes) == ["a0", "a1", "a2"] and shapes.counts.sum() == 3200
+    whole = pandas.Series([pandas.NA if i % 5 == 0 else i % 2 for i in range(len(POINTS))], dtype="Int64")
+    assert list(rbpa.concave_hulls(POINTS, whole)) == [0, 1]
     with pytest.raises(rbpa.InvalidInput, match="groups: found 'herd', expected a column of the points"):
         rbpa.concave_hulls(table[["x", "y"]], "herd")
 
@@ -97,6 +102,8 @@ def test_what_is_wrong_with_one_group_leaves_the_others():
     }
     assert shapes.areas.tolist() == [0.5, 0, 0, 0] and len(shapes["b"]) == 0 and shapes["b"].to_wkt() == "MULTIPOLYGON EMPTY"
     assert math.isnan(shapes.alphas[1])
+    properties = [feature["properties"] for feature in shapes.__geo_interface__["features"]]
+    assert [of["problem"] for of in properties] == [None, *shapes.problems.values()]
     with pytest.raises(KeyError):
         shapes["e"]
 

@@ -20,7 +20,7 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
     case Format::pgm:
       return {.points = read_pgm_points(bytes, name, source.pixels)};
     case Format::geojson:
-      return read_geojson_points(bytes, name, source.vertices);
+      return read_geojson_points(bytes, name, source.vertices, source.properties);
     case Format::wkt:
       return read_wkt_points(bytes, name, source.vertices);
     default:

@@ -24,6 +24,7 @@ struct PointSource {
   bool skip_invalid = false;                        ///< leave out lines of text, and records of LAS, that are no point
   bool vertices = false;                            ///< take those of lines and polygons as points
   std::optional<Condition> where = std::nullopt;    ///< of formats with fields: which points count
+  GroupColumns properties = {};                     ///< of GeoJSON: what of its Features points in groups have
   std::optional<Crs> crs = std::nullopt;            ///< of the points, whatever the file says
   std::optional<std::string> layer = std::nullopt;  ///< of a source of OGR that has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0

@@ -3,108 +3,25 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/polygon/geojson_geometry.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {
 
 namespace {
-
-struct GeoJsonKind {
-  std::string_view name;
-  int depth;            ///< brackets around a position, its own included
-  bool points = false;  ///< Point or MultiPoint
-  bool rings = false;   ///< the lists innermost end where they begin
-};
-constexpr GeoJsonKind geojson_kinds[] = {{"Point", 1, true},          {"MultiPoint", 2, true},
-                                         {"LineString", 2},           {"MultiLineString", 3},
-                                         {"Polygon", 3, false, true}, {"MultiPolygon", 4, false, true}};
-
-/// The coordinates of a geometry, which may come before its type. Each step returns what is wrong, or null.
-class GeoJsonGeometry {
- public:
-  /// Its points will follow `first` others.
-  explicit GeoJsonGeometry(std::size_t first) : first_(first) {}
-
-  const char* open() {
-    constexpr int deepest = 4;
-    if (coordinates_ > 0) return "a list among numbers";
-    if (open_ == deepest) return "five brackets around each other";
-    ++open_;
-    return nullptr;
-  }
-
-  const char* add(double coordinate) {
-    if (open_ == 0) return "a number";
-    if (coordinates_ < position_.size()) position_[coordinates_] = coordinate;
-    ++coordinates_;
-    return nullptr;
-  }
-
-  const char* close(PointFile& file) {
-    if (coordinates_ == 1) return "one number";
-    if (coordinates_ > 0) {
-      if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
-      depth_ = open_;
-      file.points.push_back({position_[0], position_[1]});
-      if (coordinates_ > 2) file.heights.take(position_[2]);
-      coordinates_ = 0;
-    } else if (depth_ == open_ + 1) {
-      ends_.push_back(file.points.size());
-    } else if (depth_ == open_ + 2) {
-      lists_.push_back(ends_.size());
-    }
-    --open_;
-    return nullptr;
-  }
-
-  /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
-  /// positions lay in other brackets than the kind has.
-  bool finish(const GeoJsonKind& kind, std::vector<Point>& points, PolygonFile* polygons) {
-    if (depth_ != 0 && depth_ != kind.depth) return false;
-    if (!kind.rings) return true;
-    std::size_t begin = first_, kept = first_;
-    for (std::size_t& end : ends_) {
-      const std::size_t next = end;
-      if (end > begin + 1 && points[end - 1] == points[begin]) --end;
-      for (; begin < end; ++begin) points[kept++] = points[begin];
-      begin = next;
-      end = kept;
-    }
-    points.resize(kept);
-    if (polygons == nullptr) return true;
-    std::size_t ring = 0, at = first_;
-    for (const std::size_t last : lists_) {
-      if (ring == last) continue;
-      polygons->polygons.emplace_back();
-      for (bool is_shell = true; ring < last; is_shell = false) {
-        polygons->add_ring(at, ends_[ring], is_shell);
-        at = ends_[ring++];
-      }
-    }
-    return true;
-  }
-
- private:
-  std::size_t first_;
-  int open_ = 0;                 // brackets
-  int depth_ = 0;                // of the positions so far; 0: none
-  std::size_t coordinates_ = 0;  // in the position that is not at its end
-  std::array<double, 3> position_{};
-  std::vector<std::size_t> ends_ = {};   // of the innermost lists of positions, as counts of all points
-  std::vector<std::size_t> lists_ = {};  // of these, as counts of ends
-};
 
 /// The text as nlohmann's parser wants it; how far it has come is seen by others.
 class JsonPosition {
@@ -144,13 +61,17 @@ Slot slot_of(const std::string& key) {
 class Events {
  public:
   /// With `polygons` these are taken, and nothing else.
-  Events(std::string_view text, const std::string& name, bool vertices, PolygonFile* polygons = nullptr)
+  Events(std::string_view text, const std::string& name, bool vertices, PolygonFile* polygons = nullptr,
+         const GroupColumns& columns = {})
       : begin_(text.data()),
         at_(begin_),
         end_(begin_ + text.size()),
         name_(name),
         vertices_(vertices),
-        polygons_(polygons) {}
+        polygons_(polygons),
+        columns_(columns) {
+    if (columns_.key) file_.keys.emplace_back();  // of points that have none
+  }
 
   PointFile read() {
     if (at_end()) refuse("nothing but blanks", "GeoJSON");
@@ -161,6 +82,9 @@ class Events {
     }
     if (without_geometry_ > 0) file_.remarks.push_back(counted(without_geometry_, "feature") + " without a geometry");
     settle_crs();
+    if (columns_.key || columns_.radius) end_fields(file_.points.size(), {}, not_a_number);
+    require_property(columns_.key, has_key_, "--group-by");
+    require_property(columns_.radius, has_radius_, "--alpha column");
     return std::move(file_);
   }
 
@@ -169,19 +93,30 @@ class Events {
     if (is_in(Slot::crs)) crs_is_unknown_ = true;
     return scalar("null", is_in(Slot::object) || is_in(Slot::crs));
   }
-  bool boolean(bool value) { return scalar(value ? "true" : "false", false); }
+  bool boolean(bool value) {
+    if (is_property()) take_key(value ? "true" : "false", true);
+    return scalar(value ? "true" : "false", false);
+  }
   bool number_integer(std::int64_t value) {
     // The one integer whose sign is lost.
     const bool negative_zero = value == 0 && at_ - begin_ >= 3 && at_[-3] == '-' && at_[-2] == '0';
     const bool at_the_end = value == 0 && at_ == end_ && at_ - begin_ >= 2 && at_[-2] == '-' && at_[-1] == '0';
+    if (is_property()) take_key(std::to_string(value), false);
     return number(negative_zero || at_the_end ? -0.0 : static_cast<double>(value));
   }
-  bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
-  bool number_float(double value, const std::string& /*text*/) { return number(value); }
+  bool number_unsigned(std::uint64_t value) {
+    if (is_property()) take_key(std::to_string(value), false);
+    return number(static_cast<double>(value));
+  }
+  bool number_float(double value, const std::string& /*text*/) {
+    if (is_property()) take_key(text_of(value + 0.0), false);
+    return number(value);
+  }
   bool binary(const std::vector<std::uint8_t>& /*value*/) { return true; }
 
   bool string(const std::string& value) {
     if (inside(Slot::crs) && inner_key_ == "name") crs_name_ = value;
+    if (is_property()) take_key(value, true);
     if (is_in(Slot::type)) frames_.back().type = value;
     return scalar(in_quotes(value), is_in(Slot::type));
   }
@@ -189,6 +124,8 @@ class Events {
   bool key(const std::string& key) {
     if (depth_ > 0) {
       inner_key_ = key;
+      has_key_ = has_key_ || (is_property() && key == columns_.key);
+      has_radius_ = has_radius_ || (is_property() && key == columns_.radius);
       return true;
     }
     Frame& frame = frames_.back();
@@ -200,6 +137,7 @@ class Events {
   }
 
   bool start_object(std::size_t /*size*/) {
+    if (is_property() && columns_.key == inner_key_) refuse_key("an object");
     if (passes_over(+1)) return true;
     if (!frames_.empty()) {
       const Frame& frame = frames_.back();
@@ -208,18 +146,22 @@ class Events {
           (frame.slot == Slot::objects && !frame.in_list))
         refuse("an object", "a " + expected(frame.slot));
     }
-    frames_.push_back({.geometries = polygons_ == nullptr ? 0 : polygons_->geometries.size()});
+    frames_.push_back(
+        {.geometries = polygons_ == nullptr ? 0 : polygons_->geometries.size(), .points = file_.points.size()});
     return true;
   }
   bool end_object() {
     if (passes_over(-1)) return true;
     finish(frames_.back());
     if (polygons_ != nullptr) count_feature(frames_.back(), frames_.size() == 1);
+    if ((columns_.key || columns_.radius) && frames_.back().type == "Feature")
+      end_fields(frames_.back().points, frames_.back().key, frames_.back().radius);
     frames_.pop_back();
     return true;
   }
 
   bool start_array(std::size_t /*size*/) {
+    if (is_property() && columns_.key == inner_key_) refuse_key("a list");
     if (passes_over(+1)) return true;
     if (frames_.empty()) refuse("an array", "a GeoJSON object");
     Frame& frame = frames_.back();
@@ -250,8 +192,47 @@ class Events {
     bool in_list = false;  // of Slot::objects
     std::optional<GeoJsonGeometry> geometry = std::nullopt;
     std::size_t geometries = 0;                                // that were read before it
+    std::size_t points = 0;                                    // the same
     std::vector<std::pair<std::string, double>> numbers = {};  // its properties
+    std::string key = {};                                      // of these, those that points in groups have
+    double radius = not_a_number;
   };
+
+  /// Whether the value is one of a property of a Feature.
+  bool is_property() const { return depth_ == 1 && passed_over_ == Slot::properties; }
+
+  void take_key(const std::string& text, bool is_text) {
+    if (columns_.key != inner_key_) return;
+    frames_.back().key = text;
+    file_.keys_are_texts = file_.keys_are_texts || (is_text && !text.empty());
+  }
+  /// Of some points at least; null counts.
+  void require_property(const std::optional<std::string>& property, bool is_there, const std::string& option) const {
+    if (property && !is_there && !file_.points.empty())
+      bad_input(name_, "no Feature with a property " + in_quotes(*property), "some, as " + option + " asks");
+  }
+  [[noreturn]] void refuse_key(const std::string& found) const {
+    refuse(found + " as property " + in_quotes(inner_key_), "a text or a number, as --group-by asks");
+  }
+
+  /// The fields of points from number `first` on.
+  void end_fields(std::size_t first, const std::string& key, double radius) {
+    const std::size_t columns = (columns_.key ? 1U : 0U) + (columns_.radius ? 1U : 0U);
+    file_.fields.resize(columns);
+    std::size_t number = 0;
+    if (columns_.key && !key.empty()) {
+      const auto [at, is_new] = key_numbers_.try_emplace(key, file_.keys.size());
+      if (is_new) file_.keys.push_back(key);
+      number = at->second;
+    }
+    const std::size_t points = file_.points.size();
+    const auto fill = [&](std::vector<double>& field, double none, double value) {
+      field.resize(std::max(first, field.size()), none);  // of points in no Feature
+      field.resize(points, value);
+    };
+    if (columns_.key) fill(file_.fields.front(), 0, static_cast<double>(number));
+    if (columns_.radius) fill(file_.fields.back(), not_a_number, radius);
+  }
 
   static bool is_passed_over(Slot slot) { return slot == Slot::ignored || slot == Slot::properties; }
 
@@ -308,6 +289,7 @@ class Events {
       crs_name_ = "EPSG:" + std::to_string(static_cast<std::uint64_t>(value));
     if (inside(Slot::properties) && depth_ == 1 && polygons_ != nullptr)
       frames_.back().numbers.emplace_back(inner_key_, value);
+    if (is_property() && columns_.radius == inner_key_) frames_.back().radius = value;
     if (is_in(Slot::coordinates)) return check(frames_.back().geometry->add(value));
     return scalar("a number", false);
   }
@@ -366,6 +348,7 @@ class Events {
   }
 
   static constexpr std::size_t no_feature = std::numeric_limits<std::size_t>::max();
+  static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
   const char* begin_;
   const char* at_;  // how far the parser has read
@@ -373,7 +356,10 @@ class Events {
   const std::string& name_;
   bool vertices_;
   PolygonFile* polygons_;
+  GroupColumns columns_;
+  bool has_key_ = false, has_radius_ = false;  // any Feature
   PointFile file_ = {};
+  std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // of file_.keys
   std::vector<Frame> frames_ = {};
   Slot passed_over_ = Slot::ignored;  // what is of no interest but for its names and numbers
   std::size_t depth_ = 0;             // brackets that are open around it
@@ -394,8 +380,9 @@ std::string_view without_mark(std::string_view text) {
 
 }  // namespace
 
-PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices) {
-  return Events(without_mark(text), name, vertices).read();
+PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
+                              const GroupColumns& properties) {
+  return Events(without_mark(text), name, vertices, nullptr, properties).read();
 }
 
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name) {

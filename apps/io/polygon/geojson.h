@@ -9,13 +9,16 @@
 
 #include "io/point_file.h"
 #include "io/polygon/polygon_file.h"
+#include "io/text/condition.h"
 
 namespace rbpa::app {
 
 /// Those of Point and MultiPoint, and with `vertices` those of all geometries; the point at which a ring closes counts
 /// once. Without "crs" they are longitudes and latitudes of WGS 84. Features without a geometry are counted in a remark.
-/// Throws BadInput naming the line.
-PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices);
+/// `properties` of a Feature are those of its points: a key that is a text, a number, true or false, and a number as a radius;
+/// without them the key is empty, and the radius NaN. Throws BadInput naming the line.
+PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
+                              const GroupColumns& properties = {});
 
 /// The polygons of Polygon and MultiPolygon, each a geometry, of collections as well; anything else that has coordinates is
 /// refused. A geometry outside of a Feature is a feature with those around it. Of properties those that are numbers.

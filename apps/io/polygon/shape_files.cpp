@@ -203,14 +203,16 @@ std::string json_text(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+}  // namespace
+
+std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_text(name); }
+
 std::string csv_text(std::string_view text) {
   if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
   for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
   return quoted + '"';
 }
-
-}  // namespace
 
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
   const auto write_if_finite = [&](double value) {
@@ -221,7 +223,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
     const PolygonTotals& totals = groups.shapes.totals[g];
     file.write(g == 0 ? "\n" : ",\n");
     file.write("{\"type\":\"Feature\",\"properties\":{\"group\":");
-    file.write(groups.are_numbers ? groups.names[g] : json_text(groups.names[g]));
+    file.write(json_name(groups.names[g], groups.are_numbers));
     file.write(",\"points\":");
     file.write_number(std::uint64_t{groups.sizes[g]});
     file.write(",\"alpha\":");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/bytes/output_file.h"
@@ -81,6 +82,11 @@ class PolygonWriter final : public PolygonSink {
 
 /// All polygons of a shape by a PolygonWriter.
 void write_polygons(OutputFile& file, Format format, const Shape& shape);
+
+/// The name of a group as JSON has it: a number, or a text.
+std::string json_name(const std::string& name, bool is_number);
+/// A field of CSV, in quotes where it needs them.
+std::string csv_text(std::string_view text);
 
 /// Shapes of groups, each with a name.
 struct NamedShapes {

@@ -257,20 +257,29 @@ Condition::Condition(const std::string& text, const FieldNames& names, std::vect
   selects_ ? Parser(text, names, instructions_, fields_, texts_).parse() : instructions_.push_back({Step::number, 1});
 }
 
-Condition Condition::with_key(const std::string& key, const std::string& text, const FieldNames& names) {
-  if (!names.are(key)) throw WrongUsage("--group-by: found " + in_quotes(key) + ", expected " + names.described);
+Condition Condition::of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names) {
   Condition condition;
+  const auto add = [&](const char* option, const std::optional<std::string>& column, std::optional<std::string>& to) {
+    if (!column) return;
+    if (!names.are(*column))
+      throw WrongUsage(option + (": found " + in_quotes(*column)) + ", expected " + names.described);
+    to = std::string(unquoted(*column));
+    condition.fields_.push_back(*to);
+  };
+  add("--group-by", columns.key, condition.of_groups_.key);
+  add("--alpha column", columns.radius, condition.of_groups_.radius);
+  condition.columns_ = condition.fields_.size();
   condition.selects_ = !text.empty();
-  if (condition.selects_)
-    Parser(text, names, condition.instructions_, condition.fields_, condition.texts_).parse();
-  else
+  if (!condition.selects_) {
     condition.instructions_.push_back({Step::number, 1});
-  // The key is no number that the condition may compare.
+    return condition;
+  }
+  // A key is no number that the condition may compare, even of the same column.
+  std::vector<std::string> compared;
+  Parser(text, names, condition.instructions_, compared, condition.texts_).parse();
   for (Instruction& instruction : condition.instructions_)
-    if (instruction.step == Step::field) ++instruction.field;
-  condition.fields_.insert(condition.fields_.begin(), key);
-  condition.columns_ = 1;
-  condition.has_key_ = true;
+    if (instruction.step == Step::field) instruction.field += condition.columns_;
+  condition.fields_.insert(condition.fields_.end(), compared.begin(), compared.end());
   return condition;
 }
 

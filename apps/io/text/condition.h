@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,12 @@ struct FieldNames {
 /// Of tables: any name. One that is no word, such as "point class", stands in double quotes.
 FieldNames names_of_columns();
 
+/// Of points in groups, which fields have what belongs to their group.
+struct GroupColumns {
+  std::optional<std::string> key = std::nullopt;     ///< `--group-by`: its name
+  std::optional<std::string> radius = std::nullopt;  ///< `--alpha column:NAME`
+};
+
 /// Comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or `field in (2, 6)`, or a
 /// field that is not 0; joined by not, and, or (also ! && ||) and brackets. Small and capital letters are the same. Where
 /// fields may be texts: `field == "A"`, != and `in ("A", "B")`, quotes of either kind, letters as they are.
@@ -29,9 +36,9 @@ class Condition {
   Condition(const std::string& text, const FieldNames& names);
   /// The same, and fields that are wanted of each point as well: the first of fields(). Of an empty text all points count.
   Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns);
-  /// The same, and the key of each point, which is the first of fields() and the only one of columns(): where fields may be
-  /// texts it is one, whatever it looks like. Throws WrongUsage.
-  static Condition with_key(const std::string& key, const std::string& text, const FieldNames& names);
+  /// The same, and key and radius of each point, those there are, which are the first of fields() and the only ones of columns():
+  /// where fields may be texts a key is one, whatever it looks like. Throws WrongUsage.
+  static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
 
   enum class Step {
     field,
@@ -58,11 +65,13 @@ class Condition {
   const std::vector<std::string>& fields() const { return fields_; }
   /// How many of them are wanted of each point.
   std::size_t columns() const { return columns_; }
-  /// Whether the first of fields() is a key.
-  bool has_key() const { return has_key_; }
-  /// The option that names a field: "--group-by" the key, "--where" all others.
+  /// Whether the first of fields() is a key, and whether the next is a radius.
+  bool has_key() const { return of_groups_.key.has_value(); }
+  bool has_radius() const { return of_groups_.radius.has_value(); }
+  /// The option that names a field: "--group-by" the key, "--alpha" the radius, "--where" all others.
   std::string_view option_of(const std::string& field) const {
-    return has_key_ && field == fields_.front() ? "--group-by" : "--where";
+    if (field == of_groups_.key) return "--group-by";
+    return field == of_groups_.radius ? "--alpha" : "--where";
   }
   /// Whether some points may not count.
   bool selects() const { return selects_; }
@@ -79,7 +88,7 @@ class Condition {
   std::vector<std::string> fields_ = {};
   std::vector<Text> texts_ = {};
   std::size_t columns_ = 0;
-  bool has_key_ = false;
+  GroupColumns of_groups_ = {};
   bool selects_ = true;
 };
 

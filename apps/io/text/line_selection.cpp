@@ -9,7 +9,8 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
   if (!where_) return;
   if (names.empty())
     bad_input(name, "no header line",
-              "one with the names that " + std::string(where_->has_key() ? "--group-by" : "--where") + " asks for");
+              "one with the names that " +
+                  std::string(where_->option_of(where_->columns() > 0 ? where_->fields()[0] : "")) + " asks for");
   for (const std::string& field : where_->fields()) columns_.push_back(find_column(names, field, lines, name));
   for (const Condition::Text& text : where_->texts())
     text_columns_.push_back(find_column(names, text.field, lines, name));

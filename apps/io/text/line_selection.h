@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/text/condition.h"
 #include "io/text/fields.h"
@@ -42,10 +44,13 @@ class LineSelection {
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
     std::size_t count = 0;
-    const auto first_number = columns_.begin() + (where_->has_key() ? 1 : 0);
+    const std::size_t keys = where_->has_key() ? 1 : 0, of_groups = keys + (where_->has_radius() ? 1 : 0);
+    const auto first_number = columns_.begin() + static_cast<std::ptrdiff_t>(of_groups);
     for (; !fields.at_end(); ++count) {
-      if (where_->has_key() && columns_[0] == count)
+      if (keys > 0 && columns_[0] == count)
         selection_->values()[0] = keys_.number_of(without_quotes(Fields(fields).take()));
+      if (of_groups > keys && columns_[keys] == count)
+        selection_->values()[keys] = radius_of(without_quotes(Fields(fields).take()));
       if (std::find(text_columns_.begin(), text_columns_.end(), count) != text_columns_.end())
         compare_texts(count, without_quotes(Fields(fields).take()));
       if (std::find(first_number, columns_.end(), count) == columns_.end()) {
@@ -92,6 +97,13 @@ class LineSelection {
       return static_cast<double>(place->second);
     }
   };
+
+  /// NaN for what is none: that is for its group to say, and no reason to refuse the file.
+  static double radius_of(std::string_view text) {
+    const ParsedNumber number = parse_whole_number(text);
+    const bool is_one = number.fault == NumberFault::none || number.fault == NumberFault::not_finite;
+    return is_one ? number.value : std::numeric_limits<double>::quiet_NaN();
+  }
 
   void compare_texts(std::size_t column, std::string_view found) {
     for (std::size_t i = 0; i < text_columns_.size(); ++i)

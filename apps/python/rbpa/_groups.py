@@ -120,7 +120,7 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[npt.NDArray[Any], Ind
     if array.shape != (count,):
         raise InvalidInput(f"groups: found an array of shape {array.shape}, expected one value for each of the {count} points")
     if array.dtype.kind == "O":
-        is_in = np.array([value is not None and value == value for value in array], bool)
+        is_in = np.array([_is_value(value) for value in array], bool)
     elif array.dtype.kind in "fcmM":
         is_in = array == array
     else:
@@ -134,6 +134,14 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[npt.NDArray[Any], Ind
         keys = np.empty(len(seen), object)
         keys[:] = list(seen)
     return keys, labels
+
+
+def _is_value(value: Any) -> bool:
+    """Whether it is neither None nor NaN, nor what pandas has for a value that is missing."""
+    try:
+        return value is not None and bool(value == value)
+    except TypeError:  # pandas.NA is neither equal to itself nor not
+        return False
 
 
 def _radii(alpha: Any, keys: npt.NDArray[Any]) -> Floats:
@@ -224,6 +232,7 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
                 "area": number(self.areas[g]),
                 "perimeter": number(self.perimeters[g]),
                 "polygons": len(polygons),
+                "problem": self.problems.get(name),
             }
             features.append({"type": "Feature", "properties": properties, "geometry": polygons.__geo_interface__})
         return {"type": "FeatureCollection", "features": features}

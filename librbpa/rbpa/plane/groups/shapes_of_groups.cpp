@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,12 +40,43 @@ struct ShapesOfChunk {
   GroupShapes made;  // `polygon_begin` and `triangle_begin` count from the beginning of the chunk
 };
 
+/// Calls the option's go_on(), one call at a time.
+class GroupsDone {
+ public:
+  explicit GroupsDone(const std::function<bool(std::size_t)>& go_on) : go_on_(go_on) {}
+
+  bool go_on() {
+    if (!go_on_) return true;
+    const std::lock_guard lock(mutex_);
+    return go_on_(done_);
+  }
+  /// Throws Cancelled.
+  void set(std::size_t done) {
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = done;
+    }
+    if (!go_on()) throw Cancelled();
+  }
+
+ private:
+  const std::function<bool(std::size_t)>& go_on_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
+
+/// A group of so many points takes long enough to be asked meanwhile whether to go on, and is worth more threads than one.
+constexpr std::size_t long_enough = 16384;
+
 class GroupShaper {
  public:
-  GroupShaper(const GroupAlpha& alpha, const GroupShapesOptions& options) : alpha_(alpha), options_(options) {}
+  GroupShaper(const GroupAlpha& alpha, const GroupShapesOptions& options)
+      : alpha_(alpha), options_(options), done_(options.go_on) {}
+
+  GroupsDone& done() { return done_; }
 
   /// Appends the shape of a group. It is worked on by `threads`.
-  void add(const Group& group, unsigned threads, GroupShapes& made) const {
+  void add(const Group& group, unsigned threads, GroupShapes& made) {
     const std::size_t before = made.polygons.size();
     const std::string problem = find(group, threads, made);
     made.polygon_begin.push_back(made.polygons.size());
@@ -53,7 +86,13 @@ class GroupShaper {
 
  private:
   /// Appends all but totals and problems; returns why there is no polygon.
-  std::string find(const Group& group, unsigned threads, GroupShapes& made) const {
+  std::string find(const Group& group, unsigned threads, GroupShapes& made) {
+    std::function<bool()> go_on;
+    TriangulationOptions of_group{.neighbors = true, .threads = threads};
+    if (options_.go_on && group.points.size() >= long_enough) {
+      go_on = [this] { return done_.go_on(); };
+      of_group.progress = [this](const Progress&) { return done_.go_on(); };
+    }
     made.alphas.push_back(no_alpha);
     made.triangle_begin.push_back(made.triangle_begin.back());
     for (std::size_t i = 0; i < group.points.size(); ++i)
@@ -66,16 +105,16 @@ class GroupShaper {
       const double given = alpha_.given[alpha_.given.size() == 1 ? 0 : group.number];
       if (!(given > 0)) return "alpha is " + text(given) + ", expected a radius above 0, or infinity";
       alpha = given;
-      complex = triangulate(group.points, alpha, {.neighbors = true, .threads = threads});
+      complex = triangulate(group.points, alpha, of_group);
     } else {
-      const Delaunay delaunay(group.points, {.threads = threads});
-      complex = choose(delaunay, alpha);
+      const Delaunay delaunay(group.points, of_group);
+      complex = choose(delaunay, alpha, go_on);
     }
     made.triangle_begin.back() += complex.triangles.size();
     const auto index = [&](std::uint32_t i) { return group.members[i]; };
     if (options_.triangles)
       for (const Triangle& t : complex.triangles) made.triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
-    for (Polygon& polygon : polygons_of_linked(group.points, complex, options_.filter)) {
+    for (Polygon& polygon : polygons_of_linked(group.points, complex, options_.filter, go_on)) {
       for (std::uint32_t& i : polygon.shell.points) i = index(i);
       for (Ring& hole : polygon.holes)
         for (std::uint32_t& i : hole.points) i = index(i);
@@ -88,10 +127,9 @@ class GroupShaper {
   }
 
   /// The complex at the radius that is chosen, which is left in `alpha`; all triangles where there is none.
-  Triangulation choose(const Delaunay& delaunay, double& alpha) const {
+  Triangulation choose(const Delaunay& delaunay, double& alpha, const std::function<bool()>& go_on) const {
     if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
-    const std::function<bool()> never;
-    Steps step(never);
+    Steps step(go_on);
     if (alpha_.plateau == 0) {
       const std::vector<double> radii = radii_of(delaunay, step);
       const std::optional<double> smallest = smallest_covering(delaunay, radii, alpha_.covering, step);
@@ -99,8 +137,8 @@ class GroupShaper {
       alpha = *smallest;
       return complex_at(delaunay, radii, alpha);
     }
-    const Filtration all = filtration(delaunay);
-    const std::vector<Plateau> found = plateaus(delaunay, all);
+    const Filtration all = filtration(delaunay, go_on);
+    const std::vector<Plateau> found = plateaus(delaunay, all, go_on);
     if (found.empty()) return delaunay.triangulation();
     alpha = found[std::min(alpha_.plateau, found.size()) - 1].alpha;
     return complex_at(delaunay, all, alpha);
@@ -108,6 +146,7 @@ class GroupShaper {
 
   const GroupAlpha& alpha_;
   const GroupShapesOptions& options_;
+  GroupsDone done_;
 };
 
 template <typename Value>
@@ -145,24 +184,39 @@ GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups
                              const GroupShapesOptions& options) {
   check(points, groups);
   check(alpha, groups.size());
-  const GroupShaper shaper(alpha, options);
+  GroupShaper shaper(alpha, options);
   const std::vector<Chunk> chunks = chunks_of(groups);
   Threads threads = threads_for(groups.members.size(), options.threads);
-  // A group alone may be all there is to do.
-  const unsigned in_a_group = groups.size() == 1 ? options.threads : 1;
+  // A group with more than one thread's share of all points would keep the others waiting: it is a chunk that all work on.
+  const auto is_for_all = [&](const Chunk& chunk) {
+    const std::size_t size = groups[chunk.first].size();
+    return size >= long_enough && size > groups.members.size() / threads.count();
+  };
   GroupShapes all;
-  in_order<ShapesOfChunk>(
-      threads, chunks.size(),
-      [&](std::size_t c, ShapesOfChunk& chunk) {
-        chunk.made = {};
-        for (std::size_t g = chunks[c].first; g < chunks[c].last; ++g)
-          shaper.add(chunk.gathered.of(points, groups, g), in_a_group, chunk.made);
-      },
-      [&](std::size_t c, ShapesOfChunk& chunk) {
-        append(all, chunk.made);
-        if (options.go_on && !options.go_on(chunks[c].last)) throw Cancelled();
-      },
-      [](std::size_t, ShapesOfChunk&) {});
+  const auto shape = [&](const Chunk& chunk, ShapesOfChunk& shapes, unsigned in_a_group) {
+    shapes.made = {};
+    for (std::size_t g = chunk.first; g < chunk.last; ++g)
+      shaper.add(shapes.gathered.of(points, groups, g), in_a_group, shapes.made);
+  };
+  const auto join = [&](const Chunk& chunk, ShapesOfChunk& shapes) {
+    append(all, shapes.made);
+    shaper.done().set(chunk.last);
+  };
+  for (std::size_t first = 0; first < chunks.size();) {
+    if (is_for_all(chunks[first])) {
+      ShapesOfChunk shapes;
+      shape(chunks[first], shapes, options.threads);
+      join(chunks[first++], shapes);
+      continue;
+    }
+    std::size_t last = first + 1;
+    while (last < chunks.size() && !is_for_all(chunks[last])) ++last;
+    in_order<ShapesOfChunk>(
+        threads, last - first, [&](std::size_t c, ShapesOfChunk& shapes) { shape(chunks[first + c], shapes, 1); },
+        [&](std::size_t c, ShapesOfChunk& shapes) { join(chunks[first + c], shapes); },
+        [](std::size_t, ShapesOfChunk&) {});
+    first = last;
+  }
   return all;
 }
 

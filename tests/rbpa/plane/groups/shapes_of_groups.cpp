@@ -175,7 +175,7 @@ TEST_CASE("thousands of small groups, and one that is large among them") {
   const Points points = uniform(60000, 9);
   std::vector<std::uint32_t> labels;
   for (std::size_t i = 0; i < points.size(); ++i)
-    labels.push_back(random.chance(0.4) ? 777 : static_cast<std::uint32_t>(random.below(3000)));
+    labels.push_back(random.chance(0.6) ? 777 : static_cast<std::uint32_t>(random.below(3000)));
   const Groups groups = rbpa::groups_of(labels, 3000);
   const double alpha[] = {60.0};
   check_as_alone(points, groups, {.given = alpha});
@@ -289,6 +289,24 @@ TEST_CASE("every group is visited once, with its points; who throws or cancels e
                                          {.threads = threads}),
                     std::runtime_error);
   }
+}
+
+TEST_CASE("a large group is asked while it is worked on whether to go on, by every rule") {
+  const Points points = uniform(120000, 5);
+  const Groups groups = rbpa::groups_of(std::vector<std::uint32_t>(points.size(), 1), 3);
+  const double one[] = {60.0};
+  for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = one}, {}, {.plateau = 1}})
+    for (const unsigned threads : {1U, 2U}) {
+      std::size_t calls = 0;
+      const auto first_group = [&](std::size_t done) {
+        CHECK(done == 1);  // the one before, which is empty
+        return ++calls < 3;
+      };
+      CHECK_THROWS_AS(
+          rbpa::shapes_of_groups(points, groups, alpha, {{.threads = threads, .go_on = first_group}, {}, false}),
+          rbpa::Cancelled);
+      CHECK(calls == 3);
+    }
 }
 
 TEST_SUITE_END();

@@ -1,0 +1,100 @@
+// What: the coordinates of one geometry of GeoJSON, as a parser comes by them.
+// Law:  brackets are as deep as the kind of the geometry has them, or it is refused; a ring closes where it began.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "io/point_file.h"
+#include "io/polygon/polygon_file.h"
+
+namespace rbpa::app {
+
+struct GeoJsonKind {
+  std::string_view name;
+  int depth;            ///< brackets around a position, its own included
+  bool points = false;  ///< Point or MultiPoint
+  bool rings = false;   ///< the lists innermost end where they begin
+};
+inline constexpr GeoJsonKind geojson_kinds[] = {{"Point", 1, true},          {"MultiPoint", 2, true},
+                                                {"LineString", 2},           {"MultiLineString", 3},
+                                                {"Polygon", 3, false, true}, {"MultiPolygon", 4, false, true}};
+
+/// The coordinates of a geometry, which may come before its type. Each step returns what is wrong, or null.
+class GeoJsonGeometry {
+ public:
+  /// Its points will follow `first` others.
+  explicit GeoJsonGeometry(std::size_t first) : first_(first) {}
+
+  const char* open() {
+    constexpr int deepest = 4;
+    if (coordinates_ > 0) return "a list among numbers";
+    if (open_ == deepest) return "five brackets around each other";
+    ++open_;
+    return nullptr;
+  }
+
+  const char* add(double coordinate) {
+    if (open_ == 0) return "a number";
+    if (coordinates_ < position_.size()) position_[coordinates_] = coordinate;
+    ++coordinates_;
+    return nullptr;
+  }
+
+  const char* close(PointFile& file) {
+    if (coordinates_ == 1) return "one number";
+    if (coordinates_ > 0) {
+      if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
+      depth_ = open_;
+      file.points.push_back({position_[0], position_[1]});
+      if (coordinates_ > 2) file.heights.take(position_[2]);
+      coordinates_ = 0;
+    } else if (depth_ == open_ + 1) {
+      ends_.push_back(file.points.size());
+    } else if (depth_ == open_ + 2) {
+      lists_.push_back(ends_.size());
+    }
+    --open_;
+    return nullptr;
+  }
+
+  /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
+  /// positions lay in other brackets than the kind has.
+  bool finish(const GeoJsonKind& kind, std::vector<Point>& points, PolygonFile* polygons) {
+    if (depth_ != 0 && depth_ != kind.depth) return false;
+    if (!kind.rings) return true;
+    std::size_t begin = first_, kept = first_;
+    for (std::size_t& end : ends_) {
+      const std::size_t next = end;
+      if (end > begin + 1 && points[end - 1] == points[begin]) --end;
+      for (; begin < end; ++begin) points[kept++] = points[begin];
+      begin = next;
+      end = kept;
+    }
+    points.resize(kept);
+    if (polygons == nullptr) return true;
+    std::size_t ring = 0, at = first_;
+    for (const std::size_t last : lists_) {
+      if (ring == last) continue;
+      polygons->polygons.emplace_back();
+      for (bool is_shell = true; ring < last; is_shell = false) {
+        polygons->add_ring(at, ends_[ring], is_shell);
+        at = ends_[ring++];
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::size_t first_;
+  int open_ = 0;                 // brackets
+  int depth_ = 0;                // of the positions so far; 0: none
+  std::size_t coordinates_ = 0;  // in the position that is not at its end
+  std::array<double, 3> position_{};
+  std::vector<std::size_t> ends_ = {};   // of the innermost lists of positions, as counts of all points
+  std::vector<std::size_t> lists_ = {};  // of these, as counts of ends
+};
+
+}  // namespace rbpa::app
