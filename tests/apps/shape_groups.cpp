@@ -190,6 +190,12 @@ TEST_SUITE("shape groups") {
     const json with_radii = properties(folder.content("r.geojson"));
     CHECK(with_radii[0]["problem"] == "column 'r' has no radius above 0 for point 3");
     CHECK(with_radii[1]["alpha"] == 1);
+    // Geometries outside of Features are in no group, before and behind one.
+    folder.file("m.geojson", "{\"type\":\"Point\",\"coordinates\":[9,9]}\n" +
+                                 feature(R"({"k":1})", "[[0,0],[1,0],[0,1]]") +
+                                 "\n{\"type\":\"Point\",\"coordinates\":[9,9]}\n");
+    REQUIRE(folder.rbpa("shape m.geojson --group-by k --alpha inf -o m.out.geojson -q").code == 0);
+    CHECK(properties(folder.content("m.out.geojson"))[0]["points"] == 3);
     folder.file("n.geojson", "{\"type\":\"FeatureCollection\",\"features\":[" + feature(R"({"k":10})", "[[0,0]]") +
                                  "," + feature(R"({"k":9})", "[[1,1]]") + "]}");
     REQUIRE(folder.rbpa("shape n.geojson --group-by k --alpha 1 -o n.out.geojson -q").code == 0);

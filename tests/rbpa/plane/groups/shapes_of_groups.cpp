@@ -294,8 +294,8 @@ TEST_CASE("every group is visited once, with its points; who throws or cancels e
 TEST_CASE("a large group is asked while it is worked on whether to go on, by every rule") {
   const Points points = uniform(120000, 5);
   const Groups groups = rbpa::groups_of(std::vector<std::uint32_t>(points.size(), 1), 3);
-  const double one[] = {60.0};
-  for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = one}, {}, {.plateau = 1}})
+  const double one[] = {60.0}, tiny[] = {1e-9};  // of which there are no polygons to ask for
+  for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = one}, {.given = tiny}, {}, {.plateau = 1}})
     for (const unsigned threads : {1U, 2U}) {
       std::size_t calls = 0;
       const auto first_group = [&](std::size_t done) {
