@@ -26,6 +26,8 @@ LeftOutPoints::LeftOutPoints(SpacePoints& cloud, std::span<const std::uint32_t> 
   cloud.points = values_at(whole_.points, number_);
   cloud.normals = values_at(whole_.normals, number_);
   cloud.colors = values_at(whole_.colors, number_);
+  cloud.fields.clear();
+  for (const std::vector<double>& field : whole_.fields) cloud.fields.push_back(values_at(field, number_));
 }
 
 void LeftOutPoints::renumber(Surface& surface) const {

@@ -82,32 +82,55 @@ std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) 
                    ", expected a number of steps, 1 to 100, or auto");
 }
 
-std::vector<Point3> parse_viewpoint(const std::optional<std::string>& text) {
+/// One place, or the names of the columns that have one of each point.
+struct Viewpoint {
+  std::vector<Point3> place = {};
+  std::vector<std::string> columns = {};
+};
+
+Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
   if (!text) return {};
-  std::array<double, 3> at{};
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const std::size_t end = k < 2 ? text->find(',', begin) : text->size();
-    const ParsedNumber number =
-        parse_whole_number(std::string_view(*text).substr(begin, end == std::string::npos ? end : end - begin));
-    if (end == std::string::npos || number.fault != NumberFault::none)
-      throw WrongUsage("--viewpoint: found " + in_quotes(*text) + ", expected three coordinates, such as 0,0,1.5");
-    at[k] = number.value;
+  Viewpoint viewpoint;
+  std::vector<double> at;
+  for (std::size_t begin = 0; begin <= text->size();) {
+    const std::size_t end = std::min(text->find(',', begin), text->size());
+    const std::string part = text->substr(begin, end - begin);
+    const ParsedNumber number = parse_whole_number(part);
+    if (number.fault == NumberFault::none)
+      at.push_back(number.value);
+    else if (!part.empty() &&
+             std::find(viewpoint.columns.begin(), viewpoint.columns.end(), part) == viewpoint.columns.end())
+      viewpoint.columns.push_back(part);
     begin = end + 1;
   }
-  return {{at[0], at[1], at[2]}};
+  const auto commas = std::count(text->begin(), text->end(), ',');
+  if (commas != 2 || (at.size() != 3 && viewpoint.columns.size() != 3))
+    throw WrongUsage("--viewpoint: found " + in_quotes(*text) +
+                     ", expected three coordinates, such as 0,0,1.5, or three names of columns");
+  if (at.size() == 3) viewpoint.place = {{at[0], at[1], at[2]}};
+  return viewpoint;
+}
+
+std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
+  if (!arguments.max_radius) return std::nullopt;
+  if (arguments.radius != "auto") throw WrongUsage("--max-radius: found no --radius auto, expected it");
+  const ParsedNumber number = parse_whole_number(*arguments.max_radius);
+  if (number.fault == NumberFault::none && number.value > 0) return number.value;
+  throw WrongUsage("--max-radius: found " + in_quotes(*arguments.max_radius) + ", expected a radius: a number above 0");
 }
 
 }  // namespace
 
 SurfaceRequest parse(const SurfaceArguments& arguments) {
+  const Viewpoint viewpoint = parse_viewpoint(arguments.viewpoint);
   SurfaceRequest request{
       .path = arguments.points,
       .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS", Format::text),
       .choice = {},
       .radii = parse_radii(arguments.radius),
+      .most_radius = parse_max_radius(arguments),
       .neighbors = parse_neighbors(arguments.neighbors),
-      .viewpoints = parse_viewpoint(arguments.viewpoint),
+      .viewpoints = viewpoint.place,
       .normals = parse_normals(arguments.normals),
       .colors_normals = parse_color(arguments.color),
       .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
@@ -125,10 +148,12 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   if (arguments.skip_invalid)
     require_format(text || request.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
   request.choice.skip_invalid = arguments.skip_invalid;
-  if (arguments.where) {
+  if (arguments.where || !viewpoint.columns.empty()) {
     const std::optional<FieldNames> names = fields_of(request.format);
-    require_format(names.has_value(), "--where", "without fields beside the points", "las, pcd, ply or text");
-    request.choice.where = Condition(*arguments.where, *names);
+    require_format(names.has_value(), arguments.where ? "--where" : "--viewpoint", "without fields beside the points",
+                   "las, pcd, ply or text");
+    if (arguments.where && arguments.where->empty()) request.choice.where = Condition("", *names);  // which is refused
+    request.choice.where = Condition(arguments.where.value_or(""), *names, viewpoint.columns, "--viewpoint");
   }
   if (request.normals == NormalSource::none && request.radii.size() > 1)
     throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +

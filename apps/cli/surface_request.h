@@ -24,8 +24,9 @@ struct SurfaceRequest {
   Format format;
   CloudRequest choice;
   std::vector<double> radii;               ///< empty: auto
+  std::optional<double> most_radius;       ///< of auto
   std::size_t neighbors;                   ///< of which normals are estimated
-  std::vector<Point3> viewpoints;          ///< one or none
+  std::vector<Point3> viewpoints;          ///< one or none; none where columns of the file have one of each point
   std::optional<NormalSource> normals;     ///< absent: of the file if it has any, else estimated
   bool colors_normals;                     ///< by their certainty
   std::optional<double> outlier_factor;    ///< absent: no point is left out

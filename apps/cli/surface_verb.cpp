@@ -86,6 +86,13 @@ class SurfaceRun : public Run {
   }
 };
 
+/// Ascending, those above `most` as that one.
+std::vector<double> at_most(std::vector<double> radii, std::optional<double> most) {
+  for (double& radius : radii) radius = std::min(radius, most.value_or(radius));
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  return radii;
+}
+
 template <typename Step>
 auto SurfaceRun::step(const std::string& doing, Step&& work) const {
   TriangleProgress progress(!options().quiet, doing, triangles_text);
@@ -117,6 +124,8 @@ void SurfaceRun::move_points() {
 }
 
 void SurfaceRun::take_normals() {
+  for (std::size_t i = 0; i < file_.points.size() && file_.fields.size() == 3; ++i)
+    request_.viewpoints.push_back({file_.fields[0][i], file_.fields[1][i], file_.fields[2][i]});
   source_ = request_.normals.value_or(file_.normals.empty() ? NormalSource::estimate : NormalSource::file);
   // No points have no normals, and miss none.
   if (source_ == NormalSource::file && file_.normals.empty() && !file_.points.empty())
@@ -148,6 +157,7 @@ void SurfaceRun::build() {
   if (facts_.radii.empty()) {
     facts_.chosen_radii = true;
     facts_.radii = step("choosing radii", [&](const SurfaceOptions& how) { return auto_radii(file_.points, how); });
+    facts_.radii = at_most(facts_.radii, request_.most_radius);
     // Without normals there is one radius: the one that spans the gaps everywhere.
     if (source_ == NormalSource::none && facts_.radii.size() > 1) facts_.radii = {facts_.radii.back()};
   }

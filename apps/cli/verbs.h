@@ -89,6 +89,7 @@ struct SurfaceArguments : OutputArguments {
   std::optional<std::string> where;
   bool skip_invalid = false;
   std::string radius;
+  std::optional<std::string> max_radius;
   std::optional<std::string> normals;
   std::optional<std::string> neighbors;
   std::optional<std::string> viewpoint;

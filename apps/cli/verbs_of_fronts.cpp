@@ -72,6 +72,8 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "ones left open; auto takes them from the gaps between the points")
       ->type_name("R[,R2,...]|auto")
       ->required();
+  verb.add_option("--max-radius", arguments.max_radius, "With --radius auto: larger radii become this one")
+      ->type_name("R");
   verb.add_option("--normals", arguments.normals,
                   "file, estimate, or none (both sides of everything the ball can touch); by default those of the "
                   "file where it has any, else estimate")
@@ -79,8 +81,10 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   verb.add_option("--neighbors", arguments.neighbors,
                   "Estimate normals, from planes through each point and so many others, the nearest (16 by default)")
       ->type_name("K");
-  verb.add_option("--viewpoint", arguments.viewpoint,
-                  "Where the points were seen from: normals are turned toward it, those of the file too")
+  verb.add_option(
+          "--viewpoint", arguments.viewpoint,
+          "Where the points were seen from, or the columns that say where each was: normals are turned toward it, "
+          "those of the file too")
       ->type_name("X,Y,Z");
   add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after all else");
   verb.add_option("--color", arguments.color,

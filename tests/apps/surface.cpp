@@ -228,9 +228,10 @@ TEST_SUITE("surface") {
     for (const std::string text : {"1", "2.5", "1001", "x"})
       refuses(folder, "p.xyz --radius 1 -o m.off --neighbors " + text, 2,
               "--neighbors: found '" + text + "', expected a number of points, 2 to 1000");
-    for (const std::string text : {"1,2", "1,2,3,4", "a,b,c", "1,2,inf"})
-      refuses(folder, "p.xyz --radius 1 -o m.off --viewpoint " + text, 2,
-              "--viewpoint: found '" + text + "', expected three coordinates, such as 0,0,1.5");
+    for (const std::string text : {"1,2", "1,2,3,4", "a,b,a", "1,2,inf"})
+      refuses(
+          folder, "p.xyz --radius 1 -o m.off --viewpoint " + text, 2,
+          "--viewpoint: found '" + text + "', expected three coordinates, such as 0,0,1.5, or three names of columns");
     refuses(folder, "p.xyz --radius 1 -o m.off --normals none --flip", 2,
             "--normals: found none with --neighbors, --viewpoint or --flip, which change normals");
     refuses(folder, "p.xyz --radius 1 -o m.off --normals file --neighbors 8", 2,

@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support/program.h"
@@ -117,5 +118,68 @@ TEST_SUITE("surface normals") {
         of_file.err.find("found normals, which --color normals does not show, expected none, or --normals estimate") !=
         std::string::npos);
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply -q --color normals --normals estimate").code == 0);
+  }
+
+  TEST_CASE("columns say where each point was seen from, also where some are left out") {
+    const Folder folder;
+    // Two level sheets, the upper one seen from below.
+    std::string lines = "x,y,z,vx,vy,vz\n900,900,900,0,0,0\n";
+    for (int i = 0; i < 200; ++i) {
+      const int up = i / 100, x = i % 10, y = i / 10 % 10;
+      lines += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(50 * up) + ",5,5,25\n";
+    }
+    folder.file("p.csv", lines);
+    const std::string run = "surface p.csv --radius 1 --drop-outliers auto --viewpoint vx,vy,vz -o m.ply";
+    REQUIRE(folder.rbpa(run + " -q").code == 0);
+    const std::string ply = folder.content("m.ply");
+    const std::string end = "end_header\n";
+    std::vector<double> normals;  // the last coordinate of each, behind five numbers, before the certainty
+    for (std::size_t at = ply.find(end) + end.size(); normals.size() < 201; at += 7 * sizeof(double))
+      std::memcpy(&normals.emplace_back(), ply.data() + at + 5 * sizeof(double), sizeof(double));
+    REQUIRE(normals.size() == 201);
+    for (std::size_t i = 1; i < normals.size(); ++i) CHECK(normals[i] == (i <= 100 ? 1 : -1));
+    const Outcome both = folder.rbpa(run + " --stats s.json --where 'z>10'");
+    CHECK(both.code == 0);
+    CHECK_MESSAGE(both.err.find("101 of 201 lines are as --where asks") != std::string::npos, both.err);
+    for (const auto& [bad, code, text] : {std::tuple{"vx,vy,v", 3, "expected a header with a column 'v'"},
+                                          {"vx,vy", 2, "three names of columns"},
+                                          {"1,2,vx", 2, "three coordinates"},
+                                          {"vx,vx,vy", 2, "three names"},
+                                          {"1,2,", 2, "three coordinates"},
+                                          {"1,2,3,4", 2, "three coordinates"}}) {
+      CAPTURE(bad);
+      const Outcome outcome = folder.rbpa("surface p.csv --radius 1 -o m.obj --viewpoint " + std::string(bad));
+      CHECK(outcome.code == code);
+      CHECK_MESSAGE(outcome.err.find(text) != std::string::npos, outcome.err);
+    }
+    folder.file("q.csv", "x,y,z,vx,vy,vz\n0,0,0,1,1,1\n1,0,0,1,1,nan\n0,1,0,1,1,1\n");
+    const Outcome nan = folder.rbpa("surface q.csv --radius 1 -o m.obj --viewpoint vx,vy,vz");
+    CHECK(nan.code == 3);
+    CHECK_MESSAGE(nan.err.find("q.csv:3: found 'nan', expected a finite number") != std::string::npos, nan.err);
+  }
+
+  TEST_CASE("--max-radius: what auto chooses beyond becomes that, once") {
+    const Folder folder;
+    std::string lines;
+    for (int i = 0; i < 900; ++i) lines += std::to_string(i % 30) + " " + std::to_string(i / 30) + " 0\n";
+    for (int i = 0; i < 900; ++i)
+      lines += std::to_string(8 * (i % 30) + 40) + " " + std::to_string(8 * (i / 30)) + " 0\n";
+    folder.file("p.xyz", lines);
+    const auto radii = [&](const std::string& options) {
+      REQUIRE(folder.rbpa("surface p.xyz --radius auto -q --stats s.json" + options).code == 0);
+      return json::parse(folder.content("s.json"))["radii"].get<std::vector<double>>();
+    };
+    const std::vector<double> all = radii("");
+    REQUIRE(all.size() > 1);
+    CHECK(radii(" --max-radius 1000") == all);
+    std::vector<double> capped = all;
+    capped.back() = (all[all.size() - 2] + all.back()) / 2;
+    CHECK(radii(" --max-radius " + json(capped.back()).dump()) == capped);
+    CHECK(radii(" --max-radius 0.125") == std::vector<double>{0.125});
+    CHECK(radii(" --max-radius 0.125 --normals none") == std::vector<double>{0.125});
+    CHECK(folder.rbpa("surface p.xyz --radius 2 --max-radius 3").err ==
+          "rbpa: --max-radius: found no --radius auto, expected it\n");
+    CHECK(folder.rbpa("surface p.xyz --radius auto --max-radius 0").code == 2);
+    CHECK(folder.rbpa("surface p.xyz --radius auto --max-radius x").code == 2);
   }
 }

@@ -216,6 +216,15 @@ def test_outer_shells_are_what_the_ball_touches_from_outside():
         outer.outer_shells()
 
 
+def test_the_largest_radius_that_auto_may_choose():
+    (radius,) = rbpa.surface(BALL).radii
+    assert rbpa.surface(BALL, max_radius=2 * radius).radii == [radius]
+    assert rbpa.surface(BALL, max_radius=radius / 2).radii == [radius / 2]
+    for wrong, how in ((0, "auto"), (-1, "auto"), (float("nan"), "auto"), (1, 2)):
+        with pytest.raises(rbpa.InvalidInput, match="max_radius: found"):
+            rbpa.surface(BALL, radius=how, max_radius=wrong)
+
+
 def test_the_certainty_of_normals_comes_with_them():
     normals, certainty = rbpa.estimate_normals(BALL, certainty=True)
     assert np.array_equal(normals, rbpa.estimate_normals(BALL))

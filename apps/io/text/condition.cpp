@@ -250,10 +250,13 @@ Condition::Condition(const std::string& text, const FieldNames& names) {
   Parser(text, names, instructions_, fields_, texts_).parse();
 }
 
-Condition::Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns)
-    : fields_(std::move(columns)), columns_(fields_.size()), selects_(!text.empty()) {
+Condition::Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns,
+                     std::string_view option)
+    : fields_(std::move(columns)), columns_(fields_.size()), option_(option), selects_(!text.empty()) {
   for (const std::string& column : fields_)
-    if (!names.are(column)) throw WrongUsage("fields: found " + in_quotes(column) + ", expected " + names.described);
+    if (!names.are(column))
+      throw WrongUsage((option_ == "--where" ? "fields" : option_) + ": found " + in_quotes(column) + ", expected " +
+                       names.described);
   selects_ ? Parser(text, names, instructions_, fields_, texts_).parse() : instructions_.push_back({Step::number, 1});
 }
 

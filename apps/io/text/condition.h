@@ -2,6 +2,7 @@
 // Cost: a few operations a point for each word.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -34,8 +35,10 @@ class Condition {
  public:
   /// Throws WrongUsage naming what is not understood.
   Condition(const std::string& text, const FieldNames& names);
-  /// The same, and fields that are wanted of each point as well: the first of fields(). Of an empty text all points count.
-  Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns);
+  /// The same, and fields that are wanted of each point as well, by `option`: the first of fields(), no two of them equal. Of an empty
+  /// text all points count.
+  Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns,
+            std::string_view option = "--where");
   /// The same, and key and radius of each point, those there are, which are the first of fields() and the only ones of columns():
   /// where fields may be texts a key is one, whatever it looks like. Throws WrongUsage.
   static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
@@ -68,10 +71,12 @@ class Condition {
   /// Whether the first of fields() is a key, and whether the next is a radius.
   bool has_key() const { return of_groups_.key.has_value(); }
   bool has_radius() const { return of_groups_.radius.has_value(); }
-  /// The option that names a field: "--group-by" the key, "--alpha" the radius, "--where" all others.
+  /// The option that names a field: "--group-by" the key, "--alpha" the radius, that of columns() the others of these, "--where" all others.
   std::string_view option_of(const std::string& field) const {
     if (field == of_groups_.key) return "--group-by";
-    return field == of_groups_.radius ? "--alpha" : "--where";
+    if (field == of_groups_.radius) return "--alpha";
+    const auto end = fields_.begin() + static_cast<std::ptrdiff_t>(columns_);
+    return std::find(fields_.begin(), end, field) != end ? std::string_view(option_) : "--where";
   }
   /// Whether some points may not count.
   bool selects() const { return selects_; }
@@ -89,6 +94,7 @@ class Condition {
   std::vector<Text> texts_ = {};
   std::size_t columns_ = 0;
   GroupColumns of_groups_ = {};
+  std::string option_ = "--where";  // of the columns
   bool selects_ = true;
 };
 

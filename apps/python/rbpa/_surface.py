@@ -160,6 +160,7 @@ def surface(
     normals: Union[npt.ArrayLike, str, None] = None,
     radius: Radius = "auto",
     *,
+    max_radius: float = math.inf,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Surface:
@@ -177,6 +178,8 @@ def surface(
         Of the ball, in the units of the points: about one to four times the distance of neighbours. Of several, ascending,
         each closes what the ones before left open; what they made stays. "auto" chooses up to four from the gaps between
         neighbours, with normals="none" the largest of them. `Surface.radii` says which.
+    max_radius : float
+        Larger ones of "auto" become this one.
     threads, progress
         As for `alpha_shape`.
 
@@ -201,7 +204,11 @@ def surface(
     array = as_points(points, columns=3)
     workers = as_threads(threads)
     automatic = isinstance(radius, str) and radius == "auto"
-    radii = _core.auto_radii(array, workers, progress) if automatic else _as_radii(radius)
+    if not max_radius > 0:
+        raise InvalidInput(f"max_radius: found {max_radius!r}, expected a number > 0")
+    if max_radius < math.inf and not automatic:
+        raise InvalidInput(f"max_radius: found radius={radius!r}, expected radius='auto'")
+    radii = np.unique(np.minimum(_core.auto_radii(array, workers, progress), max_radius)) if automatic else _as_radii(radius)
     vectors: Optional[Floats]
     if normals is None or (isinstance(normals, str) and normals == "estimate"):
         vectors = _core.estimate_normals(array, 16, None, workers, progress)[0]

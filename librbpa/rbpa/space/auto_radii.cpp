@@ -25,6 +25,10 @@ constexpr double margin = 1.25;       // surfaces are not flat, and not all gaps
 constexpr double ladder = 2;          // a ball this many times larger than needed loses detail
 constexpr double some_of_all = 0.05;  // share of the points that gets a smaller radius of its own
 constexpr std::size_t most_radii = 4;
+constexpr double least_flatness = 0.5;  // of neighbours that are on a surface
+constexpr double least_returned = 0.5;  // share of a point's neighbours that are as near to it as to their own
+constexpr double most_strangers =
+    0.3;  // share of the points that are on no surface; where there are more, they are the set
 constexpr double none = -1;
 
 /// The gap around each point, or none, in the order of the neighbourhoods.
@@ -33,6 +37,21 @@ struct Gaps {
   std::vector<double> gap;
   std::vector<double> least;  // circumradii, used if no point has a gap
 };
+
+/// Whether a point is one of a surface, as far as its neighbours show: outliers are farther from their neighbours than these are from
+/// theirs, or have neighbours on all sides.
+bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatness) {
+  if (flatness < least_flatness) return false;
+  const auto squared = [&](std::uint32_t p, std::uint32_t q) {
+    const Point3 &a = near.points[p], &b = near.points[q];
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return x * x + y * y + z * z;
+  };
+  std::size_t returned = 0;
+  for (const std::uint32_t k : near.around(i))
+    returned += squared(static_cast<std::uint32_t>(i), k) <= squared(k, near.around(k).back());
+  return static_cast<double>(returned) >= least_returned * static_cast<double>(near.count);
+}
 
 /// Neighbours relative to point i, times 2^-exponent so that no square overflows or underflows. Returns: the exponent.
 int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3>& result) {
@@ -49,6 +68,20 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
+/// Points that are on no surface get no gap, nor do those, in flat places by chance, among whose neighbours they are the most.
+void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
+  const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
+  if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;
+  std::vector<char> ordinary = on_surface;
+  for (std::size_t i = 0; i < ordinary.size(); ++i) {
+    std::size_t strangers = 0;
+    for (const std::uint32_t k : gaps.near.around(i)) strangers += on_surface[k] == 0;
+    if (2 * strangers > gaps.near.count) ordinary[i] = 0;
+  }
+  for (std::size_t i = 0; i < ordinary.size(); ++i)
+    if (ordinary[i] == 0) gaps.gap[i] = none;
+}
+
 Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
   const std::function<void()> go_on = asking(options.progress, points.size());
@@ -60,6 +93,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   gaps.gap.assign(count, none);
   gaps.least.assign(count, none);
   std::mutex asking_one;
+  std::vector<char> on_surface(count, 0);
   for_each_part(threads, count, points_at_a_time, [&](std::size_t first, std::size_t last) {
     std::vector<Point3> around;
     for (std::size_t i = first; i < last; ++i) {
@@ -68,6 +102,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
       const double reach = around.size() + 1 == count ? farthest : farthest / 2;
+      on_surface[i] = is_on_surface(gaps.near, i, planes.flatness[i]);
       if (const auto gap = space::gap_around(around, normals[i], reach)) gaps.gap[i] = std::ldexp(*gap, exponent);
       if (const auto least = space::nearest_circumradius(around)) gaps.least[i] = std::ldexp(*least, exponent);
     }
@@ -75,6 +110,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
     const std::lock_guard lock(asking_one);
     go_on();
   });
+  leave_out_strangers(gaps, on_surface);
   return gaps;
 }
 

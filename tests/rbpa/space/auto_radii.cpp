@@ -46,6 +46,64 @@ bool is_closed(const Surface& s) {
 
 }  // namespace
 
+namespace {
+
+/// Ground, and facades along it, seen from one place: up to fifty times as dense near it as far away.
+Points3 street(std::size_t count) {
+  Random random(17);
+  Points3 points;
+  while (points.size() < count) {
+    const double far = 2 * std::pow(20.0, random.between(0, 1)), angle = random.between(0, 2 * M_PI);
+    const double x = far * std::cos(angle), y = far * std::sin(angle);
+    if (std::abs(y) < 6)
+      points.push_back({x, y, 0});
+    else if (const double height = 6 / std::abs(y) * random.between(0, far); height < 10)
+      points.push_back({6 / std::abs(y) * x, std::copysign(6.0, y), height});
+  }
+  return points;
+}
+
+/// And one in twenty anywhere in a box so many times as wide.
+Points3 with_outliers(Points3 points, double wide) {
+  Random random(18);
+  Point3 low = points.front(), high = low;
+  for (const Point3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const auto any = [&](double from, double to) {
+    return (from + to) / 2 + wide * (to - from) * random.between(-0.5, 0.5);
+  };
+  for (std::size_t left = points.size() / 20; left > 0; --left)
+    points.push_back({any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)});
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("one outlier in twenty changes the largest radius by less than half, also on a street") {
+  Points3 torus, waves;
+  Random random(19);
+  while (torus.size() < 8000) {
+    const double a = random.between(0, 2 * M_PI), b = random.between(0, 2 * M_PI);
+    if (random.between(0, 1.5) > 1 + 0.5 * std::cos(b)) continue;
+    torus.push_back({(1 + 0.5 * std::cos(b)) * std::cos(a), (1 + 0.5 * std::cos(b)) * std::sin(a), 0.5 * std::sin(b)});
+  }
+  for (int i = 0; i < 8000; ++i) {
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    waves.push_back({x, y, 0.2 * std::sin(4 * x + y)});
+  }
+  for (const Points3& points : {on_sphere(5000, 1, 2), on_sphere(5000, 3, 2), torus, waves, street(20'000)}) {
+    const double expected = auto_radii(points).back();
+    for (const double wide : {1.1, 3.0}) {
+      CAPTURE(wide);
+      const double found = auto_radii(with_outliers(points, wide)).back();
+      CAPTURE(found / expected);
+      CHECK((found < 1.5 * expected && expected < 1.5 * found));
+    }
+  }
+}
+
 TEST_CASE("one radius closes a uniform sphere, several one whose density varies a hundredfold") {
   for (const std::size_t count : {100U, 1000U, 5000U}) {
     const Points3 uniform = on_sphere(count, 1, count);
