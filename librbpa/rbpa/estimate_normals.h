@@ -70,7 +70,7 @@ inline constexpr double least_certainty = 0.5;
 ///   it or not, each weighted by how certain it is: 1 where all agree, 0 where half or more do not. The least such number on the way
 ///   from the first point counts. Where a ball decides, what it sees of the point from outside more than from inside, and on from there. With
 ///   viewpoints four times the cosine between normal and view, at most 1.
-/// Costs a tenth to a fifth more.
+/// Cost: O(n log n) more, in one thread; measured, 0 to 16 % of the estimate by one thread.
 RBPA_API EstimatedNormals estimate_normals_and_certainty(std::span<const Point3> points,
                                                          const NormalOptions& options = {});
 
