@@ -57,8 +57,8 @@ bool is_json_number(std::string_view text) {
   return text.empty();
 }
 
-/// The value of each name; nothing unless all are numbers of JSON, no two of one value, nor beyond the whole numbers that a
-/// double can tell apart.
+/// The value of each name; nothing unless all are numbers of JSON, of different values, and below 2^53, from which on two whole
+/// numbers may round to one double.
 std::optional<std::vector<double>> values_of(const std::vector<std::string>& names) {
   constexpr double greatest = 9007199254740992.0;  // 2^53
   std::vector<double> values;

@@ -3,7 +3,7 @@
 // Law:    a function of the set of points and alpha, and of no order or thread. Every decision is exact, on any finite input; ties
 //         are decided by the symbolic perturbation that CGAL uses, so that its Delaunay_triangulation_3 has the same tetrahedra.
 //         docs/solid.md.
-// Cost:   about 7 tetrahedra and one microsecond a point for points that fill a volume; quadratic in the worst case, as the number
+// Cost:   about 7 tetrahedra a point for points that fill a volume, and as much time as docs/solid.md has measured; quadratic in the worst case, as the number
 //         of tetrahedra is (points of the moment curve).
 // Source: Bowyer (1981), Watson (1981); Amenta, Choi, Rote, Incremental constructions con BRIO (2003); Edelsbrunner and Mücke,
 //         Three-dimensional alpha shapes (1994).
@@ -29,7 +29,7 @@ struct SolidOptions {
   /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. Points are inserted by
   /// one; sorting, and finding tetrahedra of a small alpha, use more.
   unsigned threads = 0;
-  /// Called repeatedly with the number of points inserted so far in place of triangles. Returning false cancels the run. Empty:
+  /// Called repeatedly with the number of points done so far in place of triangles. Returning false cancels the run. Empty:
   /// never called.
   std::function<bool(const Progress&)> progress = {};
 };
