@@ -54,8 +54,9 @@ class ApexSearch {
     const double left = alpha_ * alpha_ - dot(x, x) / 4;
     farthest_ = std::sqrt(std::max(0.0, left + error) * inverse);
     nearest_ = left > error ? std::sqrt((left - error) * inverse) : 0;
-    farthest_ *= 1 + 0x1p-40;
-    nearest_ *= 1 - 0x1p-40;
+    const double loose = 16 * roundoff * kappa + 0x1p-40;  // n is off by less than 6uκ of it
+    farthest_ *= 1 + loose;
+    nearest_ *= 1 - loose;
     q_ = q, r_ = r, after_ = near.after();
 
     const Doubles d;
