@@ -25,12 +25,6 @@ std::vector<space::Site> sites_of(const Cells& cells, std::size_t points) {
   return site;
 }
 
-std::vector<Duplicate> duplicates_of(const Cells& cells) {
-  std::vector<Duplicate> duplicates;
-  for (const auto& [site, index] : cells.equals()) duplicates.push_back({index, cells.input_index()[site]});
-  return duplicates;
-}
-
 Cells cells_of(const space::ScaledPoints& scaled) {
   Threads threads;
   return Cells(scaled.points(), scaled.radius(), threads);
@@ -78,7 +72,7 @@ class RollingBall::Inside {
         cells_(cells_of(scaled)),
         fits_double_(scaled.fits_double()),
         site_(sites_of(cells_, points.size())),
-        agreement_(points_, normals_, duplicates_of(cells_)) {}
+        agreement_(points_, normals_, cells_.duplicates()) {}
 
   /// The other points that a ball can touch or hold that touches a point, nearest first.
   struct Near {

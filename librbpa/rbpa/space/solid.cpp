@@ -114,7 +114,9 @@ void fill_in(const space::Insertion& triangulation, double alpha, double scaled_
 ///   3. sort them, and look up neighbours.
 /// Returns: false if insertion will be faster; then nothing is filled in.
 bool find_near(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
-  constexpr double nanoseconds_of_insertion = 1500, most_exact = 1.0 / 64;  // a point, and a share of the points
+  constexpr double insertion_cost =
+      1500;  // of a point, in the unit of triples_cost(): fitted to uniform points, as that is
+  constexpr double most_exact = 1.0 / 64;  // a share of the points
   constexpr std::size_t sites_in_part = 1u << 12, fewest = 64;
   if (std::isinf(alpha) || points.size() < fewest) return false;
   Threads threads = threads_for(points.size(), options.threads);
@@ -122,7 +124,7 @@ bool find_near(std::span<const Point3> points, double alpha, const SolidOptions&
   if (!scaled.fits_double()) return false;
   const space::Cells cells(scaled.points(), 2 * scaled.radius(), threads);
   const std::size_t sites = cells.sites().size();
-  if (space::triples_cost(cells) > nanoseconds_of_insertion * static_cast<double>(sites)) return false;
+  if (space::triples_cost(cells) > insertion_cost * static_cast<double>(sites)) return false;
 
   std::vector<std::size_t> part_begin;  // by cells
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
@@ -159,9 +161,7 @@ bool find_near(std::span<const Point3> points, double alpha, const SolidOptions&
   sort_rows(solid.simplices, points.size(), threads);
   if (options.neighbors) solid.neighbors = space::link_faces(solid.simplices, points.size(), threads);
   solid.distinct = sites;
-  for (const auto& [site, equal] : cells.equals()) solid.duplicates.push_back({equal, index[site]});
-  std::sort(solid.duplicates.begin(), solid.duplicates.end(),
-            [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
+  solid.duplicates = cells.duplicates();
   return true;
 }
 

@@ -48,9 +48,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   assembly.finish(input_points, threads, surface.triangles, surface.neighbors);
 
   surface.distinct = cells.sites().size();
-  for (const auto& [site, index] : cells.equals()) surface.duplicates.push_back({index, cells.input_index()[site]});
-  std::sort(surface.duplicates.begin(), surface.duplicates.end(),
-            [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
+  surface.duplicates = cells.duplicates();
 }
 
 /// A few sites are done before another thread has woken.

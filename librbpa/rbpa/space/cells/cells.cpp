@@ -185,6 +185,13 @@ Cells::Cells(std::span<const Point3> points, double radius, Threads& threads) : 
   input_index_.resize(count);
 }
 
+std::vector<Duplicate> Cells::duplicates() const {
+  std::vector<Duplicate> all;
+  for (const auto& [site, index] : equals_) all.push_back({index, input_index_[site]});
+  std::sort(all.begin(), all.end(), [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
+  return all;
+}
+
 std::size_t Cells::cell_of(Site site) const {
   const auto next = std::upper_bound(cells_.begin(), cells_.end(), site,
                                      [](Site wanted, const Cell& cell) { return wanted < cell.first; });

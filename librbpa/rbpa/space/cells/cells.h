@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "rbpa/base/duplicate.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
 
@@ -35,6 +36,8 @@ class Cells {
   std::span<const std::uint32_t> input_index() const { return input_index_; }
   /// The other input points, by site and index.
   std::span<const Equal> equals() const { return equals_; }
+  /// The same by input indices, ascending.
+  std::vector<Duplicate> duplicates() const;
 
   /// The first site in cell i; of size() the number of sites.
   Site first_in(std::size_t i) const { return cells_[i].first; }

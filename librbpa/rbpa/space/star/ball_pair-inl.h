@@ -22,6 +22,7 @@
 
 #include <cstdint>
 
+#include "rbpa/base/lanes/vector3-inl.h"
 #include "rbpa/space/star/limits.h"
 #include "rbpa/space/star/neighbor.h"
 
@@ -31,14 +32,13 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using rbpa::HWY_NAMESPACE::Vector3Lanes;
 
 template <typename D>
 class BallPair {
  public:
   using V = hn::Vec<D>;
-  struct Vector {
-    V x, y, z;
-  };
+  using Vector = Vector3Lanes<V>;
   /// Seen from v; the power is half the square of the distance.
   struct Point {
     Vector at;
@@ -84,13 +84,6 @@ class BallPair {
   }
 
  private:
-  static HWY_INLINE V minor(V a, V b, V c, V e) { return hn::NegMulAdd(c, e, hn::Mul(a, b)); }
-  static HWY_INLINE Vector cross(const Vector& u, const Vector& v) {
-    return {minor(u.y, v.z, u.z, v.y), minor(u.z, v.x, u.x, v.z), minor(u.x, v.y, u.y, v.x)};
-  }
-  static HWY_INLINE V dot(const Vector& u, const Vector& v) {
-    return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
-  }
   HWY_INLINE V inverse() const { return hn::Div(hn::Set(d_, 0.5), nn_); }
 
   D d_;

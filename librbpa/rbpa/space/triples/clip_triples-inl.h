@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/vector3-inl.h"
 #include "rbpa/space/triples/near_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,19 +31,11 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using rbpa::HWY_NAMESPACE::bits_of;
+using rbpa::HWY_NAMESPACE::Vector3Lanes;
 
 using Single = hn::Vec<Singles>;
 
-struct Vector {
-  Single x, y, z;
-};
-HWY_INLINE Single dot(const Vector& u, const Vector& v) {
-  return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
-}
-HWY_INLINE Vector cross(const Vector& u, const Vector& v) {
-  return {hn::MulSub(u.y, v.z, hn::Mul(u.z, v.y)), hn::MulSub(u.z, v.x, hn::Mul(u.x, v.z)),
-          hn::MulSub(u.x, v.y, hn::Mul(u.y, v.x))};
-}
+using Vector = Vector3Lanes<Single>;
 
 /// The pairs (q, r) of points after v, by their positions among the points near v: q << 16 | r.
 class Pairs {
@@ -90,7 +83,7 @@ struct Sides {
   std::uint64_t positive, negative;
 };
 
-/// Values at positions of a table of fewer than two registers by permutations, of longer ones by loads.
+/// Values at positions of a table: of one or two registers by permutations, of a longer one by loads.
 template <int kRegisters>
 class Lookup {
  public:

@@ -30,7 +30,7 @@ struct Triples {
 bool find_by_triples(const Cells& cells, double alpha, std::size_t first_cell, std::size_t end_cell,
                      std::size_t most_exact, Triples& found);
 
-/// What find_by_triples() costs for all cells, in units of about a nanosecond; estimated from counts of points in cells alone.
+/// What find_by_triples() costs for all cells, estimated from counts of points in cells alone, in a unit of half a nanosecond to one.
 /// Cost: some nanoseconds a cell.
 double triples_cost(const Cells& cells);
 
