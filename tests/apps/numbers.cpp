@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "io/bytes/number.h"
+#include "support/arguments.h"
 
 using rbpa::app::NumberFault;
 using rbpa::app::ParsedNumber;
@@ -149,7 +150,7 @@ TEST_SUITE("numbers") {
   TEST_CASE("text of any shape reads as the standard reads it: value, end and fault") {
     Texts texts(20);
     std::size_t different = 0;
-    for (int i = 0; i < 1000000; ++i) {
+    for (int i = 0; i < rbpa_test::trials(1000000); ++i) {
       const std::string text = texts.any();
       if (reads_alike(text)) continue;
       CAPTURE(text);

@@ -56,7 +56,7 @@ TEST_SUITE("shape") {
     CHECK(with_plenty.code == 0);
     CHECK(with_plenty.err.find("rbpa stream") == std::string::npos);
     bool is_said = false;
-    for (std::size_t mebibytes = 256; mebibytes > 16 && !is_said; mebibytes = mebibytes * 7 / 8) {
+    for (std::size_t mebibytes = 256; mebibytes > 16 && !is_said; mebibytes = mebibytes * 3 / 4) {
       const Outcome outcome = limited(mebibytes, "");
       is_said = outcome.err.starts_with("rbpa: " + said);
       // Without the line the memory does suffice.

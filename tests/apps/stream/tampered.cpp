@@ -195,10 +195,10 @@ std::string tamper(const std::string& folder, std::mt19937& random) {
 TEST_CASE("a scratch that was tampered with gives the same bytes or one line") {
   const Place place(60'000);
   const bool nightly = robustness::moments() > 8;
-  const std::vector<std::string> beginnings = place.beginnings(nightly ? 20 : 5);
+  const std::vector<std::string> beginnings = place.beginnings(nightly ? 20 : 3);
   std::mt19937 random(33);
   int refused = 0;
-  for (int round = 0; round < (nightly ? 400 : 15); ++round) {
+  for (int round = 0; round < (nightly ? 400 : 10); ++round) {
     place.restore(beginnings[std::size_t(round) % beginnings.size()]);
     const std::string what = tamper(place.scratch(), random);
     CAPTURE(round);
@@ -243,6 +243,7 @@ TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3")
   for (const std::string& name : {std::string("/progress.json"), std::string("/triangles/000000"),
                                   std::string("/polygons"), std::string("/holes"), partials})
     for (const bool is_cut : {false, true}) {
+      if (robustness::moments() <= 8 && is_cut != (name.size() % 2 == 0)) continue;  // by day one of the two
       CAPTURE(name);
       CAPTURE(is_cut);
       place.restore(beginning);

@@ -26,7 +26,7 @@ TEST_SUITE("split_vertex") {
     int split = 0, refused = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       for_each_vertex(mesh, [&](Vertex w) {
-        if (w.idx() % (is_large(mesh) ? 61 : rbpa_test::all_trials() || mesh.n_faces() < 40 ? 1 : 7)) return;
+        if (w.idx() % (is_large(mesh) ? 61 : rbpa_test::all_trials() || mesh.n_faces() < 30 ? 1 : 11)) return;
         for_each_run(mesh, w, [&](std::optional<Halfedge> left, std::optional<Halfedge> right) {
           if (refuses(mesh, split_vertex_blocker(mesh, left, right, keep),
                       [&] { split_vertex(mesh, left, right, keep); })) {

@@ -190,7 +190,8 @@ TEST_SUITE("shortest loops") {
       CAPTURE(specimen.name);
       CAPTURE(with_gaps);
       const auto before = snapshot(mesh);
-      for (const unsigned most : {1U, 2U, 3U, 5U, 1000U, 100000000U})
+      for (const unsigned most : {1U, 2U, 3U, 5U, 1000U, 100000000U}) {
+        if (!rbpa_test::all_trials() && most != 1 && most != 3 && most != 1000) continue;
         for (unsigned seed = 0; seed < (rbpa_test::all_trials() ? 3 : 1); ++seed) {
           std::vector<double> lengths = whole_lengths(mesh, seed, most);
           if (most == 1) std::fill(lengths.begin(), lengths.end(), 1);
@@ -208,9 +209,10 @@ TEST_SUITE("shortest loops") {
                   std::vector<double>(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count)));
           }
         }
+      }
       CHECK(snapshot(mesh) == before);
     });
-    CHECK(compared > (rbpa_test::all_trials() ? 400U : 100U));
+    CHECK(compared > (rbpa_test::all_trials() ? 400U : 50U));
   }
 
   TEST_CASE("loops of large meshes are a basis, and none is longer than those of homology_generators()") {
