@@ -19,9 +19,10 @@ struct SurfaceComponent {
   std::size_t triangles = 0;
   std::size_t boundary_sides = 0;  ///< 0: it is closed
   std::size_t boundary_curves = 0;
-  double area = 0;    ///< in squared units of the points
-  double volume = 0;  ///< in a closed component, negative where the triangles face what it encloses; otherwise 0
-  Point3 low, high;   ///< opposite corners of its box
+  std::size_t genus = 0;  ///< handles, with a vertex for each fan of triangles
+  double area = 0;        ///< in squared units of the points
+  double volume = 0;      ///< in a closed component, negative where the triangles face what it encloses; otherwise 0
+  Point3 low, high;       ///< opposite corners of its box
 
   bool is_closed() const { return boundary_sides == 0; }
 };

@@ -11,6 +11,7 @@
 #include "rbpa/base/boundary_walk.h"
 #include "rbpa/base/components.h"
 #include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/fans.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/box_scale.h"
@@ -102,10 +103,18 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
       walk.walk_from({t, k}, [](const BoundarySide&) {});
       ++curves[result.number[t]];
     }
+  std::vector<std::size_t> vertices(begin.size() - 1, 0);
+  const meshops::DisjointSets fans = fans_of(space::arrays_of(surface));
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner)
+    if (fans.is_least(corner)) ++vertices[result.number[corner / 3]];
   std::vector<Measured> measured;
   for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
     measured.push_back(measure(points, surface, std::span(grouped).subspan(begin[c], begin[c + 1] - begin[c])));
-    measured.back().boundary_curves = curves[c];
+    SurfaceComponent& last = measured.back();
+    last.boundary_curves = curves[c];
+    // 2 − 2 genus − curves = vertices − edges + triangles.
+    const std::size_t edges = (3 * last.triangles + last.boundary_sides) / 2;
+    last.genus = (2 + edges - last.triangles - vertices[c] - curves[c]) / 2;
   }
   std::vector<std::uint32_t> order(measured.size()), place(measured.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});

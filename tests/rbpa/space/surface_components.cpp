@@ -11,6 +11,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/holes.h"
+#include "rbpa/surface_mesh.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -64,14 +65,14 @@ std::array<long double, 2> measures(const Points3& points, const Surface& surfac
 
 bool equal(const SurfaceComponent& c, const SurfaceComponent& d) {
   return c.triangles == d.triangles && c.boundary_sides == d.boundary_sides && c.boundary_curves == d.boundary_curves &&
-         c.area == d.area && c.volume == d.volume && c.low == d.low && c.high == d.high;
+         c.genus == d.genus && c.area == d.area && c.volume == d.volume && c.low == d.low && c.high == d.high;
 }
 
 }  // namespace
 
 TEST_CASE("components are what is reached, with their measures, and the same to the last bit in any order") {
   Random random(301);
-  std::size_t several = 0, open = 0;
+  std::size_t several = 0, open = 0, with_handles = 0;
   for (int k = 0; k < space_kinds; ++k)
     for (int trial = 0; trial < 20; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -124,6 +125,13 @@ TEST_CASE("components are what is reached, with their measures, and the same to 
           curves += component.boundary_curves;
           CHECK((component.boundary_curves == 0) == component.is_closed());
         }
+        // 2 − 2 genus − curves, summed, is the Euler characteristic of the mesh.
+        std::size_t handles = 0;
+        for (const SurfaceComponent& component : components.all) handles += component.genus;
+        const rbpa::SurfaceMesh mesh = rbpa::surface_mesh(points, surface);
+        CHECK(mesh.mesh.n_vertices() + mesh.mesh.n_faces() + 2 * handles + curves ==
+              2 * components.all.size() + mesh.mesh.n_edges());
+        with_handles += handles > 0;
         if (!shells) CHECK(curves == rbpa::holes(points, normals, radius, surface).size());
         for (std::size_t c = 1; c < components.all.size(); ++c)
           CHECK(components.all[c - 1].area >= components.all[c].area);
@@ -146,6 +154,7 @@ TEST_CASE("components are what is reached, with their measures, and the same to 
     }
   CHECK(several > 50);
   CHECK(open > 200);
+  CHECK(with_handles > 0);
 }
 
 TEST_CASE("what is kept is glued as it was, and what is not kept is gone") {
