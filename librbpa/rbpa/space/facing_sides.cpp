@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/orientation.h"
 
 namespace rbpa {
 namespace {
@@ -18,11 +18,11 @@ bool opens(const EdgeSide& side) { return side.from < side.to; }
 void sort_around(std::span<const Point3> points, std::span<EdgeSide> sides) {
   const auto [low, high] = ends(sides.front());
   const Point3 &a = points[low], &b = points[high], &start = points[sides.front().apex];
-  const auto half = [&](const EdgeSide& side) { return -space::exact::orientation(a, b, start, points[side.apex]); };
+  const auto half = [&](const EdgeSide& side) { return -space::orientation(a, b, start, points[side.apex]); };
   std::sort(sides.begin() + 1, sides.end(), [&](const EdgeSide& s, const EdgeSide& t) {
     const int first = half(s), second = half(t);
     if (first != second) return first < second;
-    return space::exact::orientation(a, b, points[s.apex], points[t.apex]) > 0;
+    return space::orientation(a, b, points[s.apex], points[t.apex]) > 0;
   });
 }
 

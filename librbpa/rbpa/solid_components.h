@@ -1,0 +1,42 @@
+// What: the pieces of a solid with their sizes.
+// Law:  all numbers are functions of the set of points: the same to the last bit in any order of them.
+// Cost: union–find over the tetrahedra, and the measures of their boundary.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/solid.h"
+#include "rbpa/solid_boundary.h"
+
+namespace rbpa {
+
+/// What connects tetrahedra.
+enum class Connection {
+  triangles,  ///< a common triangle: solid components, bodies whose interior is connected
+  points,     ///< a common point, edge or triangle: components of the space
+};
+
+struct SolidComponent {
+  std::size_t tetrahedra = 0;
+  std::size_t boundary_triangles = 0;
+  double volume = 0, area = 0;  ///< as accurate as measure() of a boundary
+  Point3 low, high;             ///< opposite corners of its box
+};
+
+struct SolidComponents {
+  std::vector<SolidComponent>
+      all;  ///< the largest volume first; of equal ones that with the lexicographically least triangle
+  std::vector<std::uint32_t> number;  ///< of each tetrahedron: its component in `all`
+};
+
+/// Requires: a solid of these points with neighbours, and its boundary.
+/// Throws:   ContractViolation where they visibly are not.
+RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,
+                                          const SolidBoundary& boundary, Connection through = Connection::triangles);
+
+}  // namespace rbpa

@@ -1,0 +1,51 @@
+// What: items in groups, such as triangles by what they bound.
+// Cost: linear.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace rbpa::space {
+
+class Grouped {
+ public:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// Items of one key below `keys` are a group; groups are numbered by their first items. Items whose key is none are in no group.
+  template <typename KeyOf>
+  Grouped(std::size_t items, std::size_t keys, const KeyOf& key_of) : group_(items, none) {
+    std::vector<std::uint32_t> of_key(keys, none);
+    for (std::uint32_t i = 0; i < items; ++i) {
+      const std::uint32_t key = key_of(i);
+      if (key == none) continue;
+      if (of_key[key] == none) {
+        of_key[key] = static_cast<std::uint32_t>(size());
+        begin_.push_back(0);
+      }
+      group_[i] = of_key[key];
+      ++begin_[group_[i] + 1];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    items_.resize(begin_.back());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t i = 0; i < items; ++i)
+      if (group_[i] != none) items_[next[group_[i]]++] = i;
+  }
+
+  std::size_t size() const { return begin_.size() - 1; }
+  /// The group of each item, or none.
+  const std::vector<std::uint32_t>& number() const { return group_; }
+  /// Ascending.
+  std::span<const std::uint32_t> items(std::size_t group) const {
+    return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
+  }
+
+ private:
+  std::vector<std::uint32_t> group_;
+  std::vector<std::uint32_t> begin_ = {0}, items_;
+};
+
+}  // namespace rbpa::space

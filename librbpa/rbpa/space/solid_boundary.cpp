@@ -1,0 +1,172 @@
+#include "rbpa/solid_boundary.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/sort/canonical_rows.h"
+#include "rbpa/facing_sides.h"
+#include "rbpa/space/boundary/measure_closed.h"
+#include "rbpa/space/boundary/sides_by_edge.h"
+
+namespace rbpa {
+namespace {
+
+constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
+
+std::uint32_t place_of(std::uint32_t value, const Row& row) {
+  return static_cast<std::uint32_t>(std::find(row.begin(), row.end(), value) - row.begin());
+}
+std::uint32_t place_of(std::uint32_t value, const Triangle& triangle) {
+  return static_cast<std::uint32_t>(std::find(triangle.begin(), triangle.end(), value) - triangle.begin());
+}
+
+/// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face is known by
+/// 4 t + k: across from corner k of tetrahedron t.
+class OpenFaces {
+ public:
+  explicit OpenFaces(const Solid& solid) : solid_(solid) {
+    meshops::require(solid.neighbors.size() == solid.simplices.size(),
+                     "solid_boundary: expected a solid with neighbors");
+  }
+
+  /// 1. Those that have no neighbour, in canonical order.
+  void find() {
+    first_.resize(solid_.simplices.size());
+    std::vector<Row> rows;  // corners, and the face
+    std::uint32_t bound = 0;
+    for (std::uint32_t t = 0; t < first_.size(); ++t) {
+      first_[t] = static_cast<std::uint32_t>(rows.size());
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        if (solid_.neighbors[t][k] != Solid::none) continue;
+        // Seen from outside, counter-clockwise.
+        static constexpr std::array<std::array<std::uint8_t, 3>, 4> outward = {
+            {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+        const Row& corners = solid_.simplices[t];
+        Triangle triangle = {corners[outward[k][0]], corners[outward[k][1]], corners[outward[k][2]]};
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        rows.push_back({triangle[0], triangle[1], triangle[2], 4 * t + k});
+        bound = std::max(bound, triangle[0]);
+      }
+    }
+    Threads one;
+    const auto from = sort_rows(rows, std::size_t{bound} + 1, one);
+    place_.resize(rows.size());
+    for (std::uint32_t i = 0; i < rows.size(); ++i) place_[from[i]] = i;
+    for (const Row& row : rows) {
+      triangles_.push_back({row[0], row[1], row[2]});
+      faces_.push_back(row[3]);
+    }
+    neighbors_.assign(triangles_.size(), no_neighbors);
+  }
+
+  /// 2. Each side to that which ends the same wedge of tetrahedra.
+  void glue() {
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+      for (std::uint32_t j = 0; j < 3; ++j)
+        if (neighbors_[i][j] == Surface::none) glue(i, j);
+  }
+
+  SolidBoundary result() && {
+    SolidBoundary result;
+    result.surface.triangles = std::move(triangles_);
+    result.surface.neighbors = std::move(neighbors_);
+    result.surface.duplicates = solid_.duplicates;
+    result.surface.distinct = solid_.distinct;
+    for (std::uint32_t& face : faces_) face /= 4;
+    result.tetrahedra = std::move(faces_);
+    return result;
+  }
+
+ private:
+  /// The tetrahedra around an edge are passed from the triangle on. Every neighbour is known to share its face before it is passed to, so that
+  /// no two have the same next one, and the way ends.
+  void glue(std::uint32_t i, std::uint32_t j) {
+    constexpr const char* not_shared = "solid_boundary: expected neighbors that share a face";
+    const std::uint32_t p = triangles_[i][(j + 1) % 3], q = triangles_[i][(j + 2) % 3];
+    // In each tetrahedron, the corners across from the face through which the way comes in, and goes out.
+    std::uint32_t t = faces_[i] / 4, in = faces_[i] % 4, out = place_of(triangles_[i][j], solid_.simplices[t]);
+    for (std::uint32_t next = solid_.neighbors[t][out]; next != Solid::none; next = solid_.neighbors[t][out]) {
+      meshops::require(next < solid_.simplices.size(), not_shared);
+      const std::uint32_t back = place_of(t, solid_.neighbors[next]);
+      const std::uint32_t ahead = place_of(solid_.simplices[t][in], solid_.simplices[next]);
+      meshops::require(back < 4 && ahead < 4 && back != ahead, not_shared);
+      for (const std::uint32_t end : {p, q}) {
+        const std::uint32_t at = place_of(end, solid_.simplices[next]);
+        meshops::require(at < 4 && at != back && at != ahead, not_shared);
+      }
+      t = next;
+      in = back;
+      out = ahead;
+    }
+    std::uint32_t other = first_[t];
+    for (std::uint32_t k = 0; k < out; ++k) other += solid_.neighbors[t][k] == Solid::none;
+    other = place_[other];
+    const std::uint32_t across = place_of(solid_.simplices[t][in], triangles_[other]);
+    meshops::require(across < 3 && triangles_[other][(across + 1) % 3] == q && triangles_[other][(across + 2) % 3] == p,
+                     "solid_boundary: expected positively oriented tetrahedra");
+    neighbors_[i][j] = other;
+    neighbors_[other][across] = i;
+  }
+
+  const Solid& solid_;
+  std::vector<std::uint32_t> first_;  // of each tetrahedron: how many open faces come before its own
+  std::vector<std::uint32_t> place_;  // of open faces as they come, in canonical order
+  std::vector<Triangle> triangles_, neighbors_;
+  std::vector<std::uint32_t> faces_;
+};
+
+void require_corners_below(std::size_t points, const Surface& boundary, const char* otherwise) {
+  for (const Triangle& t : boundary.triangles) meshops::require(std::max({t[0], t[1], t[2]}) < points, otherwise);
+}
+
+}  // namespace
+
+SolidBoundary solid_boundary(const Solid& solid) {
+  OpenFaces faces(solid);
+  faces.find();
+  faces.glue();
+  return std::move(faces).result();
+}
+
+Surface glued_outside(std::span<const Point3> points, const Surface& boundary) {
+  constexpr const char* otherwise = "glued_outside: expected the boundary of a solid of these points";
+  require_corners_below(points.size(), boundary, otherwise);
+  meshops::require(boundary.neighbors.size() == boundary.triangles.size(), otherwise);
+  Surface result = boundary;
+  std::vector<EdgeSide> sides;
+  space::for_each_shared_edge(boundary.triangles, points.size(), [&](auto first, auto last) {
+    for (; first != last; ++first) {
+      const auto [t, k] = first->second;
+      const Triangle& corners = boundary.triangles[t];
+      sides.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k], t, k});
+      const std::uint32_t other = boundary.neighbors[t][k];
+      meshops::require(other < boundary.triangles.size(), otherwise);
+      const Triangle& beyond = boundary.triangles[other];
+      const std::uint32_t j = (place_of(corners[(k + 2) % 3], beyond) + 2) % 3;
+      meshops::require(beyond[(j + 1) % 3] == corners[(k + 2) % 3] && beyond[(j + 2) % 3] == corners[(k + 1) % 3] &&
+                           boundary.neighbors[other][j] == t,
+                       otherwise);
+      sides.push_back({beyond[(j + 1) % 3], beyond[(j + 2) % 3], beyond[j], other, j});
+    }
+  });
+  for (const auto& [i, j] : facing_sides(points, sides)) {
+    const EdgeSide &s = sides[i], &t = sides[j];
+    result.neighbors[s.triangle][s.across] = t.triangle;
+    result.neighbors[t.triangle][t.across] = s.triangle;
+  }
+  return result;
+}
+
+BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary) {
+  if (boundary.triangles.empty()) return {};
+  require_corners_below(points.size(), boundary, "measure: expected a boundary of these points");
+  std::vector<std::uint32_t> all(boundary.triangles.size());
+  std::iota(all.begin(), all.end(), std::uint32_t{0});
+  const space::ClosedMeasures of = space::measure_closed(points, boundary.triangles, all);
+  return {of.volume, of.area};
+}
+
+}  // namespace rbpa
