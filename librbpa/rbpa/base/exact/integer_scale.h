@@ -21,28 +21,20 @@ class IntegerScale {
     int exponent;
     std::frexp(value, &exponent);
     unit_ = std::min(unit_, exponent - 53);
-    highest_ = std::max(highest_, exponent);
   }
 
-  /// All integers are below 2^bits in size.
-  int bits() const { return std::max(0, highest_ - unit_); }
-
   /// Requires: the value was included.
-  Integer operator()(double value) const { return as<Integer>(value); }
-
-  /// The same as a number that has room for bits().
-  template <typename Number>
-  Number as(double value) const {
+  Integer operator()(double value) const {
     if (value == 0) return 0;
     int exponent;
     const double fraction = std::frexp(value, &exponent);
-    Number mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+    Integer mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
     return mantissa << static_cast<unsigned>(exponent - 53 - unit_);
   }
 
  private:
   static constexpr int none = 1 << 20;  // beyond all exponents
-  int unit_ = none, highest_ = -none;
+  int unit_ = none;
 };
 
 }  // namespace rbpa

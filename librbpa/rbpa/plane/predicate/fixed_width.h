@@ -13,11 +13,10 @@
 #include <cstdint>
 
 #include "rbpa/base/exact/expansion.h"
+#include "rbpa/base/exact/integer128.h"
 #include "rbpa/base/point.h"
 
 namespace rbpa {
-
-__extension__ using Integer128 = __int128;
 
 struct FixedVector {
   std::int64_t x = 0, y = 0;

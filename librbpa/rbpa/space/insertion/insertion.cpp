@@ -25,6 +25,7 @@ Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> sca
     : original_(points),
       points_(spread.is_exact ? scaled : points),
       spread_(spread),
+      exact_below_(spread.exact_below(5)),
       index_(order.size() + 1),
       vertex_(order.size() + 1) {
   vertex_[at_infinity] = {0, 0, 0};
@@ -108,10 +109,11 @@ bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) cons
   const Tetrahedron& tetrahedron = tetrahedra_[t];
   if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v);
   const auto& [a, b, c, d] = tetrahedron.corner;
-  if (estimate.error < spread_.exact_below(5)) {  // the value has no error
+  if (estimate.error < exact_below_) {  // the value has no error
     if (estimate.value != 0) return estimate.value > 0;
     return pulled_into_sphere(point(a), point(b), point(c), point(d), point(v));
   }
+  if (const auto in = in_sphere_on_grid(point(a), point(b), point(c), point(d), point(v))) return *in;
   if (spread_.is_exact) {
     // The same terms, the error of each of which is 68 u² instead of 20 u.
     const double value = in_sphere_by_double_double(point(a), point(b), point(c), point(d), point(v));

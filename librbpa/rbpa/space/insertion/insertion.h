@@ -73,6 +73,7 @@ class Insertion {
 
   std::span<const Point3> original_, points_;
   Spread spread_;
+  double exact_below_;                // an error of the determinant
   std::vector<std::uint32_t> index_;  // of each vertex
   meshops::FreshVector<InsertedPoint> vertex_;
   meshops::FreshVector<Tetrahedron> tetrahedra_;

@@ -71,46 +71,14 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, cons
   return dot(t.n, w) == 0 ? 1 : squares.sign();
 }
 
-namespace {
-
-/// As long as numbers of 190 bits need for degree five, and not longer than it has to be: without memory of the heap.
-using FixedInteger = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>;
-constexpr int bits_for_fixed = 190;
-
-/// Of the vectors from a corner to the three others and to q. The volume times the power of q, twice the centre's product being as
-/// in compare_circumradius().
-template <typename Number>
-int power_sign(const Vector3<Number>& u, const Vector3<Number>& v, const Vector3<Number>& w, const Vector3<Number>& p) {
-  const Vector3<Number> uv = cross(u, v), vw = cross(v, w), wu = cross(w, u);
-  const Number power =
-      dot(p, p) * dot(uv, w) - dot(u, u) * dot(vw, p) - dot(v, v) * dot(wu, p) - dot(w, w) * dot(uv, p);
-  return power.sign();
-}
-
-}  // namespace
-
 int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
-  IntegerScale scale;
-  for (const Point3* p : {&a, &b, &c, &d, &q}) {
-    scale.include(p->x);
-    scale.include(p->y);
-    scale.include(p->z);
-  }
-  const auto sign = [&]<typename Number>(Number) {
-    const auto whole = [&](const Point3& p) {
-      return Vector3<Number>{scale.as<Number>(p.x), scale.as<Number>(p.y), scale.as<Number>(p.z)};
-    };
-    const Vector3<Number> origin = whole(a);
-    const auto vector_to = [&](const Point3& p) {
-      const Vector3<Number> to = whole(p);
-      return Vector3<Number>{to.x - origin.x, to.y - origin.y, to.z - origin.z};
-    };
-    return power_sign(vector_to(b), vector_to(c), vector_to(d), vector_to(q));
-  };
-  return scale.bits() <= bits_for_fixed ? -sign(FixedInteger()) : -sign(Integer());
+  const Scale scale{a, b, c, d, q};
+  const Corners t(scale, a, b, c);
+  const Vector w = scale(d) - t.origin, p = scale(q) - t.origin;
+  // The volume times the power of q, twice the product with the centre being as above.
+  const Integer power = dot(p, p) * dot(t.n, w) - dot(t.u, t.u) * dot(cross(t.v, w), p) -
+                        dot(t.v, t.v) * dot(cross(w, t.u), p) - dot(w, w) * dot(t.n, p);
+  return -power.sign();
 }
 
 int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q) {

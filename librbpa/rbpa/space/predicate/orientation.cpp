@@ -5,6 +5,7 @@
 
 #include "rbpa/base/exact/expansion.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/fixed_width.h"
 
 namespace rbpa::space {
 namespace {
@@ -39,6 +40,8 @@ auto product_along(const Differences& u, const Differences& v, int axis) {
 }  // namespace
 
 int orientation_by_expansions(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const FixedVectors<3> fixed(a, {&b, &c, &d});
+  if (fixed.are_exact()) return volume_sign(fixed[0], fixed[1], fixed[2]);
   const Differences u(a, b), v(a, c), w(a, d);
   if (!u.fit() || !v.fit() || !w.fit()) return exact::orientation(a, b, c, d);
   return (product_along(u, v, 0) * w.x + product_along(u, v, 1) * w.y + product_along(u, v, 2) * w.z).sign();

@@ -6,6 +6,7 @@
 
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/fixed_width.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/vector3.h"
 
@@ -65,7 +66,16 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
   return (along_x * w.x + along_y * w.y + along_z * w.z + volume * w.square).high;
 }
 
+std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                                      const Point3& q) {
+  const FixedVectors<4> to(a, {&b, &c, &d, &q});
+  if (!to.are_exact()) return std::nullopt;
+  const int power = power_sign(to[0], to[1], to[2], to[3]);
+  return power == 0 ? pulled_into_sphere(a, b, c, d, q) : power < 0;
+}
+
 bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
+  if (const std::optional<bool> in = in_sphere_on_grid(a, b, c, d, q)) return *in;
   const int side = exact::side_of_sphere(a, b, c, d, q);
   return side == 0 ? pulled_into_sphere(a, b, c, d, q) : side > 0;
 }

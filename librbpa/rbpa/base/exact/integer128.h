@@ -1,0 +1,9 @@
+// What: the compiler's integers of 128 bits.
+#pragma once
+
+namespace rbpa {
+
+__extension__ using Integer128 = __int128;
+__extension__ using Unsigned128 = unsigned __int128;
+
+}  // namespace rbpa

@@ -1,0 +1,71 @@
+// What: differences of points in space as integers of 61 bits, times a power of two: what they are on grids, in whatever unit, and of
+//       most points near each other. Determinants of them in words of 64 bits.
+// Law:  exact: an expression that is homogeneous in the differences keeps its sign.
+// Why:  on grids most spheres are ties, which no filter decides.
+// Cost: a tenth of a microsecond, a twentieth of that of integers of any length; some nanoseconds where differences do not fit.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "rbpa/base/exact/expansion.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa::space {
+
+using FixedVector = Vector3<std::int64_t>;  // each below 2^61
+
+/// The sign of u × v · w.
+int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w);
+
+/// The sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w.
+int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p);
+
+/// N vectors from one point to others. Requires: finite points.
+template <std::size_t N>
+class FixedVectors {
+ public:
+  FixedVectors(const Point3& from, const std::array<const Point3*, N>& to) {
+    std::uint64_t unit = 2047;  // the exponent of the last bit that any coordinate has, + 1075
+    bool are_normal = true;
+    const auto include = [&](double value) {
+      const std::uint64_t bits = std::bit_cast<std::uint64_t>(value) & ~(std::uint64_t{1} << 63U);
+      const std::uint64_t exponent = bits >> 52U;
+      const auto zeros = static_cast<std::uint64_t>(std::countr_zero(bits | std::uint64_t{1} << 52U));
+      if (bits != 0) unit = std::min(unit, exponent + zeros);
+      are_normal &= bits == 0 || exponent != 0;
+    };
+    for (const double value : {from.x, from.y, from.z}) include(value);
+    for (const Point3* p : to)
+      for (const double value : {p->x, p->y, p->z}) include(value);
+    if (!are_normal || unit < 1075 - 1022) return;
+    const double scale = std::bit_cast<double>((1023 + 1075 - unit) << 52U);
+    const auto whole = [&](double a, double b) {
+      const detail::TwoTerms sum = detail::two_sum(b, -a);
+      const double high = sum.high * scale;
+      if (!(std::abs(high) < 0x1p60)) {
+        are_exact_ = false;
+        return std::int64_t{0};
+      }
+      return static_cast<std::int64_t>(high) + static_cast<std::int64_t>(sum.low * scale);
+    };
+    are_exact_ = true;
+    for (std::size_t i = 0; i < N; ++i)
+      vector_[i] = {whole(from.x, to[i]->x), whole(from.y, to[i]->y), whole(from.z, to[i]->z)};
+  }
+
+  /// Otherwise there are none.
+  bool are_exact() const { return are_exact_; }
+  const FixedVector& operator[](std::size_t i) const { return vector_[i]; }
+
+ private:
+  std::array<FixedVector, N> vector_;
+  bool are_exact_ = false;
+};
+
+}  // namespace rbpa::space
