@@ -33,11 +33,11 @@ RBPA_API Surface glued_outside(std::span<const Point3> points, const Surface& bo
 
 struct BoundaryMeasures {
   double volume = 0;  ///< of the solid, within 2⁻⁵² of itself; by the divergence theorem
-  double area = 0;    ///< within 2⁻⁵⁰ of itself, and 2⁻¹⁰⁰ of the product of two sides of each triangle
+  double area = 0;    ///< within 2⁻⁵⁰ of the sum of products of two sides of each triangle
 };
 
 /// Exact sums, rounded once: the same bytes in any order of the points. The bound on the volume holds where along each axis the
-/// greatest coordinate is less than 2⁹⁰⁰ times the least other than 0; measures beyond the range of double are infinite.
+/// greatest coordinate of all points is less than 2⁹⁰⁰ times the least other than 0; measures beyond the range of double are infinite.
 /// Requires: the boundary of a solid of these points. Throws: ContractViolation when a corner is none of them.
 RBPA_API BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary);
 

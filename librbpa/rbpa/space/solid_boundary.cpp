@@ -7,21 +7,18 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/sort/canonical_rows.h"
-#include "rbpa/facing_sides.h"
-#include "rbpa/space/boundary/measure_closed.h"
-#include "rbpa/space/boundary/sides_by_edge.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/boundary/glue_outside.h"
+#include "rbpa/space/boundary/measures.h"
+#include "rbpa/space/boundary/place_of.h"
+#include "rbpa/space/levels/sub_surface.h"
 
 namespace rbpa {
 namespace {
 
-constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
+using space::place_of;
 
-std::uint32_t place_of(std::uint32_t value, const Row& row) {
-  return static_cast<std::uint32_t>(std::find(row.begin(), row.end(), value) - row.begin());
-}
-std::uint32_t place_of(std::uint32_t value, const Triangle& triangle) {
-  return static_cast<std::uint32_t>(std::find(triangle.begin(), triangle.end(), value) - triangle.begin());
-}
+constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
 /// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face is known by
 /// 4 t + k: across from corner k of tetrahedron t.
@@ -90,13 +87,12 @@ class OpenFaces {
     std::uint32_t t = faces_[i] / 4, in = faces_[i] % 4, out = place_of(triangles_[i][j], solid_.simplices[t]);
     for (std::uint32_t next = solid_.neighbors[t][out]; next != Solid::none; next = solid_.neighbors[t][out]) {
       meshops::require(next < solid_.simplices.size(), not_shared);
-      const std::uint32_t back = place_of(t, solid_.neighbors[next]);
-      const std::uint32_t ahead = place_of(solid_.simplices[t][in], solid_.simplices[next]);
-      meshops::require(back < 4 && ahead < 4 && back != ahead, not_shared);
-      for (const std::uint32_t end : {p, q}) {
-        const std::uint32_t at = place_of(end, solid_.simplices[next]);
-        meshops::require(at < 4 && at != back && at != ahead, not_shared);
-      }
+      const Row &corners = solid_.simplices[next], &across = solid_.neighbors[next];
+      const std::uint32_t passed = solid_.simplices[t][in];
+      const std::uint32_t back = place_of(t, across), ahead = place_of(passed, corners);
+      const std::uint32_t at_p = place_of(p, corners), at_q = place_of(q, corners);
+      const bool all_there = across[back] == t && corners[ahead] == passed && corners[at_p] == p && corners[at_q] == q;
+      meshops::require(all_there && (1U << back | 1U << ahead | 1U << at_p | 1U << at_q) == 15, not_shared);
       t = next;
       in = back;
       out = ahead;
@@ -105,7 +101,7 @@ class OpenFaces {
     for (std::uint32_t k = 0; k < out; ++k) other += solid_.neighbors[t][k] == Solid::none;
     other = place_[other];
     const std::uint32_t across = place_of(solid_.simplices[t][in], triangles_[other]);
-    meshops::require(across < 3 && triangles_[other][(across + 1) % 3] == q && triangles_[other][(across + 2) % 3] == p,
+    meshops::require(triangles_[other][(across + 1) % 3] == q && triangles_[other][(across + 2) % 3] == p,
                      "solid_boundary: expected positively oriented tetrahedra");
     neighbors_[i][j] = other;
     neighbors_[other][across] = i;
@@ -118,10 +114,6 @@ class OpenFaces {
   std::vector<std::uint32_t> faces_;
 };
 
-void require_corners_below(std::size_t points, const Surface& boundary, const char* otherwise) {
-  for (const Triangle& t : boundary.triangles) meshops::require(std::max({t[0], t[1], t[2]}) < points, otherwise);
-}
-
 }  // namespace
 
 SolidBoundary solid_boundary(const Solid& solid) {
@@ -132,40 +124,22 @@ SolidBoundary solid_boundary(const Solid& solid) {
 }
 
 Surface glued_outside(std::span<const Point3> points, const Surface& boundary) {
-  constexpr const char* otherwise = "glued_outside: expected the boundary of a solid of these points";
-  require_corners_below(points.size(), boundary, otherwise);
-  meshops::require(boundary.neighbors.size() == boundary.triangles.size(), otherwise);
+  require_linked(space::arrays_of(boundary), points.size());
+  for (const Triangle& neighbors : boundary.neighbors)
+    for (const std::uint32_t other : neighbors)
+      meshops::require(other != Surface::none, "glued_outside: expected a closed boundary");
   Surface result = boundary;
-  std::vector<EdgeSide> sides;
-  space::for_each_shared_edge(boundary.triangles, points.size(), [&](auto first, auto last) {
-    for (; first != last; ++first) {
-      const auto [t, k] = first->second;
-      const Triangle& corners = boundary.triangles[t];
-      sides.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k], t, k});
-      const std::uint32_t other = boundary.neighbors[t][k];
-      meshops::require(other < boundary.triangles.size(), otherwise);
-      const Triangle& beyond = boundary.triangles[other];
-      const std::uint32_t j = (place_of(corners[(k + 2) % 3], beyond) + 2) % 3;
-      meshops::require(beyond[(j + 1) % 3] == corners[(k + 2) % 3] && beyond[(j + 2) % 3] == corners[(k + 1) % 3] &&
-                           boundary.neighbors[other][j] == t,
-                       otherwise);
-      sides.push_back({beyond[(j + 1) % 3], beyond[(j + 2) % 3], beyond[j], other, j});
-    }
-  });
-  for (const auto& [i, j] : facing_sides(points, sides)) {
-    const EdgeSide &s = sides[i], &t = sides[j];
-    result.neighbors[s.triangle][s.across] = t.triangle;
-    result.neighbors[t.triangle][t.across] = s.triangle;
-  }
+  space::glue_outside(points, result);
   return result;
 }
 
 BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary) {
   if (boundary.triangles.empty()) return {};
-  require_corners_below(points.size(), boundary, "measure: expected a boundary of these points");
+  for (const Triangle& t : boundary.triangles)
+    meshops::require(std::max({t[0], t[1], t[2]}) < points.size(), "measure: expected a boundary of these points");
   std::vector<std::uint32_t> all(boundary.triangles.size());
   std::iota(all.begin(), all.end(), std::uint32_t{0});
-  const space::ClosedMeasures of = space::measure_closed(points, boundary.triangles, all);
+  const space::ClosedMeasures of = space::Measures(points).of(boundary.triangles, all);
   return {of.volume, of.area};
 }
 

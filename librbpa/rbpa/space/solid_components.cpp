@@ -6,7 +6,7 @@
 #include "rbpa/space/boundary/by_volume.h"
 #include "rbpa/space/boundary/connected.h"
 #include "rbpa/space/boundary/grouped.h"
-#include "rbpa/space/boundary/measure_closed.h"
+#include "rbpa/space/boundary/measures.h"
 
 namespace rbpa {
 
@@ -23,11 +23,12 @@ SolidComponents solid_components(std::span<const Point3> points, const Solid& so
                                     [&](std::uint32_t t) { return of_tetrahedra.number()[boundary.tetrahedra[t]]; });
   meshops::require(of_triangles.size() == of_tetrahedra.size(),
                    "solid_components: expected the boundary of this solid");
+  const space::Measures measure(points);
   std::vector<space::ClosedMeasures> measures;
   std::vector<std::uint32_t> component;  // of tetrahedra, for each of the boundary
   for (std::size_t c = 0; c < of_triangles.size(); ++c) {
     const auto triangles = of_triangles.items(c);
-    measures.push_back(space::measure_closed(points, boundary.surface.triangles, triangles));
+    measures.push_back(measure.of(boundary.surface.triangles, triangles));
     component.push_back(of_tetrahedra.number()[boundary.tetrahedra[triangles.front()]]);
   }
   std::vector<std::uint32_t> place(measures.size());

@@ -12,7 +12,7 @@
 #include "rbpa/space/boundary/connected.h"
 #include "rbpa/space/boundary/count_solid.h"
 #include "rbpa/space/boundary/grouped.h"
-#include "rbpa/space/boundary/measure_closed.h"
+#include "rbpa/space/boundary/measures.h"
 #include "rbpa/space/boundary/outside.h"
 #include "rbpa/space/predicate/ray.h"
 
@@ -169,10 +169,11 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
     const std::uint32_t s = surfaces.number()[t];
     return nesting.is_outer(s) ? nesting.around(s) : s;
   });
+  const space::Measures measure(points);
   std::vector<space::ClosedMeasures> measures;
   std::vector<std::uint32_t> key;
   for (std::size_t v = 0; v < of_voids.size(); ++v) {
-    measures.push_back(space::measure_closed(points, boundary.surface.triangles, of_voids.items(v)));
+    measures.push_back(measure.of(boundary.surface.triangles, of_voids.items(v)));
     const std::uint32_t s = surfaces.number()[of_voids.items(v).front()];
     key.push_back(nesting.is_outer(s) ? nesting.around(s) : s);
   }

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "rbpa/space/boundary/measure_closed.h"
+#include "rbpa/space/boundary/measures.h"
 
 namespace rbpa::space {
 

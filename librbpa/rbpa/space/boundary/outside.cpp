@@ -1,46 +1,40 @@
 #include "rbpa/space/boundary/outside.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/fans.h"
-#include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/boundary/connected.h"
+#include "rbpa/space/boundary/glue_outside.h"
 #include "rbpa/space/boundary/link_places.h"
-#include "rbpa/space/boundary/sides_by_edge.h"
-#include "rbpa/space/levels/sub_surface.h"
+#include "rbpa/space/boundary/place_of.h"
 
 namespace rbpa::space {
 namespace {
-
-template <typename Numbers>
-std::uint32_t place_of(std::uint32_t value, const Numbers& numbers) {
-  return static_cast<std::uint32_t>(std::find(numbers.begin(), numbers.end(), value) - numbers.begin());
-}
 
 /// A corner of the boundary at the point that is looked at; corner k of triangle t is number 3 t + k.
 struct CornerAt {
   std::uint32_t corner;
   std::uint32_t region;  // of the link's inside: tetrahedra connected through faces at the point
   std::uint32_t part;    // of the link: regions that touch, as one of them
-  std::uint32_t fan;     // of triangles glued through the outside, as one of its corners
+  std::uint32_t fan;     // of triangles glued through the outside
 };
 
 /// Looks at one point after the other, and joins what is connected through it.
 class AtPoints {
  public:
-  AtPoints(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary, Outside& outside)
+  AtPoints(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary,
+           const std::vector<Triangle>& glued_outside, Outside& outside)
       : points_(points),
         solid_(solid),
         triangles_(boundary.surface.triangles),
+        glued_inside_(boundary.surface.neighbors),
+        glued_outside_(glued_outside),
         behind_(boundary.tetrahedra),
-        outside_(outside),
-        inner_fans_(fans_of(arrays_of(boundary.surface))) {}
+        outside_(outside) {}
 
-  /// Requires: the same triangles glued through the outside.
-  void look_at_all(const Surface& glued_outside) {
-    outer_fans_ = fans_of(arrays_of(glued_outside));
+  void look_at_all() {
     std::vector<std::uint32_t> end(points_.size() + 1, 0), corners(3 * triangles_.size());
     for (const Triangle& t : triangles_)
       for (const std::uint32_t i : t) ++end[i + 1];
@@ -58,54 +52,98 @@ class AtPoints {
   std::size_t regions() const { return regions_; }
 
  private:
+  using Row = std::array<std::uint32_t, 4>;
+
   void look_at(std::uint32_t v, std::span<const std::uint32_t> corners) {
-    std::size_t fans = 0;
-    for (const std::uint32_t corner : corners) fans += inner_fans_.is_least(corner) ? 1u : 0u;
+    const std::size_t fans = find_fans(corners, glued_inside_);
     fans_ += fans;
     if (fans == 1) {
       ++regions_;
       return;
     }
-    at_.clear();
-    const std::uint32_t first_region = next_region_;
     if (seen_.empty()) seen_.resize(solid_.simplices.size(), 0);
-    for (const std::uint32_t corner : corners) {
-      const std::uint32_t t = behind_[corner / 3];
-      if (seen_[t] < first_region) pass_region(v, t);
-      at_.push_back({corner, seen_[t], 0, outer_fans_.find(corner)});
+    at_.clear();
+    find_fans(corners, glued_outside_);
+    const std::uint32_t first_region = next_region_;
+    std::size_t left = corners.size();  // in tetrahedra that are not reached
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::uint32_t t = behind_[corners[i] / 3];
+      if (seen_[t] < first_region) left = pass_region(v, t, left);
+      at_.push_back({corners[i], seen_[t] - first_region, 0, fan_[i]});
     }
-    regions_ += next_region_ - first_region;
-    find_parts(first_region);
+    const std::uint32_t regions = next_region_ - first_region;
+    regions_ += regions;
+    if (regions == 1) return;
+    find_parts(regions);
     join_fans(v);
   }
 
-  /// All tetrahedra at v that are reached from one through faces at v.
-  void pass_region(std::uint32_t v, std::uint32_t from) {
+  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: its corners, ascending.
+  std::size_t find_fans(std::span<const std::uint32_t> corners, const std::vector<Triangle>& neighbors) {
+    constexpr std::uint32_t unseen = 0xffffffff;
+    constexpr std::size_t few = 16;  // are compared faster than searched
+    next_.resize(corners.size());
+    fan_.assign(corners.size(), unseen);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::uint32_t least =
+          3 * neighbors[corners[i] / 3][(corners[i] + 1) % 3];  // corner of the next triangle around
+      std::size_t place = 0;
+      if (corners.size() <= few)
+        for (const std::uint32_t corner : corners) place += corner < least ? 1u : 0u;
+      else
+        place = static_cast<std::size_t>(std::lower_bound(corners.begin(), corners.end(), least) - corners.begin());
+      next_[i] = static_cast<std::uint32_t>(place);
+    }
+    std::uint32_t fans = 0;
+    for (std::uint32_t i = 0; i < corners.size(); ++i) {
+      if (fan_[i] != unseen) continue;
+      for (std::uint32_t at = i; fan_[at] == unseen; at = next_[at]) fan_[at] = fans;
+      ++fans;
+    }
+    return fans;
+  }
+
+  /// Passes tetrahedra at v that are reached from one through faces at v, until none of the boundary's corners is left.
+  /// Returns: how many are left.
+  std::size_t pass_region(std::uint32_t v, std::uint32_t from, std::size_t left) {
     seen_[from] = next_region_;
-    waiting_.assign(1, from);
-    while (!waiting_.empty()) {
-      const std::uint32_t t = waiting_.back();
-      waiting_.pop_back();
-      const std::uint32_t at = place_of(v, solid_.simplices[t]);
-      meshops::require(at < 4, not_its_boundary);
+    reached_.assign(1, from);
+    for (std::size_t i = 0; i < reached_.size() && left > 0; ++i) {
+      const std::uint32_t t = reached_[i];
+      const Row &corners = solid_.simplices[t], &neighbors = solid_.neighbors[t];
+      const std::uint32_t at = place_of(v, corners);
+      meshops::require(corners[at] == v, not_its_boundary);
       for (std::uint32_t k = 0; k < 4; ++k) {
-        const std::uint32_t next = solid_.neighbors[t][k];
-        if (k == at || next == Solid::none || seen_[next] == next_region_) continue;
-        seen_[next] = next_region_;
-        waiting_.push_back(next);
+        if (k == at) continue;
+        const std::uint32_t next = neighbors[k];
+        if (next == Solid::none) {
+          --left;
+        } else if (seen_[next] != next_region_) {
+          seen_[next] = next_region_;
+          reached_.push_back(next);
+        }
       }
     }
     ++next_region_;
+    return left;
   }
 
   /// Regions of the link touch at a point of it, an edge of the complex, if a side of each leaves along it.
-  void find_parts(std::uint32_t first_region) {
-    parts_ = meshops::DisjointSets(next_region_ - first_region);
-    const auto head = [&](const CornerAt& c) { return triangles_[c.corner / 3][(c.corner % 3 + 1) % 3]; };
+  void find_parts(std::uint32_t regions) {
+    const auto head = [&](const CornerAt& c) { return triangles_[c.corner / 3][(c.corner + 1) % 3]; };
     std::sort(at_.begin(), at_.end(), [&](const CornerAt& a, const CornerAt& b) { return head(a) < head(b); });
+    part_.resize(regions);
+    std::iota(part_.begin(), part_.end(), std::uint32_t{0});
     for (std::size_t i = 1; i < at_.size(); ++i)
-      if (head(at_[i]) == head(at_[i - 1])) parts_.join(at_[i].region - first_region, at_[i - 1].region - first_region);
-    for (CornerAt& c : at_) c.part = parts_.find(c.region - first_region);
+      if (head(at_[i]) == head(at_[i - 1])) {
+        const auto [low, high] = std::minmax({least_of_part(at_[i].region), least_of_part(at_[i - 1].region)});
+        part_[high] = low;
+      }
+    for (CornerAt& c : at_) c.part = least_of_part(c.region);
+  }
+  std::uint32_t least_of_part(std::uint32_t region) {
+    while (part_[region] != region) region = part_[region] = part_[part_[region]];
+    return region;
   }
 
   /// Fans of different parts of the link are in the same region of its complement if they can see each other past all parts.
@@ -167,21 +205,18 @@ class AtPoints {
     throw meshops::ContractViolation(not_its_boundary);
   }
 
-  using Row = std::array<std::uint32_t, 4>;
-
   std::span<const Point3> points_;
   const Solid& solid_;
   const std::vector<Triangle>& triangles_;
-  const std::vector<std::uint32_t>& behind_;  // tetrahedra
+  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbours
+  const std::vector<std::uint32_t>& behind_;                   // tetrahedra
   Outside& outside_;
-  meshops::DisjointSets inner_fans_, outer_fans_;
   std::vector<std::uint32_t> seen_;  // of each tetrahedron, the last region that it was in
   std::uint32_t next_region_ = 1;
   std::size_t fans_ = 0, regions_ = 0;
   // Of the point that is looked at.
   std::vector<CornerAt> at_;
-  std::vector<std::uint32_t> waiting_;
-  meshops::DisjointSets parts_;
+  std::vector<std::uint32_t> next_, fan_, reached_, part_;
 };
 
 }  // namespace
@@ -194,16 +229,13 @@ Outside outside_of(std::span<const Point3> points, const Solid& solid, const Sol
   outside.components = outside.solid_components;
   connect_through_points(points.size(), boundary, outside.components);
   outside.surfaces = meshops::DisjointSets(triangles.size());
-  outside.edges = triangles.size() * 3 / 2;
-  for_each_shared_edge(triangles, points.size(),
-                       [&](auto first, auto last) { outside.edges -= static_cast<std::size_t>(last - first) - 1; });
-
-  const Surface glued = glued_outside(points, boundary.surface);
+  Surface glued = boundary.surface;
+  outside.edges = triangles.size() * 3 / 2 - glue_outside(points, glued);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (const std::uint32_t other : glued.neighbors[t])
       if (other < t) outside.surfaces.join(t, other);
-  AtPoints at_points(points, solid, boundary, outside);
-  at_points.look_at_all(glued);
+  AtPoints at_points(points, solid, boundary, glued.neighbors, outside);
+  at_points.look_at_all();
 
   // χ of the boundary, and of the surface just inside of it, along which fans of one region are joined by a tube: that of the open inside is
   // half of the latter, and counts negatively in three dimensions.

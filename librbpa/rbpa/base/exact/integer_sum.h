@@ -1,0 +1,45 @@
+// What: a sum of products of whole numbers of three, without any error.
+// Cost: two multiplications and a few additions a term.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "rbpa/base/exact/exact_sum.h"
+
+namespace rbpa {
+
+class IntegerSum {
+ public:
+  __extension__ using Wide = __int128;
+
+  /// Adds a b. Requires: |a| < 2¹²⁵, |b| < 2⁶²; fewer than 2⁶⁰ terms.
+  void add_product(Wide a, std::int64_t b) {
+    const Wide low = Wide{b} * static_cast<std::uint64_t>(a), high = Wide{b} * static_cast<std::int64_t>(a >> 64);
+    const Wide middle = high + (low >> 64);
+    low_ += static_cast<std::uint64_t>(low);
+    middle_ += static_cast<std::uint64_t>(middle);
+    high_ += static_cast<std::int64_t>(middle >> 64);
+  }
+
+  /// Adds the sum times 2^exponent to another one. Requires: |exponent| < 1700.
+  void add_to(ExactSum& sum, int exponent) const {
+    add_digits(sum, low_, exponent, 1);
+    add_digits(sum, middle_, exponent + 64, 1);
+    add_digits(sum, high_ < 0 ? -high_ : high_, exponent + 128, high_ < 0 ? -1 : 1);
+  }
+
+ private:
+  /// Of 32 bits.
+  static void add_digits(ExactSum& sum, Wide rest, int exponent, int sign) {
+    for (; rest != 0; rest >>= 32, exponent += 32) {
+      const auto digit = sign * static_cast<std::int64_t>(rest & 0xffffffff);
+      sum.add_product(std::ldexp(static_cast<double>(digit), exponent / 2), std::ldexp(1.0, exponent - exponent / 2));
+    }
+  }
+
+  // They count 1, 2⁶⁴ and 2¹²⁸; the first two are not negative.
+  Wide low_ = 0, middle_ = 0, high_ = 0;
+};
+
+}  // namespace rbpa

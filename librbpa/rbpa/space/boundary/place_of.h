@@ -1,0 +1,18 @@
+// What: the place of a number in a row that has it once. Which place that is cannot be predicted, so that nothing branches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace rbpa::space {
+
+/// 0 if it is not there.
+inline std::uint32_t place_of(std::uint32_t value, const std::array<std::uint32_t, 4>& row) {
+  return static_cast<std::uint32_t>(row[1] == value) | static_cast<std::uint32_t>(row[2] == value) << 1U |
+         static_cast<std::uint32_t>(row[3] == value) * 3U;
+}
+inline std::uint32_t place_of(std::uint32_t value, const std::array<std::uint32_t, 3>& row) {
+  return static_cast<std::uint32_t>(row[1] == value) | static_cast<std::uint32_t>(row[2] == value) << 1U;
+}
+
+}  // namespace rbpa::space
