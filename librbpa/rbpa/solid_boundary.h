@@ -37,7 +37,7 @@ struct BoundaryMeasures {
 };
 
 /// Exact sums, rounded once: the same bytes in any order of the points. The bound on the volume holds where along each axis the
-/// greatest coordinate of all points is less than 2⁹⁰⁰ times the least other than 0; measures beyond the range of double are infinite.
+/// greatest coordinate of the triangles is less than 2⁷⁰⁰ times the least other than 0; measures beyond the range of double are infinite.
 /// Requires: the boundary of a solid of these points. Throws: ContractViolation when a corner is none of them.
 RBPA_API BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary);
 

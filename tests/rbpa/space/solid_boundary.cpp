@@ -285,6 +285,39 @@ TEST_CASE("shuffled points have the same boundary, volume and area, to the last 
   }
 }
 
+TEST_CASE("a solid of the usual size beside a point that is beyond all is measured as without it") {
+  const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const double far : {0x1p300, 0x1p900, 0x1p1020})
+    for (const double size : {1.0, 0x1p-300}) {
+      Points3 all;
+      for (const Point3& p : points) all.push_back({size * p.x, size * p.y, size * p.z});
+      all.push_back({far, -far, far});
+      const SolidBoundary b = rbpa::solid_boundary(solid(all, size));
+      REQUIRE(b.tetrahedra.size() == 4);
+      const rbpa::BoundaryMeasures of = rbpa::measure(all, b.surface), alone = rbpa::measure(points, b.surface);
+      CHECK(of.volume == size * size * size / 6);
+      CHECK(of.area == size * size * alone.area);
+    }
+}
+
+TEST_CASE("triangles that begin at any corner are glued outside as those in canonical order") {
+  Random random(405);
+  const Points3 points = space_set(SpaceKind::cube, 40, random);
+  const SolidBoundary b = rbpa::solid_boundary(random_part(solid(points, infinity), points.size(), 0.5, random));
+  const Surface expected = rbpa::glued_outside(points, b.surface);
+  Surface turned = b.surface;
+  std::vector<std::size_t> turns;
+  for (std::size_t t = 0; t < turned.triangles.size(); ++t) {
+    turns.push_back(random.below(3));
+    for (auto* row : {&turned.triangles[t], &turned.neighbors[t]})
+      std::rotate(row->begin(), row->begin() + static_cast<std::ptrdiff_t>(turns[t]), row->end());
+  }
+  const Surface outside = rbpa::glued_outside(points, turned);
+  for (std::size_t t = 0; t < turned.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) CHECK(outside.neighbors[t][k] == expected.neighbors[t][(k + turns[t]) % 3]);
+  CHECK(expected.neighbors != b.surface.neighbors);
+}
+
 TEST_CASE("arrays that are no solid are refused") {
   Random random(404);
   const Points3 points = space_set(SpaceKind::cube, 40, random);
@@ -300,6 +333,7 @@ TEST_CASE("arrays that are no solid are refused") {
     Solid wrong = right;
     for (int change = 0; change < 1 + trial % 3; ++change) {
       auto& row = wrong.neighbors[random.below(wrong.neighbors.size())];
+      if (trial % 3 == 1) std::swap(row[random.below(4)], row[random.below(4)]);
       row[random.below(4)] = trial % 2 == 0 ? static_cast<std::uint32_t>(random.below(right.simplices.size() + 2))
                                             : right.neighbors[random.below(right.neighbors.size())][random.below(4)];
     }

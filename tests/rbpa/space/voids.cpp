@@ -187,6 +187,36 @@ TEST_CASE(
   CHECK(several_fans > static_cast<std::size_t>(trials(80)));
 }
 
+TEST_CASE(
+    "tetrahedra around one point, walled in: parts of its link that go around others bound the voids that they do by "
+    "the triangulation") {
+  Random random(419);
+  std::size_t voids_found = 0;
+  for (int trial = 0; trial < trials(800); ++trial) {
+    CAPTURE(trial);
+    Points3 points = {{0, 0, 0}};
+    for (const auto& [radius, count] : {std::pair(1.0, 40), {2.0, 60}}) {
+      for (int i = 0; i < count;) {
+        const Point3 p = {2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
+        const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+        if (length > 1 || length < 0.1) continue;
+        points.push_back({radius * p.x / length, radius * p.y / length, radius * p.z / length});
+        ++i;
+      }
+    }
+    const Solid all = solid(points, infinity);
+    std::vector<bool> kept;
+    const double probability = 0.2 + 0.1 * double(random.below(6));
+    for (const Tetrahedron& t : all.simplices) kept.push_back(random.chance(t[0] == 0 ? probability : 0.9));
+    const Solid s = part_of(all, points.size(), kept);
+    const SolidBoundary b = rbpa::solid_boundary(s);
+    const Voids voids = rbpa::voids(points, s, b);
+    check_voids(points, all, s, b, voids, false);
+    voids_found += voids.all.size();
+  }
+  CHECK(voids_found > static_cast<std::size_t>(trials(2000)));
+}
+
 TEST_CASE("chambers with a cube that floats in each: and where walls are broken through") {
   Random random(414);
   std::size_t islands = 0, open = 0, several = 0;
@@ -225,36 +255,35 @@ TEST_CASE("chambers with a cube that floats in each: and where walls are broken 
   CHECK(open > 0);
 }
 
-TEST_CASE("a box in a box in a box: what floats deeper is not in the outer void") {
-  // Walls of a unit at even distances from the middle: shells of cubes with corners at ±5 and ±4, ±3 and ±2, and a cube of ±1.
-  const Points3 points = grid(11, 11, 11);
-  std::vector<bool> in;
-  for (const Point3& p : points) {
-    const double distance = std::max({std::abs(p.x - 5), std::abs(p.y - 5), std::abs(p.z - 5)});
-    in.push_back(distance != 0);
-  }
-  const Solid all = solid(points, infinity);
-  std::vector<bool> kept;
-  for (const Tetrahedron& t : all.simplices) {
-    double most = 0;
-    for (const std::uint32_t i : t) {
+TEST_CASE("a box in a box in a box: what floats deeper is not in the outer void, in any order") {
+  Random random(420);
+  Points3 points = grid(11, 11, 11);
+  for (int trial = 0; trial < 4; ++trial) {
+    if (trial > 0) random.shuffle(points);
+    // By the greatest distance from the middle, walls are between 5 and 4, 3 and 2, and 1 and 0.
+    const auto distance = [&](std::uint32_t i) {
       const Point3& p = points[i];
-      most = std::max(most, std::max({std::abs(p.x - 5), std::abs(p.y - 5), std::abs(p.z - 5)}));
+      return std::max({std::abs(p.x - 5), std::abs(p.y - 5), std::abs(p.z - 5)});
+    };
+    const Solid all = solid(points, infinity);
+    std::vector<bool> kept;
+    for (const Tetrahedron& t : all.simplices) {
+      const double most = std::max({distance(t[0]), distance(t[1]), distance(t[2]), distance(t[3])});
+      kept.push_back(most != 4 && most != 2);
     }
-    kept.push_back(most != 4 && most != 2);
+    const Solid s = part_of(all, points.size(), kept);
+    const SolidBoundary b = rbpa::solid_boundary(s);
+    const Voids voids = rbpa::voids(points, s, b);
+    REQUIRE(voids.all.size() == 2);
+    CHECK(voids.counts.components == 3);
+    CHECK(voids.counts.tunnels == 0);
+    CHECK(voids.all[0].volume == 512 - 216);
+    CHECK(voids.all[1].volume == 64 - 8);
+    CHECK(voids.all[0].islands == 1);
+    CHECK(voids.all[1].islands == 1);
+    CHECK(voids.all[0].area == 6 * (64 + 36));
+    check_voids(points, all, s, b, voids, true);
   }
-  const Solid s = part_of(all, points.size(), kept);
-  const SolidBoundary b = rbpa::solid_boundary(s);
-  const Voids voids = rbpa::voids(points, s, b);
-  REQUIRE(voids.all.size() == 2);
-  CHECK(voids.counts.components == 3);
-  CHECK(voids.counts.tunnels == 0);
-  CHECK(voids.all[0].volume == 512 - 216);
-  CHECK(voids.all[1].volume == 64 - 8);
-  CHECK(voids.all[0].islands == 1);
-  CHECK(voids.all[1].islands == 1);
-  CHECK(voids.all[0].area == 6 * (64 + 36));
-  check_voids(points, all, s, b, voids, true);
 }
 
 TEST_CASE("a plate with holes has as many tunnels, and its boundary the genus; closed on both sides they are voids") {

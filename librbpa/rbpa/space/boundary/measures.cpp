@@ -152,6 +152,14 @@ ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const
     }
     sums.add(corners);
   }
+  // Where other points are far beyond, these have a scale of their own.
+  const Point3 size = size_of(std::array{result.low, result.high});
+  constexpr int too_small = -200;  // a power of two
+  const auto is_small = [&](double of_triangles, const PowerOfTwo& scale) {
+    return of_triangles != 0 && std::ilogb(of_triangles) + scale.exponent() < double_bits + too_small;
+  };
+  if (is_small(size.x, to_doubles_[0]) || is_small(size.y, to_doubles_[1]) || is_small(size.z, to_doubles_[2]))
+    return Measures(points_, size).of(triangles, which);
   result.volume = sums.volume();
   result.area = sums.area();
   return result;
