@@ -94,6 +94,7 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 
 std::string target_formats(Use use) {
   if (use == Use::surface) return std::string(surface_formats);
+  if (use == Use::solid) return std::string(solid_formats);
   if (use == Use::triangles) return std::string(output_formats);
   return std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : "");
 }

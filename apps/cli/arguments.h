@@ -39,7 +39,7 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 
 /// Formats by the endings; one without a known ending takes the output format. No two targets may be the same file, nor the
 /// input or `reports`; where there are reports none is needed. Of the full complex m.npy is three targets: m.npy,
-/// m.edges.npy, m.points.npy. Requires: triangles, surface or shape.
+/// m.edges.npy, m.points.npy. Requires: triangles, surface, solid or shape.
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, Complex complex = Complex::solid);
 

@@ -31,7 +31,7 @@ std::string asked_for(const CLI::App& app) {
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
   if (app.get_subcommands().empty())
-    return found + "mesh, alpha, shape, fill, surface, stream, tile, merge, info or report (see rbpa --help)";
+    return found + "mesh, alpha, shape, fill, surface, solid, stream, tile, merge, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -52,7 +52,7 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   occupy_standard_streams();
   catch_interrupts();
-  CLI::App app("Alpha shapes of points in the plane, and surfaces through points in space, by ball pivoting", "rbpa");
+  CLI::App app("Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting", "rbpa");
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
   app.require_subcommand(1);
@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
   ReportArguments report_page;
   FillArguments fill;
   SurfaceArguments surface;
+  SolidArguments solid;
   // Tasks call the program as it was called.
   if (argc > 0 && std::string_view(argv[0]).find('/') != std::string_view::npos)
     stream.program = std::filesystem::absolute(argv[0]).lexically_normal().string();
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
                                    {add_shape(app, shape), [&] { run_shape(shape); }},
                                    {add_fill(app, fill), [&] { run_fill(fill); }},
                                    {add_surface(app, surface), [&] { run_surface(surface); }},
+                                   {add_solid(app, solid), [&] { run_solid(solid); }},
                                    {add_stream(app, stream), [&] { run_stream(stream); }},
                                    {add_tile(app, tile), [&] { run_tile(tile); }},
                                    {add_merge(app, merge), [&] { run_merge(merge); }},

@@ -82,4 +82,26 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   return source;
 }
 
+SpacePointSource parse_space_source(const SpacePointArguments& arguments, const std::vector<std::string>& columns,
+                                    const std::string& option) {
+  SpacePointSource source{
+      .path = arguments.points,
+      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS", Format::text)};
+  const bool text = is_table(source.format);
+  if (arguments.columns) {
+    require_format(text, "--columns", "with fixed columns", "text");
+    source.choice.columns = parse_space_columns(*arguments.columns);
+  }
+  if (arguments.skip_invalid)
+    require_format(text || source.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
+  source.choice.skip_invalid = arguments.skip_invalid;
+  if (!arguments.where && columns.empty()) return source;
+  const std::optional<FieldNames> names = fields_of(source.format);
+  require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
+                 "las, pcd, ply or text");
+  if (arguments.where && arguments.where->empty()) source.choice.where = Condition("", *names);  // which is refused
+  source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
+  return source;
+}
+
 }  // namespace rbpa::app

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
+#include "io/formats.h"
 
 namespace rbpa::app {
 
@@ -29,6 +31,15 @@ struct PointArguments {
   bool shift_longitude = false;
 };
 
+/// The same of points in space.
+struct SpacePointArguments {
+  std::string points;  ///< the file
+  std::optional<std::string> format;
+  std::optional<std::string> columns;
+  std::optional<std::string> where;
+  bool skip_invalid = false;
+};
+
 /// What the command line says of groups of points, as text.
 struct GroupArguments {
   std::vector<std::string> inputs;      ///< all files; the first is PointArguments::points as well
@@ -42,6 +53,17 @@ struct GroupArguments {
 /// Where the points come from: the format as said, else by the ending; standard input is text. Throws WrongUsage naming
 /// the value, or an option that is about another format.
 PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns = {});
+
+/// Where points in space come from.
+struct SpacePointSource {
+  std::string path;
+  Format format;
+  CloudRequest choice = {};
+};
+
+/// The same of points in space, and of columns that `option` asks for, if any.
+SpacePointSource parse_space_source(const SpacePointArguments& arguments, const std::vector<std::string>& columns = {},
+                                    const std::string& option = "");
 
 /// Throws WrongUsage unless an option that was given fits the format: "--where: found a format FOUND, expected EXPECTED".
 void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);

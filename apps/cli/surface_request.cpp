@@ -123,38 +123,20 @@ std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
 
 SurfaceRequest parse(const SurfaceArguments& arguments) {
   const Viewpoint viewpoint = parse_viewpoint(arguments.viewpoint);
-  SurfaceRequest request{
-      .path = arguments.points,
-      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS", Format::text),
-      .choice = {},
-      .radii = parse_radii(arguments.radius),
-      .most_radius = parse_max_radius(arguments),
-      .neighbors = parse_neighbors(arguments.neighbors),
-      .viewpoints = viewpoint.place,
-      .normals = parse_normals(arguments.normals),
-      .colors_normals = parse_color(arguments.color),
-      .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
-      .scale_space = parse_scale_space(arguments),
-      .components = {},
-      .filled = {},
-      .targets = {},
-      .width = parse_width(arguments.width),
-      .run = parse_run(arguments.run)};
-  const bool text = is_table(request.format);
-  if (arguments.columns) {
-    require_format(text, "--columns", "with fixed columns", "text");
-    request.choice.columns = parse_space_columns(*arguments.columns);
-  }
-  if (arguments.skip_invalid)
-    require_format(text || request.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
-  request.choice.skip_invalid = arguments.skip_invalid;
-  if (arguments.where || !viewpoint.columns.empty()) {
-    const std::optional<FieldNames> names = fields_of(request.format);
-    require_format(names.has_value(), arguments.where ? "--where" : "--viewpoint", "without fields beside the points",
-                   "las, pcd, ply or text");
-    if (arguments.where && arguments.where->empty()) request.choice.where = Condition("", *names);  // which is refused
-    request.choice.where = Condition(arguments.where.value_or(""), *names, viewpoint.columns, "--viewpoint");
-  }
+  SurfaceRequest request{.source = parse_space_source(arguments, viewpoint.columns, "--viewpoint"),
+                         .radii = parse_radii(arguments.radius),
+                         .most_radius = parse_max_radius(arguments),
+                         .neighbors = parse_neighbors(arguments.neighbors),
+                         .viewpoints = viewpoint.place,
+                         .normals = parse_normals(arguments.normals),
+                         .colors_normals = parse_color(arguments.color),
+                         .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
+                         .scale_space = parse_scale_space(arguments),
+                         .components = {},
+                         .filled = {},
+                         .targets = {},
+                         .width = parse_width(arguments.width),
+                         .run = parse_run(arguments.run)};
   if (request.normals == NormalSource::none && request.radii.size() > 1)
     throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +
                      " with --normals none, expected one radius");

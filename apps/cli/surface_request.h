@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/point_arguments.h"
 #include "cli/run.h"
 #include "cli/verbs.h"
-#include "io/cloud/read_space_points.h"
-#include "io/formats.h"
 #include "rbpa/base/point3.h"
 #include "triangulation/component_choice.h"
 #include "triangulation/hole_choice.h"
@@ -20,9 +19,7 @@ namespace rbpa::app {
 enum class NormalSource { file, estimate, none };
 
 struct SurfaceRequest {
-  std::string path;
-  Format format;
-  CloudRequest choice;
+  SpacePointSource source;
   std::vector<double> radii;               ///< empty: auto
   std::optional<double> most_radius;       ///< of auto
   std::size_t neighbors;                   ///< of which normals are estimated

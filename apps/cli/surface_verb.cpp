@@ -37,7 +37,7 @@ namespace {
 class SurfaceRun : public Run {
  public:
   SurfaceRun(const SurfaceArguments& arguments, SurfaceRequest request)
-      : Run(request.path, arguments.outputs, request.run), arguments_(arguments), request_(std::move(request)) {}
+      : Run(request.source.path, arguments.outputs, request.run), arguments_(arguments), request_(std::move(request)) {}
 
   void run();
 
@@ -350,7 +350,8 @@ std::string SurfaceRun::summary() const {
 }
 
 void SurfaceRun::run() {
-  file_ = read([&] { return read_space_points(request_.path, request_.format, request_.choice); });
+  const SpacePointSource& source = request_.source;
+  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
   remark(file_.remarks);
   facts_.points = file_.points.size();
   facts_.read_seconds = lap();

@@ -82,12 +82,7 @@ struct FillArguments : OutputArguments {
 void run_fill(const FillArguments& arguments);
 
 /// From a file of points in space to files of triangles and pictures.
-struct SurfaceArguments : OutputArguments {
-  std::string points;  ///< the file
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  std::optional<std::string> where;
-  bool skip_invalid = false;
+struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::string radius;
   std::optional<std::string> max_radius;
   std::optional<std::string> normals;
@@ -111,6 +106,16 @@ struct SurfaceArguments : OutputArguments {
   RunArguments run;
 };
 void run_surface(const SurfaceArguments& arguments);
+
+/// Tetrahedra of points in space.
+struct SolidArguments : SpacePointArguments, OutputArguments {
+  std::string alpha;
+  std::optional<std::string> boundary;
+  std::string width = "1200";
+  bool json = false;
+  RunArguments run;
+};
+void run_solid(const SolidArguments& arguments);
 
 /// Triangles and polygons of more points than fit into memory.
 struct StreamArguments : PointArguments, OutputArguments {
@@ -154,6 +159,7 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
 CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
+CLI::App* add_solid(CLI::App& app, SolidArguments& arguments);
 CLI::App* add_stream(CLI::App& app, StreamArguments& arguments);
 CLI::App* add_tile(CLI::App& app, TileArguments& arguments);
 CLI::App* add_merge(CLI::App& app, MergeArguments& arguments);

@@ -1,4 +1,4 @@
-// What: the command lines of the verbs of other advancing fronts: polygons to fill, points in space.
+// What: the command lines of the verbs of other advancing fronts: polygons to fill, surfaces and solids of points in space.
 #include <CLI/App.hpp>
 #include <string>
 
@@ -7,6 +7,24 @@
 #include "program/exit_code.h"
 
 namespace rbpa::app {
+
+namespace {
+
+void add_space_point_options(CLI::App& verb, SpacePointArguments& arguments) {
+  verb.add_option("POINTS", arguments.points, "File of points in space, .gz or not, or - for standard input")
+      ->required();
+  verb.add_option("--format", arguments.format,
+                  "Format of POINTS, where its ending does not say: " + std::string(space_formats))
+      ->type_name("NAME");
+  verb.add_option(
+          "--columns", arguments.columns,
+          "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names; colours are those "
+          "that the header calls red, green and blue, or r, g and b")
+      ->type_name("X,Y,Z[,NX,NY,NZ]");
+  add_selection_options(verb, arguments);
+}
+
+}  // namespace
 
 CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("fill", "Polygons with holes as triangles of a wanted size");
@@ -56,17 +74,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
 
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("surface", "Triangles through points in space, by a ball of a given radius");
-  verb.add_option("POINTS", arguments.points, "File of points in space, .gz or not, or - for standard input")
-      ->required();
-  verb.add_option("--format", arguments.format,
-                  "Format of POINTS, where its ending does not say: " + std::string(space_formats))
-      ->type_name("NAME");
-  verb.add_option(
-          "--columns", arguments.columns,
-          "Columns of text: x, y, z, or with the normal's as well; numbers from 1, or header names; colours are those "
-          "that the header calls red, green and blue, or r, g and b")
-      ->type_name("X,Y,Z[,NX,NY,NZ]");
-  add_selection_options(verb, arguments);
+  add_space_point_options(verb, arguments);
   verb.add_option("--radius", arguments.radius,
                   "Radius of the ball, required, in units of the points; several, ascending, close what the smaller "
                   "ones left open; auto takes them from the gaps between the points")
@@ -143,6 +151,36 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
       "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"
       "points are unused, is said.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "solid", "Tetrahedra of points in space: the solid alpha complex, with its boundary and voids");
+  add_space_point_options(verb, arguments);
+  verb.add_option("--alpha", arguments.alpha,
+                  "Largest circumradius, required, in units of the points; inf: the Delaunay triangulation")
+      ->type_name("R|inf")
+      ->required();
+  add_output_options(verb, arguments, solid_formats);
+  verb.add_option("--boundary", arguments.boundary,
+                  "Write the boundary as a closed surface, where the solid touches itself with a vertex for each side "
+                  "of it: ply (which has the input index of each vertex as 'point'), off, obj, stl, glb, vtu; or the "
+                  "input indices of its triangles, npy")
+      ->type_name("FILE");
+  add_switch(verb, "--json", arguments.json,
+             "Counts and sizes, of each component and each void too, as JSON on standard output");
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"
+      "  rbpa solid foam.ply --alpha 0.2 --json > voids.json\n"
+      "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n\n"
+      "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a\n"
+      "bounded component of what is outside. A picture shows the boundary.\n" +
       std::string(exit_codes));
   return &verb;
 }

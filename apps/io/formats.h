@@ -27,6 +27,8 @@ enum class Format {
   svg,
   vtu,
   glb,
+  medit,  // .mesh
+  gmsh,   // .msh
   wkt,
   ewkt,
   geojson,
@@ -49,7 +51,8 @@ enum class Use : unsigned {
   surface = 1U << 5U,    ///< out, in space
   shape = 1U << 6U,      ///< out
   levels = 1U << 7U,     ///< out
-  polylines = 1U << 8U   ///< out
+  polylines = 1U << 8U,  ///< out
+  solid = 1U << 9U       ///< out: tetrahedra
 };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
@@ -84,6 +87,7 @@ constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
 constexpr std::string_view surface_formats = "ply, off, obj, stl, glb, vtu, npy, png";
+constexpr std::string_view solid_formats = "vtu, msh, mesh, npy, png";
 constexpr std::string_view shape_formats = "geojson, json, wkt, ewkt, csv, svg, png";
 constexpr std::string_view polygon_formats = "geojson, json, wkt, ewkt, poly";
 constexpr std::string_view isolated_formats = "geojson, json, wkt, ewkt, csv";

@@ -98,7 +98,7 @@ TEST_SUITE("manual") {
       "own") {
     const Folder folder;
     const std::string help = folder.rbpa("help").out, title = help.substr(0, help.find('\n'));
-    CHECK(title == "Alpha shapes of points in the plane, and surfaces through points in space, by ball pivoting");
+    CHECK(title == "Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting");
     CHECK(folder.rbpa("--man").out.find(".SH NAME\nrbpa \\- " + title + "\n") != std::string::npos);
     CHECK(help.find("  shape                       The alpha solid as polygons with holes, valid under OGC Simple\n"
                     "                              Features\n"

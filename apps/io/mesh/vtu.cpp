@@ -3,7 +3,7 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::uint8_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
+constexpr std::uint8_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_tetrahedron = 10;
 
 /// Declares arrays, each at its offset in the appended data: so many bytes with their number before them.
 class Declarations {
@@ -60,8 +60,9 @@ void write_arrays(OutputFile& file, const std::vector<VtuArray>& arrays) {
 }  // namespace
 
 void write_vtu(OutputFile& file, const VtuGrid& grid) {
-  const std::uint64_t cells = grid.triangles.size() + grid.edges.size() + grid.vertices.size();
-  const std::uint64_t corners = 3 * grid.triangles.size() + 2 * grid.edges.size() + grid.vertices.size();
+  const std::uint64_t cells = grid.tetrahedra.size() + grid.triangles.size() + grid.edges.size() + grid.vertices.size();
+  const std::uint64_t corners =
+      4 * grid.tetrahedra.size() + 3 * grid.triangles.size() + 2 * grid.edges.size() + grid.vertices.size();
   const std::uint64_t of_positions = grid.points * 3 * sizeof(double), of_corners = corners * sizeof(std::uint32_t),
                       of_ends = cells * sizeof(std::uint64_t);
   file.write(
@@ -86,15 +87,18 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   write_size(file, of_positions);
   grid.write_positions(file);
   write_size(file, of_corners);
+  for (const auto& tetrahedron : grid.tetrahedra) file.write_binary(std::span<const std::uint32_t>(tetrahedron));
   for (const auto& triangle : grid.triangles) file.write_binary(std::span<const std::uint32_t>(triangle));
   for (const auto& edge : grid.edges) file.write_binary(std::span<const std::uint32_t>(edge));
   file.write_binary(grid.vertices);
   write_size(file, cells);
+  write_repeated(file, vtk_tetrahedron, grid.tetrahedra.size());
   write_repeated(file, vtk_triangle, grid.triangles.size());
   write_repeated(file, vtk_line, grid.edges.size());
   write_repeated(file, vtk_vertex, grid.vertices.size());
   write_size(file, of_ends);
   std::uint64_t end = 0;
+  write_ends(file, end, 4, grid.tetrahedra.size());
   write_ends(file, end, 3, grid.triangles.size());
   write_ends(file, end, 2, grid.edges.size());
   write_ends(file, end, 1, grid.vertices.size());

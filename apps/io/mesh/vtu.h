@@ -23,10 +23,11 @@ struct VtuArray {
   std::function<void(OutputFile&)> write = {};  ///< so many bytes
 };
 
-/// Cells are the triangles, then the edges, then the vertices, all as indices of points.
+/// Cells are the tetrahedra, then the triangles, the edges and the vertices, all as indices of points.
 struct VtuGrid {
   std::uint64_t points = 0;
   std::function<void(OutputFile&)> write_positions = {};  ///< three doubles of each point
+  std::span<const std::array<std::uint32_t, 4>> tetrahedra = {};
   std::span<const std::array<std::uint32_t, 3>> triangles = {};
   std::span<const std::array<std::uint32_t, 2>> edges = {};
   std::span<const std::uint32_t> vertices = {};

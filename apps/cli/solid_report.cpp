@@ -1,0 +1,74 @@
+#include "cli/solid_report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/stats.h"
+#include "io/bytes/number.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json base(const SolidFacts& facts) {
+  const SolidCounts& counts = facts.counts;
+  return {{"points", facts.points},
+          {"distinct", facts.distinct},
+          {"isolated", facts.isolated},
+          {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
+          {"tetrahedra", counts.tetrahedra},
+          {"triangles", counts.triangles},
+          {"edges", counts.edges},
+          {"boundary_triangles", counts.boundary_triangles},
+          {"solid_components", counts.solid_components},
+          {"betti", {counts.components, counts.tunnels, counts.voids}},
+          {"volume", facts.measures.volume},
+          {"area", facts.measures.area}};
+}
+
+Json box_of(const Point3& low, const Point3& high) { return {{low.x, low.y, low.z}, {high.x, high.y, high.z}}; }
+
+}  // namespace
+
+std::string text_of_solid(const SolidFacts& facts) {
+  const SolidCounts& counts = facts.counts;
+  return std::to_string(counts.tetrahedra) + (counts.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
+         counted(counts.solid_components, "solid component") + ", " + counted(counts.tunnels, "tunnel") + ", " +
+         counted(counts.voids, "void") + ", volume " + rounded(facts.measures.volume, 6) + ", area " +
+         rounded(facts.measures.area, 6);
+}
+
+void write_solid_stats(OutputFile& file, const SolidFacts& facts) {
+  Json report = base(facts);
+  report["threads"] = facts.threads;
+  report["seconds"] = {{"read", facts.read_seconds},
+                       {"build", facts.build_seconds},
+                       {"count", facts.count_seconds},
+                       {"write", facts.write_seconds}};
+  report["peak_bytes"] = peak_bytes();
+  file.write(report.dump(2) + "\n");
+}
+
+void write_solid_json(OutputFile& file, const SolidFacts& facts) {
+  Json report = base(facts);
+  report["solid_component_list"] = Json::array();
+  for (const SolidComponent& component : facts.components)
+    report["solid_component_list"].push_back({{"tetrahedra", component.tetrahedra},
+                                              {"boundary_triangles", component.boundary_triangles},
+                                              {"volume", component.volume},
+                                              {"area", component.area},
+                                              {"box", box_of(component.low, component.high)}});
+  report["void_list"] = Json::array();
+  for (const SolidVoid& hollow : facts.voids)
+    report["void_list"].push_back({{"volume", hollow.volume},
+                                   {"area", hollow.area},
+                                   {"islands", hollow.islands},
+                                   {"box", box_of(hollow.low, hollow.high)},
+                                   {"points", hollow.points}});
+  file.write(report.dump(1) + "\n");
+}
+
+}  // namespace rbpa::app

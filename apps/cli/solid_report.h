@@ -1,0 +1,34 @@
+// What: what `rbpa solid` knows of a solid, as text and JSON.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "io/bytes/output_file.h"
+#include "rbpa/solid_boundary.h"
+#include "rbpa/solid_components.h"
+#include "rbpa/solid_topology.h"
+#include "rbpa/voids.h"
+
+namespace rbpa::app {
+
+struct SolidFacts {
+  std::size_t points = 0, distinct = 0, isolated = 0;
+  double alpha = 0;
+  unsigned threads = 1;
+  SolidCounts counts = {};
+  BoundaryMeasures measures = {};
+  std::vector<SolidComponent> components = {};  ///< solid ones
+  std::vector<SolidVoid> voids = {};
+  double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
+};
+
+/// "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5".
+std::string text_of_solid(const SolidFacts& facts);
+
+/// One JSON object each; the second has every component and every void.
+void write_solid_stats(OutputFile& file, const SolidFacts& facts);
+void write_solid_json(OutputFile& file, const SolidFacts& facts);
+
+}  // namespace rbpa::app

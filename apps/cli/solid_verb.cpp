@@ -1,0 +1,201 @@
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/point_arguments.h"
+#include "cli/progress.h"
+#include "cli/run.h"
+#include "cli/solid_report.h"
+#include "cli/verbs.h"
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/cloud/read_space_points.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/mesh/write_mesh.h"
+#include "io/mesh/write_solid.h"
+#include "picture/picture.h"
+#include "picture/surface_picture.h"
+#include "rbpa/base/error.h"
+#include "rbpa/solid.h"
+#include "rbpa/split_fans.h"
+
+namespace rbpa::app {
+namespace {
+
+double parse_radius(const std::string& text) {
+  const ParsedNumber number = parse_whole_number(text);
+  const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
+  if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
+    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius: a number above 0, or inf");
+  return number.value;
+}
+
+Target parse_boundary(const std::string& path) {
+  const std::optional<Format> format = find_format(Use::surface, ending(path));
+  if (!format || is_picture(*format))
+    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) +
+                     ", expected one of ply, off, obj, stl, glb, vtu, npy");
+  return {path, *format};
+}
+
+/// What the command line asks for.
+struct SolidRequest {
+  SpacePointSource source;
+  double alpha;
+  std::vector<Target> targets;
+  std::optional<Target> boundary;
+  int width;
+  RunOptions run;
+};
+
+SolidRequest parse(const SolidArguments& arguments) {
+  SolidRequest request{.source = parse_space_source(arguments),
+                       .alpha = parse_radius(arguments.alpha),
+                       .targets = {},
+                       .boundary = {},
+                       .width = parse_width(arguments.width),
+                       .run = parse_run(arguments.run)};
+  if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
+  std::vector<std::string> reports = given({arguments.stats, arguments.boundary});
+  if (arguments.json) reports.emplace_back("-");
+  request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
+  return request;
+}
+
+std::string points_text(const Progress& progress, double seconds) {
+  const auto done = static_cast<double>(progress.triangles);  // points, of solid()
+  const std::string text = short_number(done) + " points";
+  return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
+}
+
+class SolidRun : public Run {
+ public:
+  SolidRun(const SolidArguments& arguments, SolidRequest request)
+      : Run(request.source.path, arguments.outputs, request.run), arguments_(arguments), request_(std::move(request)) {}
+
+  void run();
+
+ private:
+  void build();
+  void count();
+  void write();
+  void write_boundary(OutputFile& file, Format format) const;
+  void write_picture(OutputFile& file) const;
+  void say_empty() const;
+
+  const SolidArguments& arguments_;
+  SolidRequest request_;
+  SpacePoints file_;
+  Solid solid_;
+  SolidBoundary boundary_;
+  SolidFacts facts_;
+};
+
+void SolidRun::build() {
+  TriangleProgress progress(!options().quiet, "tetrahedra", points_text);
+  try {
+    solid_ = solid(file_.points, request_.alpha, {.threads = options().threads, .progress = progress.watch()});
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what());
+  }
+  facts_.points = file_.points.size();
+  facts_.distinct = solid_.distinct;
+  facts_.isolated = solid_.isolated.size();
+  facts_.alpha = request_.alpha;
+  facts_.threads = options().threads_or_all();
+}
+
+void SolidRun::count() {
+  const ProgressLine line = options().line("boundary and voids");
+  boundary_ = solid_boundary(solid_);
+  stop_if_interrupted();
+  facts_.measures = measure(file_.points, boundary_.surface);
+  Voids all = voids(file_.points, solid_, boundary_);
+  facts_.counts = all.counts;
+  facts_.voids = std::move(all.all);
+  if (arguments_.json) facts_.components = solid_components(file_.points, solid_, boundary_).all;
+  stop_if_interrupted();
+}
+
+/// Each fan of triangles has a vertex of its own, so that a reader finds a manifold.
+void SolidRun::write_boundary(OutputFile& file, Format format) const {
+  const Surface& surface = boundary_.surface;
+  if (format == Format::npy)
+    return write_surface(file, format, {.vertices = file_.points, .triangles = surface.triangles});
+  const SplitFans fans = split_fans(indexable_surface(surface));
+  std::vector<Point3> vertices;
+  std::vector<std::array<std::uint8_t, 3>> colors;
+  for (const std::uint32_t i : fans.point) {
+    vertices.push_back(file_.points[i]);
+    if (!file_.colors.empty()) colors.push_back(file_.colors[i]);
+  }
+  write_surface(file, format,
+                {.vertices = vertices, .triangles = fans.triangles, .colors = colors, .points = fans.point});
+}
+
+void SolidRun::write_picture(OutputFile& file) const {
+  const std::vector<bool> none;
+  write_surface_png(file,
+                    {.points = file_.points,
+                     .triangles = boundary_.surface.triangles,
+                     .rims = {},
+                     .holes = {},
+                     .islands = {},
+                     .unused = solid_.isolated,
+                     .colors = file_.colors,
+                     .filled = none},
+                    request_.width);
+}
+
+void SolidRun::write() {
+  const ProgressLine line = writing();
+  add(request_.targets, [&](OutputFile& file, const Target& target) {
+    if (is_picture(target.format))
+      write_picture(file);
+    else
+      write_solid(file, target.format, {.vertices = file_.points, .tetrahedra = solid_.simplices});
+  });
+  if (!request_.boundary) return;
+  add(request_.boundary->path, [&](OutputFile& file) { write_boundary(file, request_.boundary->format); });
+}
+
+void SolidRun::say_empty() const {
+  std::string why = "no four points have a circumradius so small";
+  if (solid_.distinct < 4)
+    why = "fewer than four distinct points";
+  else if (std::isinf(request_.alpha))
+    why = "all points are in a plane";
+  say("rbpa", "there is no tetrahedron: " + why);
+}
+
+void SolidRun::run() {
+  const SpacePointSource& source = request_.source;
+  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
+  remark(file_.remarks);
+  facts_.read_seconds = lap();
+  build();
+  facts_.build_seconds = lap();
+  count();
+  facts_.count_seconds = lap();
+  write();
+  facts_.write_seconds = lap();
+  if (arguments_.json) add("-", [&](OutputFile& file) { write_solid_json(file, facts_); });
+  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_solid_stats(file, facts_); });
+  publish();
+
+  if (solid_.simplices.empty()) say_empty();
+  std::vector<std::string> files;
+  for (const Target& target : request_.targets) files.push_back(target.path);
+  if (request_.boundary) files.push_back(request_.boundary->path);
+  summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", alpha " + text_of(request_.alpha) + ": " +
+            text_of_solid(facts_) + list_of(files));
+}
+
+}  // namespace
+
+void run_solid(const SolidArguments& arguments) { SolidRun(arguments, parse(arguments)).run(); }
+
+}  // namespace rbpa::app

@@ -1,0 +1,92 @@
+#include "io/mesh/write_solid.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "io/bytes/number.h"
+#include "io/mesh/polygon_files.h"
+#include "io/mesh/vtu.h"
+
+namespace rbpa::app {
+namespace {
+
+std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+
+void write_count(OutputFile& file, std::string_view before, std::size_t count) {
+  file.write(before);
+  file.write_number(std::uint64_t{count});
+  file.write("\n");
+}
+
+/// "7 4 2" as Gmsh has the beginning of a line.
+void write_number_and(OutputFile& file, std::size_t number, std::string_view rest) {
+  file.write_number(std::uint64_t{number});
+  file.write(rest);
+}
+
+void write_vtu(OutputFile& file, const SolidMesh& mesh) {
+  write_vtu(file, {.points = mesh.vertices.size(),
+                   .write_positions =
+                       [&](OutputFile& out) {
+                         for (const Point3& p : mesh.vertices) {
+                           const std::array<double, 3> position = coordinates(p);
+                           out.write_binary(std::span<const double>(position));
+                         }
+                       },
+                   .tetrahedra = mesh.tetrahedra});
+}
+
+void write_medit(OutputFile& file, const SolidMesh& mesh) {
+  // Lines end in a reference, which is what parts of a mesh are told apart by: there is one part.
+  file.write("MeshVersionFormatted 2\nDimension 3\n");
+  write_count(file, "Vertices\n", mesh.vertices.size());
+  for (const Point3& p : mesh.vertices) {
+    const std::array<double, 3> position = coordinates(p);
+    char* at = file.room(3 * (number_room + 1) + 2);
+    for (const double coordinate : position) {
+      at = put_number(at, coordinate);
+      *at++ = ' ';
+    }
+    *at++ = '0';
+    *at++ = '\n';
+    file.written(at);
+  }
+  write_count(file, "Tetrahedra\n", mesh.tetrahedra.size());
+  for (const auto& tetrahedron : mesh.tetrahedra) {
+    char* at = file.room(4 * (number_room + 1) + 2);
+    for (const std::uint32_t corner : tetrahedron) {
+      at = put_number(at, std::uint64_t{corner} + 1);
+      *at++ = ' ';
+    }
+    *at++ = '0';
+    *at++ = '\n';
+    file.written(at);
+  }
+  file.write("End\n");
+}
+
+void write_gmsh(OutputFile& file, const SolidMesh& mesh) {
+  file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+  write_count(file, "$Nodes\n", mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    write_number_and(file, i + 1, " ");
+    write_position(file, "", coordinates(mesh.vertices[i]));
+  }
+  write_count(file, "$EndNodes\n$Elements\n", mesh.tetrahedra.size());
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    write_number_and(file, t + 1, " 4 2 1 1");  // a tetrahedron, with two tags: its physical and its geometrical entity
+    write_corners(file, mesh.tetrahedra[t], 1);
+  }
+  file.write("$EndElements\n");
+}
+
+}  // namespace
+
+void write_solid(OutputFile& file, Format format, const SolidMesh& mesh) {
+  if (format == Format::npy) return write_npy_rows(file, mesh.tetrahedra);
+  if (format == Format::medit) return write_medit(file, mesh);
+  if (format == Format::gmsh) return write_gmsh(file, mesh);
+  write_vtu(file, mesh);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,186 @@
+// `rbpa solid`: what is written, what is said, wrong usage, bad input, a signal.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+/// A grid of 5 × 5 × 5 points without the one in the middle.
+std::string hollow_cube() {
+  std::string text;
+  for (int i = 0; i < 125; ++i)
+    if (i != 62) text += std::to_string(i % 5) + " " + std::to_string(i / 5 % 5) + " " + std::to_string(i / 25) + "\n";
+  return text;
+}
+
+void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
+  CAPTURE(arguments);
+  const auto before = folder.names();
+  const Outcome outcome = folder.rbpa("solid " + arguments);
+  CHECK(outcome.code == code);
+  CHECK(outcome.err == "rbpa: " + message + "\n");
+  CHECK(outcome.out.empty());
+  CHECK(folder.names() == before);
+}
+
+using Row = std::array<std::uint32_t, 4>;
+
+std::vector<Row> rows_of(const std::string& npy) {
+  CHECK(npy.find("'descr': '<u4'") != std::string::npos);
+  const std::size_t begin = npy.find('\n') + 1;
+  std::vector<Row> rows((npy.size() - begin) / sizeof(Row));
+  std::memcpy(rows.data(), npy.data() + begin, rows.size() * sizeof(Row));
+  return rows;
+}
+
+/// Rows of so many numbers behind a line; of each the four at `at`, less 1.
+std::vector<Row> rows_behind(const std::string& text, const std::string& line, std::size_t numbers, std::size_t at) {
+  std::istringstream in(text.substr(text.find(line) + line.size()));
+  std::size_t count = 0;
+  in >> count;
+  std::vector<Row> rows(count);
+  for (Row& row : rows) {
+    std::vector<std::uint32_t> all(numbers);
+    for (std::uint32_t& number : all) in >> number;
+    for (std::size_t k = 0; k < 4; ++k) row[k] = all[at + k] - 1;
+  }
+  CHECK(in.good());
+  return rows;
+}
+
+}  // namespace
+
+TEST_SUITE("solid") {
+  TEST_CASE("every format has the same tetrahedra, and statistics are those of the cube and its void") {
+    const Folder folder;
+    folder.file("c.xyz", hollow_cube());
+    const Outcome outcome = folder.rbpa(
+        "solid c.xyz --alpha 0.9 -o t.npy -o t.vtu -o t.mesh -o t.msh -o t.png --width 200 --boundary b.ply --stats "
+        "s.json");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.empty());
+    const json stats = json::parse(folder.content("s.json"));
+    CHECK(stats["points"] == 124);
+    CHECK(stats["isolated"] == 0);
+    CHECK(stats["alpha"] == 0.9);
+    CHECK(stats["solid_components"] == 1);
+    CHECK(stats["betti"] == json({1, 0, 1}));
+    // The eight cubes around the middle are without a corner, and so without what was made of it.
+    const double volume = stats["volume"];
+    CHECK(volume > 56);
+    CHECK(volume < 64);
+    for (const char* part : {"read", "build", "count", "write"}) CHECK(stats["seconds"][part] >= 0);
+    const std::vector<Row> rows = rows_of(folder.content("t.npy"));
+    CHECK(rows.size() == stats["tetrahedra"]);
+    CHECK(std::is_sorted(rows.begin(), rows.end()));
+    CHECK(rows_behind(folder.content("t.mesh"), "\nTetrahedra\n", 5, 0) == rows);
+    CHECK(rows_behind(folder.content("t.msh"), "$Elements\n", 9, 5) == rows);
+    CHECK(folder.content("t.mesh").find("\nVertices\n124\n0 0 0 0\n1 0 0 0\n") != std::string::npos);
+    CHECK(folder.content("t.msh").find("$Nodes\n124\n1 0 0 0\n2 1 0 0\n") != std::string::npos);
+    const std::string vtu = folder.content("t.vtu");
+    CHECK(vtu.find("NumberOfCells=\"" + std::to_string(rows.size()) + "\"") != std::string::npos);
+    CHECK(vtu.find(std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row))) !=
+          std::string::npos);
+    CHECK(folder.content("t.png").starts_with("\x89PNG"));
+    CHECK(outcome.err.find("1 solid component, 0 tunnels, 1 void, volume ") != std::string::npos);
+    CHECK(outcome.err.ends_with(" -> t.npy, t.vtu, t.mesh, t.msh, t.png, b.ply\n"));
+  }
+
+  TEST_CASE("the boundary is closed and without defects, where the solid touches itself as well") {
+    const Folder folder;
+    // Two tetrahedra that have an edge in common, given twice, and one that has a point in common with the second.
+    folder.file("c.xyz",
+                "0 0 -1\n0 0 1\n2 1 0\n2 -1 0\n-2 1 0\n-2 -1 0\n0 0 -1\n0 0 1\n"
+                "3 3 1\n3 3 -1\n4 2 0\n");
+    REQUIRE(folder.rbpa("solid c.xyz --alpha 1.5 -o t.npy --boundary b.ply --stats s.json").code == 0);
+    CHECK(rows_of(folder.content("t.npy")) == std::vector<Row>{{0, 1, 3, 2}, {0, 1, 4, 5}, {2, 8, 10, 9}});
+    const json stats = json::parse(folder.content("s.json"));
+    CHECK(stats["points"] == 11);
+    CHECK(stats["distinct"] == 9);
+    CHECK(stats["solid_components"] == 3);
+    CHECK(stats["betti"] == json({1, 0, 0}));
+    CHECK(stats["edges"] == 17);
+    CHECK(folder.meshtopo("b.ply --check closed,manifold,components=3,genus=0").code == 0);
+    REQUIRE(folder.rbpa("solid c.xyz --alpha 1.5 --boundary b.npy -q").code == 0);
+    CHECK(folder.content("b.npy").find("'shape': (12, 3)") != std::string::npos);
+  }
+
+  TEST_CASE("JSON has each component and each void") {
+    const Folder folder;
+    folder.file("c.xyz", hollow_cube());
+    const Outcome outcome = folder.rbpa("solid c.xyz --alpha 0.9 --json -q");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    const json report = json::parse(outcome.out);
+    REQUIRE(report["void_list"].size() == 1);
+    REQUIRE(report["solid_component_list"].size() == 1);
+    CHECK(report["solid_component_list"][0]["volume"] == report["volume"]);
+    CHECK(double(report["void_list"][0]["volume"]) + double(report["volume"]) == 64);
+    CHECK(report["void_list"][0]["points"].size() >= 6);
+    CHECK(report["void_list"][0]["islands"] == 0);
+    CHECK(report["solid_component_list"][0]["box"] == json({{0.0, 0.0, 0.0}, {4.0, 4.0, 4.0}}));
+    CHECK(json::parse(folder.rbpa("solid c.xyz --alpha inf --json -q").out)["alpha"] == "inf");
+  }
+
+  TEST_CASE("the order of the points and threads change no tetrahedron, a column and a condition choose them") {
+    const Folder folder;
+    folder.file(
+        "c.csv", "x,y,z,class\n" + [] {
+          std::string text = hollow_cube();
+          std::replace(text.begin(), text.end(), ' ', ',');
+          std::string lines;
+          for (std::size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
+            lines += text.substr(at, end - at) + ",1\n";
+          return lines + "2,2,2,7\n";
+        }());
+    folder.file("c.xyz", hollow_cube());
+    REQUIRE(folder.rbpa("solid c.csv --where 'class == 1' --alpha 0.9 -o a.npy --threads 1").code == 0);
+    REQUIRE(folder.rbpa("solid c.xyz --alpha 0.9 -o b.npy --threads 2").code == 0);
+    CHECK(folder.content("a.npy") == folder.content("b.npy"));
+  }
+
+  TEST_CASE("where there is no tetrahedron it says why") {
+    const Folder folder;
+    const auto says = [&](const std::string& points, const std::string& alpha, const std::string& why) {
+      folder.file("p.xyz", points);
+      const Outcome outcome = folder.rbpa("solid p.xyz --alpha " + alpha + " -o t.npy --boundary b.stl");
+      CHECK(outcome.code == 0);
+      CHECK(outcome.err.starts_with("rbpa: there is no tetrahedron: " + why + "\n"));
+      CHECK(rows_of(folder.content("t.npy")).empty());
+    };
+    says("1 2 3\n", "inf", "fewer than four distinct points");
+    says("0 0 0\n0 0 0\n1 0 0\n0 1 0\n", "inf", "fewer than four distinct points");
+    says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "inf", "all points are in a plane");
+    says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "no four points have a circumradius so small");
+  }
+
+  TEST_CASE("wrong usage and bad input are refused in a line, and nothing is written") {
+    const Folder folder;
+    folder.file("c.xyz", hollow_cube());
+    folder.file("bad.xyz", "0 0 0\n1 0 zero\n");
+    const std::string radius = "expected a radius: a number above 0, or inf";
+    refuses(folder, "c.xyz --alpha 0 -o t.npy", 2, "--alpha: found '0', " + radius);
+    refuses(folder, "c.xyz --alpha=-1 -o t.npy", 2, "--alpha: found '-1', " + radius);
+    refuses(folder, "c.xyz --alpha=-inf -o t.npy", 2, "--alpha: found '-inf', " + radius);
+    refuses(folder, "c.xyz --alpha nan -o t.npy", 2, "--alpha: found 'nan', " + radius);
+    refuses(folder, "c.xyz --alpha auto -o t.npy", 2, "--alpha: found 'auto', " + radius);
+    refuses(folder, "c.xyz --alpha 1 -o t.ply", 2,
+            "t.ply: found the ending 'ply', expected one of vtu, msh, mesh, npy, png, or --output-format");
+    refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,
+            "--boundary: found the ending 'png', expected one of ply, off, obj, stl, glb, vtu, npy");
+    refuses(folder, "c.xyz --alpha 1", 2, "found no -o OUT, expected at least one (or --stats)");
+    refuses(folder, "bad.xyz --alpha 1 -o t.npy", 3, "bad.xyz:2: found 'zero', expected a number");
+  }
+}
