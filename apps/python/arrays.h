@@ -13,6 +13,7 @@
 
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa::python {
@@ -29,6 +30,14 @@ inline std::span<const Point> points_of(const Doubles& array) {
   if (array.ndim() != 2 || array.shape(1) != 2) throw py::value_error("points: expected an array of shape (n, 2)");
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+/// The same of points or vectors of space, an array of n × 3.
+inline std::span<const Point3> points3_of(const Doubles& array, const char* name) {
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw py::value_error(std::string(name) + ": expected an array of shape (n, 3)");
+  static_assert(sizeof(Point3) == 3 * sizeof(double));
+  return {reinterpret_cast<const Point3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
 inline std::span<const Triple> triples_of(const Indices& array, const char* name) {

@@ -13,6 +13,7 @@ void bind_mesh(pybind11::module_& module);
 void bind_soups(pybind11::module_& module);
 void bind_locator(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
+void bind_solid(pybind11::module_& module);
 void bind_partial(pybind11::module_& module);
 void bind_points(pybind11::module_& module);
 

@@ -40,14 +40,6 @@ namespace {
 using MaybeDoubles = std::optional<Doubles>;
 using Causes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// Contiguous points or vectors of space, an array of n × 3. The array must outlive the span.
-std::span<const Point3> points3_of(const Doubles& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 3)
-    throw py::value_error(std::string(name) + ": expected an array of shape (n, 3)");
-  static_assert(sizeof(Point3) == 3 * sizeof(double));
-  return {reinterpret_cast<const Point3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
-}
-
 std::span<const double> numbers_of(const Doubles& array) {
   if (array.ndim() != 1) throw py::value_error("radii: expected an array of shape (k,)");
   return {array.data(), static_cast<std::size_t>(array.shape(0))};

@@ -1,5 +1,5 @@
-"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane, surfaces of points in space: exact on
-any input, and fast.
+"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane, surfaces and solids of points in space:
+exact on any input, and fast.
 
     >>> import rbpa
     >>> shape = rbpa.alpha_shape([[0, 0], [1, 0], [1, 1], [0, 1], [9, 9]], alpha=1.0)
@@ -19,6 +19,7 @@ What there is:
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
+    solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
     estimate_normals(points)             of points in space that have none
     read_points(path, space=False)       points of LAS, tables, PLY and other files             -> PointFile
     rbpa.meshops                         halfedge meshes that no operator can break, repair
@@ -49,6 +50,7 @@ from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
+from rbpa._solid import Solid, SolidVoid, solid
 from rbpa._surface import NotWatertight, Surface, SurfaceComponent, SurfaceHole, estimate_normals, scale_space, surface
 
 __all__ = [
@@ -64,6 +66,8 @@ __all__ = [
     "PointFile",
     "Polygon",
     "Polygons",
+    "Solid",
+    "SolidVoid",
     "Surface",
     "SurfaceComponent",
     "SurfaceHole",
@@ -76,13 +80,14 @@ __all__ = [
     "filtration",
     "read_points",
     "scale_space",
+    "solid",
     "surface",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(NotWatertight, Surface, SurfaceComponent, SurfaceHole),
-    *(alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, read_points, scale_space, surface),
+    *(NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole),
+    *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, read_points, scale_space, surface),
 ):
     _public.__module__ = __name__

@@ -1,0 +1,196 @@
+"""The solid alpha complex of points in space: tetrahedra, their boundary and voids."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import Any, Optional
+
+import numpy.typing as npt
+
+from rbpa import _core, meshops
+from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads
+from rbpa._result import Result, freeze
+
+
+def solid(
+    points: npt.ArrayLike,
+    alpha: float = math.inf,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Solid:
+    """The tetrahedra of points in space whose circumradius is at most alpha: the solid alpha complex. At infinity, the Delaunay
+    triangulation.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3)
+        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
+        is in use; anything else is converted.
+    alpha : float
+        A radius in the units of the points, never its square.
+    threads, progress
+        As for `alpha_shape`; `progress` is called with the number of points done in place of triangles.
+
+    Returns
+    -------
+    Solid
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError: points of another shape, a coordinate or alpha that is none; says which.
+    Cancelled
+        `progress` returned False.
+
+    Examples
+    --------
+    >>> corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> cube = rbpa.solid(corners)
+    >>> cube.volume, cube.area, cube.betti, len(cube.boundary)
+    (1.0, 6.0, (1, 0, 0), 12)
+    """
+    array = as_points(points, columns=3)
+    radius = as_number(alpha, "alpha", "a radius: a number > 0, or inf")
+    return Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
+
+
+class SolidVoid:
+    """A void of a solid: one of `Solid.voids`. Arrays are read-only.
+
+    Attributes
+    ----------
+    volume, area : float
+        Without what floats in it; of all of its boundary.
+    box : float64 array of shape (2, 3)
+        The least and the greatest coordinates.
+    islands : int
+        How many pieces of the solid float in it.
+    triangles : int32 array of shape (k,)
+        The triangles around it, by their numbers in `Solid.boundary`.
+    points : int32 array of shape (p,)
+        The points around it, ascending.
+    """
+
+    def __init__(self, volume: float, area: float, box: Floats, islands: int, triangles: Indices, points: Indices) -> None:
+        self.volume = volume
+        self.area = area
+        self.box = box
+        self.islands = islands
+        self.triangles = triangles
+        self.points = points
+        freeze(box, triangles, points)
+
+    def __repr__(self) -> str:
+        return f"<rbpa.SolidVoid of volume {self.volume}, area {self.area}, {len(self.points)} points around it>"
+
+
+class Solid(Result):
+    """Tetrahedra of points in space: what `solid` returns. Arrays are read-only.
+
+    Attributes
+    ----------
+    points : float64 array of shape (n, 3)
+        The points that were given, the same array where nothing had to be converted. Indices are into it.
+    alpha : float
+        The radius that was given.
+    simplices : int32 array of shape (m, 4)
+        The corners of each tetrahedron, positively oriented, the smallest index first, in lexicographic order.
+    neighbors : int32 array of shape (m, 4)
+        Number k of a tetrahedron is the one across from its corner k, or -1.
+    duplicates : int32 array of shape (d, 2)
+        Points equal to one before them, and that one, which stands for them everywhere.
+    isolated : int32 array of shape (i,)
+        Distinct points in no tetrahedron.
+    """
+
+    points: Floats
+    alpha: float
+    simplices: Indices
+    neighbors: Indices
+    duplicates: Indices
+    isolated: Indices
+
+    def __init__(self, points: Floats, alpha: float, made: dict[str, Any]) -> None:
+        super().__init__({"alpha": alpha, **made}, points=points)
+
+    @cached_property
+    def _voids(self) -> dict[str, Any]:
+        self._require_unchanged()
+        made = _core.solid_voids(self.points, self.simplices, self.neighbors)
+        freeze(made["triangles"], made["neighbors"], made["tetrahedra"])
+        return made
+
+    @property
+    def boundary(self) -> Indices:
+        """The triangles with a tetrahedron on one side only, an array of shape (b, 3), counter-clockwise seen from outside.
+        Computed at the first access, with all that follows from it."""
+        return self._voids["triangles"]  # type: ignore[no-any-return]
+
+    @property
+    def boundary_neighbors(self) -> Indices:
+        """Number k of a triangle of the boundary is the one across from its corner k; there always is one, on the same wedge
+        of the solid where several meet at an edge."""
+        return self._voids["neighbors"]  # type: ignore[no-any-return]
+
+    @property
+    def boundary_simplices(self) -> Indices:
+        """The tetrahedron behind each triangle of the boundary, an array of shape (b,)."""
+        return self._voids["tetrahedra"]  # type: ignore[no-any-return]
+
+    @property
+    def betti(self) -> tuple[int, int, int]:
+        """Components, tunnels and voids of the solid as a space: pieces that touch in a point are one."""
+        return self._voids["betti"]  # type: ignore[no-any-return]
+
+    @property
+    def solid_components(self) -> int:
+        """How many pieces there are that hang together through triangles."""
+        return int(self._voids["solid_components"])
+
+    @property
+    def volume(self) -> float:
+        """Of all tetrahedra."""
+        return float(self._voids["volume"])
+
+    @property
+    def area(self) -> float:
+        """Of the boundary."""
+        return float(self._voids["area"])
+
+    @cached_property
+    def voids(self) -> list[SolidVoid]:
+        """The bounded components of what is outside, the largest volume first."""
+        of = self._voids
+        triangles, points = of["first_triangle"].tolist(), of["first_point"].tolist()
+        return [
+            SolidVoid(
+                volume,
+                area,
+                of["void_box"][i].reshape(2, 3).copy(),
+                islands,
+                of["void_triangles"][triangles[i] : triangles[i + 1]].copy(),
+                of["void_points"][points[i] : points[i + 1]].copy(),
+            )
+            for i, (volume, area, islands) in enumerate(
+                zip(of["void_volume"].tolist(), of["void_area"].tolist(), of["void_islands"].tolist())
+            )
+        ]
+
+    def boundary_mesh(self) -> meshops.Mesh:
+        """A halfedge mesh of the boundary, a new one with each call: face i is triangle i of `boundary`, and goes on where
+        `boundary_neighbors` says. Always closed; where the solid touches itself each side has vertices of its own.
+        ``mesh.point_of_vertex`` says on which point each stands."""
+        made = meshops.Mesh()
+        _core.surface_mesh(made, self.points, self.boundary, self.boundary_neighbors)
+        return made
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
+        import meshio
+
+        return meshio.Mesh(self.points, [("tetra", self.simplices)])
+
+    def __repr__(self) -> str:
+        return f"<rbpa.Solid of {len(self.points)} points, alpha {self.alpha}: {len(self.simplices)} tetrahedra>"

@@ -1,0 +1,103 @@
+#include "rbpa/solid.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+#include "rbpa/solid_boundary.h"
+#include "rbpa/voids.h"
+
+namespace rbpa::python {
+namespace {
+
+py::dict solid_of(const Doubles& points, double alpha, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  Solid made = watched(input.size(), progress, [&](Watch& watch) {
+    return solid(input, alpha, {.threads = threads, .progress = watch.progress()});
+  });
+  static_assert(static_cast<std::uint32_t>(-1) == Solid::none);
+  py::dict result;
+  result["simplices"] = rows<std::int32_t>(std::move(made.simplices));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  result["isolated"] = line<std::int32_t>(std::move(made.isolated));
+  return result;
+}
+
+std::vector<std::array<std::uint32_t, 4>> quadruples_of(const Indices& array, const char* name) {
+  if (array.ndim() != 2 || array.shape(1) != 4)
+    throw py::value_error(std::string(name) + ": expected an array of shape (n, 4)");
+  std::vector<std::array<std::uint32_t, 4>> result(static_cast<std::size_t>(array.shape(0)));
+  if (!result.empty()) std::memcpy(result.data(), array.data(), 4 * sizeof(std::uint32_t) * result.size());
+  return result;
+}
+
+/// The boundary, and all of the voids column by column: where the triangles and points of each begin.
+py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices& neighbors) {
+  const auto input = points3_of(points, "points");
+  struct Made {
+    SolidBoundary boundary;
+    BoundaryMeasures measures;
+    Voids voids;
+  };
+  Made made = watched(input.size(), py::none(), [&](Watch&) {
+    Solid again;
+    again.simplices = quadruples_of(simplices, "simplices");
+    again.neighbors = quadruples_of(neighbors, "neighbors");
+    Made all{.boundary = solid_boundary(again), .measures = {}, .voids = {}};
+    all.measures = measure(input, all.boundary.surface);
+    all.voids = voids(input, again, all.boundary);
+    return all;
+  });
+  std::vector<double> volume, area;
+  std::vector<std::array<double, 6>> box;
+  std::vector<std::int64_t> islands, first_triangle = {0}, first_point = {0};
+  std::vector<std::uint32_t> triangles, around;
+  for (const SolidVoid& hollow : made.voids.all) {
+    volume.push_back(hollow.volume);
+    area.push_back(hollow.area);
+    box.push_back({hollow.low.x, hollow.low.y, hollow.low.z, hollow.high.x, hollow.high.y, hollow.high.z});
+    islands.push_back(static_cast<std::int64_t>(hollow.islands));
+    triangles.insert(triangles.end(), hollow.triangles.begin(), hollow.triangles.end());
+    around.insert(around.end(), hollow.points.begin(), hollow.points.end());
+    first_triangle.push_back(static_cast<std::int64_t>(triangles.size()));
+    first_point.push_back(static_cast<std::int64_t>(around.size()));
+  }
+  const SolidCounts& counts = made.voids.counts;
+  py::dict result;
+  result["triangles"] = rows<std::int32_t>(std::move(made.boundary.surface.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.boundary.surface.neighbors));
+  result["tetrahedra"] = line<std::int32_t>(std::move(made.boundary.tetrahedra));
+  result["betti"] = py::make_tuple(counts.components, counts.tunnels, counts.voids);
+  result["solid_components"] = counts.solid_components;
+  result["volume"] = made.measures.volume;
+  result["area"] = made.measures.area;
+  result["void_volume"] = line<double>(std::move(volume));
+  result["void_area"] = line<double>(std::move(area));
+  result["void_box"] = rows<double>(std::move(box));
+  result["void_islands"] = line<std::int64_t>(std::move(islands));
+  result["void_triangles"] = line<std::int32_t>(std::move(triangles));
+  result["void_points"] = line<std::int32_t>(std::move(around));
+  result["first_triangle"] = line<std::int64_t>(std::move(first_triangle));
+  result["first_point"] = line<std::int64_t>(std::move(first_point));
+  return result;
+}
+
+}  // namespace
+
+void bind_solid(py::module_& module) {
+  using py::arg;
+  module.def("solid", &solid_of, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
+  module.def("solid_voids", &voids_of, arg("points").noconvert(), arg("simplices").noconvert(),
+             arg("neighbors").noconvert());
+}
+
+}  // namespace rbpa::python

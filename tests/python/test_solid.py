@@ -1,0 +1,116 @@
+"""Tetrahedra of points in space."""
+
+import math
+import pickle
+
+import numpy
+import pytest
+import rbpa
+
+scipy_spatial = pytest.importorskip("scipy.spatial")
+
+
+def sorted_rows(simplices):
+    return sorted(map(tuple, numpy.sort(simplices, axis=1).tolist()))
+
+
+@pytest.mark.parametrize("count", [4, 5, 20, 400])
+def test_delaunay_is_that_of_scipy(count):
+    points = numpy.random.default_rng(count).random((count, 3))
+    solid = rbpa.solid(points)
+    expected = scipy_spatial.Delaunay(points)
+    assert sorted_rows(solid.simplices) == sorted_rows(expected.simplices)
+    assert solid.volume == pytest.approx(scipy_spatial.ConvexHull(points).volume, rel=1e-12)
+    assert solid.area == pytest.approx(scipy_spatial.ConvexHull(points).area, rel=1e-12)
+    assert sorted_rows(solid.boundary) == sorted_rows(scipy_spatial.ConvexHull(points).simplices)
+    assert solid.betti == (1, 0, 0)
+
+
+def test_neighbors_have_a_face_in_common_and_lie_across():
+    points = numpy.random.default_rng(7).random((300, 3))
+    solid = rbpa.solid(points, 0.15)
+    assert (solid.neighbors == -1).sum() == len(solid.boundary)
+    for tetrahedron, others in zip(solid.simplices, solid.neighbors):
+        a, b, c, d = points[tetrahedron]
+        assert numpy.cross(b - a, c - a) @ (d - a) > 0
+        for k, other in enumerate(others):
+            if other >= 0:
+                assert set(tetrahedron) - set(solid.simplices[other]) == {tetrahedron[k]}
+    assert set(numpy.unique(solid.simplices)) | set(solid.isolated) == set(range(300))
+
+
+def test_a_hollow_cube_has_a_void():
+    grid = numpy.array([(x, y, z) for x in range(5) for y in range(5) for z in range(5) if (x, y, z) != (2, 2, 2)], float)
+    solid = rbpa.solid(grid, 0.9)
+    assert solid.betti == (1, 0, 1)
+    (void,) = solid.voids
+    assert solid.volume + void.volume == 64
+    assert solid.area == 96 + void.area
+    assert void.islands == 0
+    assert numpy.linalg.norm(grid[void.points] - 2, axis=1).max() < 1.8
+    corners = grid[solid.boundary[void.triangles]]
+    assert numpy.einsum("ij,ij->i", corners[:, 0], numpy.cross(corners[:, 1], corners[:, 2])).sum() / 6 == pytest.approx(-void.volume)
+    report = solid.boundary_mesh().report()
+    assert report.boundary_curves == 0 and report.components == 2 and report.genus == 0
+    assert (solid.boundary_simplices[void.triangles] >= 0).all()
+    assert "void" in repr(void).lower() and "tetrahedra" in repr(solid)
+
+
+def test_what_touches_is_one_component_and_two_solid_ones():
+    points = [[0, 0, -1], [0, 0, 1], [2, 1, 0], [2, -1, 0], [-2, 1, 0], [-2, -1, 0], [0, 0, 1]]
+    solid = rbpa.solid(points, 1.5)
+    assert len(solid.simplices) == 2 and solid.solid_components == 2 and solid.betti == (1, 0, 0)
+    assert solid.duplicates.tolist() == [[6, 1]]
+    assert solid.boundary_mesh().report().components == 2
+
+
+def test_flat_and_few_points_have_no_tetrahedron():
+    for points in ([], [[1, 2, 3]], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]):
+        solid = rbpa.solid(points)
+        assert solid.simplices.shape == (0, 4) and solid.boundary.shape == (0, 3)
+        assert solid.volume == 0 and solid.betti == (0, 0, 0) and solid.voids == []
+        assert len(solid.isolated) == len(points)
+
+
+def test_threads_and_pickles_change_nothing_and_arrays_are_read_only():
+    points = numpy.random.default_rng(8).random((3000, 3))
+    one, two = rbpa.solid(points, 0.08, threads=1), rbpa.solid(points, 0.08, threads=2)
+    assert one.simplices.tobytes() == two.simplices.tobytes() and one.neighbors.tobytes() == two.neighbors.tobytes()
+    again = pickle.loads(pickle.dumps(one))
+    assert again.volume == one.volume and again.alpha == 0.08
+    assert one.points is points
+    for array in (one.simplices, one.neighbors, one.boundary, one.isolated, again.simplices):
+        with pytest.raises(ValueError):
+            array[:] = 0
+
+
+def test_wrong_calls_are_refused_in_a_sentence():
+    points = numpy.random.default_rng(9).random((10, 3))
+    with pytest.raises(rbpa.InvalidInput, match=r"expected \(n, 3\)"):
+        rbpa.solid(points[:, :2])
+    for alpha in (0, -1, math.nan):
+        with pytest.raises(rbpa.InvalidInput, match="alpha"):
+            rbpa.solid(points, alpha)
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'auto'"):
+        rbpa.solid(points, "auto")
+    with pytest.raises(rbpa.InvalidInput):
+        rbpa.solid(points * math.inf)
+    solid = rbpa.solid(points)
+    with pytest.raises(ValueError):
+        rbpa._core.solid_voids(points, solid.boundary, solid.neighbors)
+
+
+def test_progress_is_called_and_cancels():
+    points = numpy.random.default_rng(10).random((100_000, 3))
+    calls = []
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.solid(points, progress=lambda done, count: calls.append((done, count)) or False)
+    assert calls and calls[0][1] == len(points)
+
+
+def test_meshio_has_the_tetrahedra():
+    meshio = pytest.importorskip("meshio")
+    solid = rbpa.solid(numpy.random.default_rng(11).random((50, 3)))
+    mesh = solid.to_meshio()
+    assert isinstance(mesh, meshio.Mesh)
+    assert numpy.array_equal(mesh.cells_dict["tetra"], solid.simplices)
