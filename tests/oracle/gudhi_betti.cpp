@@ -1,5 +1,7 @@
 #include "oracle/gudhi_betti.h"
 
+#include <iostream>  // GUDHI's headers use it
+
 #include <gudhi/Persistent_cohomology.h>
 #include <gudhi/Simplex_tree.h>
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/space/boundary/connected.h"
 #include "rbpa/space/boundary/glue_outside.h"
 #include "rbpa/space/boundary/link_places.h"
@@ -13,9 +14,18 @@
 namespace rbpa::space {
 namespace {
 
-/// A corner of the boundary at the point that is looked at; corner k of triangle t is number 3 t + k.
+/// A triangle of the boundary at one of its corners, with all that is looked at there: nothing is read from afar.
+struct Corner {
+  std::uint32_t triangle;
+  std::uint32_t head;         // its next corner
+  std::uint32_t tetrahedron;  // behind it
+  std::uint32_t inside,
+      outside;  // the next triangle around the corner, as glued through the solid and through the outside
+};
+
+/// A corner at the point that is looked at.
 struct CornerAt {
-  std::uint32_t corner;
+  std::uint32_t triangle, head;
   std::uint32_t region;  // of the link's inside: tetrahedra connected through faces at the point
   std::uint32_t part;    // of the link: regions that touch, as one of them
   std::uint32_t fan;     // of triangles glued through the outside
@@ -35,16 +45,21 @@ class AtPoints {
         outside_(outside) {}
 
   void look_at_all() {
-    std::vector<std::uint32_t> end(points_.size() + 1, 0), corners(3 * triangles_.size());
+    std::vector<std::uint32_t> end(points_.size() + 1, 0);
     for (const Triangle& t : triangles_)
       for (const std::uint32_t i : t) ++end[i + 1];
     for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
+    meshops::FreshVector<Corner> corners(3 * triangles_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
-      for (std::uint32_t k = 0; k < 3; ++k) corners[end[triangles_[t][k]]++] = 3 * t + k;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t next = (k + 1) % 3;
+        corners[end[triangles_[t][k]]++] = {t, triangles_[t][next], behind_[t], glued_inside_[t][next],
+                                            glued_outside_[t][next]};
+      }
     for (std::uint32_t v = 0, begin = 0; v < points_.size(); begin = end[v++]) {
       if (begin == end[v]) continue;
       ++outside_.points;
-      look_at(v, std::span(corners).subspan(begin, end[v] - begin));
+      look_at(v, std::span<const Corner>(corners).subspan(begin, end[v] - begin));
     }
   }
 
@@ -54,8 +69,8 @@ class AtPoints {
  private:
   using Row = std::array<std::uint32_t, 4>;
 
-  void look_at(std::uint32_t v, std::span<const std::uint32_t> corners) {
-    const std::size_t fans = find_fans(corners, glued_inside_);
+  void look_at(std::uint32_t v, std::span<const Corner> corners) {
+    const std::size_t fans = find_fans(corners, [](const Corner& c) { return c.inside; });
     fans_ += fans;
     if (fans == 1) {
       ++regions_;
@@ -63,35 +78,39 @@ class AtPoints {
     }
     if (seen_.empty()) seen_.resize(solid_.simplices.size(), 0);
     at_.clear();
-    find_fans(corners, glued_outside_);
     const std::uint32_t first_region = next_region_;
     std::size_t left = corners.size();  // in tetrahedra that are not reached
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::uint32_t t = behind_[corners[i] / 3];
-      if (seen_[t] < first_region) left = pass_region(v, t, left);
-      at_.push_back({corners[i], seen_[t] - first_region, 0, fan_[i]});
+    for (const Corner& c : corners) {
+      if (seen_[c.tetrahedron] < first_region) left = pass_region(v, c.tetrahedron, left);
+      at_.push_back({c.triangle, c.head, seen_[c.tetrahedron] - first_region, 0, 0});
     }
     const std::uint32_t regions = next_region_ - first_region;
     regions_ += regions;
     if (regions == 1) return;
+    find_fans(corners, [](const Corner& c) { return c.outside; });
+    for (std::size_t i = 0; i < at_.size(); ++i) at_[i].fan = fan_[i];
     find_parts(regions);
     join_fans(v);
   }
 
-  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: its corners, ascending.
-  std::size_t find_fans(std::span<const std::uint32_t> corners, const std::vector<Triangle>& neighbors) {
+  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: its corners by triangle, ascending, and the next triangle
+  /// around it of each.
+  template <typename Next>
+  std::size_t find_fans(std::span<const Corner> corners, const Next& next_of) {
     constexpr std::uint32_t unseen = 0xffffffff;
     constexpr std::size_t few = 16;  // are compared faster than searched
     next_.resize(corners.size());
     fan_.assign(corners.size(), unseen);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::uint32_t least =
-          3 * neighbors[corners[i] / 3][(corners[i] + 1) % 3];  // corner of the next triangle around
+      const std::uint32_t next = next_of(corners[i]);
       std::size_t place = 0;
       if (corners.size() <= few)
-        for (const std::uint32_t corner : corners) place += corner < least ? 1u : 0u;
+        for (const Corner& c : corners) place += c.triangle < next ? 1u : 0u;
       else
-        place = static_cast<std::size_t>(std::lower_bound(corners.begin(), corners.end(), least) - corners.begin());
+        place =
+            static_cast<std::size_t>(std::lower_bound(corners.begin(), corners.end(), next,
+                                                      [](const Corner& c, std::uint32_t t) { return c.triangle < t; }) -
+                                     corners.begin());
       next_[i] = static_cast<std::uint32_t>(place);
     }
     std::uint32_t fans = 0;
@@ -130,12 +149,11 @@ class AtPoints {
 
   /// Regions of the link touch at a point of it, an edge of the complex, if a side of each leaves along it.
   void find_parts(std::uint32_t regions) {
-    const auto head = [&](const CornerAt& c) { return triangles_[c.corner / 3][(c.corner + 1) % 3]; };
-    std::sort(at_.begin(), at_.end(), [&](const CornerAt& a, const CornerAt& b) { return head(a) < head(b); });
+    std::sort(at_.begin(), at_.end(), [](const CornerAt& a, const CornerAt& b) { return a.head < b.head; });
     part_.resize(regions);
     std::iota(part_.begin(), part_.end(), std::uint32_t{0});
     for (std::size_t i = 1; i < at_.size(); ++i)
-      if (head(at_[i]) == head(at_[i - 1])) {
+      if (at_[i].head == at_[i - 1].head) {
         const auto [low, high] = std::minmax({least_of_part(at_[i].region), least_of_part(at_[i - 1].region)});
         part_[high] = low;
       }
@@ -156,9 +174,8 @@ class AtPoints {
       parts += at_[i].part != at_[i - 1].part;
       fans += at_[i].fan != at_[i - 1].fan;
     }
-    const auto triangle_of = [](const CornerAt& c) { return c.corner / 3; };
     if (parts == fans) {  // none goes around any other
-      for (const CornerAt& c : at_) outside_.surfaces.join(triangle_of(at_.front()), triangle_of(c));
+      for (const CornerAt& c : at_) outside_.surfaces.join(at_.front().triangle, c.triangle);
       return;
     }
     // Of each fan, for each part of several fans: which of these is between the fan and the part.
@@ -170,7 +187,7 @@ class AtPoints {
     }
     for (const auto& of : by_part)
       for (std::size_t i = 0; i < of.size(); ++i)
-        if (i == 0 || of[i].fan != of[i - 1].fan) places.emplace_back(std::vector<std::uint32_t>(), triangle_of(of[i]));
+        if (i == 0 || of[i].fan != of[i - 1].fan) places.emplace_back(std::vector<std::uint32_t>(), of[i].triangle);
     for (const auto& around : by_part) {
       if (around.front().fan == around.back().fan) continue;
       auto place = places.begin();
@@ -189,7 +206,7 @@ class AtPoints {
   /// Which fan of a part of the link is crossed an odd number of times on the way to it from another part.
   std::uint32_t fan_between(std::uint32_t v, std::span<const CornerAt> from, std::span<const CornerAt> part) const {
     const auto link_triangle = [&](const CornerAt& c) {
-      const Row& corners = solid_.simplices[behind_[c.corner / 3]];
+      const Row& corners = solid_.simplices[behind_[c.triangle]];
       const std::uint32_t at = place_of(v, corners);
       return LinkTriangle{corners[(at + 1) % 4], corners[(at + 2) % 4], corners[(at + 3) % 4]};
     };
@@ -197,8 +214,9 @@ class AtPoints {
     for (std::size_t i = 0, last = 0; i < part.size(); i = last) {
       bool odd = false;
       for (; last < part.size() && part[last].fan == part[i].fan; ++last) {
-        const std::uint32_t t = part[last].corner / 3, k = part[last].corner % 3;
-        if (arcs_cross(points_, v, begin, end, triangles_[t][(k + 1) % 3], triangles_[t][(k + 2) % 3])) odd = !odd;
+        const Triangle& corners = triangles_[part[last].triangle];
+        const std::uint32_t k = place_of(v, corners);
+        if (arcs_cross(points_, v, begin, end, corners[(k + 1) % 3], corners[(k + 2) % 3])) odd = !odd;
       }
       if (odd) return part[i].fan;
     }
