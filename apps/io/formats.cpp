@@ -37,6 +37,8 @@ constexpr Named formats[] = {
     {"obj", Format::obj, Use::space | Use::mesh | Use::triangles | Use::surface | Use::polylines},
     {"stl", Format::stl, Use::mesh | Use::surface},
     {"pcd", Format::pcd, only(Use::space)},
+    {"pdb ent", Format::pdb, only(Use::space)},
+    {"cif mmcif", Format::cif, only(Use::space)},
     {"png", Format::png, Use::points | Use::triangles | Use::surface | Use::shape | Use::solid},
     {"pgm", Format::pgm, only(Use::points)},
     {"svg", Format::svg, Use::triangles | Use::shape},

@@ -22,6 +22,8 @@ enum class Format {
   obj,
   stl,
   pcd,
+  pdb,
+  cif,
   png,
   pgm,
   svg,
@@ -81,7 +83,8 @@ std::string_view input_ending(std::string_view path);
 /// What there is, for messages and help; what GDAL adds is beside it.
 constexpr std::string_view point_formats =
     "xy, txt, csv, tsv, xyz, pts, xyzn, xyzrgb, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
-constexpr std::string_view space_formats = "xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, obj, pcd, npy, las";
+constexpr std::string_view space_formats =
+    "xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, obj, pcd, npy, las, pdb, cif";
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";

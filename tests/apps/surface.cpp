@@ -291,7 +291,7 @@ TEST_SUITE("surface") {
     refuses(folder, "p.xyz --radius 1 -o m.wkt", 2, "m.wkt: found the ending 'wkt'" + formats);
     refuses(folder, "p.dat --radius 1 -o m.off", 2,
             "p.dat: found the ending 'dat', expected one of xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, "
-            "obj, pcd, npy, las, or --format");
+            "obj, pcd, npy, las, pdb, cif, or --format");
     refuses(folder, "p.xyz --radius 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
     refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,

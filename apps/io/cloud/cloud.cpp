@@ -25,6 +25,8 @@ constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, nullptr, nam
                                          {Format::raw, open_raw, nullptr, nullptr, true},
                                          {Format::ply, open_ply, claimed_ply_size, names_of_properties},
                                          {Format::pcd, open_pcd, claimed_pcd_size, names_of_properties},
+                                         {Format::pdb, open_pdb, nullptr, names_of_columns},
+                                         {Format::cif, open_cif, nullptr, names_of_columns},
                                          {Format::off, open_off, claimed_off_size},
                                          {Format::obj, open_obj}};
 

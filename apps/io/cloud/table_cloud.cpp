@@ -393,5 +393,8 @@ std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request) {
 std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request) {
   return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzrgb);
 }
+std::unique_ptr<Cloud> open_atoms(Content content, const CloudRequest& request) {
+  return std::make_unique<TableCloud>(std::move(content), request, TableKind::atoms);
+}
 
 }  // namespace rbpa::app

@@ -85,6 +85,7 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
 
 /// What a table of a kind has in so many columns, by names; nothing where it has none of that width.
 FieldTexts names_of_kind(TableKind kind, std::size_t width) {
+  if (kind == TableKind::atoms) return {atom_columns.begin(), atom_columns.end()};
   FieldTexts names;
   const auto append = [&](bool has, std::initializer_list<std::string_view> more) {
     for (const std::string_view name : more)

@@ -4,6 +4,7 @@
 //       before the first line of numbers is a header as well, if it has as many names and x, y and z are among them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -18,10 +19,15 @@ namespace rbpa::app {
 /// What the ending of its name says of a table without a header.
 enum class TableKind {
   any,
-  pts,    ///< x y z, with an intensity, with red green blue, or with both
-  xyzn,   ///< x y z nx ny nz
-  xyzrgb  ///< x y z red green blue
+  pts,     ///< x y z, with an intensity, with red green blue, or with both
+  xyzn,    ///< x y z nx ny nz
+  xyzrgb,  ///< x y z red green blue
+  atoms    ///< atom_columns
 };
+
+/// Of an atom: its place, and what conditions may ask for; "?" where the file has nothing.
+inline constexpr std::array<std::string_view, 12> atom_columns = {
+    "x", "y", "z", "serial", "name", "altloc", "resname", "chain", "resseq", "occupancy", "bfactor", "element"};
 
 struct TableLayout {
   bool header = false;                    ///< the first line is one
