@@ -19,10 +19,9 @@ struct SurfaceComponent {
   std::size_t triangles = 0;
   std::size_t boundary_sides = 0;  ///< 0: it is closed
   std::size_t boundary_curves = 0;
-  std::size_t genus = 0;  ///< handles, with a vertex for each fan of triangles
-  double area = 0;        ///< in squared units of the points
-  double volume = 0;      ///< in a closed component, negative where the triangles face what it encloses; otherwise 0
-  Point3 low, high;       ///< opposite corners of its box
+  double area = 0;    ///< in squared units of the points
+  double volume = 0;  ///< in a closed component, negative where the triangles face what it encloses; otherwise 0
+  Point3 low, high;   ///< opposite corners of its box
 
   bool is_closed() const { return boundary_sides == 0; }
 };
@@ -35,6 +34,10 @@ struct SurfaceComponents {
 /// Requires: a surface of these points.
 /// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbour of its neighbour.
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface);
+
+/// The genus of each component: its handles, with a vertex for each fan of triangles.
+/// Requires: the components of this surface. Throws: ContractViolation on other sizes, and as split_fans(). Cost: that of split_fans().
+RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components);
 
 /// The triangles of the components that are kept, glued as they were, in the same order.
 /// Requires: the components of this surface, and for each whether it is kept. Throws: ContractViolation on other sizes.

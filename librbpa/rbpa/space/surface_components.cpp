@@ -103,18 +103,10 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
       walk.walk_from({t, k}, [](const BoundarySide&) {});
       ++curves[result.number[t]];
     }
-  std::vector<std::size_t> vertices(begin.size() - 1, 0);
-  const meshops::DisjointSets fans = fans_of(space::arrays_of(surface));
-  for (std::uint32_t corner = 0; corner < fans.size(); ++corner)
-    if (fans.is_least(corner)) ++vertices[result.number[corner / 3]];
   std::vector<Measured> measured;
   for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
     measured.push_back(measure(points, surface, std::span(grouped).subspan(begin[c], begin[c + 1] - begin[c])));
-    SurfaceComponent& last = measured.back();
-    last.boundary_curves = curves[c];
-    // 2 − 2 genus − curves = vertices − edges + triangles.
-    const std::size_t edges = (3 * last.triangles + last.boundary_sides) / 2;
-    last.genus = (2 + edges - last.triangles - vertices[c] - curves[c]) / 2;
+    measured.back().boundary_curves = curves[c];
   }
   std::vector<std::uint32_t> order(measured.size()), place(measured.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -130,6 +122,24 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
   }
   for (std::uint32_t& number : result.number) number = place[number];
   return result;
+}
+
+std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components) {
+  require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max());
+  meshops::require(components.number.size() == surface.triangles.size(),
+                   "genus_of: expected the components of this surface");
+  std::vector<std::size_t> genus;  // vertices, at first
+  genus.resize(components.all.size(), 0);
+  const meshops::DisjointSets fans = fans_of(space::arrays_of(surface));
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner)
+    if (fans.is_least(corner)) ++genus[components.number[corner / 3]];
+  for (std::size_t c = 0; c < genus.size(); ++c) {
+    const SurfaceComponent& component = components.all[c];
+    // 2 − 2 genus − curves = vertices − edges + triangles.
+    const std::size_t edges = (3 * component.triangles + component.boundary_sides) / 2;
+    genus[c] = (2 + edges - component.triangles - genus[c] - component.boundary_curves) / 2;
+  }
+  return genus;
 }
 
 Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
