@@ -46,12 +46,15 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
   result.least = corners_of(points, surface.triangles[triangles.front()]);
   for (const std::uint32_t t : triangles) {
     for (const std::uint32_t other : surface.neighbors[t]) result.boundary_sides += other == Surface::none;
-    const Corners corners = corners_of(points, surface.triangles[t]);
-    result.least = std::min(result.least, corners);
-    for (const Point3& p : corners) {
+    const auto& triangle = surface.triangles[t];
+    bool may_be_least = false;
+    for (const std::uint32_t corner : triangle) {
+      const Point3& p = points[corner];
+      may_be_least |= !(result.least.front() < p);
       result.low = {std::min(result.low.x, p.x), std::min(result.low.y, p.y), std::min(result.low.z, p.z)};
       result.high = {std::max(result.high.x, p.x), std::max(result.high.y, p.y), std::max(result.high.z, p.z)};
     }
+    if (may_be_least) result.least = std::min(result.least, corners_of(points, triangle));
   }
 
   const space::BoxScale scale(result.low, result.high);
