@@ -46,7 +46,7 @@ class FixedVectors {
     if (!are_normal || unit < 1075 - 1022) return;
     const double scale = std::bit_cast<double>((1023 + 1075 - unit) << 52U);
     const auto whole = [&](double a, double b) {
-      const detail::TwoTerms sum = detail::two_sum(b, -a);
+      const rbpa::detail::TwoTerms sum = rbpa::detail::two_sum(b, -a);
       const double high = sum.high * scale;
       if (!(std::abs(high) < 0x1p60)) {
         are_exact_ = false;
