@@ -2,6 +2,8 @@
 // place in the file.
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
