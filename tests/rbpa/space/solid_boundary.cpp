@@ -250,7 +250,8 @@ TEST_CASE("shuffled points have the same boundary, volume and area, to the last 
                                     {SpaceKind::near_sphere, infinity},
                                     {SpaceKind::noisy_sphere, 0.9},
                                     {SpaceKind::clusters, infinity}}) {
-    CAPTURE(name(kind));
+    const auto set = name(kind);
+    CAPTURE(set);
     Points3 points = space_set(kind, 200, random);
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
