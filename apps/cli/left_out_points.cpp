@@ -2,19 +2,9 @@
 
 #include <utility>
 
+#include "io/values_at.h"
+
 namespace rbpa::app {
-namespace {
-
-template <typename Value>
-std::vector<Value> values_at(const std::vector<Value>& values, std::span<const std::uint32_t> number) {
-  std::vector<Value> result;
-  if (values.empty()) return result;
-  result.reserve(number.size());
-  for (const std::uint32_t i : number) result.push_back(values[i]);
-  return result;
-}
-
-}  // namespace
 
 LeftOutPoints::LeftOutPoints(SpacePoints& cloud, std::span<const std::uint32_t> left_out) : whole_(std::move(cloud)) {
   std::size_t next = 0;

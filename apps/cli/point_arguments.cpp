@@ -98,7 +98,7 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, const 
   if (!arguments.where && columns.empty()) return source;
   const std::optional<FieldNames> names = fields_of(source.format);
   require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
-                 "las, pcd, ply or text");
+                 "cif, las, pcd, pdb, ply or text");
   if (arguments.where && arguments.where->empty()) source.choice.where = Condition("", *names);  // which is refused
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
   return source;

@@ -1,6 +1,5 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +18,7 @@
 #include "io/interrupt.h"
 #include "io/mesh/write_mesh.h"
 #include "io/mesh/write_solid.h"
+#include "io/values_at.h"
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
@@ -82,7 +82,11 @@ class SolidRun : public Run {
   void run();
 
  private:
+  /// What somebody reads of it.
+  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats; }
+  bool has_boundary() const;
   void build();
+  void find_boundary();
   void count();
   void write();
   void write_boundary(OutputFile& file, Format format) const;
@@ -97,10 +101,16 @@ class SolidRun : public Run {
   SolidFacts facts_;
 };
 
+bool SolidRun::has_boundary() const {
+  const auto is_drawn = [](const Target& target) { return is_picture(target.format); };
+  return is_counted() || request_.boundary || std::any_of(request_.targets.begin(), request_.targets.end(), is_drawn);
+}
+
 void SolidRun::build() {
   TriangleProgress progress(!options().quiet, "tetrahedra", points_text);
   try {
-    solid_ = solid(file_.points, request_.alpha, {.threads = options().threads, .progress = progress.watch()});
+    solid_ = solid(file_.points, request_.alpha,
+                   {.neighbors = has_boundary(), .threads = options().threads, .progress = progress.watch()});
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
   }
@@ -111,10 +121,14 @@ void SolidRun::build() {
   facts_.threads = options().threads_or_all();
 }
 
-void SolidRun::count() {
-  const ProgressLine line = options().line("boundary and voids");
+void SolidRun::find_boundary() {
+  const ProgressLine line = options().line("boundary");
   boundary_ = solid_boundary(solid_);
   stop_if_interrupted();
+}
+
+void SolidRun::count() {
+  const ProgressLine line = options().line("voids");
   facts_.measures = measure(file_.points, boundary_.surface);
   Voids all = voids(file_.points, solid_, boundary_);
   facts_.counts = all.counts;
@@ -129,12 +143,8 @@ void SolidRun::write_boundary(OutputFile& file, Format format) const {
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = file_.points, .triangles = surface.triangles});
   const SplitFans fans = split_fans(indexable_surface(surface));
-  std::vector<Point3> vertices;
-  std::vector<std::array<std::uint8_t, 3>> colors;
-  for (const std::uint32_t i : fans.point) {
-    vertices.push_back(file_.points[i]);
-    if (!file_.colors.empty()) colors.push_back(file_.colors[i]);
-  }
+  const std::vector<Point3> vertices = values_at(file_.points, fans.point);
+  const auto colors = values_at(file_.colors, fans.point);
   write_surface(file, format,
                 {.vertices = vertices, .triangles = fans.triangles, .colors = colors, .points = fans.point});
 }
@@ -181,7 +191,8 @@ void SolidRun::run() {
   facts_.read_seconds = lap();
   build();
   facts_.build_seconds = lap();
-  count();
+  if (has_boundary()) find_boundary();
+  if (is_counted()) count();
   facts_.count_seconds = lap();
   write();
   facts_.write_seconds = lap();
@@ -190,6 +201,7 @@ void SolidRun::run() {
   publish();
 
   if (solid_.simplices.empty()) say_empty();
+  if (!is_counted()) return;
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
   if (request_.boundary) files.push_back(request_.boundary->path);

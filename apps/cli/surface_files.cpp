@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/mesh/write_mesh.h"
+#include "io/values_at.h"
 #include "picture/surface_picture.h"
 
 namespace rbpa::app {
@@ -24,16 +25,6 @@ SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles
   for (auto& triangle : result.triangles)
     for (std::uint32_t& corner : triangle) corner = place[corner];
   return result;
-}
-
-/// Those of each of some vertices, given by their points; none where there are none.
-template <typename Value>
-std::vector<Value> values_at(std::span<const Value> of_points, std::span<const std::uint32_t> point) {
-  std::vector<Value> values;
-  if (of_points.empty()) return values;
-  values.reserve(point.size());
-  for (const std::uint32_t i : point) values.push_back(of_points[i]);
-  return values;
 }
 
 void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {

@@ -58,7 +58,7 @@ app::PointSource source_of(const std::string& path, bool space, const std::vecto
   if (where || !fields.empty()) {
     const std::optional<app::FieldNames> names = app::fields_of(source.format);
     require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
-                   "las, pcd, ply or text");
+                   "cif, las, pcd, pdb, ply or text");
     source.where.emplace(where.value_or(""), *names, fields);
   }
   return source;

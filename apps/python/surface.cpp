@@ -14,6 +14,7 @@
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/mesh/write_mesh.h"
+#include "io/values_at.h"
 #include "python/arrays.h"
 #include "python/file_errors.h"
 #include "python/mesh.h"
@@ -340,10 +341,8 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
       std::vector<Point3> own_points, own_normals;
       if (*format == app::Format::glb || (manifold && *format != app::Format::npy)) {
         fans = split_fans(of_links(links));
-        for (const std::uint32_t point : fans.point) {
-          own_points.push_back(input[point]);
-          if (!vectors.empty()) own_normals.push_back(vectors[point]);
-        }
+        own_points = app::values_at(input, fans.point);
+        own_normals = app::values_at(vectors, fans.point);
         mesh = {.vertices = own_points, .triangles = fans.triangles, .normals = own_normals, .points = fans.point};
       }
       app::OutputSet outputs;

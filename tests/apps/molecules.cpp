@@ -72,6 +72,9 @@ TEST_SUITE("molecules") {
     CHECK(read(cif, Format::cif).remarks == atoms.remarks);
     CHECK(read("END\n", Format::pdb).points.empty());
     CHECK(read("data_X\n", Format::cif).points.empty());
+    const std::string text = "_struct.title\n;loop_\n_atom_site.id\n ; 1 2\n;\n";
+    CHECK(read(text + cif, Format::cif).points.size() == 3);
+    CHECK(read(cif + text, Format::cif).points.size() == 3);
     CHECK(read(pdb.substr(pdb.find("ATOM")), Format::pdb).points.size() == 4);  // without a line before
   }
 
@@ -100,6 +103,10 @@ TEST_SUITE("molecules") {
           "m:20: found 9 values ('ATOM   2 C  \"C5'\" A -132.386 -100.407 -109.247 7.90'), expected 10, one for each "
           "name "
           "of _atom_site");
+    wrong = cif;
+    wrong.insert(wrong.find("HETATM"), ";HETATM\n;\n");
+    CHECK(refusal(wrong, Format::cif) ==
+          "m:21: found 1 value (';HETATM'), expected 10, one for each name of _atom_site");
     std::string without = cif;
     without.replace(without.find("Cartn_z"), 7, "Cartn_w");
     CHECK(refusal(without, Format::cif) ==

@@ -61,7 +61,7 @@ AtomTable atoms_of_pdb(std::string_view text) {
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   for (std::size_t at = 0; at < line.size();) {
-    if (line[at] == ' ' || line[at] == '\t' || line[at] == '\r') {
+    if (is_blank(line[at])) {
       ++at;
       continue;
     }
@@ -69,9 +69,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
     const std::size_t first = at + (quote == ' ' ? 0 : 1);
     std::size_t end = first;
     const auto ends = [&](std::size_t i) {
-      const bool blank_follows =
-          i + 1 >= line.size() || line[i + 1] == ' ' || line[i + 1] == '\t' || line[i + 1] == '\r';
-      return quote == ' ' ? line[i] == ' ' || line[i] == '\t' || line[i] == '\r' : line[i] == quote && blank_follows;
+      if (quote == ' ') return is_blank(line[i]);
+      return line[i] == quote && (i + 1 >= line.size() || is_blank(line[i + 1]));
     };
     while (end < line.size() && !ends(end)) ++end;
     const std::string_view word = line.substr(first, end - first);
@@ -95,9 +94,16 @@ AtomTable atoms_of_cif(std::string_view text, const std::string& name) {
   const auto place_of = [&](std::string_view column) {
     return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
   };
-  bool in_rows = false;
+  bool in_rows = false, in_text = false;  // a value of several lines, from one that begins with a semicolon to another
   for (Lines lines(text); lines.next();) {
-    const std::string_view line = trimmed(lines.line());
+    const std::string_view line = lines.line();
+    const bool is_first_column = line.data() == text.data() || line.data()[-1] == '\n';
+    const bool has_mark = line.starts_with(';') && is_first_column;
+    if (in_text || (has_mark && !in_rows)) {
+      in_text = in_text != has_mark;
+      table.skip();
+      continue;
+    }
     if (line.starts_with(prefix)) {
       columns.push_back(trimmed(line.substr(prefix.size())));
       table.skip();

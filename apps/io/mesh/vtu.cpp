@@ -59,6 +59,13 @@ void write_arrays(OutputFile& file, const std::vector<VtuArray>& arrays) {
 
 }  // namespace
 
+void write_coordinates(OutputFile& file, std::span<const Point3> points) {
+  for (const Point3& p : points) {
+    const std::array<double, 3> coordinates = {p.x, p.y, p.z};
+    file.write_binary(std::span<const double>(coordinates));
+  }
+}
+
 void write_vtu(OutputFile& file, const VtuGrid& grid) {
   const std::uint64_t cells = grid.tetrahedra.size() + grid.triangles.size() + grid.edges.size() + grid.vertices.size();
   const std::uint64_t corners =

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/bytes/output_file.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 
@@ -35,6 +36,9 @@ struct VtuGrid {
   /// What programs show first, as attributes: `Scalars="feature"`.
   std::string_view shown_of_points = {}, shown_of_cells = {};
 };
+
+/// Three doubles of each point, as the file has them.
+void write_coordinates(OutputFile& file, std::span<const Point3> points);
 
 void write_vtu(OutputFile& file, const VtuGrid& grid);
 

@@ -26,41 +26,33 @@ void write_number_and(OutputFile& file, std::size_t number, std::string_view res
 
 void write_vtu(OutputFile& file, const SolidMesh& mesh) {
   write_vtu(file, {.points = mesh.vertices.size(),
-                   .write_positions =
-                       [&](OutputFile& out) {
-                         for (const Point3& p : mesh.vertices) {
-                           const std::array<double, 3> position = coordinates(p);
-                           out.write_binary(std::span<const double>(position));
-                         }
-                       },
+                   .write_positions = [&](OutputFile& out) { write_coordinates(out, mesh.vertices); },
                    .tetrahedra = mesh.tetrahedra});
 }
 
+/// Every line ends in a reference, the number of the part that it belongs to; there is one part.
+template <typename Values>
+void write_medit_line(OutputFile& file, const Values& values) {
+  char* at = file.room(values.size() * (number_room + 1) + 2);
+  for (const auto value : values) {
+    at = put_number(at, value);
+    *at++ = ' ';
+  }
+  *at++ = '0';
+  *at++ = '\n';
+  file.written(at);
+}
+
 void write_medit(OutputFile& file, const SolidMesh& mesh) {
-  // Lines end in a reference, which is what parts of a mesh are told apart by: there is one part.
   file.write("MeshVersionFormatted 2\nDimension 3\n");
   write_count(file, "Vertices\n", mesh.vertices.size());
-  for (const Point3& p : mesh.vertices) {
-    const std::array<double, 3> position = coordinates(p);
-    char* at = file.room(3 * (number_room + 1) + 2);
-    for (const double coordinate : position) {
-      at = put_number(at, coordinate);
-      *at++ = ' ';
-    }
-    *at++ = '0';
-    *at++ = '\n';
-    file.written(at);
-  }
+  for (const Point3& p : mesh.vertices) write_medit_line(file, coordinates(p));
   write_count(file, "Tetrahedra\n", mesh.tetrahedra.size());
   for (const auto& tetrahedron : mesh.tetrahedra) {
-    char* at = file.room(4 * (number_room + 1) + 2);
-    for (const std::uint32_t corner : tetrahedron) {
-      at = put_number(at, std::uint64_t{corner} + 1);
-      *at++ = ' ';
-    }
-    *at++ = '0';
-    *at++ = '\n';
-    file.written(at);
+    std::array<std::uint64_t, 4> corners{};
+    std::transform(tetrahedron.begin(), tetrahedron.end(), corners.begin(),
+                   [](std::uint32_t corner) { return std::uint64_t{corner} + 1; });
+    write_medit_line(file, corners);
   }
   file.write("End\n");
 }

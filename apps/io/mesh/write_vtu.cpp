@@ -35,13 +35,6 @@ std::vector<VtuArray> arrays_of(const TriangleFeatures& features) {
   return arrays;
 }
 
-void write_coordinates(OutputFile& file, std::span<const Point3> values) {
-  for (const Point3& p : values) {
-    const std::array<double, 3> coordinates = {p.x, p.y, p.z};
-    file.write_binary(std::span<const double>(coordinates));
-  }
-}
-
 }  // namespace
 
 void write_vtu(OutputFile& file, const TriangleMesh& mesh) {

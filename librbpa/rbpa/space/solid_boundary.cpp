@@ -12,6 +12,7 @@
 #include "rbpa/space/boundary/measures.h"
 #include "rbpa/space/boundary/place_of.h"
 #include "rbpa/space/levels/sub_surface.h"
+#include "rbpa/space/outer_faces.h"
 
 namespace rbpa {
 namespace {
@@ -38,11 +39,9 @@ class OpenFaces {
       first_[t] = static_cast<std::uint32_t>(rows.size());
       for (std::uint32_t k = 0; k < 4; ++k) {
         if (solid_.neighbors[t][k] != Solid::none) continue;
-        // Seen from outside, counter-clockwise.
-        static constexpr std::array<std::array<std::uint8_t, 3>, 4> outward = {
-            {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
         const Row& corners = solid_.simplices[t];
-        Triangle triangle = {corners[outward[k][0]], corners[outward[k][1]], corners[outward[k][2]]};
+        Triangle triangle = {corners[space::outer_faces[k][0]], corners[space::outer_faces[k][1]],
+                             corners[space::outer_faces[k][2]]};
         std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
         rows.push_back({triangle[0], triangle[1], triangle[2], 4 * t + k});
         bound = std::max(bound, triangle[0]);

@@ -14,6 +14,7 @@
 #include "rbpa/base/fans.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/boundary/grouped.h"
 #include "rbpa/space/box_scale.h"
 #include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/vector3.h"
@@ -81,24 +82,11 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
   Steps step(never);
   meshops::DisjointSets sets = components_of(space::arrays_of(surface), step);
 
-  // The triangles, component by component: each counts at its least triangle, then has its place.
-  SurfaceComponents result;
-  result.number.resize(count);
-  std::vector<std::uint32_t> begin = {0};
-  for (std::uint32_t t = 0; t < count; ++t) {
-    if (sets.find(t) == t) {
-      result.number[t] = static_cast<std::uint32_t>(begin.size() - 1);
-      begin.push_back(0);
-    } else {
-      result.number[t] = result.number[sets.find(t)];
-    }
-    ++begin[result.number[t] + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> grouped(count), next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t t = 0; t < count; ++t) grouped[next[result.number[t]]++] = t;
+  const space::Grouped grouped(count, count, [&](std::uint32_t t) { return sets.find(t); });
 
-  std::vector<std::size_t> curves(begin.size() - 1, 0);
+  SurfaceComponents result;
+  result.number = grouped.number();
+  std::vector<std::size_t> curves(grouped.size(), 0);
   BoundaryWalk walk(space::arrays_of(surface));
   for (std::uint32_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -107,8 +95,8 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
       ++curves[result.number[t]];
     }
   std::vector<Measured> measured;
-  for (std::size_t c = 0; c + 1 < begin.size(); ++c) {
-    measured.push_back(measure(points, surface, std::span(grouped).subspan(begin[c], begin[c + 1] - begin[c])));
+  for (std::size_t c = 0; c < grouped.size(); ++c) {
+    measured.push_back(measure(points, surface, grouped.items(c)));
     measured.back().boundary_curves = curves[c];
   }
   std::vector<std::uint32_t> order(measured.size()), place(measured.size());

@@ -6,17 +6,17 @@
 #include <cstdint>
 
 #include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/exact/integer128.h"
 
 namespace rbpa {
 
 class IntegerSum {
  public:
-  __extension__ using Wide = __int128;
-
   /// Adds a b. Requires: |a| < 2¹²⁵, |b| < 2⁶²; fewer than 2⁶⁰ terms.
-  void add_product(Wide a, std::int64_t b) {
-    const Wide low = Wide{b} * static_cast<std::uint64_t>(a), high = Wide{b} * static_cast<std::int64_t>(a >> 64);
-    const Wide middle = high + (low >> 64);
+  void add_product(Integer128 a, std::int64_t b) {
+    const Integer128 low = Integer128{b} * static_cast<std::uint64_t>(a),
+                     high = Integer128{b} * static_cast<std::int64_t>(a >> 64);
+    const Integer128 middle = high + (low >> 64);
     low_ += static_cast<std::uint64_t>(low);
     middle_ += static_cast<std::uint64_t>(middle);
     high_ += static_cast<std::int64_t>(middle >> 64);
@@ -31,7 +31,7 @@ class IntegerSum {
 
  private:
   /// Of 32 bits.
-  static void add_digits(ExactSum& sum, Wide rest, int exponent, int sign) {
+  static void add_digits(ExactSum& sum, Integer128 rest, int exponent, int sign) {
     for (; rest != 0; rest >>= 32, exponent += 32) {
       const auto digit = sign * static_cast<std::int64_t>(rest & 0xffffffff);
       sum.add_product(std::ldexp(static_cast<double>(digit), exponent / 2), std::ldexp(1.0, exponent - exponent / 2));
@@ -39,7 +39,7 @@ class IntegerSum {
   }
 
   // They count 1, 2⁶⁴ and 2¹²⁸; the first two are not negative.
-  Wide low_ = 0, middle_ = 0, high_ = 0;
+  Integer128 low_ = 0, middle_ = 0, high_ = 0;
 };
 
 }  // namespace rbpa

@@ -7,6 +7,7 @@
 
 #include "rbpa/base/exact/exact_sum.h"
 #include "rbpa/base/exact/expansion.h"
+#include "rbpa/base/exact/integer128.h"
 #include "rbpa/base/exact/integer_sum.h"
 #include "rbpa/space/predicate/vector3.h"
 
@@ -103,11 +104,10 @@ class Measures::Sums {
     return result;
   }
   void add_integers(const std::array<Integers, 3>& t) {
-    using Wide = IntegerSum::Wide;
     const auto& [a, b, c] = t;
-    integers_.add_product(Wide{b[1]} * c[2] - Wide{b[2]} * c[1], a[0]);
-    integers_.add_product(Wide{b[2]} * c[0] - Wide{b[0]} * c[2], a[1]);
-    integers_.add_product(Wide{b[0]} * c[1] - Wide{b[1]} * c[0], a[2]);
+    integers_.add_product(Integer128{b[1]} * c[2] - Integer128{b[2]} * c[1], a[0]);
+    integers_.add_product(Integer128{b[2]} * c[0] - Integer128{b[0]} * c[2], a[1]);
+    integers_.add_product(Integer128{b[0]} * c[1] - Integer128{b[1]} * c[0], a[2]);
   }
 
   void add_doubles(const Corners& t) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rbpa/base/error.h"
+#include "rbpa/space/outer_faces.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/sphere.h"
@@ -127,7 +128,7 @@ bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) cons
 bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
-  const auto& face = seen_from_behind[k];  // positively oriented with a point on the other side of it
+  const auto& face = outer_faces[k];  // positively oriented with a point on the other side of it
   const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
   if (side != 0) return side < 0;
   const std::uint32_t behind = ghost.neighbor[k] / 4;
@@ -176,7 +177,7 @@ std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
     }
     std::uint32_t next = t;
     for (std::size_t k = 0; k < 4 && next == t; ++k) {
-      const auto& face = seen_from_behind[k];
+      const auto& face = outer_faces[k];
       const auto& corner = tetrahedron.corner;
       if (orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v)) > 0)
         next = tetrahedron.neighbor[k] / 4;
@@ -269,7 +270,7 @@ void Insertion::fill_cavity(Vertex v) {
   locals_.make_room(faces);
   for (std::size_t i = 0; i < faces; ++i) {
     const auto& corner = tetrahedra_[boundary_[i] / 4].corner;
-    const auto& order = seen_from_behind[boundary_[i] % 4];
+    const auto& order = outer_faces[boundary_[i] % 4];
     locals_.push({number_of(corner[order[0]], v), number_of(corner[order[1]], v), number_of(corner[order[2]], v)});
   }
   make_room();

@@ -43,11 +43,6 @@ struct alignas(64) Tetrahedron {
   }
 };
 
-/// Corners of the tetrahedron that has face k of another in common with it, and something in place of 3 for its corner across:
-/// both are positively oriented.
-inline constexpr std::array<std::array<std::uint8_t, 3>, 4> seen_from_behind = {
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
 /// A bound for the error of V(q): constant + slope |q − d|². Two doubles of which the first 32 bits are kept, rounded up.
 class ErrorBound {
  public:

@@ -39,7 +39,7 @@ auto product_along(const Differences& u, const Differences& v, int axis) {
 
 }  // namespace
 
-int orientation_by_expansions(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+int orientation_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const FixedVectors<3> fixed(a, {&b, &c, &d});
   if (fixed.are_exact()) return volume_sign(fixed[0], fixed[1], fixed[2]);
   const Differences u(a, b), v(a, c), w(a, d);
@@ -47,7 +47,7 @@ int orientation_by_expansions(const Point3& a, const Point3& b, const Point3& c,
   return (product_along(u, v, 0) * w.x + product_along(u, v, 1) * w.y + product_along(u, v, 2) * w.z).sign();
 }
 
-int orientation_along_by_expansions(const Point3& a, const Point3& b, const Point3& c, int axis) {
+int orientation_along_exactly(const Point3& a, const Point3& b, const Point3& c, int axis) {
   const Differences u(a, b), v(a, c);
   if (!u.fit() || !v.fit())
     return exact::normal_sign(a, b, c, {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0});

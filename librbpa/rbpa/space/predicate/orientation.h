@@ -1,7 +1,7 @@
 // What: on which side of a triangle's plane a point is; on which side of a line, seen along an axis.
 // Law:  exact for every finite input.
-// How:  a floating-point filter; then expansions, where no product of the differences can underflow or overflow; then integers
-//       of any length (docs/surface_derivation.md, section 7).
+// How:  a floating-point filter; then integers of fixed width, where the differences fit; then expansions, where no product of the
+//       differences can underflow or overflow; then integers of any length (docs/surface_derivation.md, section 7).
 // Cost: some nanoseconds; a tenth of a microsecond for points in a plane, microseconds at extreme exponents.
 #pragma once
 
@@ -12,8 +12,8 @@
 namespace rbpa::space {
 
 /// The sign of (b − a) × (c − a) · (d − a) and of (b − a) × (c − a) · axis, without a filter.
-int orientation_by_expansions(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-int orientation_along_by_expansions(const Point3& a, const Point3& b, const Point3& c, int axis);
+int orientation_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+int orientation_along_exactly(const Point3& a, const Point3& b, const Point3& c, int axis);
 
 /// Errors of both filters are below eight roundings of the sum of the absolute values of all terms, unless those underflow.
 constexpr double orientation_filter = 0x1p-50, least_filtered = 0x1p-900;
@@ -28,7 +28,7 @@ inline int orientation(const Point3& a, const Point3& b, const Point3& c, const 
     if (product > bound) return 1;
     if (product < -bound) return -1;
   }
-  return orientation_by_expansions(a, b, c, d);
+  return orientation_exactly(a, b, c, d);
 }
 
 /// The same of (b − a) × (c − a) and an axis, 0 to 2: 1 when a, b, c are counter-clockwise seen from far along it.
@@ -40,7 +40,7 @@ inline int orientation_along(const Point3& a, const Point3& b, const Point3& c, 
     if (product > bound) return 1;
     if (product < -bound) return -1;
   }
-  return orientation_along_by_expansions(a, b, c, axis);
+  return orientation_along_exactly(a, b, c, axis);
 }
 
 /// All three are on one line.

@@ -27,7 +27,7 @@ TEST_CASE("sums of products of integers at the limits of their range are those o
     const int terms = 1 + static_cast<int>(random.below(200));
     for (int i = 0; i < terms; ++i) {
       const std::int64_t high = number(61), low = number(61), b = number(62);
-      const IntegerSum::Wide a = IntegerSum::Wide{high} * (std::int64_t{1} << 62) + low;
+      const rbpa::Integer128 a = rbpa::Integer128{high} * (std::int64_t{1} << 62) + low;
       sum.add_product(a, b);
       expected += (boost::multiprecision::cpp_int(high) * (std::int64_t{1} << 62) + low) * b;
     }

@@ -1,0 +1,14 @@
+// What: the faces of a tetrahedron, seen from outside.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace rbpa::space {
+
+/// Corners of the face across from corner k of a positively oriented tetrahedron: counter-clockwise seen from outside, and positively
+/// oriented with a point there.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> outer_faces = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+}  // namespace rbpa::space
