@@ -147,8 +147,9 @@ TEST_SUITE("surface normals") {
                                           {"vx,vx,vy", 2, "three names"},
                                           {"1,2,", 2, "three coordinates"},
                                           {"1,2,3,4", 2, "three coordinates"}}) {
-      CAPTURE(bad);
-      const Outcome outcome = folder.rbpa("surface p.csv --radius 1 -o m.obj --viewpoint " + std::string(bad));
+      const std::string viewpoint = bad;
+      CAPTURE(viewpoint);
+      const Outcome outcome = folder.rbpa("surface p.csv --radius 1 -o m.obj --viewpoint " + viewpoint);
       CHECK(outcome.code == code);
       CHECK_MESSAGE(outcome.err.find(text) != std::string::npos, outcome.err);
     }
