@@ -135,7 +135,7 @@ TEST_CASE(
       pinched += voids.counts.components < voids.counts.solid_components;
     }
   }
-  CHECK(several_voids > static_cast<std::size_t>(trials(60)));
+  CHECK(several_voids > static_cast<std::size_t>(trials(40)));
   CHECK(tunnels > static_cast<std::size_t>(trials(100)));
   CHECK(pinched > static_cast<std::size_t>(trials(100)));
 }
