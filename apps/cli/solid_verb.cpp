@@ -201,7 +201,6 @@ void SolidRun::run() {
   publish();
 
   if (solid_.simplices.empty()) say_empty();
-  if (!is_counted()) return;
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
   if (request_.boundary) files.push_back(request_.boundary->path);

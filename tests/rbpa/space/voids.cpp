@@ -118,7 +118,7 @@ TEST_CASE(
   std::size_t several_voids = 0, tunnels = 0, pinched = 0;
   for (int k = 0; k < space_kinds; ++k) {
     const auto kind = static_cast<SpaceKind>(k);
-    for (int trial = 0; trial < trials(40); ++trial) {
+    for (int trial = 0; trial < trials(60); ++trial) {
       CAPTURE(name(kind));
       CAPTURE(trial);
       const Points3 points = space_set(kind, 5 + random.below(30), random);
@@ -135,7 +135,7 @@ TEST_CASE(
       pinched += voids.counts.components < voids.counts.solid_components;
     }
   }
-  CHECK(several_voids > static_cast<std::size_t>(trials(40)));
+  CHECK(several_voids > static_cast<std::size_t>(trials(60)));
   CHECK(tunnels > static_cast<std::size_t>(trials(100)));
   CHECK(pinched > static_cast<std::size_t>(trials(100)));
 }
