@@ -35,6 +35,8 @@ void LeftOutPoints::renumber(SplitFans& fans) const {
 void LeftOutPoints::renumber(SurfaceFacts& facts) const {
   if (!is_any()) return;
   for (UnusedPoint& point : facts.unused) point.index = number_[point.index];
+  for (auto& remedy : facts.remedies)
+    for (std::size_t i = 0; remedy && i < remedy->points.size(); ++i) remedy->points[i] = number_[remedy->points[i]];
   for (Hole& hole : facts.holes)
     for (RimEdge& edge : hole.edges) {
       edge.from = number_[edge.from];

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/stats.h"
+#include "cli/surface_remedies.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -32,21 +33,30 @@ constexpr std::array unused_texts{"on which no ball rests", "hidden among others
 /// Lines about the boundary curves of one kind: one for each of the longest, and one for the others together. Those of islands
 /// are together.
 void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, CurveKind kind) {
-  std::vector<const Hole*> curves;
+  std::vector<std::size_t> curves;
   for (std::size_t i = 0; i < facts.holes.size(); ++i)
-    if (facts.kinds[i] == kind) curves.push_back(&facts.holes[i]);
-  std::stable_sort(curves.begin(), curves.end(), [](const Hole* a, const Hole* b) { return a->length > b->length; });
+    if (facts.kinds[i] == kind) curves.push_back(i);
+  std::stable_sort(curves.begin(), curves.end(),
+                   [&](std::size_t i, std::size_t j) { return facts.holes[i].length > facts.holes[j].length; });
   const auto add = [&](std::size_t first, std::size_t last, const std::string& which) {
     std::array<std::size_t, 4> causes{};
+    std::vector<HoleRemedy> remedies;
     double length = 0;
     std::size_t edges = 0;
     for (std::size_t i = first; i < last; ++i) {
-      for (const RimEdge& edge : curves[i]->edges) ++causes[cause_of(edge)];
-      length += curves[i]->length;
-      edges += curves[i]->edges.size();
+      const Hole& curve = facts.holes[curves[i]];
+      for (const RimEdge& edge : curve.edges) ++causes[cause_of(edge)];
+      length += curve.length;
+      edges += curve.edges.size();
+      if (facts.has_remedies && facts.remedies[curves[i]]) remedies.push_back(*facts.remedies[curves[i]]);
     }
-    lines.push_back(which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
-                    list_of_causes(causes, rim_texts));
+    std::string line = which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
+                       list_of_causes(causes, rim_texts);
+    if (remedies.size() == 1)
+      line += "; " + remedy_text(remedies.front(), facts.radii);
+    else if (!remedies.empty())
+      line += "; " + remedies_text(remedies);
+    lines.push_back(line);
   };
   const std::string name = kind_names[static_cast<std::size_t>(kind)];
   const std::size_t named = kind == CurveKind::island ? 0 : std::min(named_curves, curves.size());
@@ -87,6 +97,7 @@ Json base(const SurfaceFacts& facts) {
             {"points", dropped.points},
             {"area", dropped.area}}},
           {"filled", as_json(facts.filling)},
+          {"remedies", facts.has_remedies ? counts_as_json(facts.remedies) : Json(nullptr)},
           {"manifold", facts.manifold},
           {"watertight", facts.watertight ? Json(true) : Json(nullptr)},
           {"crowded_edges", facts.crowded_edges},
@@ -230,6 +241,8 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
                                {"length", hole.length},
                                {"points", hole.edges.size()},
                                {"edges", edges}});
+    if (facts.has_remedies)
+      report["holes"].back()["remedy"] = facts.remedies[i] ? as_json(*facts.remedies[i]) : Json(nullptr);
   }
   file.write(report.dump(1) + "\n");
 }

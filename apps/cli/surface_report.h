@@ -13,6 +13,7 @@
 #include "io/bytes/output_file.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/curve_kinds.h"
+#include "rbpa/hole_remedies.h"
 #include "rbpa/holes.h"
 #include "rbpa/outliers.h"
 #include "rbpa/surface.h"
@@ -47,7 +48,9 @@ struct SurfaceFacts {
   SurfaceCounts counts = {};
   std::vector<UnusedPoint> unused = {};
   std::vector<Hole> holes = {};
-  std::vector<CurveKind> kinds = {};  ///< of each hole
+  std::vector<CurveKind> kinds = {};                     ///< of each hole
+  bool has_remedies = false;                             ///< asked for
+  std::vector<std::optional<HoleRemedy>> remedies = {};  ///< of each, where it is of kind hole
   std::vector<SurfaceComponent> components = {};
   DroppedComponents dropped = {};
   FillingCounts filling = {};

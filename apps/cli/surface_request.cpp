@@ -166,6 +166,13 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       throw WrongUsage("--fill-holes: found --normals none, of which the triangles have no boundary");
     request.filled = parse_fill_holes(*arguments.fill_holes);
   }
+  if (arguments.remedies) {
+    if (arguments.fill_holes || arguments.watertight)
+      throw WrongUsage(
+          "--remedies: found --fill-holes or --watertight, of which the result is no more what the ball made");
+    if (request.normals == NormalSource::none)
+      throw WrongUsage("--remedies: found --normals none, of which the triangles have no boundary");
+  }
   if (arguments.watertight) request.filled = HoleChoice{};
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");

@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/run.h"
 #include "cli/surface_files.h"
+#include "cli/surface_remedies.h"
 #include "cli/surface_report.h"
 #include "cli/surface_request.h"
 #include "cli/verbs.h"
@@ -51,6 +52,7 @@ class SurfaceRun : public Run {
   void take_normals();
   void build();
   void explain();
+  void find_remedies();
   void choose_components();
   std::vector<bool> kept_by_choice() const;
   void drop(const std::vector<bool>& kept);
@@ -69,6 +71,7 @@ class SurfaceRun : public Run {
   NormalSource source_ = NormalSource::none;
   EstimatedNormals estimated_;
   std::vector<double> radii_;  ///< by which the surface is made
+  SurfaceRemedies remedies_;
   Surface surface_;
   SurfaceComponents components_;  ///< of the surface, with those that are dropped at first
   SplitFans fans_;
@@ -179,6 +182,18 @@ void SurfaceRun::explain() {
   if (std::all_of(components_.all.begin(), components_.all.end(), is_closed)) return;
   facts_.holes = step("looking at holes",
                       [&](const SurfaceOptions& how) { return holes(file_.points, normals(), radii_, surface_, how); });
+  if (arguments_.remedies) find_remedies();
+}
+
+void SurfaceRun::find_remedies() {
+  const std::vector<CurveKind> kinds = curve_kinds(file_.points, components_, facts_.holes);
+  std::vector<Hole> wanted;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if (kinds[i] == CurveKind::hole) wanted.push_back(facts_.holes[i]);
+  const auto found = step("looking for remedies", [&](const SurfaceOptions& how) {
+    return hole_remedies(file_.points, normals(), radii_, surface_, wanted, how);
+  });
+  remedies_ = SurfaceRemedies(wanted, found);
 }
 
 void SurfaceRun::choose_components() {
@@ -200,6 +215,8 @@ void SurfaceRun::choose_components() {
   facts_.crowded_edges = crowded_edges(facts_.manifold ? fans_.triangles : surface_.triangles);
   if (source_ == NormalSource::none) order_ = by_shells(components_);
   facts_.components = std::move(components_.all);
+  facts_.has_remedies = arguments_.remedies;
+  if (facts_.has_remedies) facts_.remedies = remedies_.of(facts_.holes, facts_.kinds);
 }
 
 /// Of each component.

@@ -136,6 +136,9 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   verb.add_option("--holes", arguments.holes,
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");
+  add_switch(verb, "--remedies", arguments.remedies,
+             "Look for what closes each hole: one more radius, normals that are to be turned, or a filling; each is "
+             "tried. For the summary, --json and --stats");
   add_switch(verb, "--json", arguments.json, "Everything, with each hole and its causes, as JSON on standard output");
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
@@ -147,6 +150,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface scan.ply --radius auto --drop-small 100 --manifold -o mesh.ply\n"
       "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
+      "  rbpa surface scan.ply --radius 0.01 --remedies -o mesh.ply\n"
       "  rbpa surface noisy.ply --scale-space auto --moved --radius auto -o smooth.ply\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
       "Vertices of a mesh file are the input points in input order. Why the surface ends at a hole, and why\n"

@@ -39,6 +39,8 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_partial(module);
   rbpa::python::bind_soups(module);  // before what returns them, so that signatures name what they are in Python
   rbpa::python::bind_mesh(module);
+  rbpa::python::bind_space_points(module);
   rbpa::python::bind_surface(module);
+  rbpa::python::bind_surface_causes(module);
   rbpa::python::bind_solid(module);
 }

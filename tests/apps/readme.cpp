@@ -53,7 +53,7 @@ TEST_SUITE("readme") {
     std::vector<Shown> commands;
     const std::pair<const char*, std::size_t> pages[] = {{"docs/which_alpha.md", 2},
                                                          {"docs/fill.md", 5},
-                                                         {"docs/surface.md", 9},
+                                                         {"docs/surface.md", 11},
                                                          {"docs/scan_to_print.md", 3},
                                                          {"docs/meshtopo.md", 1}};
     for (const auto& page : pages) {

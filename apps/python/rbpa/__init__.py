@@ -21,6 +21,7 @@ What there is:
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
     estimate_normals(points)             of points in space that have none
+    outliers(points)                     of points in space those that stand alone
     read_points(path, space=False)       points of LAS, tables, PLY and other files             -> PointFile
     rbpa.meshops                         halfedge meshes that no operator can break, repair
 
@@ -51,7 +52,9 @@ from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._solid import Solid, SolidVoid, solid
-from rbpa._surface import NotWatertight, Surface, SurfaceComponent, SurfaceHole, estimate_normals, scale_space, surface
+from rbpa._space_points import estimate_normals, outliers, scale_space
+from rbpa._surface import NotWatertight, Surface, surface
+from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
 
 __all__ = [
     "AlphaShape",
@@ -71,6 +74,7 @@ __all__ = [
     "Surface",
     "SurfaceComponent",
     "SurfaceHole",
+    "SurfaceRemedy",
     "__version__",
     "alpha_shape",
     "alpha_shapes",
@@ -78,6 +82,7 @@ __all__ = [
     "concave_hulls",
     "estimate_normals",
     "filtration",
+    "outliers",
     "read_points",
     "scale_space",
     "solid",
@@ -87,7 +92,8 @@ __all__ = [
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole),
-    *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, read_points, scale_space, surface),
+    *(NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
+    *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
+    *(scale_space, surface),
 ):
     _public.__module__ = __name__

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import os
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Literal, Optional, Union, overload
+from typing import Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,143 +15,12 @@ from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_count, as_numbers, as_points, as_threads
 from rbpa._result import Result, freeze
+from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
 # By the numbers that the library has for them.
-_RIM_CAUSES = ("nothing within reach", "normals disagree", "blocked")
-_CURVE_KINDS = ("rim", "hole", "island")
 _UNUSED_CAUSES = ("no ball rests", "hidden", "normals disagree", "blocked")
-
-
-@overload
-def estimate_normals(
-    points: npt.ArrayLike,
-    neighbors: int = 16,
-    *,
-    viewpoint: Optional[npt.ArrayLike] = None,
-    certainty: Literal[False] = False,
-    threads: Optional[int] = None,
-    progress: Progress = None,
-) -> Floats: ...
-
-
-@overload
-def estimate_normals(
-    points: npt.ArrayLike,
-    neighbors: int = 16,
-    *,
-    viewpoint: Optional[npt.ArrayLike] = None,
-    certainty: Literal[True],
-    threads: Optional[int] = None,
-    progress: Progress = None,
-) -> tuple[Floats, Floats]: ...
-
-
-def estimate_normals(
-    points: npt.ArrayLike,
-    neighbors: int = 16,
-    *,
-    viewpoint: Optional[npt.ArrayLike] = None,
-    certainty: bool = False,
-    threads: Optional[int] = None,
-    progress: Progress = None,
-) -> Union[Floats, tuple[Floats, Floats]]:
-    """Normals of points in space that have none: of planes through the nearest points, all turned to one side.
-
-    Parameters
-    ----------
-    points : array_like of shape (n, 3)
-        Finite coordinates.
-    neighbors : int
-        A plane is fitted to each point and so many others, the nearest. Fewer follow the noise, more round off edges.
-    viewpoint : array_like of shape (3,) or (n, 3), optional
-        Where all points, or each, were seen from: normals are turned toward it, and no side has to be guessed.
-    certainty : bool
-        Also how sure each normal is.
-    threads, progress
-        As in `surface`; `progress` is called with no triangles.
-
-    Returns
-    -------
-    float64 array of shape (n, 3), or with `certainty` a tuple of it and one of shape (n,)
-        Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
-        turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
-        step on which the planes of neighbours do not determine which side is which, as at sharp edges, may turn all that follow
-        to the wrong side, on closed surfaces too. Of thin bodies a ball outside decides. Where the side matters give normals
-        of your own. The arrays are yours to write into.
-
-        A certainty is in [0, 1], and below a half the normal is in doubt: the nearest points determine no plane, or votes of
-        neighbours whether it is on the side of the others contradict each other (docs/surface.md, section 3).
-
-    Raises
-    ------
-    InvalidInput
-        A ValueError: points of another shape or not finite, fewer than 2 neighbors.
-    Cancelled
-        `progress` returned False.
-
-    Examples
-    --------
-    >>> rbpa.estimate_normals([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
-    array([0., 0., 1.])
-    """
-    seen_from = None if viewpoint is None else as_points(np.atleast_2d(np.asarray(viewpoint)), "viewpoint", columns=3)
-    made = _core.estimate_normals(
-        as_points(points, columns=3), as_count(neighbors, "neighbors", 2), seen_from, as_threads(threads), progress
-    )
-    return made if certainty else made[0]
-
-
-def scale_space(
-    points: npt.ArrayLike,
-    steps: Union[int, str] = "auto",
-    neighbors: int = 30,
-    *,
-    threads: Optional[int] = None,
-    progress: Progress = None,
-) -> Floats:
-    """Noisy points moved onto the surface that they are scattered about: in each step each to the plane that fits it and its
-    nearest others.
-
-    The surface of the moved points, `surface(scale_space(points))`, has triangles between points by their numbers, so they are
-    as well triangles of the points as they came (Digne et al., Scale space meshing, 2011).
-
-    Parameters
-    ----------
-    points : array_like of shape (n, 3)
-        Finite coordinates.
-    steps : int or "auto"
-        How many; "auto": until one moves the median point otherwise than its neighbours by less than a tenth of the distance
-        between them, at most 8. Curved surfaces shrink a little in each step.
-    neighbors : int
-        A plane is fitted to each point and so many others, the nearest.
-    threads, progress
-        As in `estimate_normals`.
-
-    Returns
-    -------
-    float64 array of shape (n, 3)
-        Yours to write into. Equal points stay equal.
-
-    Raises
-    ------
-    InvalidInput
-        A ValueError: points of another shape or not finite, no number of steps.
-    Cancelled
-        `progress` returned False.
-
-    Examples
-    --------
-    >>> rbpa.scale_space([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
-    array([0., 0., 5.])
-    """
-    if isinstance(steps, str) and steps != "auto":
-        raise InvalidInput(f"steps: found {steps!r}, expected a number of steps, or 'auto'")
-    count = 0 if isinstance(steps, str) else as_count(steps, "steps", 1)
-    return _core.scale_space(
-        as_points(points, columns=3), count, as_count(neighbors, "neighbors", 2), as_threads(threads), progress
-    )[0]
 
 
 def surface(
@@ -244,86 +112,6 @@ class NotWatertight(RuntimeError):
     """A surface that `Surface.watertight` could not close; says what is left."""
 
 
-class SurfaceHole:
-    """A boundary curve of a surface, and why it ends there, edge by edge: one of `Surface.holes`. Arrays are read-only.
-
-    Attributes
-    ----------
-    edges : int32 array of shape (k, 2)
-        From point to point along the curve, the surface on the right; each begins where the one before ends.
-    length : float
-        Of all edges, in the units of the points.
-    kind : str
-        "rim": where a sheet ends; "island": around a component of less than a hundredth of the largest one's area; "hole":
-        any other.
-    causes : list of str
-        Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back.
-        "normals disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would
-        touch the inside of what smaller radii have made.
-    triangles : int32 array of shape (k,)
-        The triangles of the surface along the curve.
-    levels : int32 array of shape (k,)
-        The number of the radius of the ball that is meant.
-    next : int32 array of shape (k, 3)
-        The triangle to which the ball comes, the smallest index first.
-    corners : bool array of shape (k, 3)
-        At which corners of it a normal disagrees; or, if blocked, which are inside.
-    """
-
-    def __init__(self, of: dict[str, Any], begin: int, end: int, length: float, kind: int) -> None:
-        part = slice(begin, end)
-        self.kind = _CURVE_KINDS[kind]
-        self.edges: Indices = np.column_stack((of["from"][part], of["to"][part]))
-        self.length = length
-        self.causes = [_RIM_CAUSES[cause] for cause in of["cause"][part]]
-        self.triangles: Indices = of["triangle"][part]
-        self.levels: Indices = of["level"][part]
-        self.next: Indices = of["next"][part]
-        self.corners: npt.NDArray[np.bool_] = of["corners"][part]
-        freeze(self.edges)
-
-    def _renumbered(self, place: Indices) -> SurfaceHole:
-        """The same, with triangle t at place[t]."""
-        other = copy.copy(self)
-        other.triangles = place[self.triangles]
-        freeze(other.triangles)
-        return other
-
-    def __repr__(self) -> str:
-        counts = ", ".join(f"{self.causes.count(cause)} {cause}" for cause in _RIM_CAUSES if cause in self.causes)
-        return f"<rbpa.SurfaceHole of {len(self.edges)} edges, length {self.length}: {counts}>"
-
-
-class SurfaceComponent:
-    """A piece of a surface that is glued together: one of `Surface.components`. Arrays are read-only.
-
-    Attributes
-    ----------
-    triangles : int32 array of shape (k,)
-        Its triangles, by their numbers in the surface.
-    area : float
-        In squared units of the points.
-    volume : float, or None
-        What it encloses, negative where its triangles face it; None where it is not closed.
-    box : float64 array of shape (2, 3)
-        The least and the greatest coordinates.
-    boundary_curves : int
-        How many there are; 0: it is closed.
-    """
-
-    def __init__(self, triangles: Indices, area: float, volume: float, box: Floats, boundary_curves: int) -> None:
-        self.triangles = triangles
-        self.area = area
-        self.volume: Optional[float] = None if boundary_curves else volume
-        self.box = box
-        self.boundary_curves = boundary_curves
-        freeze(triangles, box)
-
-    def __repr__(self) -> str:
-        end = f"{self.boundary_curves} boundary curves" if self.boundary_curves else f"closed, volume {self.volume}"
-        return f"<rbpa.SurfaceComponent of {len(self.triangles)} triangles, area {self.area}: {end}>"
-
-
 class Surface(Result):
     """The surface of points in space: what `surface` returns. Arrays are read-only.
 
@@ -385,6 +173,34 @@ class Surface(Result):
         of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
         begin = of["begin"].tolist()
         return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist(), of["kind"].tolist())]
+
+    def remedies(self, *, threads: Optional[int] = None, progress: Progress = None) -> list[Optional[SurfaceRemedy]]:
+        """What closes each of `holes`, as it was tried: normals that are to be turned, a larger ball, or a filling.
+
+        Parameters
+        ----------
+        threads, progress
+            As for `surface`; `progress` is called with the triangles of the surface.
+
+        Returns
+        -------
+        list
+            Of each of `holes`; None where one is of another kind than "hole".
+
+        Raises
+        ------
+        InvalidInput
+            A surface of which components are dropped or holes filled: it is no more what the ball made.
+        """
+        if self._kept_from is not None or self._filled_from is not None:
+            raise InvalidInput("remedies: found a surface that was changed, expected what surface() made")
+        result: list[Optional[SurfaceRemedy]] = [None] * len(self.holes)
+        if self.normals is None or not result:
+            return result
+        of = _core.surface_remedies(self.points, self.normals, *self._made(), as_threads(threads), progress)
+        for k, hole in enumerate(of["hole"].tolist()):
+            result[hole] = SurfaceRemedy(of, k)
+        return result
 
     @cached_property
     def components(self) -> list[SurfaceComponent]:

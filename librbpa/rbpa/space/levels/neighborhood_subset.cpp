@@ -2,41 +2,61 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "rbpa/base/distinct.h"
-#include "rbpa/space/cells/cells.h"
 
 namespace rbpa::space {
+namespace {
+
+Cells cells_of(std::span<const Point3> points, double radius) {
+  Threads threads;
+  return Cells(points, radius, threads);
+}
+
+}  // namespace
+
+NeighborhoodFinder::NeighborhoodFinder(std::span<const Point3> points, double radius)
+    : cells_(cells_of(points, radius)), site_(points.size()) {
+  for (Site site = 0; site < cells_.sites().size(); ++site) site_[cells_.input_index()[site]] = site;
+  for (const auto& [site, index] : cells_.equals()) site_[index] = site;
+}
+
+std::vector<std::uint32_t> NeighborhoodFinder::around(std::span<const std::uint32_t> wanted) const {
+  std::vector<std::size_t> cells;
+  for (const std::uint32_t i : wanted) cells.push_back(cells_.cell_of(site_[i]));
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  std::vector<std::pair<Site, Site>> runs;
+  Cells::Around around(cells_);
+  for (const std::size_t cell : cells)
+    around.for_each_run(cell, [&](Site first, Site last) { runs.emplace_back(first, last); });
+  std::sort(runs.begin(), runs.end());
+
+  std::vector<std::uint32_t> near;
+  const std::span<const Cells::Equal> equals = cells_.equals();
+  Site end = 0;
+  for (auto [first, last] : runs) {
+    first = std::max(first, end);
+    for (Site site = first; site < last; ++site) near.push_back(cells_.input_index()[site]);
+    auto equal = std::lower_bound(equals.begin(), equals.end(), first,
+                                  [](const Cells::Equal& e, Site site) { return e.site < site; });
+    for (; equal != equals.end() && equal->site < last; ++equal) near.push_back(equal->index);
+    end = std::max(end, last);
+  }
+  std::sort(near.begin(), near.end());
+  return near;
+}
 
 NeighborhoodSubset neighborhood_subset(std::span<const Point3> points, std::span<const Point3> normals,
                                        std::span<const Duplicate> duplicates, const std::vector<std::uint8_t>& wanted,
                                        double radius) {
-  std::vector<std::uint8_t> is_near(points.size(), 0);
-  std::vector<std::uint32_t> distinct;
-  std::vector<Point3> places;
+  std::vector<std::uint32_t> list;
   for_each_distinct(points.size(), duplicates, [&](std::uint32_t i) {
-    distinct.push_back(i);
-    places.push_back(points[i]);
+    if (wanted[i] != 0) list.push_back(i);
   });
-
-  Threads threads;
-  const Cells cells(places, radius, threads);
-  const auto index_of = [&](Site site) { return distinct[cells.input_index()[site]]; };
-  Cells::Around around(cells);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    bool is_wanted = false;
-    for (Site p = cells.first_in(i); p < cells.first_in(i + 1); ++p) is_wanted = is_wanted || wanted[index_of(p)] != 0;
-    if (is_wanted)
-      around.for_each_run(i, [&](Site first, Site last) {
-        for (Site p = first; p < last; ++p) is_near[index_of(p)] = 1;
-      });
-  }
-  for (const Duplicate& d : duplicates) is_near[d.index] = is_near[d.stands_for];
-
-  NeighborhoodSubset result;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (is_near[i] == 0) continue;
-    result.input.push_back(i);
+  NeighborhoodSubset result{.input = NeighborhoodFinder(points, radius).around(list), .points = {}, .normals = {}};
+  for (const std::uint32_t i : result.input) {
     result.points.push_back(points[i]);
     if (!normals.empty()) result.normals.push_back(normals[i]);
   }

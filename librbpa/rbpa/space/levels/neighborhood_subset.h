@@ -1,6 +1,6 @@
-// What: the points near a subset, as a point set of its own.
+// What: the points near some of a set, as a point set of its own.
 // Law:  a ball that touches a wanted point touches, holds and rests on the same points in the subset as in the whole set.
-// Cost: a sort of the points.
+// Cost: a sort of the points, once for any number of subsets by one radius.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,30 @@
 
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/space/cells/cells.h"
 
 namespace rbpa::space {
 
+class NeighborhoodFinder {
+ public:
+  NeighborhoodFinder(std::span<const Point3> points, double radius);
+
+  /// All points that a ball of the radius can touch or hold while it touches a wanted one; there may be more. Ascending; equal
+  /// points are there together.
+  std::vector<std::uint32_t> around(std::span<const std::uint32_t> wanted) const;
+
+ private:
+  Cells cells_;
+  std::vector<Site> site_;  // of each point
+};
+
 struct NeighborhoodSubset {
-  std::vector<std::uint32_t> input;  ///< input index of each point, ascending; equal points are in the subset together
+  std::vector<std::uint32_t> input;  ///< input index of each point, ascending
   std::vector<Point3> points;
   std::vector<Point3> normals;  ///< empty when no normals were given
 };
 
-/// All points that a ball of the radius can touch or hold while it touches a point with wanted[index] != 0; the subset may have
-/// more.
-/// Requires: the duplicates of the points. Of equal points, wanted[stands_for] decides.
+/// The points around those with wanted[index] != 0. Of equal points, wanted[stands_for] decides.
 NeighborhoodSubset neighborhood_subset(std::span<const Point3> points, std::span<const Point3> normals,
                                        std::span<const Duplicate> duplicates, const std::vector<std::uint8_t>& wanted,
                                        double radius);

@@ -1,0 +1,73 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <span>
+#include <tuple>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/surface_input.h"
+#include "python/watched.h"
+#include "rbpa/auto_radii.h"
+#include "rbpa/estimate_normals.h"
+#include "rbpa/outliers.h"
+#include "rbpa/scale_space.h"
+
+namespace rbpa::python {
+namespace {
+
+/// Normals, and how sure each is.
+std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints,
+                                       unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  const auto from = viewpoints ? points3_of(*viewpoints, "viewpoint") : std::span<const Point3>();
+  EstimatedNormals made = watched(input.size(), progress, [&](Watch& watch) {
+    return estimate_normals_and_certainty(
+        input, {.neighbors = neighbors, .viewpoints = from, .threads = threads, .progress = watch.progress()});
+  });
+  return {rows<double>(std::move(made.normals)), line<double>(std::move(made.certainty))};
+}
+
+/// The moved points, and by how many steps.
+std::tuple<Doubles, std::size_t> moved(const Doubles& points, std::size_t steps, std::size_t neighbors,
+                                       unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  ScaleSpace made = watched(input.size(), progress, [&](Watch& watch) {
+    return scale_space(input,
+                       {.steps = steps, .neighbors = neighbors, .threads = threads, .progress = watch.progress()});
+  });
+  return {rows<double>(std::move(made.points)), made.steps};
+}
+
+Doubles chosen_radii(const Doubles& points, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  return line<double>(watched(input.size(), progress, [&](Watch& watch) {
+    return auto_radii(input, {.threads = threads, .progress = watch.progress()});
+  }));
+}
+
+/// Input indices, and the distance of the median point.
+std::tuple<Indices, double> standing_alone(const Doubles& points, double factor, std::size_t neighbors,
+                                           unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  Outliers found = watched(input.size(), progress, [&](Watch& watch) {
+    return outliers(input,
+                    {.factor = factor, .neighbors = neighbors, .threads = threads, .progress = watch.progress()});
+  });
+  return {line<std::int32_t>(std::move(found.points)), found.distance};
+}
+
+}  // namespace
+
+void bind_space_points(py::module_& module) {
+  using py::arg;
+  module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"), arg("viewpoints").noconvert(),
+             arg("threads"), arg("progress"));
+  module.def("scale_space", &moved, arg("points").noconvert(), arg("steps"), arg("neighbors"), arg("threads"),
+             arg("progress"));
+  module.def("auto_radii", &chosen_radii, arg("points").noconvert(), arg("threads"), arg("progress"));
+  module.def("outliers", &standing_alone, arg("points").noconvert(), arg("factor"), arg("neighbors"), arg("threads"),
+             arg("progress"));
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,145 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/surface_input.h"
+#include "python/watched.h"
+#include "rbpa/curve_kinds.h"
+#include "rbpa/hole_remedies.h"
+#include "rbpa/holes.h"
+#include "rbpa/surface_components.h"
+#include "rbpa/unused.h"
+
+namespace rbpa::python {
+namespace {
+
+using Causes = py::array_t<std::uint8_t, py::array::c_style>;
+
+/// All sides of all boundary curves column by column, and where each curve begins.
+py::dict holes_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
+                  const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads) {
+  const SurfaceInput input(points, normals, radii);
+  const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
+  std::vector<std::int64_t> begin = {0};
+  std::vector<double> lengths;
+  std::vector<std::uint8_t> kinds;
+  std::vector<RimEdge> all;
+  watched(input.points.size(), py::none(), [&](Watch& watch) {
+    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
+    const std::vector<Hole> found = holes(input.points, input.normals, input.radii, made, options);
+    for (const CurveKind kind : curve_kinds(input.points, surface_components(input.points, made), found))
+      kinds.push_back(static_cast<std::uint8_t>(kind));
+    for (const Hole& hole : found) {
+      all.insert(all.end(), hole.edges.begin(), hole.edges.end());
+      begin.push_back(static_cast<std::int64_t>(all.size()));
+      lengths.push_back(hole.length);
+    }
+    return 0;
+  });
+  py::dict result;
+  const Kept edges(std::move(all));
+  const auto column = [&]<typename Number>(const char* name, auto RimEdge::*member, py::ssize_t columns, Number) {
+    const void* first = edges->empty() ? nullptr : &((*edges)[0].*member);
+    std::vector<py::ssize_t> shape = {py::ssize_t(edges->size())}, strides = {py::ssize_t(sizeof(RimEdge))};
+    if (columns > 0) {
+      shape.push_back(columns);
+      strides.push_back(py::ssize_t(sizeof(Number)));
+    }
+    result[name] = edges.view<Number>(first, std::move(shape), std::move(strides));
+  };
+  static_assert(sizeof(RimCause) == 1 && sizeof(bool) == 1);
+  column("from", &RimEdge::from, 0, std::int32_t{});
+  column("to", &RimEdge::to, 0, std::int32_t{});
+  column("triangle", &RimEdge::triangle, 0, std::int32_t{});
+  column("level", &RimEdge::level, 0, std::int32_t{});
+  column("cause", &RimEdge::cause, 0, std::uint8_t{});
+  column("next", &RimEdge::next, 3, std::int32_t{});
+  column("corners", &RimEdge::corners, 3, bool{});
+  column("sides", &RimEdge::sides, 3, bool{});
+  result["begin"] = line<std::int64_t>(std::move(begin));
+  result["length"] = line<double>(std::move(lengths));
+  result["kind"] = line<std::uint8_t>(std::move(kinds));
+  return result;
+}
+
+/// Of each curve of kind hole: its number, the kind of its remedy, the radius, and where its points begin; and the points.
+py::dict remedies_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
+                     const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads,
+                     const py::object& progress) {
+  const SurfaceInput input(points, normals, radii);
+  const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
+  std::vector<std::int32_t> number;
+  const auto found = watched(input.points.size(), progress, [&](Watch& watch) {
+    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
+    std::vector<Hole> wanted;
+    const std::vector<Hole> curves = holes(input.points, input.normals, input.radii, made, options);
+    const std::vector<CurveKind> kinds = curve_kinds(input.points, surface_components(input.points, made), curves);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (kinds[i] != CurveKind::hole) continue;
+      number.push_back(static_cast<std::int32_t>(i));
+      wanted.push_back(curves[i]);
+    }
+    return hole_remedies(input.points, input.normals, input.radii, made, wanted, options);
+  });
+  std::vector<std::uint8_t> kinds, outcomes;
+  std::vector<double> larger;
+  std::vector<std::int64_t> begin = {0};
+  std::vector<std::int32_t> turned;
+  constexpr std::uint8_t not_tried = 255;
+  for (const HoleRemedy& remedy : found) {
+    kinds.push_back(static_cast<std::uint8_t>(remedy.kind));
+    outcomes.push_back(remedy.filled ? static_cast<std::uint8_t>(*remedy.filled) : not_tried);
+    larger.push_back(remedy.radius);
+    for (const std::uint32_t point : remedy.points) turned.push_back(static_cast<std::int32_t>(point));
+    begin.push_back(static_cast<std::int64_t>(turned.size()));
+  }
+  py::dict result;
+  result["hole"] = line<std::int32_t>(std::move(number));
+  result["kind"] = line<std::uint8_t>(std::move(kinds));
+  result["filled"] = line<std::uint8_t>(std::move(outcomes));
+  result["radius"] = line<double>(std::move(larger));
+  result["points"] = line<std::int32_t>(std::move(turned));
+  result["begin"] = line<std::int64_t>(std::move(begin));
+  return result;
+}
+
+/// Points, and the number of the cause of each.
+std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii,
+                                      const Indices& triangles, const Indices& neighbors, const Indices& levels,
+                                      const Indices& duplicates, unsigned threads) {
+  const SurfaceInput input(points, normals, radii);
+  const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
+  const auto found = watched(input.points.size(), py::none(), [&](Watch& watch) {
+    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
+    return unused_points(input.points, input.normals, input.radii, made, options);
+  });
+  std::vector<std::uint32_t> indices;
+  std::vector<std::uint8_t> causes;
+  for (const UnusedPoint& point : found) {
+    indices.push_back(point.index);
+    causes.push_back(static_cast<std::uint8_t>(point.cause));
+  }
+  return {line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes))};
+}
+
+}  // namespace
+
+void bind_surface_causes(py::module_& module) {
+  using py::arg;
+  module.def("surface_holes", &holes_of, arg("points").noconvert(), arg("normals").noconvert(),
+             arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
+             arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
+  module.def("surface_remedies", &remedies_of, arg("points").noconvert(), arg("normals").noconvert(),
+             arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
+             arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"), arg("progress"));
+  module.def("surface_unused", &unused_of, arg("points").noconvert(), arg("normals").noconvert(),
+             arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
+             arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,47 @@
+// What: a surface near some of its points, with these as a set of their own.
+// Law:  around a point that was asked for it has all triangles, glued as in the whole.
+// Cost: linear in the surface once; then in what is near, times a logarithm.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/surface.h"
+
+namespace rbpa::space {
+
+struct LocalSurface {
+  std::vector<std::uint32_t> input;  ///< input index of each point, ascending
+  std::vector<Point3> points, normals;
+  Surface surface;  ///< of these; with levels
+
+  /// The number of an input point that is here.
+  std::uint32_t number_of(std::uint32_t input_index) const;
+};
+
+class LocalSurfaces {
+ public:
+  /// Keeps the spans and the surface. Requires: triangles and normals of the points.
+  LocalSurfaces(std::span<const Point3> points, std::span<const Point3> normals, const Surface& surface);
+
+  /// Those points, the triangles with a corner among them, and the corners of these.
+  /// Requires: ascending; equal points together.
+  LocalSurface at(std::span<const std::uint32_t> points) const;
+
+  const std::array<std::uint32_t, 3>& corners_of(std::uint32_t triangle) const { return surface_.triangles[triangle]; }
+
+  /// The triangles with a corner at a point, ascending.
+  std::span<const std::uint32_t> triangles_at(std::uint32_t point) const {
+    return std::span(triangles_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+  }
+
+ private:
+  std::span<const Point3> points_, normals_;
+  const Surface& surface_;
+  std::vector<std::uint32_t> begin_, triangles_;  // by point
+};
+
+}  // namespace rbpa::space

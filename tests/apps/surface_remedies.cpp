@@ -1,0 +1,128 @@
+// --remedies of `rbpa surface`: what is named for a hole closes it when it is done.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+struct Line {
+  double x, y, z;
+  bool is_turned = false;
+};
+
+/// A sphere of radius 1 without what is above `top`, the normal of one point turned around.
+std::vector<Line> sphere_lines(double top, int wrong) {
+  std::vector<Line> lines;
+  const int count = 600;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
+    if (z <= top) lines.push_back({r * std::cos(around), r * std::sin(around), z, i == wrong});
+  }
+  return lines;
+}
+
+std::string text_of(const std::vector<Line>& lines) {
+  std::ostringstream text;
+  text.precision(17);
+  for (const Line& line : lines) {
+    const double sign = line.is_turned ? -1 : 1;
+    text << line.x << ' ' << line.y << ' ' << line.z << ' ' << sign * line.x << ' ' << sign * line.y << ' '
+         << sign * line.z << '\n';
+  }
+  return text.str();
+}
+
+std::vector<json> remedies_of(const json& report) {
+  std::vector<json> remedies;
+  for (const json& hole : report["holes"]) remedies.push_back(hole["remedy"]);
+  return remedies;
+}
+
+/// The numbers of those that close a hole by a ball, and by turned normals.
+struct Named {
+  double radius = 0;
+  int point = -1;
+};
+
+Named named(const json& report) {
+  Named result;
+  for (const json& remedy : remedies_of(report)) {
+    if (remedy["kind"] == "larger_ball") result.radius = remedy["radius"].get<double>();
+    if (remedy["kind"] == "turn_normals") result.point = remedy["points"].at(0).get<int>();
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_SUITE("surface") {
+  TEST_CASE("each hole has a remedy, which closes it when it is done") {
+    const Folder folder;
+    std::vector<Line> lines = sphere_lines(0.93, 300);
+    folder.file("s.xyz", text_of(lines));
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.13 --remedies --json -o m.off");
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["remedies"] == json::parse(R"({"turn_normals": 1, "larger_ball": 1, "filling": 0, "none": 0})"));
+    const Named found = named(report);
+    REQUIRE(found.point >= 0);
+    REQUIRE(found.radius > 0.13);
+    CHECK(lines[static_cast<std::size_t>(found.point)].is_turned);
+    const std::string radii = "0.13," + json(found.radius).dump();
+    CHECK(outcome.err.find("; closed by --radius " + radii + "\n") != std::string::npos);
+    CHECK(outcome.err.find("; closed with the normal of point " + std::to_string(found.point) + " turned around\n") !=
+          std::string::npos);
+
+    lines[static_cast<std::size_t>(found.point)].is_turned = false;
+    folder.file("s.xyz", text_of(lines));
+    const json closed = json::parse(folder.rbpa("surface s.xyz --radius " + radii + " --remedies --json -o m.off").out);
+    CHECK(closed["boundary_curves"] == 0);
+    CHECK(closed["remedies"] == json::parse(R"({"turn_normals": 0, "larger_ball": 0, "filling": 0, "none": 0})"));
+    const json without = json::parse(folder.rbpa("surface s.xyz --radius 0.13 --json -o m.off").out);
+    CHECK(without["remedies"].is_null());
+    CHECK(!without["holes"][0].contains("remedy"));
+  }
+
+  TEST_CASE("remedies name points of the file though outliers are left out, and stay where components are dropped") {
+    const Folder folder;
+    const std::vector<Line> lines = sphere_lines(1, 300);
+    folder.file("s.xyz", "9 9 9 0 0 1\n" + text_of(lines));
+    const json report = json::parse(
+        folder.rbpa("surface s.xyz --radius 0.15 --drop-outliers auto --keep-largest 1 --remedies --json -o m.off")
+            .out);
+    REQUIRE(report["outliers"]["points"] == 1);
+    REQUIRE(remedies_of(report).size() == 1);
+    CHECK(remedies_of(report)[0] == json::parse(R"({"kind": "turn_normals", "points": [301]})"));
+  }
+
+  TEST_CASE("rims have no remedy, a hole in a sheet is closed by a ball, wrong usage is refused") {
+    const Folder folder;
+    std::string sheet;
+    for (int x = 0; x < 8; ++x)
+      for (int y = 0; y < 8; ++y)
+        if (x < 3 || x > 4 || y < 3 || y > 4) sheet += std::to_string(x) + " " + std::to_string(y) + " 0 0 0 1\n";
+    folder.file("p.xyz", sheet);
+    const json report = json::parse(folder.rbpa("surface p.xyz --radius 0.8 --remedies --json -o m.off").out);
+    REQUIRE(report["holes"].size() == 2);
+    for (const json& hole : report["holes"]) {
+      CHECK(hole["remedy"].is_null() == (hole["kind"] == "rim"));
+      if (hole["kind"] == "hole") CHECK(hole["remedy"]["kind"] == "larger_ball");
+    }
+    const Outcome many = folder.rbpa("surface p.xyz --radius 0.8 --remedies --fill-holes all -o m.off");
+    CHECK(many.code == 2);
+    CHECK(many.err ==
+          "rbpa: --remedies: found --fill-holes or --watertight, of which the result is no more what the ball made\n");
+    CHECK(folder.rbpa("surface p.xyz --radius 0.8 --remedies --watertight -o m.off").code == 2);
+    CHECK(folder.rbpa("surface p.xyz --radius 0.8 --remedies --normals none -o m.off").err ==
+          "rbpa: --remedies: found --normals none, of which the triangles have no boundary\n");
+  }
+}

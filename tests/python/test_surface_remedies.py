@@ -1,0 +1,65 @@
+"""Surface.remedies(): what is named for a hole closes it when it is done; and rbpa.outliers()."""
+
+import numpy as np
+import pytest
+
+import rbpa
+
+
+def sphere(count, highest=1.0):
+    i = np.arange(count)
+    z = 1 - (2 * i + 1) / count
+    r = np.sqrt(1 - z * z)
+    turn = 2.399963229728653 * i
+    return np.column_stack((r * np.cos(turn), r * np.sin(turn), z))[z < highest]
+
+
+def test_a_remedy_closes_its_hole():
+    points = sphere(600, 0.93)
+    normals = points.copy()
+    normals[300] *= -1
+    made = rbpa.surface(points, normals, 0.13)
+    remedies = made.remedies(threads=1)
+    assert [hole.kind for hole in made.holes] == ["hole", "hole"]
+    kinds = sorted(remedy.kind for remedy in remedies)
+    assert kinds == ["larger ball", "turn normals"]
+    for remedy in remedies:
+        if remedy.kind == "turn normals":
+            assert remedy.points.tolist() == [300] and remedy.radius is None
+            normals[remedy.points] *= -1
+            assert not remedy.points.flags.writeable
+        else:
+            radius = remedy.radius
+        assert remedy.reason is None and remedy.kind in repr(remedy)
+    closed = rbpa.surface(points, normals, [0.13, radius])
+    assert len(closed.boundary) == 0 and closed.remedies() == []
+
+
+def test_rims_have_none_and_changed_surfaces_are_refused():
+    sheet = np.array([[x, y, 0.0] for x in range(8) for y in range(8) if not (3 <= x <= 4 and 3 <= y <= 4)])
+    made = rbpa.surface(sheet, np.tile([0.0, 0, 1], (len(sheet), 1)), 0.8)
+    for hole, remedy in zip(made.holes, made.remedies()):
+        assert (remedy is None) == (hole.kind == "rim")
+    with pytest.raises(rbpa.InvalidInput, match="remedies"):
+        made.fill_holes().remedies()
+    with pytest.raises(rbpa.InvalidInput, match="remedies"):
+        made.keep_largest().remedies()
+    assert rbpa.surface(sphere(100), "none", 0.5).remedies() == []
+    box = np.array([[x, y, z] for x in range(7) for y in range(7) for z in range(6) if x % 6 == 0 or y % 6 == 0 or z == 0], float)
+    out = np.where(box == 0, -1.0, np.where(box == 6, 1.0, 0.0))
+    assert [remedy.kind for remedy in rbpa.surface(box, out, 0.9).remedies()] == ["filling"]
+
+
+def test_outliers_stand_alone():
+    points = np.vstack((sphere(500), [[5, 5, 5], [0, 0, 0]]))
+    assert rbpa.outliers(points).tolist() == [500]
+    assert rbpa.outliers(points, factor=2).tolist() == [500, 501]
+    assert rbpa.outliers(points, 4, neighbors=1, threads=1).tolist() == [500, 501]
+    assert rbpa.outliers(points).dtype == np.int32 and rbpa.outliers(np.empty((0, 3))).tolist() == []
+    for wrong in ({"factor": 0.5}, {"neighbors": 0}):
+        with pytest.raises(rbpa.InvalidInput):
+            rbpa.outliers(points, **wrong)
+    with pytest.raises(rbpa.InvalidInput, match="shape"):
+        rbpa.outliers([[0, 0]])
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.outliers(np.random.default_rng(1).normal(size=(200_000, 3)), progress=lambda triangles, points: False)
