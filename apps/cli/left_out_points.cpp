@@ -20,6 +20,16 @@ LeftOutPoints::LeftOutPoints(SpacePoints& cloud, std::span<const std::uint32_t> 
   for (const std::vector<double>& field : whole_.fields) cloud.fields.push_back(values_at(field, number_));
 }
 
+void LeftOutPoints::add_last(const SpacePoints& cloud, std::size_t count) {
+  if (!is_any()) return;
+  for (std::size_t i = cloud.points.size() - count; i < cloud.points.size(); ++i) {
+    number_.push_back(static_cast<std::uint32_t>(whole_.points.size()));
+    whole_.points.push_back(cloud.points[i]);
+    if (!whole_.normals.empty()) whole_.normals.push_back(cloud.normals[i]);
+    if (!whole_.colors.empty()) whole_.colors.push_back(cloud.colors[i]);
+  }
+}
+
 void LeftOutPoints::renumber(Surface& surface) const {
   if (!is_any()) return;
   for (auto& triangle : surface.triangles)

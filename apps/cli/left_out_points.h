@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ class LeftOutPoints {
   LeftOutPoints() = default;
   /// Takes these points, ascending, at least one, out of the cloud.
   LeftOutPoints(SpacePoints& cloud, std::span<const std::uint32_t> left_out);
+
+  /// The last points of the cloud, so many, are new in the file, behind all others.
+  void add_last(const SpacePoints& cloud, std::size_t count);
 
   bool is_any() const { return !whole_.points.empty(); }
 

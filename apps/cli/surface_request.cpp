@@ -177,6 +177,13 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
+  if (arguments.refine) {
+    if (!request.filled) throw WrongUsage("--refine: found neither --fill-holes nor --watertight, expected one");
+    for (const Target& target : request.targets)
+      if (target.format == Format::npy)
+        throw WrongUsage("--refine: found " + in_quotes(target.path) +
+                         ", of which the rows are numbers of input points, expected a format with points");
+  }
   return request;
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/added_points.h"
+#include "cli/drop_components.h"
 #include "cli/left_out_points.h"
 #include "cli/progress.h"
 #include "cli/run.h"
@@ -55,7 +57,6 @@ class SurfaceRun : public Run {
   void find_remedies();
   void choose_components();
   std::vector<bool> kept_by_choice() const;
-  void drop(const std::vector<bool>& kept);
   void fill();
   void require_watertight() const;
   void write();
@@ -205,7 +206,8 @@ void SurfaceRun::choose_components() {
   }
   facts_.kinds = curve_kinds(file_.points, components_, facts_.holes);
   const std::vector<bool> kept = kept_by_choice();
-  if (std::count(kept.begin(), kept.end(), false) > 0) drop(kept);
+  if (std::count(kept.begin(), kept.end(), false) > 0)
+    drop_components(file_.points, kept, surface_, components_, facts_);
   if (request_.filled) fill();
   if (!as_they_came_.empty()) components_ = surface_components(points(), surface_);
   if (arguments_.watertight) require_watertight();
@@ -242,6 +244,12 @@ void SurfaceRun::fill() {
     return arguments_.watertight ? close_all(file_.points, bounded, how)
                                  : fill_chosen(file_.points, *request_.filled, bounded, how);
   });
+  if (arguments_.refine && facts_.filling.filled() > 0) {
+    const AddedPoints added = step(
+        "refining fillings", [&](const SurfaceOptions& how) { return refine(points(), bounded, facts_.filling, how); });
+    add_points(added, file_, estimated_, outliers_);
+    if (!as_they_came_.empty()) as_they_came_.insert(as_they_came_.end(), added.points.begin(), added.points.end());
+  }
   surface_ = std::move(bounded.surface);
   components_ = std::move(bounded.components);
   facts_.holes = std::move(bounded.curves);
@@ -258,39 +266,6 @@ void SurfaceRun::require_watertight() const {
   if (left.empty()) return;
   if (surface_.triangles.empty()) say_empty();
   throw Failure("not watertight: " + left + "; nothing is written");
-}
-
-/// Of the surface, its holes and what is known about both.
-void SurfaceRun::drop(const std::vector<bool>& kept) {
-  for (std::size_t c = 0; c < kept.size(); ++c) {
-    if (kept[c]) continue;
-    ++facts_.dropped.components;
-    facts_.dropped.triangles += components_.all[c].triangles;
-    facts_.dropped.area += components_.all[c].area;
-  }
-  std::vector<std::uint32_t> number;  // of each triangle that is kept; of others, the next one's
-  std::uint32_t next = 0;
-  std::vector<char> use(file_.points.size(), 0);  // 1: by what is dropped, 2: by what is kept
-  for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-    number.push_back(next);
-    const bool is_kept = kept[components_.number[t]];
-    next += is_kept;
-    for (const std::uint32_t corner : surface_.triangles[t]) use[corner] = std::max<char>(use[corner], is_kept ? 2 : 1);
-  }
-  facts_.dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
-  std::vector<Hole> holes;
-  std::vector<CurveKind> kinds;
-  for (std::size_t i = 0; i < facts_.holes.size(); ++i) {
-    Hole& hole = facts_.holes[i];
-    if (!kept[components_.number[hole.edges.front().triangle]]) continue;
-    for (RimEdge& edge : hole.edges) edge.triangle = number[edge.triangle];
-    holes.push_back(std::move(hole));
-    kinds.push_back(facts_.kinds[i]);
-  }
-  facts_.holes = std::move(holes);
-  facts_.kinds = std::move(kinds);
-  surface_ = keep_components(surface_, components_, kept);
-  components_ = surface_components(file_.points, surface_);
 }
 
 SurfaceFiles SurfaceRun::files() const {

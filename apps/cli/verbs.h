@@ -98,6 +98,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::optional<std::string> keep_largest;
   std::optional<std::string> drop_small;
   std::optional<std::string> fill_holes;
+  bool refine = false;
   bool remedies = false;
   std::string width = "1200";
   bool compact = false;

@@ -133,6 +133,10 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   add_switch(verb, "--watertight", arguments.watertight,
              "Drop open islands, fill holes and rims, and write a closed --manifold surface without crossings; where "
              "that cannot be, write nothing, say what is left, and exit with 1");
+  add_switch(
+      verb, "--refine", arguments.refine,
+      "With --fill-holes or --watertight: add points inside what is filled, so that it is as fine and as smooth as "
+      "the surface around it");
   verb.add_option("--holes", arguments.holes,
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");
@@ -150,6 +154,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface scan.ply --radius auto --drop-small 100 --manifold -o mesh.ply\n"
       "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
+      "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight --refine -o print.stl\n"
       "  rbpa surface scan.ply --radius 0.01 --remedies -o mesh.ply\n"
       "  rbpa surface noisy.ply --scale-space auto --moved --radius auto -o smooth.ply\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"

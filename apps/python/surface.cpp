@@ -25,6 +25,7 @@
 #include "rbpa/fill_holes.h"
 #include "rbpa/holes.h"
 #include "rbpa/outer_shells.h"
+#include "rbpa/refine_filling.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
@@ -32,6 +33,8 @@
 
 namespace rbpa::python {
 namespace {
+
+using Flags = py::array_t<std::uint8_t, py::array::c_style>;
 
 /// The sides without a neighbour, from corner to corner, the triangle on the left.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
@@ -151,6 +154,31 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
   return as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, 0);
 }
 
+/// What is new refined: the points that are added, their normals, and how many fillings are smooth, flat and as they were.
+py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indices& triangles, const Indices& neighbors,
+                 const Flags& is_new, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
+  const Links links(triangles, neighbors);
+  if (is_new.ndim() != 1) throw py::value_error("is_new: expected an array of shape (m,)");
+  const std::vector<bool> flags(is_new.data(), is_new.data() + is_new.shape(0));
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  std::vector<Point3> further;
+  RefinedSurface made = watched(links.triangles.size(), progress, [&](Watch& watch) {
+    RefinedSurface result =
+        refine_filling(input, of_links(links), flags, {.threads = threads, .progress = watch.progress()});
+    if (!vectors.empty()) further = normals_between(vectors, result.between);
+    boundary = boundary_of(result.surface);
+    return result;
+  });
+  py::dict result = as_dict(std::move(made.surface), std::move(boundary), made.is_new, {}, 0);
+  result["points"] = rows<double>(std::move(made.points));
+  result["normals"] = rows<double>(std::move(further));
+  result["between"] = rows<std::int32_t>(std::move(made.between));
+  result["smooth"] = made.smooth;
+  return result;
+}
+
 /// All holes and rims; and how many pairs of triangles cross, of the first thousand.
 py::dict closed(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
@@ -232,6 +260,9 @@ void bind_surface(py::module_& module) {
              arg("neighbors").noconvert(), arg("most_edges"), arg("most_length"), arg("rims"), arg("threads"));
   module.def("close_surface", &closed, arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert(), arg("threads"));
+  module.def("refine_filling", &refined, arg("points").noconvert(), arg("normals").noconvert(),
+             arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("is_new").noconvert(), arg("threads"),
+             arg("progress"));
   module.def("save_surface", &saved, arg("path"), arg("points").noconvert(), arg("normals").noconvert(),
              arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("manifold"));
   module.def("surface_mesh", &mesh_of, arg("mesh"), arg("points").noconvert(), arg("triangles").noconvert(),

@@ -1,23 +1,39 @@
 #include "triangulation/close_surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "rbpa/close_surface.h"
 #include "rbpa/fill_holes.h"
+#include "rbpa/refine_filling.h"
 
 namespace rbpa::app {
 namespace {
 
-/// Another surface in place of one, with the triangles that are not new in the order in which they were.
+/// The numbers of the triangles that are not new.
+std::vector<std::uint32_t> old_ones(const std::vector<bool>& is_new) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t t = 0; t < is_new.size(); ++t)
+    if (!is_new[t]) numbers.push_back(t);
+  return numbers;
+}
+
+void renumber(std::vector<Hole>& curves, const std::vector<std::uint32_t>& number) {
+  for (Hole& curve : curves)
+    for (RimEdge& edge : curve.edges) edge.triangle = number[edge.triangle];
+}
+
+double area_of(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
+  return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
+}
+
+/// Another surface in place of one. Requires: the curves have numbers of its triangles.
 void replace(std::span<const Point3> points, BoundedSurface& bounded, Surface surface,
              const std::vector<bool>& is_new) {
-  std::vector<std::uint32_t> number;
-  for (std::uint32_t t = 0; t < is_new.size(); ++t)
-    if (!is_new[t]) number.push_back(t);
-  for (Hole& curve : bounded.curves)
-    for (RimEdge& edge : curve.edges) edge.triangle = number[edge.triangle];
   bounded.surface = std::move(surface);
   bounded.filled = is_new;
   bounded.curves = with_causes(surface_curves(points, bounded.surface), bounded.curves);
@@ -42,6 +58,33 @@ std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> kn
   return curves;
 }
 
+AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, FillingCounts& counts,
+                   const SurfaceOptions& options) {
+  RefinedSurface refined = refine_filling(points, bounded.surface, bounded.filled, options);
+  std::vector<Point3> all(points.begin(), points.end());
+  all.insert(all.end(), refined.points.begin(), refined.points.end());
+  const std::vector<std::uint32_t> old = old_ones(bounded.filled);
+  std::vector<std::uint32_t> number(bounded.filled.size(), Surface::none);  // of those that are not new
+  std::size_t next = 0;
+  std::vector<double> areas;
+  for (std::uint32_t t = 0; t < refined.is_new.size(); ++t) {
+    if (refined.is_new[t]) {
+      const auto& [a, b, c] = refined.surface.triangles[t];
+      areas.push_back(area_of(all[a], all[b], all[c]));
+      continue;
+    }
+    number[old[next++]] = t;
+  }
+  std::sort(areas.begin(), areas.end());
+  counts.triangles = areas.size();
+  counts.area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  counts.points = refined.points.size();
+  counts.smooth = refined.smooth;
+  renumber(bounded.curves, number);
+  replace(all, bounded, std::move(refined.surface), refined.is_new);
+  return {std::move(refined.points), std::move(refined.between)};
+}
+
 FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, BoundedSurface& bounded,
                           const SurfaceOptions& options) {
   std::vector<Hole> chosen;
@@ -50,6 +93,7 @@ FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choi
   if (chosen.empty()) return {};
   FilledSurface filled = fill_holes(points, bounded.surface, chosen, options);
   const FillingCounts counts = count(filled.holes);
+  renumber(bounded.curves, old_ones(filled.is_new));
   replace(points, bounded, std::move(filled.surface), filled.is_new);
   return counts;
 }
@@ -59,6 +103,7 @@ FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded,
   FillingCounts counts = count(closed.holes);
   counts.given_up = closed.given_up;
   if (closed.given_up > 0) bounded.curves.clear();  // it is closed
+  renumber(bounded.curves, old_ones(closed.is_new));
   replace(points, bounded, std::move(closed.surface), closed.is_new);
   return counts;
 }

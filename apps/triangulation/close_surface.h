@@ -2,6 +2,8 @@
 // Law:  a function of the surface and the choice.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,6 +33,17 @@ FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choi
 
 /// The same of every curve, as rbpa::close_surface() does it.
 FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options);
+
+/// Points inside fillings.
+struct AddedPoints {
+  std::vector<Point3> points;                         ///< their numbers go on where the points' end
+  std::vector<std::array<std::uint32_t, 3>> between;  ///< of each the points between which it was put
+};
+
+/// Makes what is filled as fine and smooth as the rest, as rbpa::refine_filling() does it, and changes the counts accordingly.
+/// Throws: as refine_filling().
+AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, FillingCounts& counts,
+                   const SurfaceOptions& options);
 
 /// The curves of a surface, with the causes that some of its edges have in `known`.
 std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known);

@@ -33,7 +33,10 @@ FillingCounts count(std::span<const HoleFill> holes) {
 
 std::string filled_text(const FillingCounts& counts) {
   return counted(counts.filled(), "hole") + " filled by " + counted(counts.triangles, "triangle") + " of area " +
-         rounded(counts.area, 6);
+         rounded(counts.area, 6) +
+         (counts.points == 0
+              ? ""
+              : ", with " + counted(counts.points, "point") + " added, " + std::to_string(counts.smooth) + " smooth");
 }
 
 std::string left_text(const FillingCounts& counts) {
@@ -45,11 +48,8 @@ std::string left_text(const FillingCounts& counts) {
 nlohmann::ordered_json as_json(const FillingCounts& counts) {
   nlohmann::ordered_json left;
   for (std::size_t i = 1; i < names.size(); ++i) left[names[i]] = counts.holes[i];
-  return {{"holes", counts.filled()},
-          {"triangles", counts.triangles},
-          {"area", counts.area},
-          {"given_up", counts.given_up},
-          {"left", left}};
+  return {{"holes", counts.filled()}, {"triangles", counts.triangles}, {"area", counts.area}, {"points", counts.points},
+          {"smooth", counts.smooth},  {"given_up", counts.given_up},   {"left", left}};
 }
 
 }  // namespace rbpa::app

@@ -16,6 +16,8 @@ struct FillingCounts {
   std::size_t triangles = 0;              ///< new
   double area = 0;                        ///< theirs
   std::size_t given_up = 0;               ///< triangles around holes, so that these can be filled
+  std::size_t points = 0;                 ///< that are added, where fillings are refined
+  std::size_t smooth = 0;                 ///< fillings of which these are moved as well
 
   std::size_t filled() const { return holes[static_cast<std::size_t>(HoleOutcome::filled)]; }
   std::size_t left() const { return holes[1] + holes[2] + holes[3]; }
@@ -24,12 +26,12 @@ struct FillingCounts {
 /// The same in any order of the holes.
 FillingCounts count(std::span<const HoleFill> holes);
 
-/// "3 holes filled by 12 triangles of area 0.5".
+/// "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 of them smooth".
 std::string filled_text(const FillingCounts& counts);
 /// "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some are left.
 std::string left_text(const FillingCounts& counts);
 
-/// {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area"}}.
+/// {"holes", "triangles", "area", "points", "smooth", "given_up", "left": {"crosses", "edge_taken", "no_area"}}.
 nlohmann::ordered_json as_json(const FillingCounts& counts);
 
 }  // namespace rbpa::app

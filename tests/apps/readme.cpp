@@ -54,7 +54,7 @@ TEST_SUITE("readme") {
     const std::pair<const char*, std::size_t> pages[] = {{"docs/which_alpha.md", 2},
                                                          {"docs/fill.md", 5},
                                                          {"docs/surface.md", 11},
-                                                         {"docs/scan_to_print.md", 3},
+                                                         {"docs/scan_to_print.md", 4},
                                                          {"docs/meshtopo.md", 1}};
     for (const auto& page : pages) {
       CAPTURE(page.first);

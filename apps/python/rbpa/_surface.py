@@ -363,6 +363,38 @@ class Surface(Result):
             )
         return whole._with_filled(of, of["kept"] != 0)
 
+    def refined(self, *, threads: Optional[int] = None, progress: Progress = None) -> Surface:
+        """The surface with what `fill_holes` or `watertight` filled as fine and as smooth as the rest: points are added inside.
+
+        Triangles that are large for the edges around the hole are split, and the new points moved to where the surface bends
+        least. Nothing new crosses anything: a filling that would stays where it was, or as it was.
+
+        Returns
+        -------
+        Surface
+            Of more points: those that are added come last, with the mean normals of the points around them. Its `unused` points
+            are those of this surface.
+        """
+        self._require_unchanged()
+        new = self.levels < 0
+        of = _core.refine_filling(
+            self.points, self.normals, self.triangles, self.neighbors, new.astype(np.uint8), as_threads(threads), progress
+        )
+        old = of["is_new"] == 0
+        levels = np.full(len(old), -1, dtype=np.int32)
+        levels[old] = self.levels[~new]
+        place = np.full(len(new), -1, dtype=np.int32)
+        place[~new] = np.flatnonzero(old)
+        points = np.vstack((self.points, of["points"]))
+        normals = None if self.normals is None else np.vstack((self.normals, of["normals"]))
+        made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
+        finer = Surface(points, normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
+        freeze(place, points)
+        if normals is not None:
+            freeze(normals)
+        finer._filled_from = (self, place)
+        return finer
+
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
         for source in (self._kept_from, self._filled_from):

@@ -23,8 +23,13 @@ class BoxScale {
   int exponent() const { return exponent_; }
   /// From the lower corner, each coordinate at most 1.
   Vector3<double> place(const Point3& p) const { return {along(p.x, low_.x), along(p.y, low_.y), along(p.z, low_.z)}; }
+  /// The point at a place, rounded.
+  Point3 point(const Vector3<double>& place) const {
+    return {back(place.x, low_.x), back(place.y, low_.y), back(place.z, low_.z)};
+  }
 
  private:
+  double back(double at, double low) const { return std::ldexp(at + std::ldexp(low, -exponent_), exponent_); }
   double along(double x, double low) const { return std::ldexp(x, -exponent_) - std::ldexp(low, -exponent_); }
 
   Point3 low_;

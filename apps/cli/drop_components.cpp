@@ -1,0 +1,42 @@
+#include "cli/drop_components.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace rbpa::app {
+
+void drop_components(std::span<const Point3> points, const std::vector<bool>& kept, Surface& surface,
+                     SurfaceComponents& components, SurfaceFacts& facts) {
+  for (std::size_t c = 0; c < kept.size(); ++c) {
+    if (kept[c]) continue;
+    ++facts.dropped.components;
+    facts.dropped.triangles += components.all[c].triangles;
+    facts.dropped.area += components.all[c].area;
+  }
+  std::vector<std::uint32_t> number;  // of each triangle that is kept; of others, the next one's
+  std::uint32_t next = 0;
+  std::vector<char> use(points.size(), 0);  // 1: by what is dropped, 2: by what is kept
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    number.push_back(next);
+    const bool is_kept = kept[components.number[t]];
+    next += is_kept;
+    for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max<char>(use[corner], is_kept ? 2 : 1);
+  }
+  facts.dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
+  std::vector<Hole> holes;
+  std::vector<CurveKind> kinds;
+  for (std::size_t i = 0; i < facts.holes.size(); ++i) {
+    Hole& hole = facts.holes[i];
+    if (!kept[components.number[hole.edges.front().triangle]]) continue;
+    for (RimEdge& edge : hole.edges) edge.triangle = number[edge.triangle];
+    holes.push_back(std::move(hole));
+    kinds.push_back(facts.kinds[i]);
+  }
+  facts.holes = std::move(holes);
+  facts.kinds = std::move(kinds);
+  surface = keep_components(surface, components, kept);
+  components = surface_components(points, surface);
+}
+
+}  // namespace rbpa::app

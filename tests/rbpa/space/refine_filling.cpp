@@ -1,0 +1,224 @@
+#include "rbpa/refine_filling.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/error.h"
+#include "rbpa/crossing_triangles.h"
+#include "rbpa/fill_holes.h"
+#include "rbpa/split_fans.h"
+#include "rbpa/surface_components.h"
+#include "support/arguments.h"
+#include "support/space_sets.h"
+
+using namespace rbpa_test;
+using rbpa::FilledSurface;
+using rbpa::Point3;
+using rbpa::RefinedSurface;
+using rbpa::Surface;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+struct Sample {
+  Points3 points, normals;
+};
+
+/// Points spread over the unit sphere along a spiral, without those that are left out.
+template <typename IsOut>
+Sample sphere_without(std::size_t count, const IsOut& is_out) {
+  Sample sample;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
+    const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1 - z * z);
+    const Point3 p = {r * std::cos(turn), r * std::sin(turn), z};
+    if (!is_out(p)) sample.points.push_back(p);
+  }
+  sample.normals = sample.points;
+  return sample;
+}
+
+FilledSurface filled(const Sample& sample, double radius) {
+  const Surface surface = rbpa::indexable_surface(rbpa::surface(sample.points, sample.normals, radius));
+  return rbpa::fill_holes(sample.points, surface, rbpa::surface_curves(sample.points, surface));
+}
+
+Points3 joined(const Points3& points, const RefinedSurface& refined) {
+  Points3 all = points;
+  all.insert(all.end(), refined.points.begin(), refined.points.end());
+  return all;
+}
+
+/// It is closed, and crosses nothing; what was there before is there still.
+void check_refined(const Sample& sample, const FilledSurface& before, const RefinedSurface& refined) {
+  const Points3 all = joined(sample.points, refined);
+  CHECK(rbpa::surface_curves(all, refined.surface).size() ==
+        rbpa::surface_curves(sample.points, before.surface).size());
+  CHECK(rbpa::crossing_triangles(all, refined.surface.triangles, 3).empty());
+  CHECK(std::is_sorted(refined.surface.triangles.begin(), refined.surface.triangles.end()));
+  REQUIRE(refined.is_new.size() == refined.surface.triangles.size());
+  std::vector<std::array<std::uint32_t, 3>> old, kept;
+  for (std::size_t t = 0; t < before.is_new.size(); ++t)
+    if (!before.is_new[t]) old.push_back(before.surface.triangles[t]);
+  for (std::size_t t = 0; t < refined.is_new.size(); ++t)
+    if (!refined.is_new[t]) kept.push_back(refined.surface.triangles[t]);
+  CHECK(old == kept);
+  REQUIRE(refined.between.size() == refined.points.size());
+  for (std::size_t k = 0; k < refined.points.size(); ++k)
+    for (const std::uint32_t v : refined.between[k]) CHECK(v < sample.points.size() + k);
+  // Each added point has two triangles more, wherever it lies.
+  CHECK(refined.surface.triangles.size() == before.surface.triangles.size() + 2 * refined.points.size());
+}
+
+double longest_new_edge(const Points3& points, const Surface& surface, const std::vector<bool>& is_new) {
+  double longest = 0;
+  for (std::size_t t = 0; t < is_new.size(); ++t)
+    for (std::size_t k = 0; k < 3 && is_new[t]; ++k) {
+      const Point3 &p = points[surface.triangles[t][k]], &q = points[surface.triangles[t][(k + 1) % 3]];
+      longest = std::max(longest, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
+    }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("a cap of a sphere is filled by triangles as small as those around, on the sphere but for little") {
+  for (const double top : {0.95, 0.9, 0.8, 0.6}) {
+    const Sample sample = sphere_without(3000, [&](const Point3& p) { return p.z > top; });
+    const FilledSurface before = filled(sample, 0.08);
+    const RefinedSurface refined = rbpa::refine_filling(sample.points, before.surface, before.is_new);
+    check_refined(sample, before, refined);
+    CHECK(refined.smooth == 1);
+    CHECK(refined.flat + refined.coarse == 0);
+    // As many as the sphere has there, about.
+    const double missing = 3000 * (1 - top) / 2, added = static_cast<double>(refined.points.size());
+    CHECK(added > 0.4 * missing);
+    CHECK(added < 2 * missing);
+    double farthest = 0;
+    for (const Point3& p : refined.points) farthest = std::max(farthest, std::abs(std::hypot(p.x, p.y, p.z) - 1));
+    CHECK(farthest < 0.5 * (1 - top));
+    const Points3 all = joined(sample.points, refined);
+    const auto before_components = rbpa::surface_components(sample.points, before.surface).all;
+    const auto components = rbpa::surface_components(all, refined.surface).all;
+    REQUIRE(components.size() == 1);
+    const double ball = 4 * std::acos(-1.0) / 3;
+    CHECK(std::abs(components.front().volume - ball) < 0.7 * std::abs(before_components.front().volume - ball));
+    CHECK(longest_new_edge(all, refined.surface, refined.is_new) < 0.25);
+  }
+}
+
+TEST_CASE("a hole in a plane stays in it; a hole of three edges gets no point") {
+  Sample sheet;
+  for (int x = 0; x < 24; ++x)
+    for (int y = 0; y < 24; ++y)
+      if (std::hypot(x - 11.5, y - 11.5) > 7) sheet.points.push_back({double(x), double(y), 0});
+  sheet.normals.assign(sheet.points.size(), {0, 0, 1});
+  const Surface open = rbpa::indexable_surface(rbpa::surface(sheet.points, sheet.normals, 0.8));
+  std::vector<rbpa::Hole> holes = rbpa::surface_curves(sheet.points, open);
+  std::erase_if(holes, [](const rbpa::Hole& hole) { return hole.edges.size() > 60; });
+  REQUIRE(holes.size() == 1);
+  const FilledSurface before = rbpa::fill_holes(sheet.points, open, holes);
+  const RefinedSurface refined = rbpa::refine_filling(sheet.points, before.surface, before.is_new);
+  check_refined(sheet, before, refined);
+  CHECK(refined.points.size() > 60);
+  for (const Point3& p : refined.points) {
+    CHECK(std::abs(p.z) < 1e-12);
+    CHECK(std::hypot(p.x - 11.5, p.y - 11.5) < 8);
+  }
+  const Points3 all = joined(sheet.points, refined);
+  CHECK(rbpa::surface_components(all, refined.surface).all.front().area == doctest::Approx(23.0 * 23.0));
+
+  Surface tetrahedron;
+  tetrahedron.triangles = {{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}};
+  tetrahedron.neighbors = {{3, 2, 1}, {3, 0, 2}, {3, 1, 0}, {2, 0, 1}};
+  const Points3 corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const RefinedSurface same = rbpa::refine_filling(corners, tetrahedron, {false, false, false, true});
+  CHECK(same.coarse == 1);
+  CHECK(same.points.empty());
+  CHECK(same.surface.triangles == tetrahedron.triangles);
+  CHECK(same.surface.neighbors == tetrahedron.neighbors);
+}
+
+TEST_CASE("what stands where the smooth filling would be keeps it flat, and nothing crosses") {
+  Sample sample = sphere_without(3000, [](const Point3& p) { return p.z > 0.8; });
+  // A small octahedron between the flat filling and the sphere.
+  const std::size_t first = sample.points.size();
+  for (const Point3& d : {Point3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
+    sample.points.push_back({0.03 * d.x, 0.03 * d.y, 0.9 + 0.03 * d.z});
+    sample.normals.push_back(d);
+  }
+  const FilledSurface before = filled(sample, 0.08);
+  REQUIRE(rbpa::surface_components(sample.points, before.surface).all.size() == 2);
+  REQUIRE(first + 6 == sample.points.size());
+  const RefinedSurface refined = rbpa::refine_filling(sample.points, before.surface, before.is_new);
+  check_refined(sample, before, refined);
+  CHECK(refined.smooth == 0);
+  CHECK(refined.flat == 1);
+}
+
+TEST_CASE("many holes of lumps: closed, without crossings, the same points in any order and by any number of threads") {
+  std::size_t smooth = 0;
+  for (int trial = 0; trial < trials(24); ++trial) {
+    CAPTURE(trial);
+    Random random(700 + static_cast<std::uint64_t>(trial));
+    std::vector<Point3> centers;
+    for (int i = 0; i < 5; ++i) {
+      Point3 c = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+      const double size = std::hypot(c.x, c.y, c.z);
+      centers.push_back({c.x / size, c.y / size, c.z / size});
+    }
+    const double width = random.between(0.2, 0.45), bumps = random.between(0, 0.3);
+    Sample sample = sphere_without(1500, [&](const Point3& p) {
+      return std::any_of(centers.begin(), centers.end(),
+                         [&](const Point3& c) { return std::hypot(p.x - c.x, p.y - c.y, p.z - c.z) < width; });
+    });
+    for (Point3& p : sample.points) {
+      const double r = 1 + bumps * std::sin(5 * p.x) * std::cos(4 * p.y + p.z);
+      p = {r * p.x, r * p.y, r * p.z};
+    }
+    const FilledSurface before = filled(sample, 0.13);
+    const RefinedSurface refined = rbpa::refine_filling(sample.points, before.surface, before.is_new, {.threads = 1});
+    check_refined(sample, before, refined);
+    smooth += refined.smooth;
+
+    std::vector<std::uint32_t> order(sample.points.size());
+    std::iota(order.begin(), order.end(), 0U);
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+    Sample shuffled;
+    for (const std::uint32_t i : order) {
+      shuffled.points.push_back(sample.points[i]);
+      shuffled.normals.push_back(sample.normals[i]);
+    }
+    const FilledSurface again = filled(shuffled, 0.13);
+    const RefinedSurface other = rbpa::refine_filling(shuffled.points, again.surface, again.is_new, {.threads = 2});
+    CHECK(other.points == refined.points);
+    CHECK(other.surface.triangles.size() == refined.surface.triangles.size());
+  }
+  CHECK(smooth > static_cast<std::size_t>(trials(24)));
+}
+
+TEST_CASE("wrong calls of refine_filling are refused") {
+  const Points3 corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Surface one;
+  one.triangles = {{0, 1, 2}};
+  one.neighbors = {{Surface::none, Surface::none, Surface::none}};
+  CHECK_THROWS_AS(rbpa::refine_filling(corners, one, {}), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::refine_filling(Points3{{0, 0, 0}}, one, {true}), meshops::ContractViolation);
+  Points3 infinite = corners;
+  infinite[0].x = INFINITY;
+  CHECK_THROWS_AS(rbpa::refine_filling(infinite, one, {true}), rbpa::InvalidInput);
+  CHECK(rbpa::refine_filling(corners, one, {true}).coarse == 1);
+  CHECK(rbpa::refine_filling(corners, one, {false}).surface.triangles == one.triangles);
+}
+
+TEST_SUITE_END();
