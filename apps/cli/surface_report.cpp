@@ -67,6 +67,13 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, Curv
   add(0, others, others == 1 ? "1 rim of an island" : std::to_string(others) + " rims of islands");
 }
 
+Json filled_as_json(const FillingCounts& counts) {
+  Json filled = as_json(counts);
+  filled["points"] = counts.points;
+  filled["smooth"] = counts.smooth;
+  return filled;
+}
+
 Json base(const SurfaceFacts& facts) {
   const SurfaceCounts& counts = facts.counts;
   Json curves;
@@ -96,7 +103,7 @@ Json base(const SurfaceFacts& facts) {
             {"triangles", dropped.triangles},
             {"points", dropped.points},
             {"area", dropped.area}}},
-          {"filled", as_json(facts.filling)},
+          {"filled", filled_as_json(facts.filling)},
           {"remedies", facts.has_remedies ? counts_as_json(facts.remedies) : Json(nullptr)},
           {"manifold", facts.manifold},
           {"watertight", facts.watertight ? Json(true) : Json(nullptr)},

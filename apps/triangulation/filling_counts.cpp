@@ -48,8 +48,11 @@ std::string left_text(const FillingCounts& counts) {
 nlohmann::ordered_json as_json(const FillingCounts& counts) {
   nlohmann::ordered_json left;
   for (std::size_t i = 1; i < names.size(); ++i) left[names[i]] = counts.holes[i];
-  return {{"holes", counts.filled()}, {"triangles", counts.triangles}, {"area", counts.area}, {"points", counts.points},
-          {"smooth", counts.smooth},  {"given_up", counts.given_up},   {"left", left}};
+  return {{"holes", counts.filled()},
+          {"triangles", counts.triangles},
+          {"area", counts.area},
+          {"given_up", counts.given_up},
+          {"left", left}};
 }
 
 }  // namespace rbpa::app

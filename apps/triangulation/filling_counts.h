@@ -31,7 +31,7 @@ std::string filled_text(const FillingCounts& counts);
 /// "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some are left.
 std::string left_text(const FillingCounts& counts);
 
-/// {"holes", "triangles", "area", "points", "smooth", "given_up", "left": {"crosses", "edge_taken", "no_area"}}.
+/// {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area"}}.
 nlohmann::ordered_json as_json(const FillingCounts& counts);
 
 }  // namespace rbpa::app
