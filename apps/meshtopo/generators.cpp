@@ -2,12 +2,14 @@
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "io/interrupt.h"
 #include "meshops/core/live.h"
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/homology.h"
+#include "meshops/topology/loop_kinds.h"
 #include "meshops/topology/shortest_loops.h"
 
 namespace rbpa::app {
@@ -39,37 +41,60 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
   return lengths;
 }
 
-/// With find(mesh, lengths, exponent of their scale), loops.
-template <typename Find>
-std::vector<Polyline> find_generators(const meshops::PolygonSoup& soup,
-                                      std::span<const std::array<double, 3>> positions, Find find) {
+/// A mesh of the surface, with the lengths of its edges.
+struct Measured {
   OpenMesh::PolyConnectivity mesh;
-  const std::vector<std::uint32_t> point_of = meshops::build_mesh(mesh, soup, until_interrupted());
-  const int exponent = scale_of(positions);
-  const std::vector<double> lengths = edge_lengths(mesh, point_of, positions, exponent);
-  std::vector<Polyline> found;
-  for (const meshops::Loop& loop : find(mesh, lengths, exponent)) {
-    Polyline& points = found.emplace_back();
+  std::vector<std::uint32_t> point_of;  // of each vertex
+  int exponent;                         // of the scale of lengths
+  std::vector<double> lengths;
+
+  Measured(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions)
+      : point_of(meshops::build_mesh(mesh, soup, until_interrupted())),
+        exponent(scale_of(positions)),
+        lengths(edge_lengths(mesh, point_of, positions, exponent)) {}
+
+  Polyline points_of(const meshops::Loop& loop) const {
+    Polyline points;
     for (const meshops::Halfedge h : loop)
       points.push_back(point_of[static_cast<std::size_t>(mesh.from_vertex_handle(h).idx())]);
+    return points;
   }
-  return found;
-}
+};
+
+constexpr std::array<std::string_view, 5> kind_names{"handle", "tunnel", "neither", "both", "unknown"};
 
 }  // namespace
 
-std::vector<Polyline> generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions) {
-  return find_generators(soup, positions, [](const Connectivity& mesh, const std::vector<double>& lengths, int) {
-    return meshops::homology_generators(mesh, lengths, until_interrupted());
-  });
+Generators generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions,
+                      bool shortest) {
+  const Measured of(soup, positions);
+  const std::vector<meshops::Loop> loops =
+      shortest ? meshops::shortest_homology_basis(of.mesh, of.lengths, until_interrupted())
+               : meshops::homology_generators(of.mesh, of.lengths, until_interrupted());
+  std::vector<std::array<double, 3>> places;  // of vertices
+  for (const std::uint32_t point : of.point_of) {
+    auto& place = places.emplace_back(positions[point]);
+    for (double& coordinate : place) coordinate = std::scalbn(coordinate, of.exponent);
+  }
+  const std::vector<meshops::LoopKind> kinds = meshops::loop_kinds(of.mesh, places, loops, until_interrupted());
+  Generators result;
+  for (std::size_t kind = 0; kind < kind_names.size(); ++kind)
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      if (static_cast<std::size_t>(kinds[i]) != kind) continue;
+      result.loops.push_back(of.points_of(loops[i]));
+      result.kinds.push_back(kind_names[kind]);
+    }
+  return result;
 }
 
 std::vector<Polyline> shortest_generators(const meshops::PolygonSoup& soup,
                                           std::span<const std::array<double, 3>> positions, double below) {
-  return find_generators(
-      soup, positions, [below](const Connectivity& mesh, const std::vector<double>& lengths, int exponent) {
-        return meshops::shortest_homology_loops(mesh, lengths, std::scalbn(below, exponent), until_interrupted());
-      });
+  const Measured of(soup, positions);
+  std::vector<Polyline> found;
+  for (const meshops::Loop& loop :
+       meshops::shortest_homology_loops(of.mesh, of.lengths, std::scalbn(below, of.exponent), until_interrupted()))
+    found.push_back(of.points_of(loop));
+  return found;
 }
 
 }  // namespace rbpa::app

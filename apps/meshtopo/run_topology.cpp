@@ -1,7 +1,6 @@
 #include "meshtopo/run_topology.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "io/bytes/output_file.h"
@@ -106,9 +105,10 @@ class Run {
       write(outputs_.add(plan_.written->path),
             [&](OutputFile& file) { write_mesh(file, plan_.written->format, result.positions, result.soup); });
     if (plan_.generators) {
-      const std::vector<Polyline> loops = find_loops(result);
-      write(outputs_.add(plan_.generators->path),
-            [&](OutputFile& file) { write_polylines(file, plan_.generators->format, result.positions, loops); });
+      const Generators found = find_loops(result);
+      write(outputs_.add(plan_.generators->path), [&](OutputFile& file) {
+        write_polylines(file, plan_.generators->format, result.positions, found.loops, found.kinds);
+      });
     }
     check(findings, source);
     report(findings);
@@ -205,10 +205,9 @@ class Run {
     return app::close_tunnels(mesh, *plan_.tunnels_below);
   }
 
-  std::vector<Polyline> find_loops(const MeshFile& mesh) const {
+  Generators find_loops(const MeshFile& mesh) const {
     const ProgressLine shown = line("loops");
-    constexpr double any = std::numeric_limits<double>::infinity();
-    return plan_.shortest ? shortest_generators(mesh.soup, mesh.positions, any) : generators(mesh.soup, mesh.positions);
+    return generators(mesh.soup, mesh.positions, plan_.shortest);
   }
 
   template <typename Content>

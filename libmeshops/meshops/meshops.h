@@ -72,6 +72,7 @@
 #include "meshops/topology/examine.h"
 #include "meshops/topology/homology.h"
 #include "meshops/topology/keep_faces.h"
+#include "meshops/topology/loop_kinds.h"
 #include "meshops/topology/merge_points.h"
 #include "meshops/topology/orient.h"
 #include "meshops/topology/polygon_soup.h"

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -393,10 +394,11 @@ TEST_SUITE("meshtopo --generators") {
       const auto face = mesh.soup.face(f);
       for (std::size_t k = 0; k < face.size(); ++k) sides.insert({face[k], face[(k + 1) % face.size()]});
     }
-    std::string lines;
+    std::string lines, kind;
     const json loops = json::parse(folder.content("l.json"));
     REQUIRE(loops.size() == 10);
     for (const json& loop : loops) {
+      if (loop["kind"] != kind) lines += "g " + (kind = loop["kind"]) + "\n";
       const auto vertices = loop["vertices"].get<std::vector<std::uint32_t>>();
       REQUIRE(vertices.size() >= 3);
       REQUIRE(loop["positions"].size() == vertices.size());
@@ -409,7 +411,19 @@ TEST_SUITE("meshtopo --generators") {
       lines.append(" ").append(std::to_string(vertices[0] + 1)).append("\n");
     }
     const std::string obj = folder.content("l.obj");
-    CHECK(obj.substr(obj.find("l ")) == lines);
+    CHECK(obj.substr(obj.find("g ")) == lines);
+  }
+
+  TEST_CASE("of the shortest loops of a plate with five holes five go around handles, five through tunnels") {
+    const Folder folder;
+    const std::string path = (rbpa_test::bundled_data() / "m3_plate_holes.off").string();
+    REQUIRE(folder.meshtopo("'" + path + "' --generators l.json --shortest -q").code == 0);
+    std::map<std::string, int> kinds;
+    for (const json& loop : json::parse(folder.content("l.json"))) ++kinds[loop["kind"].get<std::string>()];
+    CHECK(kinds == std::map<std::string, int>{{"handle", 5}, {"tunnel", 5}});
+    folder.file("open.off", "OFF\n6 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n");
+    REQUIRE(folder.meshtopo("open.off --generators l.json -q").code == 0);
+    CHECK(json::parse(folder.content("l.json"))[0]["kind"] == "unknown");
   }
 
   TEST_CASE("a mesh that is no surface is refused, and its repair is taken instead") {

@@ -131,16 +131,20 @@ void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> po
 }
 
 void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> positions,
-                      std::span<const Polyline> loops) {
+                      std::span<const Polyline> loops, std::span<const std::string_view> groups) {
   using Json = nlohmann::ordered_json;
   file.write("[");
   std::string_view before = "";
-  for (const Polyline& loop : loops) {
+  for (std::size_t i = 0; i < loops.size(); ++i) {
     stop_if_interrupted();
     Json points = Json::array();
-    for (const std::uint32_t v : loop) points.push_back(positions[v]);
+    for (const std::uint32_t v : loops[i]) points.push_back(positions[v]);
+    Json line;
+    if (!groups.empty()) line["kind"] = groups[i];
+    line["vertices"] = loops[i];
+    line["positions"] = std::move(points);
     file.write(before);
-    file.write(Json{{"vertices", loop}, {"positions", points}}.dump());
+    file.write(line.dump());
     before = ",";
   }
   file.write("]\n");
@@ -150,7 +154,8 @@ void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> p
 
 void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                      std::span<const Polyline> loops, std::span<const std::string_view> groups) {
-  format == Format::obj ? write_obj_lines(file, positions, loops, groups) : write_json_lines(file, positions, loops);
+  format == Format::obj ? write_obj_lines(file, positions, loops, groups)
+                        : write_json_lines(file, positions, loops, groups);
 }
 
 }  // namespace rbpa::app

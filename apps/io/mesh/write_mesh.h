@@ -49,7 +49,7 @@ using Polyline = std::vector<std::uint32_t>;
 
 /// OBJ: all of `positions` as vertices, each loop as one element 'l', which names its first vertex again at the end; where
 /// loops have `groups`, names, in groups 'g' by these.
-/// JSON: a list of {"vertices": [numbers from 0], "positions": [[x, y, z], …]}.
+/// JSON: a list of {"kind": the group, if there are any, "vertices": [numbers from 0], "positions": [[x, y, z], …]}.
 void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                      std::span<const Polyline> loops, std::span<const std::string_view> groups = {});
 
