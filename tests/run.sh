@@ -11,7 +11,7 @@ packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev l
           clang-tidy-14 pybind11-dev python3-dev python3-numpy python3-pytest mypy python3-scipy python3-shapely
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
 [ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)
-[ "$preset" = nightly ] && packages+=(chromium)
+[ "$preset" = nightly ] && packages+=(chromium patchelf)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
 . tests/build_environment.sh

@@ -1,6 +1,7 @@
 """Makes a wheel of the source tree: CMake builds the package, and a wheel is a zip of it. For pip, under PEP 517.
 
-Nothing is downloaded: needed are what the library needs to be built, and pybind11 (docs/python.md).
+Nothing is downloaded: needed are what the library needs to be built, and pybind11 (docs/python.md). Where patchelf is, the wheel has the
+libraries that it needs inside.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ import sysconfig
 import tarfile
 import tempfile
 import zipfile
+
+import bundle
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -98,15 +101,32 @@ def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings=No
     return info.name
 
 
+def strip(module: pathlib.Path) -> None:
+    """Leaves out names that only debuggers read."""
+    if shutil.which("strip"):
+        subprocess.run(["strip", "--strip-unneeded", str(module)], check=True)
+
+
 def build_wheel(wheel_directory: str, config_settings=None, metadata_directory=None) -> str:
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
     info = f"rbpa-{version()}.dist-info"
     record: list[str] = []
 
     with tempfile.TemporaryDirectory() as folder:
         package = build_package(pathlib.Path(folder))
-        name = f"rbpa-{version()}-{python}-{python}-{platform}.whl"
+        (module,) = package.glob("_core*.so")
+        strip(module)
+        libraries = package.with_name("rbpa.libs")
+        parts: list[dict[str, str]] = []
+        system = re.sub(r"[-.]", "_", sysconfig.get_platform())
+        if bundle.can_bundle():
+            parts = bundle.bundle(module, libraries)
+            system = bundle.platform_tag()
+            say(f"{len(parts)} libraries are brought along: the wheel stands alone")
+        else:
+            say("there is no patchelf (Debian: patchelf): the wheel needs the libraries of this machine")
+        tag = f"{python}-{python}-{system}"
+        name = f"rbpa-{version()}-{tag}.whl"
         with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
 
             def add(path: str, content: bytes) -> None:
@@ -117,9 +137,13 @@ def build_wheel(wheel_directory: str, config_settings=None, metadata_directory=N
             for file in sorted(package.iterdir()):
                 if file.is_file():
                     add(f"rbpa/{file.name}", file.read_bytes())
-            add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
+            for part in parts:
+                add(f"rbpa.libs/{part['file']}", (libraries / part["file"]).read_bytes())
+                add(f"{info}/licenses/{part['package']}", part["license"].encode())
+            if parts:
+                add(f"{info}/sboms/rbpa.cdx.json", bundle.bill_of_materials("rbpa", version(), parts).encode())
+            add(f"{info}/licenses/LICENSE", (ROOT / "LICENSE").read_bytes())
             add(f"{info}/METADATA", metadata().encode())
-            tag = f"{python}-{python}-{platform}"
             add(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: rbpa\nRoot-Is-Purelib: false\nTag: {tag}\n".encode())
             wheel.writestr(f"{info}/RECORD", "\n".join([*record, f"{info}/RECORD,,", ""]))
     return name
