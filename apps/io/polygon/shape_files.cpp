@@ -256,7 +256,9 @@ void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
     file.write_number(groups.shapes.totals[g].perimeter);
     file.write(",");
     file.write_number(groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
-    file.write("," + csv_text(problem) + ",");
+    file.write(",");
+    file.write(csv_text(problem));
+    file.write(",");
     if (problem.empty()) {
       file.write("\"MULTIPOLYGON (");
       write_polygons_of(file, wkt, groups, g);
