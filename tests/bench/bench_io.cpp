@@ -28,6 +28,7 @@
 #include "io/bytes/number.h"
 #include "io/bytes/output_file.h"
 #include "io/cloud/read_points.h"
+#include "io/formats.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/write_triangles.h"
 #include "rbpa/rbpa.h"
@@ -39,6 +40,7 @@ namespace fs = std::filesystem;
 using rbpa::Point;
 using rbpa::app::OutputFile;
 using rbpa::app::Triangle;
+using rbpa::app::Use;
 
 /// Removed at the end.
 class Folder {

@@ -42,7 +42,7 @@ FillRun fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest) {
   mesher.refine_mesh();
   const double seconds = watch.processor_seconds();
   std::size_t triangles = 0;
-  for (const auto face : mesh.finite_face_handles()) triangles += face->is_in_domain() ? 1 : 0;
+  for (const auto face : mesh.finite_face_handles()) triangles += face->is_in_domain() ? std::size_t{1} : 0;
   return {triangles, seconds};
 }
 
