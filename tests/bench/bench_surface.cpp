@@ -29,7 +29,8 @@ struct SurfaceArguments {
   std::size_t points = 1000000, growth = 0;
   int runs = 5;
   double patience = 60;
-  double radius = 0;  // 0: all of them
+  double radius = 0;     // 0: all of them
+  std::string set = {};  // of this name alone; empty: all
   bool cold = false, by_processor = false, without_engine = false, slow = false;
   std::vector<SurfaceContestant> programs = {};
 };
@@ -53,7 +54,12 @@ std::optional<SurfaceArguments> parse_surface(int argc, char** argv) {
       return true;
     }
     if (const auto text = behind(given, "--radius="))
-      return read_number(*text, arguments.radius) && (arguments.radius == 2 || arguments.radius == 4);
+      return read_number(*text, arguments.radius) &&
+             (arguments.radius == 1 || arguments.radius == 2 || arguments.radius == 4);
+    if (const auto text = behind(given, "--set=")) {
+      arguments.set = *text;
+      return !arguments.set.empty();
+    }
     if (given == "--cold") return arguments.cold = true;
     if (given == "--by-processor") return arguments.by_processor = true;
     if (given == "--without-engine") return arguments.without_engine = true;
@@ -77,7 +83,8 @@ std::optional<SurfaceArguments> parse_surface(int argc, char** argv) {
         "  --points=N              1000000\n"
         "  --runs=N                5\n"
         "  --slow                  the sets instead on which a point may cost more: lines, outliers, a street, a grid\n"
-        "  --radius=2              the contests of this radius only, in spacings: 2 or 4\n"
+        "  --set=NAME              the contests of this set only, such as street\n"
+        "  --radius=2              the contests of this radius only, in spacings: 1, 2 or 4\n"
         "  --growth=N              a sphere of 100000 points, twice as many and so on up to N as well\n"
         "  --patience=S            60; who has taken longer is not run again in a contest\n"
         "  --by-processor          seconds are those of the processor, of all threads\n"
@@ -248,6 +255,7 @@ void report(const SurfaceArguments& arguments) {
   }
   for (const auto& [samples, radius, times] : all_wanted) {
     if (arguments.radius != 0 && arguments.radius != radius) continue;
+    if (!arguments.set.empty() && arguments.set != samples.name) continue;
     const std::vector<SurfaceContestant> fresh = alone(all);
     contests.push_back(measure_surface(samples, radius, arguments.cold ? fresh : all, settings));
     if (!arguments.cold)
