@@ -16,9 +16,9 @@
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
 #include "io/mesh/write_solid.h"
-#include "io/values_at.h"
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
@@ -143,10 +143,9 @@ void SolidRun::write_boundary(OutputFile& file, Format format) const {
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = file_.points, .triangles = surface.triangles});
   const SplitFans fans = split_fans(indexable_surface(surface));
-  const std::vector<Point3> vertices = values_at(file_.points, fans.point);
-  const auto colors = values_at(file_.colors, fans.point);
-  write_surface(file, format,
-                {.vertices = vertices, .triangles = fans.triangles, .colors = colors, .points = fans.point});
+  const VerticesOfPoints vertices({.vertices = file_.points, .triangles = {}, .colors = file_.colors}, fans.triangles,
+                                  fans.point, true);
+  write_surface(file, format, vertices.mesh());
 }
 
 void SolidRun::write_picture(OutputFile& file) const {

@@ -1,9 +1,11 @@
 #include "cli/surface_files.h"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
 #include "io/values_at.h"
 #include "picture/surface_picture.h"
@@ -47,23 +49,13 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   SpaceMesh mesh{
       .vertices = points, .triangles = surface.triangles, .normals = normals, .colors = colors, .certainty = certainty};
   SplitFans used;
-  std::vector<Point3> own_points, own_normals;
-  std::vector<std::array<std::uint8_t, 3>> own_colors;
-  std::vector<double> own_certainty;
+  std::optional<VerticesOfPoints> own;
   const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file has the same vertices
   if (splits || compact) {
     if (!splits) used = without_unused(surface.triangles, points.size());
     const SplitFans& of = splits ? fans : used;
-    own_points = values_at(points, of.point);
-    own_normals = values_at(normals, of.point);
-    own_colors = values_at(colors, of.point);
-    own_certainty = values_at(certainty, of.point);
-    mesh = {.vertices = own_points,
-            .triangles = of.triangles,
-            .normals = own_normals,
-            .colors = own_colors,
-            .certainty = own_certainty};
-    if (splits) mesh.points = of.point;
+    own.emplace(mesh, of.triangles, of.point, splits);
+    mesh = own->mesh();
   }
   std::vector<std::array<std::uint32_t, 3>> ordered;
   if (!order.empty()) {

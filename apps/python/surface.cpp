@@ -11,8 +11,8 @@
 #include "io/bytes/output_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
+#include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
-#include "io/values_at.h"
 #include "python/arrays.h"
 #include "python/file_errors.h"
 #include "python/mesh.h"
@@ -217,12 +217,11 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
     return watched(links.triangles.size(), py::none(), [&](Watch&) {
       app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};
       SplitFans fans;
-      std::vector<Point3> own_points, own_normals;
+      std::optional<app::VerticesOfPoints> own;
       if (*format == app::Format::glb || (manifold && *format != app::Format::npy)) {
         fans = split_fans(of_links(links));
-        own_points = app::values_at(input, fans.point);
-        own_normals = app::values_at(vectors, fans.point);
-        mesh = {.vertices = own_points, .triangles = fans.triangles, .normals = own_normals, .points = fans.point};
+        own.emplace(mesh, fans.triangles, fans.point, true);
+        mesh = own->mesh();
       }
       app::OutputSet outputs;
       app::OutputFile& file = outputs.add(path);

@@ -113,8 +113,7 @@ void add_targets(const Wanted& wanted, const Row& row, std::vector<Target>& all)
 }
 
 void report(const std::string& program, const Arguments& arguments) {
-  std::printf("%s; %s; %s; %s `%s`; %d processes of each in turn, one run each.\n\n", processor().c_str(),
-              memory().c_str(), system().c_str(), compiler().c_str(), compiler_flags().c_str(), arguments.runs);
+  std::printf("%s; %d processes of each in turn, one run each.\n\n", machine_and_build().c_str(), arguments.runs);
   std::printf(
       "Nanoseconds a point: lower quartile (median); how many times as fast as CGAL points, by the quartiles.\n\n");
   print_heads();

@@ -125,9 +125,7 @@ FillRun fill_by_rbpa(const Ring& ring, double size, bool graded) {
 int main(int argc, char** argv) {
   const auto arguments = rbpa_bench::parse(argc, argv, {}, {.runs = 3});
   if (!arguments) return 2;
-  std::printf("%s; %s; %s; %s `%s`; one thread, %d runs of each in turn.\n\n", rbpa_bench::processor().c_str(),
-              rbpa_bench::memory().c_str(), rbpa_bench::system().c_str(), rbpa_bench::compiler().c_str(),
-              rbpa_bench::compiler_flags().c_str(), arguments->runs);
+  std::printf("%s; one thread, %d runs of each in turn.\n\n", rbpa_bench::machine_and_build().c_str(), arguments->runs);
   rbpa_bench::against_cgal(arguments->points, arguments->runs);
   rbpa_bench::slow_inputs(arguments->runs);
   rbpa_bench::without_a_size(arguments->points / 10, arguments->runs);

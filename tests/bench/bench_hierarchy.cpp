@@ -122,9 +122,7 @@ void leaf_capacities(std::size_t count, int runs) {
 int main(int argc, char** argv) {
   const auto arguments = rbpa_bench::parse(argc, argv);
   if (!arguments) return 2;
-  std::printf("%s; %s; %s; %s `%s`; one thread, %d runs of each in turn.\n\n", rbpa_bench::processor().c_str(),
-              rbpa_bench::memory().c_str(), rbpa_bench::system().c_str(), rbpa_bench::compiler().c_str(),
-              rbpa_bench::compiler_flags().c_str(), arguments->runs);
+  std::printf("%s; one thread, %d runs of each in turn.\n\n", rbpa_bench::machine_and_build().c_str(), arguments->runs);
   rbpa_bench::against_cgal(arguments->points, arguments->runs);
   rbpa_bench::against_the_paper(arguments->runs);
   rbpa_bench::close_pair(arguments->points, arguments->runs);

@@ -308,10 +308,8 @@ int main(int argc, char** argv) {
   if (!arguments) return 2;
   try {
     Table table(arguments->points);
-    std::printf(
-        "%s; %s; %s; %s `%s`; one thread, %d runs of each in turn. Times of\nthe processor: median (min–max).\n\n",
-        processor().c_str(), memory().c_str(), system().c_str(), compiler().c_str(), compiler_flags().c_str(),
-        arguments->runs);
+    std::printf("%s; one thread, %d runs of each in turn. Times of\nthe processor: median (min–max).\n\n",
+                machine_and_build().c_str(), arguments->runs);
     table.run(arguments->runs);
     table.print();
   } catch (const std::exception& error) {

@@ -206,8 +206,7 @@ void groups(const Arguments& with, std::vector<Target>& all) {
 }
 
 void report(const Arguments& with) {
-  std::printf("%s; %s; %s; %s `%s`; %d rounds of each in turn, one thread.\n\n", processor().c_str(), memory().c_str(),
-              system().c_str(), compiler().c_str(), compiler_flags().c_str(), with.runs);
+  std::printf("%s; %d rounds of each in turn, one thread.\n\n", machine_and_build().c_str(), with.runs);
   std::vector<Target> all;
   first_calls(with.runs, all);
   keep_memory();

@@ -82,8 +82,7 @@ void measure_all(std::size_t points, int runs) {
 int main(int argc, char** argv) {
   const auto arguments = rbpa_bench::parse(argc, argv, {}, {.runs = 3});
   if (!arguments) return 2;
-  std::printf("%s; %s; %s; %s `%s`; one thread, the least of %d runs of each in turn, seconds of the processor.\n\n",
-              rbpa_bench::processor().c_str(), rbpa_bench::memory().c_str(), rbpa_bench::system().c_str(),
-              rbpa_bench::compiler().c_str(), rbpa_bench::compiler_flags().c_str(), arguments->runs);
+  std::printf("%s; one thread, the least of %d runs of each in turn, seconds of the processor.\n\n",
+              rbpa_bench::machine_and_build().c_str(), arguments->runs);
   rbpa_bench::measure_all(arguments->points, arguments->runs);
 }

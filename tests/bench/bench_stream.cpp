@@ -80,8 +80,7 @@ class StreamBench {
   bool wants_triangles() const { return arguments_.target == "npy"; }
 
   void print_machine() const {
-    std::printf("%s; %s; %s; %s; %s `%s`.\n\n", today().c_str(), processor().c_str(), memory().c_str(),
-                system().c_str(), compiler().c_str(), compiler_flags().c_str());
+    std::printf("%s; %s.\n\n", today().c_str(), machine_and_build().c_str());
     std::fflush(stdout);
   }
 

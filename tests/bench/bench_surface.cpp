@@ -229,8 +229,7 @@ void report(const SurfaceArguments& arguments) {
   const Settings settings{arguments.runs, !arguments.cold, false, arguments.by_processor, arguments.patience};
   if (open3d().empty()) std::printf("Open3D was not there when this was compiled (libopen3d-dev).\n\n");
   if (arguments.cold)
-    std::printf("%s; %s; %s; %s `%s`; %d processes of each in turn, one run each.\n\n", processor().c_str(),
-                memory().c_str(), system().c_str(), compiler().c_str(), compiler_flags().c_str(), arguments.runs);
+    std::printf("%s; %d processes of each in turn, one run each.\n\n", machine_and_build().c_str(), arguments.runs);
   else
     print_machine(arguments.runs);
   std::printf(

@@ -50,4 +50,8 @@ std::string today() {
   return date;
 }
 
+std::string machine_and_build() {
+  return processor() + "; " + memory() + "; " + system() + "; " + compiler() + " `" + compiler_flags() + "`";
+}
+
 }  // namespace rbpa_bench

@@ -10,6 +10,8 @@ std::string memory();     ///< in GiB
 std::string system();     ///< kernel and architecture
 std::string compiler();
 std::string compiler_flags();
+/// All of these, with semicolons between them.
+std::string machine_and_build();
 
 /// In UTC: "2026-11-22".
 std::string today();

@@ -57,9 +57,8 @@ void print_head(const std::vector<std::string>& text, const std::vector<std::str
 }  // namespace
 
 void print_machine(int runs) {
-  std::printf(
-      "%s; %s; %s; %s `%s`; %d runs of each in turn after one that does not count; memory stays with the process.\n\n",
-      processor().c_str(), memory().c_str(), system().c_str(), compiler().c_str(), compiler_flags().c_str(), runs);
+  std::printf("%s; %d runs of each in turn after one that does not count; memory stays with the process.\n\n",
+              machine_and_build().c_str(), runs);
 }
 
 void print_time_head(const std::vector<Contestant>& contestants) {

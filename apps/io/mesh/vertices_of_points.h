@@ -1,0 +1,45 @@
+// What: a mesh whose vertices stand on points, several on one or none, with all that the points have.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/mesh/write_mesh.h"
+#include "io/values_at.h"
+#include "rbpa/base/point3.h"
+
+namespace rbpa::app {
+
+/// Owns what is of vertices. The triangles, and with `names_points` the points, are kept as spans.
+class VerticesOfPoints {
+ public:
+  /// `of_points`: what all points have; its triangles are not read. `point`: of each vertex.
+  VerticesOfPoints(const SpaceMesh& of_points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                   std::span<const std::uint32_t> point, bool names_points)
+      : places_(values_at(of_points.vertices, point)),
+        normals_(values_at(of_points.normals, point)),
+        colors_(values_at(of_points.colors, point)),
+        certainty_(values_at(of_points.certainty, point)),
+        triangles_(triangles),
+        points_(names_points ? point : std::span<const std::uint32_t>()) {}
+
+  SpaceMesh mesh() const {
+    return {.vertices = places_,
+            .triangles = triangles_,
+            .normals = normals_,
+            .colors = colors_,
+            .points = points_,
+            .certainty = certainty_};
+  }
+
+ private:
+  std::vector<Point3> places_, normals_;
+  std::vector<std::array<std::uint8_t, 3>> colors_;
+  std::vector<double> certainty_;
+  std::span<const std::array<std::uint32_t, 3>> triangles_;
+  std::span<const std::uint32_t> points_;
+};
+
+}  // namespace rbpa::app
