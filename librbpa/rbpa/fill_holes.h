@@ -2,6 +2,8 @@
 // How:    for each boundary loop the triangulation that turns least over its worst edge, then of the least area (Liepa 2003), on
 //         condition that no new triangle crosses any other, which is decided exactly: where the best one would, its crossing
 //         edges and triangles are forbidden and the next best is sought, a number of times.
+//         Loops that cross the mesh each by itself are closed together where a strip of two triangles joins them: the hole
+//         around an island.
 // Law:    a function of the mesh as a set of points and triangles: of no order and no number of threads. No point is added.
 // Cost:   for a loop of n edges n³/6 steps of nanoseconds up to 256 edges, about n times a thousand beyond; and a tree of the
 //         triangles' boxes.
@@ -31,13 +33,14 @@ enum class HoleOutcome : std::uint8_t {
 
 struct HoleFill {
   HoleOutcome outcome = HoleOutcome::filled;
-  std::size_t triangles = 0;  ///< new; a loop that touches itself may be filled in part
+  /// New; a loop that touches itself may be filled in part. Of loops that are closed together the longest has all.
+  std::size_t triangles = 0;
   double area = 0;            ///< theirs, in squared units of the points
   friend bool operator==(const HoleFill&, const HoleFill&) = default;
 };
 
 struct HoleFilling {
-  /// Those that were given, in their order, then the new ones, loop by loop.
+  /// Those that were given, in their order, then the new ones, loop by loop; at last those that close several loops together.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<HoleFill> loops;  ///< of each
 };

@@ -10,10 +10,13 @@
 #include "meshops/core/progress.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/closing/bridges.h"
 #include "rbpa/space/closing/least_triangulation.h"
 #include "rbpa/space/closing/mesh_around.h"
 #include "rbpa/space/closing/simple_loops.h"
 #include "rbpa/space/closing/triangle_sides.h"
+#include "rbpa/space/predicate/crossing.h"
+#include "rbpa/space/predicate/orientation.h"
 
 namespace rbpa {
 namespace {
@@ -147,6 +150,160 @@ class Closing {
   meshops::GoOn go_on_;
 };
 
+/// Loops that cannot be closed one by one, as an island lies in the hole: closed together. Strips of two triangles join them to one
+/// loop, which is closed as any other.
+class Joining {
+ public:
+  using Loop = std::vector<std::uint32_t>;
+
+  /// Keeps all but the result of closing them one by one.
+  Joining(std::span<const Point3> points, std::span<const Loop> loops, const SurfaceOptions& options,
+          HoleFilling result)
+      : points_(points), loops_(loops), options_(options), result_(std::move(result)) {}
+
+  HoleFilling run() {
+    std::vector<Open> open = open_loops();
+    for (std::size_t i = 0; i + 1 < open.size() && left_ > 0; ++i)
+      if (!open[i].is_closed) close_with_others(open, i);
+    return std::move(result_);
+  }
+
+ private:
+  struct Open {
+    std::uint32_t number;
+    space::Box box;
+    std::vector<Point3> sorted;
+    bool is_closed = false;
+  };
+
+  /// Those that are boundary still and come to no point twice, the longest first.
+  std::vector<Open> open_loops() const {
+    std::vector<Open> open;
+    if (std::count_if(result_.loops.begin(), result_.loops.end(), crosses) < 2) return open;
+    const std::vector<space::TriangleSide> sides = space::sorted_sides(result_.triangles, {});
+    for (std::uint32_t l = 0; l < loops_.size(); ++l) {
+      const Loop& loop = loops_[l];
+      if (!crosses(result_.loops[l]) || !is_boundary(loop, sides)) continue;
+      Open& of = open.emplace_back();
+      of.number = l;
+      for (const std::uint32_t v : loop) {
+        of.sorted.push_back(points_[v]);
+        of.box.include(points_[v]);
+      }
+      std::sort(of.sorted.begin(), of.sorted.end());
+      if (std::adjacent_find(of.sorted.begin(), of.sorted.end()) != of.sorted.end()) open.pop_back();
+    }
+    std::sort(open.begin(), open.end(), [](const Open& a, const Open& b) {
+      return a.sorted.size() != b.sorted.size() ? a.sorted.size() > b.sorted.size() : a.sorted < b.sorted;
+    });
+    return open;
+  }
+
+  /// Of triangles as they are now: loops that were closed may have made vertices one.
+  static bool is_boundary(const Loop& loop, const std::vector<space::TriangleSide>& sides) {
+    const auto has = [&](std::uint32_t from, std::uint32_t to) {
+      const auto found =
+          std::lower_bound(sides.begin(), sides.end(), std::pair(from, to),
+                           [](const space::TriangleSide& s, const auto& key) { return std::pair(s.from, s.to) < key; });
+      return found != sides.end() && found->from == from && found->to == to;
+    };
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
+      if (has(from, to) || !has(to, from)) return false;
+    }
+    return true;
+  }
+
+  static bool crosses(const HoleFill& fill) { return fill.outcome == HoleOutcome::crosses && fill.triangles == 0; }
+
+  /// Joins one more loop at a time that is near, until what is joined can be closed.
+  void close_with_others(std::vector<Open>& open, std::size_t first) {
+    Loop joined = loops_[open[first].number];
+    space::Box box = open[first].box;
+    std::vector<std::size_t> members = {first};
+    std::vector<Triangle> strips;
+    for (std::size_t j = 0; j < open.size() && left_ > 0; ++j) {
+      if (j == first || open[j].is_closed || !open[j].box.meets(box)) continue;
+      const Loop& other = loops_[open[j].number];
+      const std::optional<space::Bridge> bridge = free_bridge(joined, other);
+      if (!bridge) continue;
+      for (const Triangle& t : space::strip_of(*bridge, joined, other)) strips.push_back(t);
+      joined = space::joined_loop(*bridge, joined, other);
+      box.include(open[j].box);
+      members.push_back(j);
+      if (!close(joined, strips, open[first].number)) continue;
+      for (const std::size_t member : members) {
+        open[member].is_closed = true;
+        result_.loops[open[member].number].outcome = HoleOutcome::filled;
+      }
+      return;
+    }
+  }
+
+  /// The best of which no triangle crosses what is there.
+  std::optional<space::Bridge> free_bridge(const Loop& loop, const Loop& other) const {
+    constexpr std::size_t most = 8;
+    for (const space::Bridge& bridge : space::nearest_bridges(points_, loop, other, most)) {
+      const auto strip = space::strip_of(bridge, loop, other);
+      if (std::none_of(strip.begin(), strip.end(), [&](const Triangle& t) { return is_in_the_way(t); })) return bridge;
+    }
+    return std::nullopt;
+  }
+
+  bool is_in_the_way(const Triangle& triangle) const {
+    const space::Corners own = corners_of(triangle);
+    if (space::are_collinear(own[0], own[1], own[2])) return true;
+    return std::any_of(result_.triangles.begin(), result_.triangles.end(), [&](const Triangle& t) {
+      const space::Corners other = corners_of(t);
+      return space::box_of(other).meets(space::box_of(own)) && !space::are_collinear(other[0], other[1], other[2]) &&
+             space::triangles_cross(own, other);
+    });
+  }
+
+  space::Corners corners_of(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+
+  bool close(const Loop& joined, const std::vector<Triangle>& strips, std::uint32_t number) {
+    --left_;
+    std::vector<Triangle> with_strips = result_.triangles;
+    with_strips.insert(with_strips.end(), strips.begin(), strips.end());
+    if (has_common_side(with_strips)) return false;
+    const std::vector<Loop> loop = {joined};
+    const space::BoundarySides sides(with_strips, loop);
+    HoleFilling filling = Closing(points_, with_strips, loop, sides, options_).run();
+    if (filling.loops.front().outcome != HoleOutcome::filled) return false;
+    HoleFill& fill = result_.loops[number];
+    fill.triangles = strips.size() + filling.loops.front().triangles;
+    fill.area = filling.loops.front().area + area_of(strips);
+    result_.triangles = std::move(filling.triangles);
+    return true;
+  }
+
+  /// Two triangles have a side from one vertex to the same other.
+  static bool has_common_side(std::span<const Triangle> triangles) {
+    const std::vector<space::TriangleSide> sides = space::sorted_sides(triangles, {});
+    return std::adjacent_find(sides.begin(), sides.end(), [](const auto& s, const auto& t) {
+             return s.from == t.from && s.to == t.to;
+           }) != sides.end();
+  }
+
+  double area_of(const std::vector<Triangle>& triangles) const {
+    double sum = 0;
+    for (const Triangle& t : triangles) {
+      const space::Corners corners = corners_of(t);
+      const space::Rim rim(corners, corners);  // scaled
+      const auto n = cross(rim.places[1] - rim.places[0], rim.places[2] - rim.places[0]);
+      sum += std::ldexp(std::sqrt(dot(n, n)) / 2, 2 * rim.exponent);
+    }
+    return sum;
+  }
+
+  std::span<const Point3> points_;
+  std::span<const Loop> loops_;
+  const SurfaceOptions& options_;
+  HoleFilling result_;
+  int left_ = 16;  // attempts
+};
+
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> boundary_loops(std::span<const Triangle> triangles) {
@@ -160,7 +317,7 @@ HoleFilling fill_holes(std::span<const Point3> points, std::span<const Triangle>
     for (const std::uint32_t vertex : t)
       meshops::require(vertex < points.size(), "fill_holes: expected triangles of these points");
   const space::BoundarySides sides(triangles, loops);
-  return Closing(points, triangles, loops, sides, options).run();
+  return Joining(points, loops, options, Closing(points, triangles, loops, sides, options).run()).run();
 }
 
 }  // namespace rbpa

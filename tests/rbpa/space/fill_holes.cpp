@@ -212,6 +212,43 @@ TEST_CASE("a loop that comes to a point twice, at two vertices, is closed on bot
   for (const Row& row : filling.triangles) CHECK(std::count(row.begin(), row.end(), twin) == 0);
 }
 
+TEST_CASE("a hole around islands in a plane is closed around them, with exactly its area, in any order of the points") {
+  Random random(77);
+  for (int islands = 1; islands <= 3; ++islands) {
+    const auto is_in = [](auto x, auto y, std::uint32_t x0, std::uint32_t x1, std::uint32_t y0, std::uint32_t y1) {
+      return x >= x0 && x < x1 && y >= y0 && y < y1;
+    };
+    const Mesh mesh = grid(
+        14,
+        [&](auto x, auto y) {
+          return is_in(x, y, 2, 12, 2, 12) && !is_in(x, y, 4, 6, 4, 7) && !(islands > 1 && is_in(x, y, 8, 10, 8, 10)) &&
+                 !(islands > 2 && is_in(x, y, 8, 11, 3, 5));
+        },
+        [](auto, auto) { return 0.0; });
+    double area = 100 - 6;
+    if (islands > 1) area -= 4;
+    if (islands > 2) area -= 6;
+    for (const Mesh& of : {mesh, shuffled(mesh, random)}) {
+      std::vector<std::vector<std::uint32_t>> loops;
+      for (const auto& loop : rbpa::boundary_loops(of.triangles))
+        if (loop.size() != 56) loops.push_back(loop);
+      REQUIRE(loops.size() == static_cast<std::size_t>(1 + islands));
+      const rbpa::HoleFilling filling = rbpa::fill_holes(of.points, of.triangles, loops);
+      double sum = 0;
+      std::size_t triangles = 0;
+      for (const rbpa::HoleFill& fill : filling.loops) {
+        CHECK(fill.outcome == HoleOutcome::filled);
+        sum += fill.area;
+        triangles += fill.triangles;
+      }
+      CHECK(sum == doctest::Approx(area));
+      CHECK(filling.triangles.size() == of.triangles.size() + triangles);
+      CHECK(rbpa::boundary_loops(filling.triangles).size() == 1);
+      CHECK(rbpa::crossing_triangles(of.points, filling.triangles, 10).empty());
+    }
+  }
+}
+
 TEST_CASE("wrong calls are refused") {
   const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const auto fill = [&](const std::vector<std::uint32_t>& loop) {
