@@ -35,7 +35,7 @@ struct HoleFill {
   HoleOutcome outcome = HoleOutcome::filled;
   /// New; a loop that touches itself may be filled in part. Of loops that are closed together the longest has all.
   std::size_t triangles = 0;
-  double area = 0;            ///< theirs, in squared units of the points
+  double area = 0;  ///< theirs, in squared units of the points
   friend bool operator==(const HoleFill&, const HoleFill&) = default;
 };
 
