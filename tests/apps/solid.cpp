@@ -41,7 +41,7 @@ std::vector<Row> rows_of(const std::string& npy) {
   CHECK(npy.find("'descr': '<u4'") != std::string::npos);
   const std::size_t begin = npy.find('\n') + 1;
   std::vector<Row> rows((npy.size() - begin) / sizeof(Row));
-  std::memcpy(rows.data(), npy.data() + begin, rows.size() * sizeof(Row));
+  if (!rows.empty()) std::memcpy(rows.data(), npy.data() + begin, rows.size() * sizeof(Row));
   return rows;
 }
 
