@@ -4,6 +4,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "triangulation/filling_counts.h"
 #include "triangulation/list_of_causes.h"
 
 namespace rbpa::app {
@@ -11,11 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// By RemedyKind, and by HoleOutcome.
+// By RemedyKind.
 constexpr std::array names{"none", "turn_normals", "larger_ball", "filling"};
 constexpr std::array<const char*, 4> texts{"by nothing", "with normals turned around", "by one more radius each",
                                            "by --fill-holes"};
-constexpr std::array outcomes{"filled", "crosses", "edge_taken", "no_area"};
 
 std::string text_of_nothing(const HoleRemedy& remedy) {
   switch (remedy.filled.value_or(HoleOutcome::filled)) {
@@ -82,7 +82,7 @@ Json as_json(const HoleRemedy& remedy) {
   if (remedy.kind == RemedyKind::larger_ball) result["radius"] = remedy.radius;
   if (remedy.kind == RemedyKind::turn_normals) result["points"] = remedy.points;
   if (remedy.kind == RemedyKind::none)
-    result["filling"] = remedy.filled ? Json(outcomes[static_cast<std::size_t>(*remedy.filled)]) : Json(nullptr);
+    result["filling"] = remedy.filled ? Json(outcome_names[static_cast<std::size_t>(*remedy.filled)]) : Json(nullptr);
   return result;
 }
 

@@ -11,7 +11,6 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::array names{"filled", "crosses", "edge_taken", "no_area"};
 constexpr std::array texts{"filled", "where any filling crosses the surface",
                            "where any filling has an edge that two triangles have already",
                            "with all points on a line"};
@@ -47,7 +46,7 @@ std::string left_text(const FillingCounts& counts) {
 
 nlohmann::ordered_json as_json(const FillingCounts& counts) {
   nlohmann::ordered_json left;
-  for (std::size_t i = 1; i < names.size(); ++i) left[names[i]] = counts.holes[i];
+  for (std::size_t i = 1; i < outcome_names.size(); ++i) left[outcome_names[i]] = counts.holes[i];
   return {{"holes", counts.filled()},
           {"triangles", counts.triangles},
           {"area", counts.area},

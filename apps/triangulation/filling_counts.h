@@ -11,6 +11,9 @@
 
 namespace rbpa::app {
 
+/// By HoleOutcome.
+inline constexpr std::array outcome_names{"filled", "crosses", "edge_taken", "no_area"};
+
 struct FillingCounts {
   std::array<std::size_t, 4> holes = {};  ///< by HoleOutcome
   std::size_t triangles = 0;              ///< new

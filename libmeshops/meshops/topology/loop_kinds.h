@@ -25,7 +25,7 @@ enum class LoopKind : std::uint8_t {
   tunnel,   ///< it bounds outside and not inside: through a tunnel
   neither,  ///< it bounds on neither side: a sum of both kinds
   both,     ///< it bounds on both sides, and so on the surface, or is no loop of a basis
-  unknown,  ///< of a component with a boundary; or the surface is folded flat there, or too thin for the sums to be told from integers
+  unknown,  ///< of a component with a boundary; or the surface is folded flat there, or so thin that a sum is near no integer
 };
 
 /// Of each loop. Positions of vertices by index; inside is where the normals of a component of positive volume do not point.

@@ -9,6 +9,7 @@
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/progress.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort_unique.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/closing/bridges.h"
 #include "rbpa/space/closing/least_triangulation.h"
@@ -36,8 +37,7 @@ std::size_t attempts_for(std::size_t corners) {
 template <typename Value>
 void add_sorted(std::vector<Value>& to, const std::vector<Value>& values) {
   to.insert(to.end(), values.begin(), values.end());
-  std::sort(to.begin(), to.end());
-  to.erase(std::unique(to.begin(), to.end()), to.end());
+  sort_unique(to);
 }
 
 class Closing {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 #include "meshops/core/contract.h"

@@ -14,7 +14,9 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort_unique.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/closing/box_tree.h"
 #include "rbpa/space/levels/add_level.h"
 #include "rbpa/space/levels/local_surface.h"
 #include "rbpa/space/levels/neighborhood_subset.h"
@@ -32,26 +34,17 @@ constexpr double ladder = 1.25;
 constexpr int steps = 12;  // of the ladder
 constexpr double close_enough = 0x1p-10;
 
-void sort_and_make_unique(Indices& indices) {
-  std::sort(indices.begin(), indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-}
-
 Indices rim_of(const Hole& hole) {
   Indices rim;
   for (const RimEdge& edge : hole.edges) rim.push_back(edge.from);
-  sort_and_make_unique(rim);
+  sort_unique(rim);
   return rim;
 }
 
 double diagonal_of(const Hole& hole, std::span<const Point3> points) {
-  Point3 low = points[hole.edges.front().from], high = low;
-  for (const RimEdge& edge : hole.edges) {
-    const Point3& p = points[edge.from];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  space::Box box;
+  for (const RimEdge& edge : hole.edges) box.include(points[edge.from]);
+  return std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
 }
 
 /// The least double that is no less than the circumradius. Requires: `enough` is no less.
@@ -86,7 +79,7 @@ class LargerBall {
       if (spread.is_open) return std::nullopt;
       if (spread.beyond.empty()) return least_radius_of(spread.added, local.points, radius);
       for (const std::uint32_t i : spread.beyond) wanted.push_back(local.input[i]);
-      sort_and_make_unique(wanted);
+      sort_unique(wanted);
     }
     return std::nullopt;
   }
@@ -209,7 +202,7 @@ class Remedies {
       for (const RimEdge& edge : hole.edges)
         for (std::size_t k = 0; k < 3; ++k)
           if (edge.cause == RimCause::normals_disagree && edge.corners[k]) turned.push_back(edge.next[k]);
-      sort_and_make_unique(turned);
+      sort_unique(turned);
       if (is_closed_with(turned, hole, near)) remedy = {.kind = RemedyKind::turn_normals, .points = std::move(turned)};
     };
     for_each_left(radii_.back(), is_wanted, attempt);
@@ -219,7 +212,7 @@ class Remedies {
   bool is_closed_with(Indices& turned, const Hole& hole, const space::NeighborhoodFinder& near) const {
     Indices at = rim_of(hole);
     at.insert(at.end(), turned.begin(), turned.end());
-    sort_and_make_unique(at);
+    sort_unique(at);
     // What a radius adds at a point depends on what smaller ones made at the points that its ball touches there. So each carries
     // what is changed one neighbourhood farther, and as many more make what is there as it is in the whole.
     Indices changed = at, input;
@@ -236,7 +229,7 @@ class Remedies {
         is_turned[d.index] = 1;
         turned.push_back(local.input[d.index]);
       }
-    sort_and_make_unique(turned);
+    sort_unique(turned);
     for (std::size_t i = 0; i < local.points.size(); ++i) {
       Point3& n = local.normals[i];
       if (is_turned[i] != 0) n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};

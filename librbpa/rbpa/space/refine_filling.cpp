@@ -12,10 +12,13 @@
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/progress.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort_unique.h"
 #include "rbpa/crossing_triangles.h"
 #include "rbpa/space/box_scale.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/closing/box_tree.h"
 #include "rbpa/space/closing/linked_triangles.h"
+#include "rbpa/space/levels/triangles_at.h"
 #include "rbpa/space/refining/filling_patch.h"
 #include "rbpa/split_fans.h"
 
@@ -55,16 +58,11 @@ class Fans {
       meshops::require(point < points.size(), "refine_filling: expected a surface of these points");
       places_.push_back(points[point]);
     }
-    begin_.assign(size() + 2, 0);
-    for (const Triangle& t : fans_.triangles)
-      for (const std::uint32_t v : t) ++begin_[v + 2];
-    for (std::size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
-    at_.resize(begin_.back());
+    at_ = space::TrianglesAt(fans_.triangles, size());
     is_inner_.assign(size(), true);
     for (std::uint32_t t = 0; t < fans_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const Triangle& corners = fans_.triangles[t];
-        at_[begin_[corners[k] + 1]++] = t;
         if (surface.neighbors[t][k] == Surface::none)
           is_inner_[corners[(k + 1) % 3]] = is_inner_[corners[(k + 2) % 3]] = false;
       }
@@ -76,15 +74,13 @@ class Fans {
   const Point3& place(std::uint32_t v) const { return places_[v]; }
   const Indices& points() const { return fans_.point; }
   bool is_inner(std::uint32_t v) const { return is_inner_[v]; }
-  std::span<const std::uint32_t> triangles_at(std::uint32_t v) const {
-    return std::span(at_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-  }
+  std::span<const std::uint32_t> triangles_at(std::uint32_t v) const { return at_[v]; }
 
  private:
   const Surface& surface_;
   SplitFans fans_;
   std::vector<Point3> places_;
-  Indices begin_, at_;
+  space::TrianglesAt at_;
   std::vector<bool> is_inner_;
 };
 
@@ -119,15 +115,11 @@ class PatchInput {
 
  private:
   static space::BoxScale scale_of(const Fans& fans, const Patch& patch) {
-    Point3 low = fans.place(patch.rim.front()), high = low;
+    space::Box box;
     for (const std::uint32_t v : patch.rim)
       for (const std::uint32_t t : fans.triangles_at(v))
-        for (const std::uint32_t w : fans.corners(t)) {
-          const Point3& p = fans.place(w);
-          low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-          high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-        }
-    return {low, high};
+        for (const std::uint32_t w : fans.corners(t)) box.include(fans.place(w));
+    return {box.low, box.high};
   }
 
   void take_triangles() {
@@ -153,12 +145,8 @@ class PatchInput {
             is_new[t] && number_.contains(w) && std::binary_search(patch_.triangles.begin(), patch_.triangles.end(), t);
         (is_own ? inside : around).push_back(w);
       }
-    const auto sort = [](Indices& all) {
-      std::sort(all.begin(), all.end());
-      all.erase(std::unique(all.begin(), all.end()), all.end());
-    };
-    sort(around);
-    sort(inside);
+    sort_unique(around);
+    sort_unique(inside);
     const Vector place = rim_.places[number_.at(v)];
     std::vector<double> lengths;
     std::vector<Point3> outside;
@@ -216,8 +204,7 @@ class Refining {
       patch.triangles = std::move(triangles);
       for (const std::uint32_t t : patch.triangles)
         patch.rim.insert(patch.rim.end(), fans_.corners(t).begin(), fans_.corners(t).end());
-      std::sort(patch.rim.begin(), patch.rim.end());
-      patch.rim.erase(std::unique(patch.rim.begin(), patch.rim.end()), patch.rim.end());
+      sort_unique(patch.rim);
       std::sort(patch.rim.begin(), patch.rim.end(), is_before);
     }
     std::sort(patches_.begin(), patches_.end(), [&](const Patch& a, const Patch& b) {

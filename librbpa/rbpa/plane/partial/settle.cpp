@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
+#include "rbpa/base/sort_unique.h"
 #include "rbpa/base/triangle.h"
 #include "rbpa/plane/partial/rings.h"
 
@@ -81,11 +82,6 @@ void drop_losers(Pinch& pinch, const PartialState& state) {
   }
   if (first != no_index && least < state.held[first - open].shell[0].at) first = no_index;
   std::erase_if(pinch.members, [&](std::uint32_t m) { return m >= open && m != first; });
-}
-
-void sort_unique(Numbers& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 /// Decides pinches that can be decided, and brings those with the same members together.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "rbpa/base/sort_unique.h"
 #include "rbpa/space/predicate/orientation.h"
 
 namespace rbpa::space {
@@ -44,19 +45,12 @@ std::vector<Point3> places_of(std::span<const Point3> points, std::span<const Si
   std::vector<Point3> places;
   for (const SimpleLoop& loop : loops)
     for (const LoopCorner& corner : loop.corners) places.push_back(points[corner.in]);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sort_unique(places);
   return places;
 }
 
 bool is_side(const Chord& chord, std::size_t size) {
   return chord.second == chord.first + 1 || (chord.first == 0 && chord.second + 1 == size);
-}
-
-template <typename Values>
-void sort_out(Values& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 /// Of two triangles that cross each other the one to do without.
@@ -95,7 +89,7 @@ MeshAround::MeshAround(std::span<const Point3> points, std::span<const std::arra
       joined_[from - 1].push_back(to - 1);
       joined_[to - 1].push_back(from - 1);
     }
-  for (auto& others : joined_) sort_out(others);
+  for (auto& others : joined_) sort_unique(others);
 }
 
 std::optional<std::uint32_t> MeshAround::place_of(const Point3& p) const {
@@ -116,7 +110,7 @@ std::vector<Chord> MeshAround::taken_chords(const SimpleLoop& loop) const {
       if (found == at.end() || found->first != other || found->second < i) continue;
       if (!is_side({i, found->second}, corners.size())) taken.emplace_back(i, found->second);
     }
-  sort_out(taken);
+  sort_unique(taken);
   return taken;
 }
 
@@ -156,9 +150,9 @@ Faults MeshAround::faults(std::uint32_t number, const Rim& rim, std::span<const 
     tree.for_each_meeting(boxes[i], [&](std::uint32_t j) {
       if (j > i && triangles_cross(own[i], own[j])) faults.triangles.push_back(worse(rim, filling[i], filling[j]));
     });
-  sort_out(faults.taken);
-  sort_out(faults.crossing);
-  sort_out(faults.triangles);
+  sort_unique(faults.taken);
+  sort_unique(faults.crossing);
+  sort_unique(faults.triangles);
   return faults;
 }
 

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+
+#include "rbpa/base/sort_unique.h"
 
 namespace rbpa::space {
 namespace {
-
-void sort_and_make_unique(std::vector<std::uint32_t>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 std::uint32_t place_in(std::span<const std::uint32_t> sorted, std::uint32_t value) {
   return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
@@ -22,28 +18,20 @@ std::uint32_t place_in(std::span<const std::uint32_t> sorted, std::uint32_t valu
 std::uint32_t LocalSurface::number_of(std::uint32_t input_index) const { return place_in(input, input_index); }
 
 LocalSurfaces::LocalSurfaces(std::span<const Point3> points, std::span<const Point3> normals, const Surface& surface)
-    : points_(points), normals_(normals), surface_(surface), begin_(points.size() + 2, 0) {
-  // Each point's triangles begin where begin_[point + 1] has counted up to; the last pass moves that to their end.
-  for (const auto& triangle : surface.triangles)
-    for (const std::uint32_t corner : triangle) ++begin_[corner + 2];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  triangles_.resize(begin_.back());
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-    for (const std::uint32_t corner : surface.triangles[t]) triangles_[begin_[corner + 1]++] = t;
-}
+    : points_(points), normals_(normals), surface_(surface), triangles_at_(surface.triangles, points.size()) {}
 
 LocalSurface LocalSurfaces::at(std::span<const std::uint32_t> points) const {
   LocalSurface local;
   std::vector<std::uint32_t> kept;
   local.input.assign(points.begin(), points.end());
   for (const std::uint32_t point : points)
-    for (const std::uint32_t t : triangles_at(point)) kept.push_back(t);
-  sort_and_make_unique(kept);
+    for (const std::uint32_t t : triangles_at_[point]) kept.push_back(t);
+  sort_unique(kept);
   for (const std::uint32_t t : kept) {
     const auto& corners = surface_.triangles[t];
     local.input.insert(local.input.end(), corners.begin(), corners.end());
   }
-  sort_and_make_unique(local.input);
+  sort_unique(local.input);
   for (const std::uint32_t i : local.input) {
     local.points.push_back(points_[i]);
     local.normals.push_back(normals_[i]);

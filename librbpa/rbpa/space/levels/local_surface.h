@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rbpa/base/point3.h"
+#include "rbpa/space/levels/triangles_at.h"
 #include "rbpa/surface.h"
 
 namespace rbpa::space {
@@ -33,15 +34,10 @@ class LocalSurfaces {
 
   const std::array<std::uint32_t, 3>& corners_of(std::uint32_t triangle) const { return surface_.triangles[triangle]; }
 
-  /// The triangles with a corner at a point, ascending.
-  std::span<const std::uint32_t> triangles_at(std::uint32_t point) const {
-    return std::span(triangles_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
-  }
-
  private:
   std::span<const Point3> points_, normals_;
   const Surface& surface_;
-  std::vector<std::uint32_t> begin_, triangles_;  // by point
+  TrianglesAt triangles_at_;
 };
 
 }  // namespace rbpa::space
