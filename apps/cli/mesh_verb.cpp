@@ -23,7 +23,7 @@ Complex parse_complex(const MeshArguments& arguments, const Method& method) {
   if (!parse_is_full(arguments.complex)) return Complex::solid;
   const std::string why = ", which finds edges and points in no triangle";
   if (method.leaf_capacity) throw WrongUsage("--complex full: found --method hrbpa, expected rbpa" + why);
-  if (method.makes_mesh()) throw WrongUsage("--complex full: found --search paper, expected near" + why);
+  if (method.by_paper) throw WrongUsage("--complex full: found --search paper, expected near" + why);
   return Complex::full;
 }
 
@@ -34,10 +34,11 @@ std::string said(const Triangulation& made, Complex kind) {
   return text + ", " + counted(made.points.size(), "point") + " in neither";
 }
 
-void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Triangulation& made, Complex kind,
+void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Built& built, Complex kind,
                    bool compacted) {
   const ProgressLine line = run.writing();
-  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points};
+  const Triangulation& made = built.complex;
+  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points, nullptr, built.level};
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
   run.add(targets, [&](OutputFile& file, const Target& target) {
@@ -57,6 +58,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Tr
 }  // namespace
 
 void run_mesh(const MeshArguments& arguments) {
+  if (arguments.ask_for_groups()) return run_group_meshes(arguments);
   const ComplexRequest request = parse_request(arguments);
   const Complex kind = parse_complex(arguments, request.method);
   std::optional<Format> levels;
@@ -67,15 +69,14 @@ void run_mesh(const MeshArguments& arguments) {
       std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
 
   ComplexRun run(request, arguments);
-  std::optional<Hierarchy> hierarchy;
   const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
-  const Triangulation made =
-      build(run.points(), run.alpha, request.method, kind, links, run.options(), levels ? &hierarchy : nullptr);
+  const Built built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
+  const Triangulation& made = built.complex;
   run.stats.build_seconds = run.lap();
 
-  write_targets(run, targets, made, kind, arguments.compact);
+  write_targets(run, targets, built, kind, arguments.compact);
   if (levels)
-    run.add(*arguments.levels, [&](OutputFile& file) { write_levels(file, *levels, *hierarchy, request.method); });
+    run.add(*arguments.levels, [&](OutputFile& file) { write_levels(file, *levels, *built.mesh, request.method); });
   run.stats.write_seconds = run.lap();
   if (arguments.stats) {
     run.stats.distinct = made.distinct;

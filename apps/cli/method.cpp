@@ -9,6 +9,7 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "rbpa/hrbpa_arrays.h"
 #include "rbpa/link_triangles.h"
 #include "rbpa/paper.h"
 #include "rbpa/rbpa.h"
@@ -63,31 +64,63 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& c
   return boundary;
 }
 
+/// Of each triangle, the number of its level.
+std::vector<std::uint16_t> levels_of(const std::vector<Triangle>& triangles, const Hierarchy& made) {
+  std::vector<std::uint16_t> level(triangles.size());
+  for (const auto face : made.complex.mesh.faces()) {
+    Triangle corners{};
+    std::size_t i = 0;
+    for (const auto v : face.vertices()) corners[i++] = made.complex.input_index[static_cast<std::size_t>(v.idx())];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    const auto at = std::lower_bound(triangles.begin(), triangles.end(), corners) - triangles.begin();
+    const std::size_t position = level_of(made, static_cast<std::size_t>(face.idx()));
+    level[static_cast<std::size_t>(at)] = static_cast<std::uint16_t>(made.levels[position].number);
+  }
+  return level;
+}
+
+Built build_levels(const std::vector<Point>& points, double alpha, std::size_t leaf_capacity, Links links,
+                   unsigned threads, const std::function<bool(const Progress&)>& progress) {
+  HierarchyArrays made = hrbpa_arrays(points, alpha,
+                                      {.leaf_capacity = leaf_capacity,
+                                       .neighbors = links == Links::neighbors,
+                                       .boundary = links == Links::boundary,
+                                       .threads = threads,
+                                       .progress = progress});
+  for (std::uint16_t& level : made.level) level = static_cast<std::uint16_t>(made.levels[level].number);
+  return {.complex = std::move(made.complex), .level = std::move(made.level)};
+}
+
 }  // namespace
 
-Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
-                    const RunOptions& run, std::optional<Hierarchy>* mesh) {
-  Triangulation arrays;
+Built build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
+            const RunOptions& run, bool with_mesh) {
+  Built built;
+  Triangulation& arrays = built.complex;
   {
     TriangleProgress progress(!run.quiet, "triangulating", progress_text);
-    if (!method.makes_mesh())
-      return triangulate(points, alpha,
-                         {.complex = kind,
-                          .neighbors = links == Links::neighbors,
-                          .boundary = links == Links::boundary,
-                          .threads = run.threads,
-                          .progress = progress.watch()});
+    if (!method.by_paper && !with_mesh)
+      return method.leaf_capacity
+                 ? build_levels(points, alpha, *method.leaf_capacity, links, run.threads, progress.watch())
+                 : Built{.complex = triangulate(points, alpha,
+                                                {.complex = kind,
+                                                 .neighbors = links == Links::neighbors,
+                                                 .boundary = links == Links::boundary,
+                                                 .threads = run.threads,
+                                                 .progress = progress.watch()}),
+                         .level = {}};
     Hierarchy made = build_mesh(points, alpha, method, run.threads, progress.watch());
     arrays.triangles = triangles(made.complex);
     arrays.isolated = made.complex.isolated;
     arrays.duplicates = made.complex.duplicates;
     arrays.distinct = made.complex.distinct;
+    if (method.leaf_capacity) built.level = levels_of(arrays.triangles, made);
     if (links == Links::boundary) arrays.boundary = boundary_of(made.complex);
-    if (mesh != nullptr) *mesh = std::move(made);
+    if (with_mesh) built.mesh = std::move(made);
   }  // what is not wanted is gone before neighbours take memory
   if (links == Links::neighbors)
     arrays.neighbors = link_triangles(arrays.triangles, points.size(), until_interrupted());
-  return arrays;
+  return built;
 }
 
 Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +28,6 @@ struct Method {
   std::optional<std::size_t> leaf_capacity = std::nullopt;
 
   std::string name() const { return leaf_capacity ? "hrbpa" : "rbpa"; }
-  /// Where there is no mesh, the triangles may be had as arrays.
-  bool makes_mesh() const { return leaf_capacity || by_paper; }
 };
 
 /// Throws WrongUsage naming the value: one that is none, or one that is about another method.
@@ -37,10 +36,17 @@ Method parse_method(const MethodArguments& arguments);
 /// What is wanted beside the triangles, each more than the one before.
 enum class Links { none, boundary, neighbors };
 
-/// The complex in arrays, by triangulate() or of the mesh that the method makes, which goes to `mesh` if that is there; with
-/// a progress line unless quiet. Throws Cancelled after a signal. Requires: of a mesh a solid complex.
-Triangulation build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
-                    const RunOptions& run, std::optional<Hierarchy>* mesh = nullptr);
+/// What a method makes.
+struct Built {
+  Triangulation complex;
+  std::vector<std::uint16_t> level;  ///< of each triangle, the number of its level; empty where the method has none
+  std::optional<Hierarchy> mesh = std::nullopt;
+};
+
+/// The complex in arrays; with its mesh, made level by level, where that is wanted. With a progress line unless quiet. Throws
+/// Cancelled after a signal. Requires: a full complex of rbpa alone, without its mesh and not by the paper.
+Built build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
+            const RunOptions& run, bool with_mesh = false);
 
 /// The Delaunay triangulation, of which radii are chosen, likewise.
 Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run);

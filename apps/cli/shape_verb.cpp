@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/arguments.h"
 #include "cli/complex_run.h"
+#include "cli/ogr_outputs.h"
 #include "cli/verbs.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -60,20 +60,6 @@ void write_shape(OutputFile& file, Format format, const Shape& shape) {
   write_polygons(file, format == Format::geojson ? Format::geojson : Format::wkt, shape);
 }
 
-/// All of GDAL's files of a target, those that GDAL has made.
-void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files) {
-  const std::vector<std::string> endings = ogr_endings(target.format), paths = ogr_paths(target);
-  for (std::size_t i = 0; i < endings.size(); ++i) {
-    const auto made =
-        std::find_if(files.begin(), files.end(), [&](const OgrFile& file) { return file.ending == endings[i]; });
-    if (made != files.end())
-      run.add(paths[i], [&](OutputFile& file) { file.write(made->bytes); });
-    else if (std::filesystem::exists(paths[i]))
-      // A .prj of other coordinates would speak for these.
-      throw Failure(paths[i] + ": found a file that was there before, expected none beside " + target.path);
-  }
-}
-
 void write_isolated(OutputFile& file, Format format, const Shape& shape) {
   if (format == Format::geojson) return write_isolated_geojson(file, shape);
   if (format == Format::ewkt) file.write(srid_of(shape));
@@ -112,7 +98,7 @@ void caution(const Files& files, const Shape& shape) {
 /// The peaks of runs with millions of points, without these: docs/shape.md.
 double bytes_a_point(const ComplexRequest& request) {
   if (request.alpha.rule != AlphaRule::given) return 500;
-  return request.method.makes_mesh() ? 280 : 100;
+  return request.method.by_paper ? 280 : 100;
 }
 
 }  // namespace
@@ -129,7 +115,8 @@ void run_shape(const ShapeArguments& arguments) {
 
   ComplexRun run(request, arguments);
   require_srid(files, run.file.crs);
-  Triangulation complex = build(run.points(), run.alpha, request.method, Complex::solid, Links::none, run.options());
+  Triangulation complex =
+      build(run.points(), run.alpha, request.method, Complex::solid, Links::none, run.options()).complex;
   // Linked now, they take less memory than from a run with neighbours.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();

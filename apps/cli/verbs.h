@@ -22,6 +22,8 @@ struct MeshArguments : ComplexArguments {
   bool compact = false;
 };
 void run_mesh(const MeshArguments& arguments);
+/// The same of each group of the points by itself. Requires: ask_for_groups().
+void run_group_meshes(const MeshArguments& arguments);
 
 /// To files of polygons and pictures.
 struct ShapeArguments : ComplexArguments {

@@ -12,7 +12,7 @@ namespace rbpa::app {
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
       "mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
-  add_point_options(verb, arguments);
+  add_group_options(verb, arguments, "Triangles");
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, output_formats);
   add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
@@ -38,10 +38,12 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
+      "  rbpa mesh trees.csv --columns x,y --group-by crown --alpha auto -o crowns.vtu\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order: an index means the same in both.\n"
       "The full complex is lines f, l and p of an .obj; of arrays.npy, which has the triangles, there are\n"
-      "arrays.edges.npy and arrays.points.npy beside it.\n" +
+      "arrays.edges.npy and arrays.points.npy beside it. Of groups .vtu and .ply have the number of each triangle's\n"
+      "group, from 0 in the order in which rbpa shape --group-by lists them.\n" +
       std::string(exit_codes));
   return &verb;
 }

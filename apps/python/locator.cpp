@@ -25,13 +25,14 @@ class ArrayLocator {
   }
 
   /// `values`: a row for each point.
-  Doubles interpolate(const Doubles& values, const Doubles& queries) const {
+  Doubles interpolate(const Doubles& values, const Doubles& queries, bool by_natural_neighbors) const {
     if (values.ndim() != 2) throw py::value_error("values: expected an array of shape (n, k)");
     const auto input = points_of(queries);
     const auto columns = static_cast<std::size_t>(values.shape(1));
     const std::span<const double> rows_of_points(values.data(), static_cast<std::size_t>(values.size()));
     std::vector<double> found = watched(input.size(), py::none(), [&](Watch& watch) {
-      return locator_.interpolate(rows_of_points, columns, input, {.go_on = watch.until_stopped()});
+      const auto method = by_natural_neighbors ? Interpolation::natural_neighbor : Interpolation::linear;
+      return locator_.interpolate(rows_of_points, columns, input, {.method = method, .go_on = watch.until_stopped()});
     });
     return array_of<double>(std::move(found), 0);
   }
@@ -57,7 +58,8 @@ void bind_locator(py::module_& module) {
       .def(py::init<Doubles, Indices, Indices>(), arg("points").noconvert(), arg("simplices").noconvert(),
            arg("neighbors").noconvert())
       .def("find", &ArrayLocator::find, arg("queries").noconvert())
-      .def("interpolate", &ArrayLocator::interpolate, arg("values").noconvert(), arg("queries").noconvert());
+      .def("interpolate", &ArrayLocator::interpolate, arg("values").noconvert(), arg("queries").noconvert(),
+           arg("by_natural_neighbors"));
 }
 
 }  // namespace rbpa::python

@@ -16,6 +16,7 @@
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/complex.h"
+#include "rbpa/hrbpa_arrays.h"
 
 namespace rbpa {
 
@@ -39,9 +40,6 @@ struct EndedLevel {
   const meshops::Front& front;
   std::span<const std::uint32_t> input_index;  ///< of each site of the front, the input point it is
 };
-
-/// The default of HierarchyOptions::leaf_capacity.
-inline constexpr std::size_t usual_leaf_capacity = 16384;
 
 struct HierarchyOptions {
   /// The most points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent: usual_leaf_capacity.

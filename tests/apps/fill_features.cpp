@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/program.h"
+#include "support/vtu_arrays.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -36,20 +37,6 @@ std::vector<std::string> parcels() {
       feature("null", "[[0,3],[4,3],[6,3],[8,3],[8,6],[0,6],[0,3]]")};
 }
 const std::string bow = feature(R"({"height": 1})", "[[10,0],[12,2],[12,0],[10,2],[10,0]]");
-
-/// An array of the appended data of a .vtu; none when there is none of that name.
-template <typename T>
-std::vector<T> array_of(const std::string& vtu, const std::string& name) {
-  const std::size_t at = vtu.find("Name=\"" + name + "\"");
-  if (at == std::string::npos) return {};
-  const std::size_t offset = std::stoul(vtu.substr(vtu.find("offset=\"", at) + 8, 20));
-  const std::size_t data = vtu.find("\n_") + 2 + offset;
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, vtu.data() + data, sizeof bytes);
-  std::vector<T> values(bytes / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), vtu.data() + data + sizeof bytes, bytes);
-  return values;
-}
 
 }  // namespace
 

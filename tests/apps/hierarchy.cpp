@@ -2,12 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "support/program.h"
+#include "support/vtu_arrays.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -64,6 +66,34 @@ TEST_SUITE("hierarchy") {
           CHECK(folder.content(std::string("direct") + ending) == folder.content(std::string("levels") + ending));
         }
       }
+    }
+  }
+
+  TEST_CASE("every triangle of a .vtu has the number of its level, the same with --levels and by the paper's search") {
+    const Folder folder;
+    const std::string run = "mesh " + data + "--alpha 0.05 --method hrbpa -q --leaf-capacity 9 ";
+    REQUIRE(folder.rbpa(run + "-o arrays.vtu").code == 0);
+    REQUIRE(folder.rbpa(run + "-o mesh.vtu --levels l.json").code == 0);
+    REQUIRE(folder.rbpa(run + "-o paper.vtu --search paper").code == 0);
+    REQUIRE(folder.rbpa(run + "-o compact.vtu --compact").code == 0);
+    REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.05 -q -o plain.vtu").code == 0);
+    CHECK(folder.content("arrays.vtu") == folder.content("mesh.vtu"));
+    CHECK(folder.content("arrays.vtu") == folder.content("paper.vtu"));
+    CHECK(folder.content("plain.vtu").find("level") == std::string::npos);
+    const json report = json::parse(folder.content("l.json"));
+    std::vector<std::size_t> of_level;
+    for (const char* name : {"arrays.vtu", "compact.vtu"}) {
+      CAPTURE(name);
+      const std::vector<std::uint16_t> levels = array_of<std::uint16_t>(folder.content(name), "level");
+      of_level.assign(100, 0);
+      for (const std::uint16_t level : levels) ++of_level.at(level);
+      std::size_t sum = 0;
+      for (const json& level : report["levels"]) {
+        const auto number = level["level"].get<std::size_t>();
+        CHECK(level["triangles_added"] == of_level.at(number));
+        sum += of_level.at(number);
+      }
+      CHECK(sum == levels.size());
     }
   }
 

@@ -257,4 +257,58 @@ TEST_SUITE("ogr") {
     }
     CHECK(folder.rbpa("info none.gpkg").code == 3);
   }
+
+  TEST_CASE("groups: a multipolygon each, with what GeoJSON has of them, whether all have one or not") {
+    const std::string table =
+        "x,y,name,number\n0,0,wolf,1\n1,0,wolf,1\n0,1,wolf,1\n5,5,lynx,20\n6,5,lynx,20\n5,7,lynx,20\n9,9,lynx,20\n"
+        "10,9,lynx,20\n9,10,lynx,20\n";
+    for (const Format& format : formats)
+      for (const std::string column : {"name", "number"})
+        for (const bool lonely : {false, true}) {
+          CAPTURE(format.driver);
+          CAPTURE(column);
+          CAPTURE(lonely);
+          const Folder folder;
+          folder.file("p.csv", table + (lonely ? "3,3,bear,3\n" : ""));
+          const std::string run = "shape p.csv --columns x,y --crs EPSG:28992 --alpha 1.2 -q --group-by " + column;
+          REQUIRE(folder.rbpa(run + " -o s." + format.ending + " -o s.geojson").code == 0);
+          const json features = json::parse(folder.content("s.geojson"))["features"];
+          const GDALDatasetUniquePtr file = open(folder.path("s." + format.ending));
+          OGRLayer* layer = file->GetLayer(0);
+          REQUIRE(layer->GetSpatialRef() != nullptr);
+          std::size_t found = 0;
+          for (const OGRFeatureUniquePtr& feature : layer) {
+            ++found;
+            const auto one = std::find_if(features.begin(), features.end(), [&](const json& other) {
+              const json& group = other["properties"]["group"];
+              return group.is_number() ? group == feature->GetFieldAsDouble("group")
+                                       : group == feature->GetFieldAsString("group");
+            });
+            REQUIRE(one != features.end());
+            const json& properties = (*one)["properties"];
+            CHECK(properties["points"] == feature->GetFieldAsInteger64("points"));
+            CHECK(properties["polygons"] == feature->GetFieldAsInteger64("polygons"));
+            CHECK(properties["area"].get<double>() == doctest::Approx(feature->GetFieldAsDouble("area")));
+            CHECK(properties["perimeter"].get<double>() == doctest::Approx(feature->GetFieldAsDouble("perimeter")));
+            const int alpha = feature->GetFieldIndex("alpha");
+            CHECK(properties["alpha"].is_null() == !feature->IsFieldSetAndNotNull(alpha));
+            CHECK(properties.value("problem", "") == feature->GetFieldAsString("problem"));
+            const OGRGeometry* geometry = feature->GetGeometryRef();
+            const json& polygons = (*one)["geometry"]["coordinates"];
+            if (polygons.empty()) {
+              CHECK((geometry == nullptr || geometry->IsEmpty()));
+              continue;
+            }
+            REQUIRE(geometry != nullptr);
+            // A Shapefile calls one polygon or several Polygon.
+            const bool is_one = wkbFlatten(geometry->getGeometryType()) == wkbPolygon;
+            CHECK(polygons.size() ==
+                  (is_one ? 1 : static_cast<std::size_t>(geometry->toMultiPolygon()->getNumGeometries())));
+            CHECK(OGR_G_Area(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(geometry))) ==
+                  doctest::Approx(properties["area"].get<double>()));
+          }
+          CHECK(found == features.size());
+          CHECK(found == (lonely ? 3U : 2U));
+        }
+  }
 }

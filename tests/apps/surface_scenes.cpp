@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/program.h"
+#include "support/vtu_arrays.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -76,17 +77,6 @@ std::vector<std::array<double, 3>> rows(const std::string& obj, const std::strin
       found.push_back(row);
     }
   return found;
-}
-
-/// The numbers of an array of a .vtu, by its name; none when there is none.
-template <typename T>
-std::vector<T> array_of(const std::string& vtu, const std::string& name) {
-  const std::size_t at = vtu.find(name);
-  if (at == std::string::npos) return {};
-  const std::size_t data = vtu.find("\n_") + 2 + std::stoul(vtu.substr(vtu.find("offset=\"", at) + 8, 20));
-  std::vector<T> result(value_at<std::uint64_t>(vtu, data) / sizeof(T));
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = value_at<T>(vtu, data + 8 + i * sizeof(T));
-  return result;
 }
 
 /// A sheet of a grid in space, with colours.
@@ -191,20 +181,20 @@ TEST_SUITE("surface scenes") {
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.vtu -o m.npy -q").code == 0);
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o split.vtu -o m.obj --manifold -q").code == 0);
     const std::string vtu = folder.content("m.vtu"), npy = folder.content("m.npy");
-    const auto corners = array_of<std::uint32_t>(vtu, "\"connectivity\"");
+    const auto corners = array_of<std::uint32_t>(vtu, "connectivity");
     REQUIRE(corners.size() == 3 * 162);
     CHECK(std::memcmp(corners.data(), npy.data() + npy.find('\n') + 1, 4 * corners.size()) == 0);
-    CHECK(array_of<double>(vtu, "<Points>").size() == 300);
-    CHECK(array_of<std::uint8_t>(vtu, "\"types\"") == std::vector<std::uint8_t>(162, 5));
-    CHECK(array_of<double>(vtu, "\"Normals\"").size() == 300);
-    const auto colors = array_of<std::uint8_t>(vtu, "\"RGB\"");
+    CHECK(array_behind<double>(vtu, "<Points>").size() == 300);
+    CHECK(array_of<std::uint8_t>(vtu, "types") == std::vector<std::uint8_t>(162, 5));
+    CHECK(array_of<double>(vtu, "Normals").size() == 300);
+    const auto colors = array_of<std::uint8_t>(vtu, "RGB");
     REQUIRE(colors.size() == 300);
     CHECK(colors[3 * 99] == 225);
-    CHECK(array_of<std::uint32_t>(vtu, "\"point\"").empty());  // the vertices are the points
+    CHECK(array_of<std::uint32_t>(vtu, "point").empty());  // the vertices are the points
     const std::string split = folder.content("split.vtu");
     const auto vertices = rows(folder.content("m.obj"), "v");
-    const auto positions = array_of<double>(split, "<Points>");
-    const auto points = array_of<std::uint32_t>(split, "\"point\"");
+    const auto positions = array_behind<double>(split, "<Points>");
+    const auto points = array_of<std::uint32_t>(split, "point");
     REQUIRE(positions.size() == 3 * vertices.size());
     CHECK(points.size() == vertices.size());
     for (std::size_t i = 0; i < positions.size(); ++i) CHECK(positions[i] == vertices[i / 3][i % 3]);

@@ -132,3 +132,30 @@ def test_shapes_kinds_and_fill_values():
             triangulation.interpolate(wrong, [[1, 1]])
     with pytest.raises(rbpa.InvalidInput, match="xi: found an array of shape"):
         triangulation.interpolate([1, 2, 3], [1, 2, 3])
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_natural_neighbours_keep_linear_functions_and_stay_between_the_values(name):
+    points = SETS[name]
+    triangulation = rbpa.Delaunay(points)
+    at = queries_for(points)
+    scale = np.abs(points).max()
+    plane = 2 * points[:, 0] / scale - points[:, 1] / scale + 3
+    found = triangulation.interpolate(plane, at, method="natural")
+    linear = triangulation.interpolate(plane, at)
+    assert np.array_equal(np.isnan(found), np.isnan(linear))
+    assert np.nanmax(np.abs(found - linear)) < 1e-9
+    values = RANDOM.normal(size=(len(points), 2))
+    both = triangulation.interpolate(values, at, method="natural")
+    assert np.nanmin(both) >= values.min() and np.nanmax(both) <= values.max() + 1e-12
+    assert np.array_equal(triangulation.interpolate(values, points, method="natural"), values)
+    if len(points) > 10:  # it is not the linear one
+        assert np.nanmax(np.abs(both - triangulation.interpolate(values, at))) > 1e-3
+    filled = triangulation.interpolate(plane, at, -7.0, method="natural")
+    assert np.array_equal(filled == -7.0, np.isnan(found))
+
+
+def test_a_method_that_is_none_is_refused():
+    triangulation = rbpa.Delaunay(uniform(10))
+    with pytest.raises(rbpa.InvalidInput, match='method: found \'cubic\', expected "linear" or "natural"'):
+        triangulation.interpolate(np.zeros(10), [0.5, 0.5], method="cubic")

@@ -24,8 +24,8 @@ set(allowed
   "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/arrays rbpa/plane/predicate"
   "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/groups: rbpa rbpa/base rbpa/base/parallel rbpa/plane/filtration rbpa/plane/shape"
-  "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/filtration
-    rbpa/plane/grid rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
+  "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort
+    rbpa/plane/filtration rbpa/plane/grid rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
   "rbpa/plane/mesh: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/grid"
   "rbpa/plane/partial: meshops/core rbpa rbpa/base rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/plane/patches: meshops/patch rbpa/plane/enumeration rbpa/plane/pivots rbpa/plane/remainder rbpa/plane/tile"

@@ -34,7 +34,7 @@ struct VtuGrid {
   std::span<const std::uint32_t> vertices = {};
   std::vector<VtuArray> of_points = {}, of_cells = {};
   /// What programs show first, as attributes: `Scalars="feature"`.
-  std::string_view shown_of_points = {}, shown_of_cells = {};
+  std::string shown_of_points = {}, shown_of_cells = {};
 };
 
 /// Three doubles of each point, as the file has them.

@@ -24,7 +24,9 @@ void for_each_index(std::vector<Triangle>& triangles, std::vector<Edge>& edges, 
 CompactMesh::CompactMesh(const TriangleMesh& mesh)
     : triangles_(mesh.triangles.begin(), mesh.triangles.end()),
       edges_(mesh.edges.begin(), mesh.edges.end()),
-      points_(mesh.points.begin(), mesh.points.end()) {
+      points_(mesh.points.begin(), mesh.points.end()),
+      features_(mesh.features),
+      levels_(mesh.levels) {
   std::vector<bool> used(mesh.vertices.size(), false);
   for_each_index(triangles_, edges_, points_, [&](std::uint32_t i) { used[i] = true; });
   std::vector<std::uint32_t> renumbered(mesh.vertices.size());
@@ -46,7 +48,9 @@ struct InSpace {
   std::size_t faces() const { return mesh.triangles.size(); }
   std::array<double, 3> point(std::size_t i) const { return {mesh.vertices[i].x, mesh.vertices[i].y, 0}; }
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
-  std::string_view face_properties() const { return mesh.features == nullptr ? "" : "property uint feature\n"; }
+  std::string face_properties() const {
+    return mesh.features == nullptr ? "" : "property uint " + mesh.features->name + "\n";
+  }
   void write_face_properties(OutputFile& file, std::size_t f) const {
     if (mesh.features != nullptr)
       file.write_binary(std::span<const std::uint32_t>(mesh.features->of_triangle).subspan(f, 1));

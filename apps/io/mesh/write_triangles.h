@@ -25,6 +25,7 @@ struct FeatureNumbers {
 
 /// What triangles are parts of: a number for each, and more numbers by that.
 struct TriangleFeatures {
+  std::string name = "feature";  ///< what they are called
   std::vector<std::uint32_t> of_triangle;
   std::vector<FeatureNumbers> numbers;
 };
@@ -36,30 +37,33 @@ struct TriangleMesh {
   std::span<const Edge> edges = {};            ///< in no triangle
   std::span<const std::uint32_t> points = {};  ///< in neither
   const TriangleFeatures* features = nullptr;  ///< where there are neither edges nor points
+  std::span<const std::uint16_t> levels = {};  ///< of each triangle, if it has one; likewise
 };
 
 /// The mesh without the vertices that nothing uses; the others keep their order, and so do triangles, edges and points.
 class CompactMesh {
  public:
   explicit CompactMesh(const TriangleMesh& mesh);
-  TriangleMesh mesh() const { return {vertices_, triangles_, edges_, points_}; }
+  TriangleMesh mesh() const { return {vertices_, triangles_, edges_, points_, features_, levels_}; }
 
  private:
   std::vector<Point> vertices_;
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> points_;
+  const TriangleFeatures* features_;       // of the mesh that was compacted, as
+  std::span<const std::uint16_t> levels_;  // these
 };
 
 /// OFF, PLY (binary little-endian, coordinates as double) or OBJ with z = 0, or indices alone as an .npy array of uint32:
 /// triangles with shape (n, 3), edges with shape (n, 2) or points with shape (n); or VTU (write_vtu.h). PLY has the feature of each triangle, where there are
-/// features, as a property of faces. OBJ, as lines f, l
+/// features, as a property of faces of their name. OBJ, as lines f, l
 /// and p, and VTU have all three; OFF and PLY leave edges and points out. Requires: not a picture format.
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
 
-/// Appended raw data, little-endian: cells are the triangles, then the edges, then the points. Of features
-/// the number, as cell data `feature`, and what they have of numbers, as cell data under their own names; where a name comes
-/// twice, or is `feature`, with _2 and so on behind it.
+/// Appended raw data, little-endian: cells are the triangles, then the edges, then the points. Levels as cell data `level`. Of features
+/// the number, as cell data under their name, and what they have of numbers, as cell data under their own names; where a name comes
+/// twice, with _2 and so on behind it.
 void write_vtu(OutputFile& file, const TriangleMesh& mesh);
 
 }  // namespace rbpa::app

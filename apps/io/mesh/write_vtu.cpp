@@ -17,7 +17,7 @@ namespace {
 std::vector<VtuArray> arrays_of(const TriangleFeatures& features) {
   const std::span<const std::uint32_t> of_triangle = features.of_triangle;
   std::vector<VtuArray> arrays = {{.type = "UInt32",
-                                   .name = "feature",
+                                   .name = features.name,
                                    .bytes = of_triangle.size_bytes(),
                                    .write = [of_triangle](OutputFile& file) { file.write_binary(of_triangle); }}};
   for (const FeatureNumbers& numbers : features.numbers) {
@@ -51,7 +51,14 @@ void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
                .vertices = mesh.points};
   if (mesh.features != nullptr) {
     grid.of_cells = arrays_of(*mesh.features);
-    grid.shown_of_cells = "Scalars=\"feature\"";
+    grid.shown_of_cells = "Scalars=\"" + mesh.features->name + "\"";
+  }
+  if (!mesh.levels.empty()) {
+    grid.of_cells.push_back(
+        {.type = "UInt16", .name = "level", .bytes = mesh.levels.size_bytes(), .write = [&](OutputFile& out) {
+           out.write_binary(mesh.levels);
+         }});
+    grid.shown_of_cells = "Scalars=\"level\"";
   }
   write_vtu(file, grid);
 }

@@ -153,17 +153,18 @@ const char* driver_of(Format format) {
 /// A set of files that GDAL writes into memory: whole files are what is written to a disk.
 class OgrWriter {
  public:
-  OgrWriter(Format format, const Shape& shape) : format_(format), shape_(shape), path_(path_of(format)) {
+  OgrWriter(Format format, const std::optional<Crs>& crs) : format_(format), path_(path_of(format)) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(format));
     if (driver == nullptr) fail(std::string("this GDAL has no driver ") + driver_of(format));
     dataset_.reset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!dataset_) fail(gdal_.reason());
     // One for all features: a database would make one of each.
     in_transaction_ = dataset_->TestCapability(ODsCTransactions) != 0 && dataset_->StartTransaction() == OGRERR_NONE;
-    if (!shape.crs) return;
+    has_system_ = crs.has_value();
+    if (!crs) return;
     system_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x is a longitude, whatever EPSG says
-    if (system_.SetFromUserInput(shape.crs->text().c_str()) != OGRERR_NONE)
-      fail("--crs " + shape.crs->text() + ": " + gdal_.reason());
+    if (system_.SetFromUserInput(crs->text().c_str()) != OGRERR_NONE)
+      fail("--crs " + crs->text() + ": " + gdal_.reason());
   }
   ~OgrWriter() {
     dataset_.reset();
@@ -172,35 +173,62 @@ class OgrWriter {
   OgrWriter(const OgrWriter&) = delete;
   OgrWriter& operator=(const OgrWriter&) = delete;
 
-  void write_polygons() {
+  void write_polygons(const Shape& shape) {
     OGRLayer& layer = create_layer("polygons", wkbPolygon);
     for (const char* name : {"number", "holes", "points"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"area", "perimeter"}) add_field(layer, name, OFTReal);
-    const std::vector<std::size_t> points = points_in_polygons(shape_);
-    for (std::size_t i = 0; i < shape_.polygons.size(); ++i) {
-      const Polygon& polygon = shape_.polygons[i];
+    const std::vector<std::size_t> points = points_in_polygons(shape);
+    for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
+      const Polygon& polygon = shape.polygons[i];
       OGRFeature feature(layer.GetLayerDefn());
       set(feature, "number", i + 1);
       set(feature, "holes", polygon.holes.size());
       set(feature, "points", points[i]);
-      if (std::isfinite(polygon.area)) feature.SetField("area", polygon.area);
-      if (std::isfinite(polygon.perimeter)) feature.SetField("perimeter", polygon.perimeter);
-      OGRPolygon geometry;
-      add_ring(geometry, polygon.shell);
-      for (const Ring& hole : polygon.holes) add_ring(geometry, hole);
+      set(feature, "area", polygon.area);
+      set(feature, "perimeter", polygon.perimeter);
+      const OGRPolygon geometry = polygon_of(polygon, shape.points);
       add(layer, feature, geometry, i);
     }
   }
 
-  void write_isolated() {
+  void write_isolated(const Shape& shape) {
     OGRLayer& layer = create_layer("isolated", wkbPoint);
     add_field(layer, "index", OFTInteger64);
-    for (std::size_t i = 0; i < shape_.points.size(); ++i) {
-      if (shape_.polygon_of[i]) continue;
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+      if (shape.polygon_of[i]) continue;
       OGRFeature feature(layer.GetLayerDefn());
       set(feature, "index", i);
-      const OGRPoint geometry(shape_.points[i].x, shape_.points[i].y);
+      const OGRPoint geometry(shape.points[i].x, shape.points[i].y);
       add(layer, feature, geometry, i);
+    }
+  }
+
+  void write_groups(const NamedShapes& groups) {
+    // An index has no place for a feature without a geometry.
+    const bool all_have = groups.shapes.problems.empty();
+    OGRLayer& layer = create_layer("groups", wkbMultiPolygon, all_have || format_ != Format::fgb);
+    // Numbers that are names may be no whole ones.
+    add_field(layer, "group", groups.are_numbers ? OFTReal : OFTString);
+    for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
+    for (const char* name : {"alpha", "area", "perimeter"}) add_field(layer, name, OFTReal);
+    add_field(layer, "problem", OFTString);
+    const std::vector<std::string_view> problems = problems_of(groups);
+    for (std::size_t g = 0; g < groups.names.size(); ++g) {
+      const std::uint64_t first = groups.shapes.polygon_begin[g], last = groups.shapes.polygon_begin[g + 1];
+      OGRFeature feature(layer.GetLayerDefn());
+      feature.SetField("group", groups.names[g].c_str());  // GDAL reads it where it is a number
+      set(feature, "points", groups.sizes[g]);
+      set(feature, "polygons", last - first);
+      set(feature, "alpha", groups.shapes.alphas[g]);
+      set(feature, "area", groups.shapes.totals[g].area);
+      set(feature, "perimeter", groups.shapes.totals[g].perimeter);
+      if (!problems[g].empty()) feature.SetField("problem", std::string(problems[g]).c_str());
+      OGRMultiPolygon geometry;
+      for (std::uint64_t i = first; i < last; ++i) {
+        const OGRPolygon polygon = polygon_of(groups.shapes.polygons[i], groups.points);
+        geometry.addGeometry(&polygon);
+      }
+      add(layer, feature, geometry, g);
     }
   }
 
@@ -230,8 +258,10 @@ class OgrWriter {
     throw Failure(std::string("cannot write ") + driver_of(format_) + ": " + why);
   }
 
-  OGRLayer& create_layer(const char* name, OGRwkbGeometryType type) {
-    OGRLayer* layer = dataset_->CreateLayer(name, shape_.crs ? &system_ : nullptr, type, nullptr);
+  OGRLayer& create_layer(const char* name, OGRwkbGeometryType type, bool indexed = true) {
+    CPLStringList options;
+    if (!indexed) options.SetNameValue("SPATIAL_INDEX", "NO");
+    OGRLayer* layer = dataset_->CreateLayer(name, has_system_ ? &system_ : nullptr, type, options.List());
     if (layer == nullptr) fail(gdal_.reason());
     return *layer;
   }
@@ -242,11 +272,21 @@ class OgrWriter {
   static void set(OGRFeature& feature, const char* name, std::size_t value) {
     feature.SetField(name, static_cast<GIntBig>(value));
   }
-  void add_ring(OGRPolygon& polygon, const Ring& ring) const {
-    auto line = std::make_unique<OGRLinearRing>();
-    for (const std::uint32_t i : ring.points) line->addPoint(shape_.points[i].x, shape_.points[i].y);
-    line->addPoint(shape_.points[ring.points.front()].x, shape_.points[ring.points.front()].y);
-    polygon.addRingDirectly(line.release());
+  /// JSON has null for what is not finite, and so have these.
+  static void set(OGRFeature& feature, const char* name, double value) {
+    if (std::isfinite(value)) feature.SetField(name, value);
+  }
+  static OGRPolygon polygon_of(const Polygon& polygon, std::span<const Point> points) {
+    OGRPolygon geometry;
+    const auto add_ring = [&](const Ring& ring) {
+      auto line = std::make_unique<OGRLinearRing>();
+      for (const std::uint32_t i : ring.points) line->addPoint(points[i].x, points[i].y);
+      line->addPoint(points[ring.points.front()].x, points[ring.points.front()].y);
+      geometry.addRingDirectly(line.release());
+    };
+    add_ring(polygon.shell);
+    for (const Ring& hole : polygon.holes) add_ring(hole);
+    return geometry;
   }
   void add(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& geometry, std::size_t index) const {
     if (index % 1024 == 0) stop_if_interrupted();
@@ -256,9 +296,9 @@ class OgrWriter {
 
   Gdal gdal_;
   Format format_;
-  const Shape& shape_;
   std::string path_;
   OGRSpatialReference system_;
+  bool has_system_ = false;
   GDALDatasetUniquePtr dataset_;
   bool in_transaction_ = false;
 };
@@ -266,15 +306,21 @@ class OgrWriter {
 }  // namespace
 
 std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape) {
-  OgrWriter writer(format, shape);
-  writer.write_polygons();
-  if (format == Format::gpkg) writer.write_isolated();
+  OgrWriter writer(format, shape.crs);
+  writer.write_polygons(shape);
+  if (format == Format::gpkg) writer.write_isolated(shape);
+  return writer.files();
+}
+
+std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups) {
+  OgrWriter writer(format, groups.crs);
+  writer.write_groups(groups);
   return writer.files();
 }
 
 std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape) {
-  OgrWriter writer(format, shape);
-  writer.write_isolated();
+  OgrWriter writer(format, shape.crs);
+  writer.write_isolated(shape);
   return writer.files();
 }
 

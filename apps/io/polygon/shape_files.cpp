@@ -190,11 +190,10 @@ void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedS
 /// Calls visit(group, problem) for each group; the problem is empty where there is a polygon.
 template <typename Visit>
 void for_each_named(const NamedShapes& groups, const Visit& visit) {
-  auto problem = groups.shapes.problems.begin();
-  for (std::size_t g = 0; g < groups.names.size(); ++g) {
+  const std::vector<std::string_view> problems = problems_of(groups);
+  for (std::size_t g = 0; g < problems.size(); ++g) {
     if (g % 256 == 0) stop_if_interrupted();
-    const bool has_problem = problem != groups.shapes.problems.end() && problem->group == g;
-    visit(g, has_problem ? std::string_view(problem++->what) : std::string_view());
+    visit(g, problems[g]);
   }
 }
 
@@ -204,6 +203,12 @@ std::string json_text(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> problems_of(const NamedShapes& groups) {
+  std::vector<std::string_view> problems(groups.names.size());
+  for (const GroupProblem& problem : groups.shapes.problems) problems[problem.group] = problem.what;
+  return problems;
+}
 
 std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_text(name); }
 

@@ -98,6 +98,9 @@ struct NamedShapes {
   std::optional<Crs> crs = std::nullopt;
 };
 
+/// Of each group, why it has no polygon; empty where it has one.
+std::vector<std::string_view> problems_of(const NamedShapes& groups);
+
 /// GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha", "area",
 /// "perimeter", "polygons", and where there are none "problem".
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups);

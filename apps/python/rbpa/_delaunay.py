@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -88,8 +88,16 @@ class Delaunay(Triangles):
         found = self._locator.find(as_points(queries.reshape(-1, 2), "xi"))
         return found.reshape(queries.shape[:-1])
 
-    def interpolate(self, values: npt.ArrayLike, xi: npt.ArrayLike, fill_value: float = math.nan) -> Any:
-        """Values at any points: linear in each triangle, as scipy.interpolate.LinearNDInterpolator has them.
+    def interpolate(
+        self,
+        values: npt.ArrayLike,
+        xi: npt.ArrayLike,
+        fill_value: float = math.nan,
+        *,
+        method: Literal["linear", "natural"] = "linear",
+    ) -> Any:
+        """Values at any points: linear in each triangle, as scipy.interpolate.LinearNDInterpolator has them; or Sibson's, by the
+        areas that natural neighbours lose to a point.
 
         Parameters
         ----------
@@ -99,6 +107,9 @@ class Delaunay(Triangles):
             Where values are wanted.
         fill_value : float
             Outside of the convex hull, and where a coordinate is not finite.
+        method : "linear" or "natural"
+            By natural neighbours values are smooth but at the points themselves, and no triangle shows. Both keep linear functions
+            and stay between the values of the points.
 
         Returns
         -------
@@ -108,7 +119,7 @@ class Delaunay(Triangles):
         Raises
         ------
         InvalidInput
-            Values that are not one for each point, or no numbers.
+            Values that are not one for each point, or no numbers; a method that is none.
 
         Examples
         --------
@@ -117,6 +128,8 @@ class Delaunay(Triangles):
         array([ 3.,  4., nan])
         """
         self._require_unchanged()
+        if method not in ("linear", "natural"):
+            raise _core.InvalidInput(f'method: found {method!r}, expected "linear" or "natural"')
         queries = as_array(xi, "xi")
         if queries.ndim == 0 or queries.shape[-1] != 2:
             raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
@@ -132,7 +145,7 @@ class Delaunay(Triangles):
             return np.empty(shape, table.dtype)
         rows = table.view(np.float64).reshape(self.npoints, -1)
         at = as_points(queries.reshape(-1, 2), "xi")
-        found = self._locator.interpolate(rows, at).view(table.dtype).reshape(shape)
+        found = self._locator.interpolate(rows, at, method == "natural").view(table.dtype).reshape(shape)
         if not math.isnan(fill_value):
             found[self._locator.find(at).reshape(queries.shape[:-1]) < 0] = fill_value
         return found

@@ -1,7 +1,6 @@
 #include "rbpa/hrbpa.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -9,8 +8,8 @@
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/plane/hierarchy/growth_by_tiles.h"
+#include "rbpa/plane/hierarchy/least_radius.h"
 #include "rbpa/plane/hierarchy/level_record.h"
-#include "rbpa/plane/hierarchy/quadtree.h"
 #include "rbpa/plane/mesh/assembly.h"
 
 namespace rbpa {
@@ -31,19 +30,6 @@ void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& fro
              .transferred = growth.open_sites(),
              .advancing = 2 * front.edges() - 3 * front.faces()};
   }
-}
-
-/// α₀: half the side of the smallest leaf of a quadtree.
-double least_radius(const Sites& sites, std::size_t leaf_capacity, const std::function<void()>& ask) {
-  long double side = 0;
-  if (sites.beyond().empty()) {
-    const Quadtree<double> tree(sites.grid().points(), leaf_capacity);
-    side = std::ldexp(static_cast<long double>(tree.smallest_side(ask)), -sites.window().exponent);
-  } else {
-    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side(ask);
-  }
-  using Limits = std::numeric_limits<double>;
-  return static_cast<double>(std::clamp<long double>(side / 2, Limits::denorm_min(), Limits::max()));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/base/input.h"
 #include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/natural_neighbors.h"
 #include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {
@@ -146,20 +147,29 @@ class Locator::Impl {
 
   std::size_t points() const { return points_.size(); }
 
-  /// Interpolates at a query in triangle t: writes a value for each column.
-  void interpolate(std::uint32_t t, std::span<const double> values, const Point& query,
+  NaturalNeighbors natural_neighbors() const { return {points_, of_}; }
+
+  /// Interpolates at a query in triangle t: writes a value for each column. By natural neighbours, if any are given.
+  void interpolate(std::uint32_t t, std::span<const double> values, const Point& query, NaturalNeighbors* neighbors,
                    std::span<double> result) const {
     if (t == no_index) {
       std::fill(result.begin(), result.end(), std::numeric_limits<double>::quiet_NaN());
       return;
     }
+    std::fill(result.begin(), result.end(), 0.0);
+    const auto add = [&](std::uint32_t point, double share) {
+      if (!(share > 0)) return;  // what has no share does not count, be it infinite
+      for (std::size_t column = 0; column < result.size(); ++column)
+        result[column] += share * values[point * result.size() + column];
+    };
+    if (neighbors != nullptr && is_within(t, query))
+      if (const std::span<const PointShare> found = neighbors->find(query, t); !found.empty()) {
+        for (const auto& [point, share] : found) add(point, share);
+        return;
+      }
     const auto& corners = of_.triangles[t];
     const std::array<double, 3> share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
-    for (std::size_t column = 0; column < result.size(); ++column) {
-      result[column] = 0;
-      for (std::size_t k = 0; k < 3; ++k)  // what has no share does not count, be it infinite
-        if (share[k] > 0) result[column] += share[k] * values[corners[k] * result.size() + column];
-    }
+    for (std::size_t k = 0; k < 3; ++k) add(corners[k], share[k]);
   }
 
  private:
@@ -167,6 +177,15 @@ class Locator::Impl {
   int side(std::uint32_t t, std::size_t k, const Point& query) const {
     const auto& corners = of_.triangles[t];
     return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);
+  }
+
+  /// Whether the query, which is in triangle t, is none of its corners, and not on the convex hull.
+  bool is_within(std::uint32_t t, const Point& query) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (points_[of_.triangles[t][k]] == query) return false;
+      if (of_.neighbors[t][k] == no_index && side(t, k, query) == 0) return false;
+    }
+    return true;
   }
 
   /// Whether the query is about as far from a triangle as its corners are from each other: then few steps lead there.
@@ -241,19 +260,20 @@ Locator::~Locator() = default;
 
 namespace {
 
-/// Calls visit(i, last) for each query, in parts that are shared among threads; asks after each. `last` is what it returned for
-/// the query before, or none.
-template <typename Visit>
-void for_each_query(std::size_t queries, const LocateOptions& options, Visit visit) {
+/// Calls visit(i, last) for each query, in parts that are shared among threads, with a `visit` that begin() returns for each part;
+/// asks after each. `last` is what it returned for the query before, or none.
+template <typename Begin>
+void for_each_query(std::size_t queries, unsigned most_threads, const std::function<bool()>& go_on, Begin begin) {
   constexpr std::size_t queries_at_a_time = 4096;
-  Threads threads = threads_for(queries, options.threads);
+  Threads threads = threads_for(queries, most_threads);
   std::mutex calling;
   for_each_part(threads, queries, queries_at_a_time, [&](std::size_t first, std::size_t last) {
+    auto visit = begin();
     std::uint32_t found = no_index;
     for (std::size_t i = first; i < last; ++i) found = visit(i, found);
-    if (!options.go_on) return;
+    if (!go_on) return;
     const std::lock_guard lock(calling);
-    if (!options.go_on()) throw Cancelled();
+    if (!go_on()) throw Cancelled();
   });
 }
 
@@ -261,21 +281,26 @@ void for_each_query(std::size_t queries, const LocateOptions& options, Visit vis
 
 std::vector<std::uint32_t> Locator::find(std::span<const Point> queries, const LocateOptions& options) const {
   std::vector<std::uint32_t> found(queries.size());
-  for_each_query(queries.size(), options,
-                 [&](std::size_t i, std::uint32_t last) { return found[i] = impl_->find(queries[i], last); });
+  for_each_query(queries.size(), options.threads, options.go_on, [&] {
+    return [&](std::size_t i, std::uint32_t last) { return found[i] = impl_->find(queries[i], last); };
+  });
   return found;
 }
 
 std::vector<double> Locator::interpolate(std::span<const double> values, std::size_t columns,
-                                         std::span<const Point> queries, const LocateOptions& options) const {
+                                         std::span<const Point> queries, const InterpolateOptions& options) const {
   if (columns == 0 || values.size() / columns != impl_->points() || values.size() % columns != 0)
     throw InvalidInput("values: found " + std::to_string(values.size()) + " numbers, expected " +
                        std::to_string(columns) + " for each of the " + std::to_string(impl_->points()) + " points");
   std::vector<double> result(queries.size() * columns);
-  for_each_query(queries.size(), options, [&](std::size_t i, std::uint32_t last) {
-    const std::uint32_t t = impl_->find(queries[i], last);
-    impl_->interpolate(t, values, queries[i], std::span(result).subspan(i * columns, columns));
-    return t;
+  const bool is_natural = options.method == Interpolation::natural_neighbor;
+  for_each_query(queries.size(), options.threads, options.go_on, [&] {
+    return [&, neighbors = impl_->natural_neighbors()](std::size_t i, std::uint32_t last) mutable {
+      const std::uint32_t t = impl_->find(queries[i], last);
+      impl_->interpolate(t, values, queries[i], is_natural ? &neighbors : nullptr,
+                         std::span(result).subspan(i * columns, columns));
+      return t;
+    };
   });
   return result;
 }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/collinear.h"
 #include "rbpa/plane/arrays/boundary_sides.h"
@@ -16,41 +15,11 @@
 #include "rbpa/plane/arrays/outlined_triangles.h"
 #include "rbpa/plane/arrays/triangle_list.h"
 #include "rbpa/plane/divide/small_set.h"
+#include "rbpa/plane/find_triangles.h"
 #include "rbpa/plane/grid/sites.h"
-#include "rbpa/plane/patches/for_each_patch.h"
 
 namespace rbpa {
 namespace {
-
-/// Puts patches into a list, which is TriangleList or LinkedTriangles.
-template <typename List>
-struct ListSink {
-  using Share = typename List::Place;
-  static constexpr bool needs_outline = false;
-
-  void prepare(const TilePatch& tile, Share& share) { list.prepare(tile.patch, share); }
-  void place(const TilePatch& tile, Share& share) { list.place(tile.patch, share); }
-  void fill(const TilePatch& tile, Share& share) { list.fill(tile.patch, share); }
-  void worked() {
-    if (progress && !progress({list.size(), points})) throw Cancelled();
-  }
-
-  List& list;
-  std::size_t points;
-  const std::function<bool(const Progress&)>& progress;
-};
-
-template <typename List>
-void find_triangles(const Sites& sites, double alpha, const std::function<bool(const Progress&)>& progress,
-                    Threads& threads, List& list) {
-  ListSink<List> sink{list, sites.size(), progress};
-  const meshops::Patch rest = for_each_patch(sites, Radius::of(alpha), threads, sink);
-  typename List::Place place;
-  list.prepare(rest, place);
-  list.place(rest, place);
-  list.fill(rest, place);
-  sink.worked();
-}
 
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, const std::function<void()>& ask) {
   return boundary_sides(of, [&ask, t = 0u]() mutable {
@@ -66,23 +35,29 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Tri
   result.duplicates = sites->duplicates();
   const bool are_on_a_line = are_collinear(points);
   const auto find = [&](auto& list) {
-    if (!are_on_a_line) find_triangles(*sites, alpha, options.progress, threads, list);
+    if (!are_on_a_line) find_triangles(*sites, Radius::of(alpha), options.progress, threads, list);
+  };
+  const auto sort = [&](auto& list) {
     const std::function<void()> ask = asking(options.progress, result.distinct, list.size());
     sites.reset();  // its memory is not needed where the list becomes the result
     return list.sorted(threads, ask);
   };
   if (options.neighbors) {
     LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
-    OwnedTriangles sorted = find(list);
+    find(list);
+    OwnedTriangles sorted = sort(list);
     result.triangles = std::move(sorted.triangles);
     result.neighbors = std::move(sorted.neighbors);
-  } else if (options.boundary) {
-    OutlinedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
-    result.triangles = find(list);
-    result.boundary = list.boundary();
   } else {
     TriangleList list(sites->size(), sites->input_index(), points.size(), threads);
-    result.triangles = find(list);
+    if (options.boundary) {
+      OutlinedTriangles outlined(sites->size(), sites->input_index(), list);
+      find(outlined);
+      result.boundary = outlined.boundary();
+    } else {
+      find(list);
+    }
+    result.triangles = sort(list);
   }
   // Without a radius all points are in triangles, if there are any.
   if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());

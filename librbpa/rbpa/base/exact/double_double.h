@@ -30,6 +30,13 @@ struct DoubleDouble {
     const double rest = product.low + (a.high * b.low + a.low * b.high), sum = product.high + rest;
     return {sum, rest - (sum - product.high)};
   }
+  /// By two steps of long division.
+  friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+    const double first = a.high / b.high;
+    const DoubleDouble rest = a - DoubleDouble{first, 0} * b;
+    const auto sum = detail::two_sum(first, rest.high / b.high);
+    return {sum.high, sum.low};
+  }
 };
 
 }  // namespace rbpa

@@ -5,6 +5,7 @@
 #include <bit>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -206,9 +207,11 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
   }
 }
 
+/// Calls put_numbers(place, numbers) for the triangles of each bucket, in any thread: `place` is that of the first.
 template <typename Item>
-std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
-                                                   const std::function<void()>& ask) {
+template <typename PutNumbers>
+std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers,
+                                                     const std::function<void()>& ask) const {
   const std::vector<std::vector<Run>> of_bucket = runs();
   std::vector<std::size_t> start = {0};
   for (const auto& bucket : of_bucket) {
@@ -225,8 +228,7 @@ std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32
         const std::size_t first_corner = b << shift_;
         sort(of_bucket[b], first_corner, std::min(width, bound_ - std::min(bound_, first_corner)), workspace);
         if constexpr (std::is_same_v<Item, NumberedTriangle>)
-          for (std::size_t i = 0; i < workspace.count; ++i)
-            rank[workspace.numbers[i]] = static_cast<std::uint32_t>(start[b] + i);
+          put_numbers(start[b], std::span<const std::uint32_t>(workspace.numbers).first(workspace.count));
       },
       [&](std::size_t, Workspace& workspace) {
         const auto first = workspace.triples.begin();
@@ -235,6 +237,28 @@ std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32
       },
       [](std::size_t, Workspace&) {});
   return all;
+}
+
+template <typename Item>
+std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
+                                                   const std::function<void()>& ask) {
+  return sort_all(
+      threads,
+      [rank](std::size_t place, std::span<const std::uint32_t> numbers) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) rank[numbers[i]] = static_cast<std::uint32_t>(place + i);
+      },
+      ask);
+}
+
+template <typename Item>
+std::vector<Triangle> CanonicalOrder<Item>::sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
+                                                                const std::function<void()>& ask) {
+  return sort_all(
+      threads,
+      [numbers](std::size_t place, std::span<const std::uint32_t> some) {
+        std::copy(some.begin(), some.end(), numbers + place);
+      },
+      ask);
 }
 
 template class CanonicalOrder<Triangle>;

@@ -68,9 +68,12 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// All triangles in order. `rank`, if any, gets the new place of each number. Nothing is added afterwards. Calls `ask`, if
-  /// any, after each bucket, one call at a time; it may throw.
+  /// All triangles in order. Nothing is added afterwards. `rank`, if any, gets the new place of each number. Calls `ask`, if any,
+  /// after each bucket, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
+  /// Likewise, of numbers that are not places: `numbers` gets the number of each triangle, in their order.
+  std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
+                                            const std::function<void()>& ask = {});
   /// Frees the memory.
   void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 
@@ -89,6 +92,8 @@ class CanonicalOrder {
   Writer* take();
   Item* new_block();
   std::vector<std::vector<Run>> runs() const;
+  template <typename PutNumbers>
+  std::vector<Triangle> sort_all(Threads& threads, PutNumbers put_numbers, const std::function<void()>& ask) const;
   void sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners, Workspace& workspace) const;
 
   std::size_t bound_;

@@ -1,35 +1,35 @@
-// What: the triangles of patches in canonical order, with the sides at which nothing lies.
+// What: patches on their way into a list, and the sides at which nothing lies.
 // Why:  a fifth of what all neighbours cost: most sides lie inside a patch, and are only looked at.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <iterator>
 #include <span>
 #include <vector>
 
 #include "meshops/patch/patch.h"
 #include "meshops/patch/seams.h"
-#include "rbpa/base/parallel/threads.h"
-#include "rbpa/plane/arrays/triangle_list.h"
 
 namespace rbpa {
 
+/// `List` is TriangleList, or another that puts patches in order as it does.
+template <typename List>
 class OutlinedTriangles {
  public:
   /// From one point to another, by name.
   using Side = std::array<std::uint32_t, 2>;
 
-  /// For triangles on so many sites; `names`, less than `bound`, are the names of corners.
-  OutlinedTriangles(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads)
-      : names_(names), list_(sites, names, bound, threads) {
+  /// Keeps a reference to an empty list, of triangles on so many sites; `names` are those of corners.
+  OutlinedTriangles(std::size_t sites, std::span<const std::uint32_t> names, List& list) : names_(names), list_(list) {
     seams_.begin(sites);
   }
 
   /// What one patch has to remember between the steps.
   struct Place {
-    TriangleList::Place of_list;
+    typename List::Place of_list;
     std::vector<std::array<meshops::Site, 2>> open;  // sides beyond which another patch may have a triangle
     std::vector<Side> outer;
   };
@@ -42,10 +42,6 @@ class OutlinedTriangles {
 
   /// How many were placed.
   std::size_t size() const { return list_.size(); }
-  /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, const std::function<void()>& ask = {}) {
-    return list_.sorted(threads, ask);
-  }
   /// After all patches: the sides at which no triangle lies, in lexicographic order.
   std::vector<Side> boundary() const;
 
@@ -58,9 +54,48 @@ class OutlinedTriangles {
   static constexpr Side closed = {0, 0};
 
   std::span<const std::uint32_t> names_;
-  TriangleList list_;
+  List& list_;
   meshops::Seams<Open> seams_;
   std::vector<Side> outer_, rim_;  // of those in rim_ some are closed
 };
+
+template <typename List>
+void OutlinedTriangles<List>::prepare(const meshops::Patch& patch, Place& place) const {
+  place.open.clear();
+  place.outer.clear();
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (patch.across[t][i] >= 0) [[likely]]
+        continue;
+      const meshops::Site from = patch.triangles[t][i], to = patch.triangles[t][(i + 1) % 3];
+      if (patch.across[t][i] == meshops::Patch::open)
+        place.open.push_back({from, to});
+      else
+        place.outer.push_back({names_[from], names_[to]});
+    }
+}
+
+template <typename List>
+void OutlinedTriangles<List>::place(const meshops::Patch& patch, Place& place) {
+  list_.place(patch, place.of_list);
+  outer_.insert(outer_.end(), place.outer.begin(), place.outer.end());
+  for (const auto& [from, to] : place.open) {
+    const meshops::Site begin = from;
+    if (const auto beyond = seams_.take(to, [&](const Open& other) { return other.to == begin; })) {
+      rim_[beyond->number] = closed;
+    } else {
+      seams_.add(from, {to, rim_.size()});
+      rim_.push_back({names_[from], names_[to]});
+    }
+  }
+}
+
+template <typename List>
+std::vector<typename OutlinedTriangles<List>::Side> OutlinedTriangles<List>::boundary() const {
+  std::vector<Side> sides = outer_;
+  std::copy_if(rim_.begin(), rim_.end(), std::back_inserter(sides), [](const Side& side) { return side != closed; });
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
 
 }  // namespace rbpa

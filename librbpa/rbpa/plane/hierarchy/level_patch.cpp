@@ -1,21 +1,11 @@
 #include "rbpa/plane/hierarchy/level_patch.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "rbpa/plane/hierarchy/circumradius.h"
+#include "rbpa/plane/hierarchy/first_level.h"
 
 namespace rbpa {
 namespace {
-
-/// The first level whose radius admits the triangle.
-template <typename Real, typename SomeLadder>
-int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder& ladder) {
-  if (ladder.radius(0).template admits<Real>(a, b, c)) return 0;
-  int level = std::clamp(ladder.first_reaching(circumradius<Real>(a, b, c)), 1, ladder.end());
-  while (!ladder.is_last(level) && !ladder.radius(level).template admits<Real>(a, b, c)) ++level;
-  return level;
-}
 
 /// What `across` holds of a side whose triangle has a new number, three times that, or is gone.
 int renumbered(int beyond, const std::vector<int>& number) {

@@ -1,0 +1,82 @@
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/group_run.h"
+#include "cli/verbs.h"
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/mesh/write_triangles.h"
+#include "picture/picture.h"
+#include "rbpa/link_triangles.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Throws WrongUsage for what is of one complex of all points.
+void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
+                       const std::vector<Target>& targets) {
+  const auto refuse = [](const std::string& what) {
+    throw WrongUsage(what + ": found groups as well, expected one of the two");
+  };
+  if (arguments.levels) refuse("--levels");
+  if (arguments.complex != "solid") refuse("--complex " + arguments.complex);
+  if (request.method.leaf_capacity) refuse("--method hrbpa");
+  if (request.method.by_paper) refuse("--search paper");
+  for (const Target& target : targets)
+    if (is_picture(target.format))
+      throw WrongUsage("--group-by: found " + output_name(target.path) +
+                       ", expected a mesh or an array (rbpa shape --group-by draws its polygons)");
+}
+
+/// What the numbers of groups are, and what is known of them.
+struct GroupNumbers {
+  explicit GroupNumbers(const GroupRun& run) {
+    const GroupShapes& shapes = run.shapes;
+    features.name = "group";
+    for (std::size_t g = 0; g < run.sizes.size(); ++g) {
+      features.of_triangle.insert(features.of_triangle.end(), shapes.triangle_begin[g + 1] - shapes.triangle_begin[g],
+                                  static_cast<std::uint32_t>(g));
+      points.push_back(static_cast<double>(run.sizes[g]));
+      areas.push_back(shapes.totals[g].area);
+      if (run.named.are_numbers) names.push_back(parse_whole_number(run.named.names[g]).value);
+    }
+    features.numbers = {{"points", points}, {"alpha", shapes.alphas}, {"area", areas}};
+    if (run.named.are_numbers) features.numbers.insert(features.numbers.begin(), {"name", names});
+  }
+  GroupNumbers(const GroupNumbers&) = delete;
+  GroupNumbers& operator=(const GroupNumbers&) = delete;
+
+  TriangleFeatures features;
+  std::vector<double> names, points, areas;
+};
+
+void write_targets(GroupRun& run, bool compacted) {
+  const ProgressLine line = run.writing();
+  const GroupNumbers numbers(run);
+  const TriangleMesh whole{run.named.file.points, run.shapes.triangles, {}, {}, &numbers.features};
+  std::optional<CompactMesh> compact;
+  if (compacted) compact.emplace(whole);
+  run.add(run.request.targets, [&](OutputFile& file, const Target& target) {
+    const bool is_array = target.format == Format::npy;
+    write_triangles(file, target.format, compact && !is_array ? compact->mesh() : whole);
+  });
+}
+
+}  // namespace
+
+void run_group_meshes(const MeshArguments& arguments) {
+  const std::vector<Target> targets =
+      parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}));
+  const GroupRequest request = parse_group_request(arguments, targets);
+  require_of_groups(arguments, request.complex, targets);
+  GroupShapesOptions options;
+  options.triangles = true;
+  GroupRun run(request, arguments, options);
+  write_targets(run, arguments.compact);
+  run.finish();
+  run.summarize(counted(run.triangles(), "triangle"));
+}
+
+}  // namespace rbpa::app

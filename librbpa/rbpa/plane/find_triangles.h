@@ -1,0 +1,45 @@
+// What: all triangles of a radius, put into a list that is a sink of patches.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "rbpa/base/error.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/patches/for_each_patch.h"
+
+namespace rbpa {
+
+/// `List` is TriangleList, or another of that kind.
+template <typename List>
+struct ListSink {
+  using Share = typename List::Place;
+  static constexpr bool needs_outline = false;
+
+  void prepare(const TilePatch& tile, Share& share) { list.prepare(tile.patch, share); }
+  void place(const TilePatch& tile, Share& share) { list.place(tile.patch, share); }
+  void fill(const TilePatch& tile, Share& share) { list.fill(tile.patch, share); }
+  void worked() {
+    if (progress && !progress({list.size(), points})) throw Cancelled();
+  }
+
+  List& list;
+  std::size_t points;
+  const std::function<bool(const Progress&)>& progress;
+};
+
+/// Requires sites that are not all on one line.
+template <typename List>
+void find_triangles(const Sites& sites, const Radius& alpha, const std::function<bool(const Progress&)>& progress,
+                    Threads& threads, List& list) {
+  ListSink<List> sink{list, sites.size(), progress};
+  const meshops::Patch rest = for_each_patch(sites, alpha, threads, sink);
+  typename List::Place place;
+  list.prepare(rest, place);
+  list.place(rest, place);
+  list.fill(rest, place);
+  sink.worked();
+}
+
+}  // namespace rbpa

@@ -1,0 +1,22 @@
+// What: the level of a triangle.
+#pragma once
+
+#include <algorithm>
+
+#include "rbpa/base/point.h"
+#include "rbpa/plane/hierarchy/circumradius.h"
+#include "rbpa/plane/hierarchy/ladder.h"
+
+namespace rbpa {
+
+/// The first level whose radius admits the triangle, which the last one does. `SomeLadder` is Ladder or ScaledLadder, and the
+/// corners are in its scale.
+template <typename Real, typename SomeLadder>
+int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder& ladder) {
+  if (ladder.radius(0).template admits<Real>(a, b, c)) return 0;
+  int level = std::clamp(ladder.first_reaching(circumradius<Real>(a, b, c)), 1, ladder.end());
+  while (!ladder.is_last(level) && !ladder.radius(level).template admits<Real>(a, b, c)) ++level;
+  return level;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,29 @@
+// What:   the least radius of a hierarchy, α₀: half the side of the smallest leaf of a quadtree.
+// Source: Restricted BPA, section 6, "Minimal radius estimation".
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/hierarchy/quadtree.h"
+
+namespace rbpa {
+
+/// Calls `ask`, if any, for every square with many points, which may throw.
+inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const std::function<void()>& ask) {
+  long double side = 0;
+  if (sites.beyond().empty()) {
+    const Quadtree<double> tree(sites.grid().points(), leaf_capacity);
+    side = std::ldexp(static_cast<long double>(tree.smallest_side(ask)), -sites.window().exponent);
+  } else {
+    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side(ask);
+  }
+  using Limits = std::numeric_limits<double>;
+  return static_cast<double>(std::clamp<long double>(side / 2, Limits::denorm_min(), Limits::max()));
+}
+
+}  // namespace rbpa

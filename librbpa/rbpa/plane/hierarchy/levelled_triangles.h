@@ -1,0 +1,69 @@
+// What: the triangles of patches in canonical order, with the number of the level of each.
+// Why:  a patch is in a cache when it is filled in, and so are its points: later each triangle would have to fetch three.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "meshops/patch/patch.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort/canonical_order.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/hierarchy/first_level.h"
+#include "rbpa/plane/hierarchy/ladder.h"
+
+namespace rbpa {
+
+class LevelledTriangles {
+ public:
+  /// Keeps references, which sorted() does not use. The names of corners are input indices, less than `bound`.
+  LevelledTriangles(const Sites& sites, const Ladder& ladder, std::size_t bound, const Threads& threads)
+      : sites_(sites),
+        ladder_(ladder),
+        scaled_(ladder, sites.window()),
+        order_(bound, 2 * sites.size(), threads.count()) {}
+
+  /// As with TriangleList.
+  struct Place {};
+  void prepare(const meshops::Patch&, Place&) const {}
+  void place(const meshops::Patch& patch, Place&) { size_ += patch.triangles.size(); }
+  void fill(const meshops::Patch& patch, const Place&) {
+    order_.with_writer([&](CanonicalOrder<NumberedTriangle>::Writer& writer) {
+      auto sites = patch.triangles.begin();
+      for_each_triangle(patch, sites_.input_index(), [&](const Triangle& triple) {
+        writer.add({triple, static_cast<std::uint32_t>(level_of(*sites++))});
+      });
+    });
+  }
+
+  std::size_t size() const { return size_; }
+  /// After all patches. Once. `numbers` becomes those of the triangles' levels, in their order. Calls `ask`, if any, now and
+  /// then, one call at a time; it may throw.
+  std::vector<Triangle> sorted(Threads& threads, meshops::FreshVector<std::uint32_t>& numbers,
+                               const std::function<void()>& ask = {}) {
+    numbers.resize(size_);
+    return order_.sorted_with_numbers(threads, numbers.data(), ask);
+  }
+
+ private:
+  int level_of(const std::array<meshops::Site, 3>& t) const {
+    const std::span<const Point> points = sites_.grid().points();
+    const std::size_t in_window = points.size();
+    if (t[0] < in_window && t[1] < in_window && t[2] < in_window)
+      return first_level<double>(points[t[0]], points[t[1]], points[t[2]], scaled_);
+    return first_level<long double>(sites_.at(t[0]), sites_.at(t[1]), sites_.at(t[2]), ladder_);
+  }
+
+  const Sites& sites_;
+  const Ladder& ladder_;
+  ScaledLadder scaled_;
+  CanonicalOrder<NumberedTriangle> order_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace rbpa

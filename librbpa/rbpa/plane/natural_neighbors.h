@@ -1,0 +1,58 @@
+// What:   Sibson's coordinates of a point in a Delaunay triangulation: if the point became a site, its Voronoi cell would be cut out of
+//         the cells of its natural neighbours, and the share of each is its area in the new cell.
+// Law:    which points are neighbours is exact. Shares are not negative, their sum is 1, and the mean of the neighbours by their
+//         shares is the point (Sibson's identity).
+// How:    the triangles whose circles contain the point are a polygon without points inside. A walk around it passes, between one
+//         side and the next, the triangles at the corner between them: their circumcentres, and those of the point with the two
+//         sides, are the corners of that corner's part of the new cell.
+// Cost:   linear in the triangles whose circles contain the point: four on average.
+// Source: R. Sibson, A vector identity for the Dirichlet tessellation (1980).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point.h"
+#include "rbpa/base/triangle_arrays.h"
+
+namespace rbpa {
+
+struct PointShare {
+  std::uint32_t point;
+  double share;
+};
+
+class NaturalNeighbors {
+ public:
+  /// Keeps the span and the arrays.
+  NaturalNeighbors(std::span<const Point> points, const TriangleArrays& delaunay) : points_(points), of_(delaunay) {}
+
+  /// The neighbours and their shares; valid until the next call. Nothing where rounding, even of numbers of twice the precision,
+  /// hides the areas from Sibson's identity.
+  /// Requires: triangle t contains the query, which is not one of its corners and not on the convex hull.
+  std::span<const PointShare> find(const Point& query, std::uint32_t t);
+
+ private:
+  /// A side of a triangle: the one across from a corner.
+  struct Side {
+    std::uint32_t triangle;
+    std::size_t across;
+    friend bool operator==(const Side&, const Side&) = default;
+  };
+  std::uint32_t begin(const Side& s) const { return of_.triangles[s.triangle][(s.across + 1) % 3]; }
+  std::uint32_t end(const Side& s) const { return of_.triangles[s.triangle][(s.across + 2) % 3]; }
+  /// The side from the end of this one on, in the same triangle.
+  static Side next(const Side& s) { return {s.triangle, (s.across + 1) % 3}; }
+  bool goes_on_beyond(const Side& s, const Point& query) const;
+  Side beyond(const Side& s) const;
+  template <typename Number>
+  bool measure(const Point& query, const Side& first, int exponent);
+
+  std::span<const Point> points_;
+  TriangleArrays of_;
+  std::vector<PointShare> shares_;
+};
+
+}  // namespace rbpa

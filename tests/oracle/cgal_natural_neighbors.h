@@ -1,0 +1,16 @@
+// What: natural neighbour coordinates by CGAL, on exact numbers.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+
+#include "rbpa/base/point.h"
+
+namespace rbpa_test {
+
+/// The share of each point in a query, which is inside of the convex hull of distinct points.
+std::map<std::uint32_t, double> natural_neighbor_coordinates(std::span<const rbpa::Point> points,
+                                                             const rbpa::Point& query);
+
+}  // namespace rbpa_test
