@@ -38,7 +38,7 @@ TEST_CASE("generated sets: values are the sums of CGAL's coordinates times those
     for (std::size_t i = 0; i < points.size(); ++i) values.push_back(random.between(-1, 1));
     Points queries;
     for (const auto& t : of.triangles) {
-      const Point &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+      const rbpa::Point &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
       const double u = random.between(0.1, 0.4), v = random.between(0.1, 0.4), w = 1 - u - v;
       queries.push_back({u * a.x + v * b.x + w * c.x, u * a.y + v * b.y + w * c.y});
     }

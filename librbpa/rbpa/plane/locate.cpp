@@ -162,11 +162,10 @@ class Locator::Impl {
       for (std::size_t column = 0; column < result.size(); ++column)
         result[column] += share * values[point * result.size() + column];
     };
-    if (neighbors != nullptr && is_within(t, query))
-      if (const std::span<const PointShare> found = neighbors->find(query, t); !found.empty()) {
-        for (const auto& [point, share] : found) add(point, share);
-        return;
-      }
+    if (neighbors != nullptr && is_within(t, query)) {
+      for (const auto& [point, share] : neighbors->find(query, t)) add(point, share);
+      return;
+    }
     const auto& corners = of_.triangles[t];
     const std::array<double, 3> share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
     for (std::size_t k = 0; k < 3; ++k) add(corners[k], share[k]);

@@ -1,7 +1,10 @@
 #include "rbpa/plane/natural_neighbors.h"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/plane/predicate/predicates.h"
@@ -9,29 +12,44 @@
 namespace rbpa {
 namespace {
 
-double difference_of(double a, double b, int exponent, double /*as*/) { return std::ldexp(a - b, exponent); }
-DoubleDouble difference_of(double a, double b, int exponent, DoubleDouble /*as*/) {
+using Rational = boost::multiprecision::cpp_rational;
+using Wide = boost::multiprecision::cpp_bin_float_50;  // exponents to 2^31
+
+/// A difference, times 2^exponent: of rational numbers exactly, and without that power.
+template <typename Number>
+Number difference(double a, double b, int exponent);
+template <>
+double difference(double a, double b, int exponent) {
+  return std::ldexp(a - b, exponent);
+}
+template <>
+DoubleDouble difference(double a, double b, int exponent) {
   const DoubleDouble exact = DoubleDouble::difference(a, b);
   return {std::ldexp(exact.high, exponent), std::ldexp(exact.low, exponent)};
 }
+template <>
+Rational difference(double a, double b, int /*exponent*/) {
+  return Rational(a) - Rational(b);
+}
+
 double rounded(double value) { return value; }
 double rounded(const DoubleDouble& value) { return value.high; }
 
 template <typename Number>
 struct Vector {
   Number x, y;
-  friend Vector operator+(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y}; }
-  friend Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y}; }
+  friend Vector operator+(const Vector& u, const Vector& v) { return {Number(u.x + v.x), Number(u.y + v.y)}; }
+  friend Vector operator-(const Vector& u, const Vector& v) { return {Number(u.x - v.x), Number(u.y - v.y)}; }
 };
 template <typename Number>
 Number cross(const Vector<Number>& u, const Vector<Number>& v) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// From one point to another, times 2^exponent.
+/// From one point to another.
 template <typename Number>
 Vector<Number> from(const Point& a, const Point& b, int exponent) {
-  return {difference_of(b.x, a.x, exponent, Number()), difference_of(b.y, a.y, exponent, Number())};
+  return {difference<Number>(b.x, a.x, exponent), difference<Number>(b.y, a.y, exponent)};
 }
 
 /// From a corner of a triangle to its circumcentre, by the ways to the two others.
@@ -39,11 +57,14 @@ template <typename Number>
 Vector<Number> to_circumcentre(const Vector<Number>& u, const Vector<Number>& v) {
   const Number uu = u.x * u.x + u.y * u.y, vv = v.x * v.x + v.y * v.y, area = cross(u, v);
   const Number twice = area + area;
-  return {(v.y * uu - u.y * vv) / twice, (u.x * vv - v.x * uu) / twice};
+  return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
 }
 
-/// Of the size of the polygon, by which the mean of the neighbours may miss the point.
+/// By which the mean of the neighbours may miss the point, in parts of the distance to the nearest.
 constexpr double tolerance = 1e-9;
+
+/// Whether products of such numbers, of degree six, stay within the exponents of double.
+bool stays(double way) { return way == 0 || (std::abs(way) > 0x1p-120 && std::abs(way) < 0x1p120); }
 
 }  // namespace
 
@@ -62,52 +83,67 @@ NaturalNeighbors::Side NaturalNeighbors::beyond(const Side& s) const {
   return {other, static_cast<std::size_t>(std::find(back.begin(), back.end(), s.triangle) - back.begin())};
 }
 
-/// Goes once around the polygon from a side of it on; the lengths of its numbers are about 1 times 2^-exponent.
-/// Returns: whether Sibson's identity holds but for rounding.
-template <typename Number>
-bool NaturalNeighbors::measure(const Point& query, const Side& first, int exponent) {
-  using V = Vector<Number>;
+/// Goes once around the polygon from a side of it on, in lengths times 2^exponent. Calls visit(corner, area) for each corner: twice
+/// that of its part of the new cell.
+template <typename Number, typename Visit>
+void NaturalNeighbors::measure(const Point& query, const Side& first, int exponent, Visit visit) const {
+  const auto way = [&](const Point& a, const Point& b) { return from<Number>(a, b, exponent); };
   const auto of_side = [&](const Side& s) {
-    return to_circumcentre(from<Number>(query, points_[begin(s)], exponent),
-                           from<Number>(query, points_[end(s)], exponent));
+    return to_circumcentre(way(query, points_[begin(s)]), way(query, points_[end(s)]));
   };
   const auto of_triangle = [&](std::uint32_t t) {
-    const auto& [a, b, c] = of_.triangles[t];
-    return from<Number>(query, points_[a], exponent) + to_circumcentre(from<Number>(points_[a], points_[b], exponent),
-                                                                       from<Number>(points_[a], points_[c], exponent));
+    const Point &a = points_[of_.triangles[t][0]], &b = points_[of_.triangles[t][1]], &c = points_[of_.triangles[t][2]];
+    return way(query, a) + to_circumcentre(way(a, b), way(a, c));
   };
-  shares_.clear();
-  double sum = 0, size = 0, least = 0;
-  double mean_x = 0, mean_y = 0;
   Side side = first;
-  V centre = of_side(side);
+  Vector<Number> centre = of_side(side);
   do {
     const std::uint32_t corner = end(side);
-    V last = of_triangle(side.triangle) - centre;
+    Vector<Number> last = of_triangle(side.triangle) - centre;
     Number area{};
     for (side = next(side); goes_on_beyond(side, query); side = next(beyond(side))) {
-      const V here = of_triangle(of_.neighbors[side.triangle][side.across]) - centre;
+      const Vector<Number> here = of_triangle(of_.neighbors[side.triangle][side.across]) - centre;
       area = area + cross(here, last);
       last = here;
     }
-    const V centre_of_next = of_side(side);
-    area = area + cross(centre_of_next - centre, last);
+    const Vector<Number> centre_of_next = of_side(side);
+    area = area + cross(Vector<Number>(centre_of_next - centre), last);
     centre = centre_of_next;
-    const double share = rounded(area);
-    const V to_corner = from<Number>(query, points_[corner], exponent);
-    const double x = rounded(to_corner.x), y = rounded(to_corner.y);
-    sum += share;
-    least = std::min(least, share);
-    size += std::abs(share) * std::hypot(x, y);
-    mean_x += share * x;
-    mean_y += share * y;
-    shares_.push_back({corner, std::max(0.0, share)});
+    visit(corner, area);
   } while (!(side == first));
-  double whole = 0;  // without the sizes of negative ones, which are rounding
-  for (const PointShare& s : shares_) whole += s.share;
-  for (PointShare& s : shares_) s.share /= whole;
+}
+
+/// Whether they satisfy Sibson's identity, but for rounding.
+template <typename Number>
+bool NaturalNeighbors::find_rounded(const Point& query, const Side& first, int exponent) {
+  shares_.clear();
+  double sum = 0, least = 0, nearest = std::numeric_limits<double>::infinity();
+  Point mean = {0, 0};
+  bool stay = true;
+  measure<Number>(query, first, exponent, [&](std::uint32_t corner, const Number& measured) {
+    const double area = rounded(measured);
+    const Vector<double> way = from<double>(query, points_[corner], exponent);
+    shares_.push_back({corner, std::max(0.0, area)});
+    sum += shares_.back().share;
+    least = std::min(least, area);
+    nearest = std::min(nearest, std::hypot(way.x, way.y));
+    stay = stay && stays(way.x) && stays(way.y);
+    mean = {mean.x + area * way.x, mean.y + area * way.y};
+  });
+  for (PointShare& s : shares_) s.share /= sum;
   // A comparison with what is no number is false.
-  return sum > 0 && std::isfinite(sum) && std::hypot(mean_x, mean_y) <= tolerance * size && least >= -tolerance * sum;
+  return stay && std::hypot(mean.x, mean.y) <= tolerance * sum * nearest && least >= -tolerance * sum;
+}
+
+void NaturalNeighbors::find_exactly(const Point& query, const Side& first) {
+  shares_.clear();
+  std::vector<Wide> areas;
+  Wide sum = 0;
+  measure<Rational>(query, first, 0, [&](std::uint32_t corner, const Rational& area) {
+    shares_.push_back({corner, 0});
+    sum += areas.emplace_back(area);
+  });
+  for (std::size_t i = 0; i < areas.size(); ++i) shares_[i].share = static_cast<double>(Wide(areas[i] / sum));
 }
 
 std::span<const PointShare> NaturalNeighbors::find(const Point& query, std::uint32_t t) {
@@ -117,7 +153,8 @@ std::span<const PointShare> NaturalNeighbors::find(const Point& query, std::uint
   for (const std::uint32_t corner : of_.triangles[t])
     largest = std::max({largest, std::abs(points_[corner].x - query.x), std::abs(points_[corner].y - query.y)});
   const int exponent = std::isfinite(largest) ? -std::ilogb(largest) : 0;
-  if (!measure<double>(query, side, exponent) && !measure<DoubleDouble>(query, side, exponent)) return {};
+  if (!find_rounded<double>(query, side, exponent) && !find_rounded<DoubleDouble>(query, side, exponent))
+    find_exactly(query, side);
   return shares_;
 }
 

@@ -4,7 +4,8 @@
 //         shares is the point (Sibson's identity).
 // How:    the triangles whose circles contain the point are a polygon without points inside. A walk around it passes, between one
 //         side and the next, the triangles at the corner between them: their circumcentres, and those of the point with the two
-//         sides, are the corners of that corner's part of the new cell.
+//         sides, are the corners of that corner's part of the new cell. Areas are doubles where these satisfy Sibson's
+//         identity to 1e-9, else numbers of twice the precision likewise, and else rational.
 // Cost:   linear in the triangles whose circles contain the point: four on average.
 // Source: R. Sibson, A vector identity for the Dirichlet tessellation (1980).
 #pragma once
@@ -29,8 +30,7 @@ class NaturalNeighbors {
   /// Keeps the span and the arrays.
   NaturalNeighbors(std::span<const Point> points, const TriangleArrays& delaunay) : points_(points), of_(delaunay) {}
 
-  /// The neighbours and their shares; valid until the next call. Nothing where rounding, even of numbers of twice the precision,
-  /// hides the areas from Sibson's identity.
+  /// The neighbours and their shares; valid until the next call.
   /// Requires: triangle t contains the query, which is not one of its corners and not on the convex hull.
   std::span<const PointShare> find(const Point& query, std::uint32_t t);
 
@@ -47,8 +47,11 @@ class NaturalNeighbors {
   static Side next(const Side& s) { return {s.triangle, (s.across + 1) % 3}; }
   bool goes_on_beyond(const Side& s, const Point& query) const;
   Side beyond(const Side& s) const;
+  template <typename Number, typename Visit>
+  void measure(const Point& query, const Side& first, int exponent, Visit visit) const;
   template <typename Number>
-  bool measure(const Point& query, const Side& first, int exponent);
+  bool find_rounded(const Point& query, const Side& first, int exponent);
+  void find_exactly(const Point& query, const Side& first);
 
   std::span<const Point> points_;
   TriangleArrays of_;
