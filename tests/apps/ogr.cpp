@@ -270,8 +270,11 @@ TEST_SUITE("ogr") {
           CAPTURE(lonely);
           const Folder folder;
           folder.file("p.csv", table + (lonely ? "3,3,bear,3\n" : ""));
-          const std::string run = "shape p.csv --columns x,y --crs EPSG:28992 --alpha 1.2 -q --group-by " + column;
-          REQUIRE(folder.rbpa(run + " -o s." + format.ending + " -o s.geojson").code == 0);
+          const std::string run = "shape p.csv --columns x,y --crs EPSG:28992 --alpha 1.2 --group-by " + column;
+          const Outcome outcome = folder.rbpa(run + " -o s." + format.ending + " -o s.geojson");
+          REQUIRE(outcome.code == 0);
+          CHECK((outcome.err.find("s.fgb leaves out 1 group without a polygon: ") != std::string::npos) ==
+                (lonely && format.ending == "fgb"));
           const json features = json::parse(folder.content("s.geojson"))["features"];
           const GDALDatasetUniquePtr file = open(folder.path("s." + format.ending));
           OGRLayer* layer = file->GetLayer(0);
@@ -307,8 +310,8 @@ TEST_SUITE("ogr") {
             CHECK(OGR_G_Area(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(geometry))) ==
                   doctest::Approx(properties["area"].get<double>()));
           }
-          CHECK(found == features.size());
-          CHECK(found == (lonely ? 3U : 2U));
+          CHECK(features.size() == (lonely ? 3U : 2U));
+          CHECK(found == (lonely && format.ending == "fgb" ? 2U : features.size()));
         }
   }
 }

@@ -204,9 +204,7 @@ class OgrWriter {
   }
 
   void write_groups(const NamedShapes& groups) {
-    // An index has no place for a feature without a geometry.
-    const bool all_have = groups.shapes.problems.empty();
-    OGRLayer& layer = create_layer("groups", wkbMultiPolygon, all_have || format_ != Format::fgb);
+    OGRLayer& layer = create_layer("groups", wkbMultiPolygon);
     // Numbers that are names may be no whole ones.
     add_field(layer, "group", groups.are_numbers ? OFTReal : OFTString);
     for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
@@ -258,10 +256,8 @@ class OgrWriter {
     throw Failure(std::string("cannot write ") + driver_of(format_) + ": " + why);
   }
 
-  OGRLayer& create_layer(const char* name, OGRwkbGeometryType type, bool indexed = true) {
-    CPLStringList options;
-    if (!indexed) options.SetNameValue("SPATIAL_INDEX", "NO");
-    OGRLayer* layer = dataset_->CreateLayer(name, has_system_ ? &system_ : nullptr, type, options.List());
+  OGRLayer& create_layer(const char* name, OGRwkbGeometryType type) {
+    OGRLayer* layer = dataset_->CreateLayer(name, has_system_ ? &system_ : nullptr, type, nullptr);
     if (layer == nullptr) fail(gdal_.reason());
     return *layer;
   }
@@ -290,7 +286,7 @@ class OgrWriter {
   }
   void add(OGRLayer& layer, OGRFeature& feature, const OGRGeometry& geometry, std::size_t index) const {
     if (index % 1024 == 0) stop_if_interrupted();
-    feature.SetGeometry(&geometry);
+    if (!geometry.IsEmpty()) feature.SetGeometry(&geometry);
     if (layer.CreateFeature(&feature) != OGRERR_NONE) fail(gdal_.reason());
   }
 

@@ -39,7 +39,8 @@ inline std::vector<std::string> ogr_endings(Format format) {
 /// Polygons with their number, area, perimeter, holes and points; in a GeoPackage also the isolated points, as a layer of
 /// that name. Throws Failure with what GDAL says. Requires: is_ogr(format).
 std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape);
-/// A multipolygon for each group, with its group, points, alpha, area, perimeter, polygons and problem, as GeoJSON has them.
+/// A multipolygon for each group, with its group, points, alpha, area, perimeter, polygons and problem, as GeoJSON has them; without a
+/// geometry where there is no polygon, which a FlatGeobuf leaves out.
 std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups);
 /// The points in no polygon, with their indices.
 std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape);
