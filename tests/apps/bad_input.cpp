@@ -160,10 +160,11 @@ TEST_SUITE("wrong usage") {
     for (const std::string before : {"", "--alpha 1 "})  // with and without what is required
       refuses(folder, "mesh p.xy " + before + "-o m.off --alhpa 2", 2,
               "found '--alhpa', expected an option of rbpa mesh (see rbpa mesh --help)");
-    refuses(folder, "shape p.xy q.xy --alpha 1 -o s.wkt", 2,
-            "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN");
-    refuses(folder, "mesh p.xy q.xy --alpha 1 -o s.ply", 2,
-            "found 'q.xy', expected no more arguments of rbpa mesh (see rbpa mesh --help)");
+    for (const std::string verb : {"shape p.xy q.xy --alpha 1 -o s.wkt", "mesh p.xy q.xy --alpha 1 -o s.ply"})
+      refuses(folder, verb, 2,
+              "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN");
+    refuses(folder, "surface p.xy q.xy --radius 1 -o s.ply", 2,
+            "found 'q.xy', expected no more arguments of rbpa surface (see rbpa surface --help)");
   }
 
   TEST_CASE("an empty name") {
