@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/stats.h"
+#include "cli/void_files.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
 
@@ -62,12 +63,7 @@ void write_solid_json(OutputFile& file, const SolidFacts& facts) {
                                               {"area", component.area},
                                               {"box", box_of(component.low, component.high)}});
   report["void_list"] = Json::array();
-  for (const SolidVoid& hollow : facts.voids)
-    report["void_list"].push_back({{"volume", hollow.volume},
-                                   {"area", hollow.area},
-                                   {"islands", hollow.islands},
-                                   {"box", box_of(hollow.low, hollow.high)},
-                                   {"points", hollow.points}});
+  for (const SolidVoid& hollow : facts.voids) report["void_list"].push_back(json_of(hollow));
   file.write(report.dump(1) + "\n");
 }
 

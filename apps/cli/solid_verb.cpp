@@ -11,6 +11,7 @@
 #include "cli/run.h"
 #include "cli/solid_report.h"
 #include "cli/verbs.h"
+#include "cli/void_files.h"
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/cloud/read_space_points.h"
@@ -49,7 +50,7 @@ struct SolidRequest {
   SpacePointSource source;
   double alpha;
   std::vector<Target> targets;
-  std::optional<Target> boundary;
+  std::optional<Target> boundary, voids;
   int width;
   RunOptions run;
 };
@@ -59,10 +60,12 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .alpha = parse_radius(arguments.alpha),
                        .targets = {},
                        .boundary = {},
+                       .voids = {},
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
   if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
-  std::vector<std::string> reports = given({arguments.stats, arguments.boundary});
+  if (arguments.voids) request.voids = parse_voids(*arguments.voids);
+  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
   return request;
@@ -83,7 +86,7 @@ class SolidRun : public Run {
 
  private:
   /// What somebody reads of it.
-  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats; }
+  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_boundary() const;
   void build();
   void find_boundary();
@@ -170,8 +173,12 @@ void SolidRun::write() {
     else
       write_solid(file, target.format, {.vertices = file_.points, .tetrahedra = solid_.simplices});
   });
-  if (!request_.boundary) return;
-  add(request_.boundary->path, [&](OutputFile& file) { write_boundary(file, request_.boundary->format); });
+  if (request_.boundary)
+    add(request_.boundary->path, [&](OutputFile& file) { write_boundary(file, request_.boundary->format); });
+  if (request_.voids)
+    add(request_.voids->path, [&](OutputFile& file) {
+      write_voids(file, request_.voids->format, file_.points, boundary_.surface, facts_.voids);
+    });
 }
 
 void SolidRun::say_empty() const {
@@ -202,7 +209,8 @@ void SolidRun::run() {
   if (solid_.simplices.empty()) say_empty();
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
-  if (request_.boundary) files.push_back(request_.boundary->path);
+  for (const auto& target : {request_.boundary, request_.voids})
+    if (target) files.push_back(target->path);
   summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", alpha " + text_of(request_.alpha) + ": " +
             text_of_solid(facts_) + list_of(files));
 }

@@ -178,6 +178,11 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
                   "of it: ply (which has the input index of each vertex as 'point'), off, obj, stl, glb, vtu; or the "
                   "input indices of its triangles, npy")
       ->type_name("FILE");
+  verb.add_option(
+          "--voids", arguments.voids,
+          "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "
+          "indices of its points and triangles; csv")
+      ->type_name("FILE");
   add_switch(verb, "--json", arguments.json,
              "Counts and sizes, of each component and each void too, as JSON on standard output");
   add_stats_option(verb, arguments.stats);
@@ -186,9 +191,9 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   verb.footer(
       "Examples:\n"
       "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"
-      "  rbpa solid foam.ply --alpha 0.2 --json > voids.json\n"
+      "  rbpa solid foam.ply --alpha 0.2 --voids voids.obj --json > foam.json\n"
       "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n\n"
-      "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a\n"
+      "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a "
       "bounded component of what is outside. A picture shows the boundary.\n" +
       std::string(exit_codes));
   return &verb;

@@ -1,0 +1,29 @@
+// What: the voids of a solid as a file: a table, JSON, or closed surfaces.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "cli/arguments.h"
+#include "io/bytes/output_file.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/surface.h"
+#include "rbpa/voids.h"
+
+namespace rbpa::app {
+
+/// Throws WrongUsage naming the ending.
+Target parse_voids(const std::string& path);
+
+/// Volume, area, islands, box and points.
+nlohmann::ordered_json json_of(const SolidVoid& hollow);
+
+/// CSV: number,volume,area,islands,points and the box, a line for each void, the largest first. JSON: a list of the same, with the
+/// input indices of its points and of the triangles around it. OBJ: a group void_1, void_2 … of each, with vertices of its own, where
+/// it touches itself one for each side of it. Triangles are seen from around the void, as if it were a body.
+/// Requires: voids of a solid with this boundary, and a format of void_formats.
+void write_voids(OutputFile& file, Format format, std::span<const Point3> points, const Surface& boundary,
+                 std::span<const SolidVoid> voids);
+
+}  // namespace rbpa::app

@@ -1,0 +1,145 @@
+// `rbpa solid --voids`: the voids as surfaces, JSON and a table.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+/// A grid of 7 × 7 × 7 points without some: one alone, two that are neighbours, and two across a diagonal.
+std::string hollow_cube() {
+  const std::vector<std::array<int, 3>> missing = {{1, 1, 1}, {3, 5, 1}, {4, 5, 1}, {3, 3, 4}, {4, 4, 5}};
+  std::string text;
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 7; ++y)
+      for (int z = 0; z < 7; ++z)
+        if (std::count(missing.begin(), missing.end(), std::array{x, y, z}) == 0)
+          text += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+  return text;
+}
+
+using Position = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+double volume(const std::vector<Position>& at, const std::vector<Triangle>& triangles) {
+  double six = 0;
+  for (const auto& [i, j, k] : triangles) {
+    const Position &a = at[i], &b = at[j], &c = at[k];
+    six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return six / 6;
+}
+
+/// Whether each side of a triangle lies at one other, which has it the other way round.
+bool is_closed(const std::vector<Triangle>& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++sides[{t[k], t[(k + 1) % 3]}];
+  for (const auto& [side, count] : sides)
+    if (count != 1 || !sides.contains({side.second, side.first})) return false;
+  return true;
+}
+
+struct Obj {
+  std::vector<Position> vertices;
+  std::vector<std::string> names;
+  std::vector<std::vector<Triangle>> groups;
+};
+
+Obj read_obj(const std::string& text) {
+  Obj obj;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("g ")) {
+      obj.names.push_back(line.substr(2));
+      obj.groups.emplace_back();
+    } else if (line.starts_with("v ")) {
+      Position& p = obj.vertices.emplace_back();
+      REQUIRE(std::sscanf(line.c_str(), "v %lf %lf %lf", &p[0], &p[1], &p[2]) == 3);
+    } else {
+      Triangle& t = obj.groups.back().emplace_back();
+      REQUIRE(std::sscanf(line.c_str(), "f %u %u %u", &t[0], &t[1], &t[2]) == 3);
+      for (std::uint32_t& vertex : t) REQUIRE(--vertex < obj.vertices.size());
+    }
+  }
+  return obj;
+}
+
+}  // namespace
+
+TEST_SUITE("solid voids") {
+  TEST_CASE("each void is a closed surface with its volume, in every format, the largest first") {
+    const Folder folder;
+    folder.file("c.xyz", hollow_cube());
+    std::vector<Position> points;
+    std::istringstream in(hollow_cube());
+    for (Position p{}; in >> p[0] >> p[1] >> p[2];) points.push_back(p);
+    const Outcome outcome =
+        folder.rbpa("solid c.xyz --alpha 0.9 --voids v.obj --json --boundary b.ply -o t.npy --stats s.json");
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.find("-> t.npy, b.ply, v.obj\n") != std::string::npos);
+    for (const char* name : {"v.json", "v.csv"})
+      REQUIRE(folder.rbpa(std::string("solid c.xyz --alpha 0.9 -q --voids ") + name).code == 0);
+    const json expected = json::parse(outcome.out)["void_list"], found = json::parse(folder.content("v.json"));
+    REQUIRE(expected.size() >= 3);
+    REQUIRE(found.size() == expected.size());
+    const Obj obj = read_obj(folder.content("v.obj"));
+    REQUIRE(obj.groups.size() == expected.size());
+    std::istringstream csv(folder.content("v.csv"));
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line == "number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      CAPTURE(i);
+      const double inside = expected[i]["volume"].get<double>();
+      for (const char* key : {"volume", "area", "islands", "box", "points"}) CHECK(found[i][key] == expected[i][key]);
+      CHECK(obj.names[i] == "void_" + std::to_string(i + 1));
+      CHECK(is_closed(obj.groups[i]));
+      CHECK(volume(obj.vertices, obj.groups[i]) == doctest::Approx(inside));
+      const auto triangles = found[i]["triangles"].get<std::vector<Triangle>>();
+      CHECK(triangles.size() == obj.groups[i].size());
+      CHECK(volume(points, triangles) == doctest::Approx(inside));
+      REQUIRE(std::getline(csv, line));
+      std::ostringstream row;
+      row << i + 1 << ',' << expected[i]["volume"].dump();
+      CHECK(line.starts_with(row.str().substr(0, row.str().find(".0"))));
+      CHECK(std::count(line.begin(), line.end(), ',') == 10);
+      if (i > 0) CHECK(inside <= expected[i - 1]["volume"].get<double>());
+    }
+    CHECK(!std::getline(csv, line));
+  }
+
+  TEST_CASE("no void is an empty list, a table without lines, and no group") {
+    const Folder folder;
+    folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    for (const char* name : {"v.json", "v.csv", "v.obj"})
+      REQUIRE(folder.rbpa(std::string("solid c.xyz --alpha inf -q --voids ") + name).code == 0);
+    CHECK(folder.content("v.json") == "[]\n");
+    CHECK(folder.content("v.csv") == "number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z\n");
+    CHECK(folder.content("v.obj").empty());
+  }
+
+  TEST_CASE("another ending is refused, and the name of another output") {
+    const Folder folder;
+    folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    Outcome outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.ply");
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err == "rbpa: --voids: found the ending 'ply', expected one of obj, json, csv\n");
+    outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.obj --boundary v.obj");
+    CHECK(outcome.code == 2);
+    CHECK(folder.names() == std::vector<std::string>{"c.xyz"});
+  }
+}
