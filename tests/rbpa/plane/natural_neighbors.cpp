@@ -140,7 +140,7 @@ TEST_CASE(
     if (points.empty()) continue;
     // Where exponents are far apart areas are rational numbers of thousands of bits.
     const bool is_moderate = rbpa::fits_double(rbpa::magnitude(points));
-    const std::size_t most = is_moderate ? 300 : 10;
+    const std::size_t most = is_moderate ? 150 : 8;
     if (points.size() > most) points.resize(most);
     const Natural natural(points);
     double size = 0;
@@ -158,7 +158,7 @@ TEST_CASE(
       queries.push_back({a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3});
       queries.push_back({a.x / 7 + b.x * 5 / 7 + c.x / 7, a.y / 7 + b.y * 5 / 7 + c.y / 7});
     }
-    if (!is_moderate && queries.size() > 20) queries.resize(20);
+    if (!is_moderate && queries.size() > 12) queries.resize(12);
     const auto found = natural.locator.find(queries);
     const std::vector<double> result = natural(values, queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -178,7 +178,7 @@ TEST_CASE(
     const std::vector<double> again = natural(values, queries, 1);
     for (std::size_t i = 0; i < result.size(); ++i) CHECK((again[i] == result[i] || std::isnan(result[i])));
   }
-  CHECK(inside > 20000);
+  CHECK(inside > 15000);
 }
 
 TEST_CASE("values go continuously through sides, circles and points, and to the hull") {
