@@ -9,7 +9,6 @@
 #include "io/failure.h"
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
-#include "rbpa/link_triangles.h"
 
 namespace rbpa::app {
 namespace {

@@ -9,6 +9,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/triangulate.h"
 #include "support/arguments.h"
+#include "support/delaunay_arrays.h"
 #include "support/exact.h"
 #include "support/generate.h"
 #include "support/random.h"
@@ -23,8 +24,6 @@ TEST_SUITE_BEGIN("locate");
 namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-Triangulation delaunay_of(const Points& points) { return rbpa::triangulate(points, infinity, {.neighbors = true}); }
 
 /// The first triangle that has the point, by exact arithmetic on each.
 std::uint32_t first_by_trying_all(const Points& points, const Triangulation& of, const Point& query) {
@@ -66,7 +65,7 @@ TEST_CASE("the first triangle that has the point, on sets of every kind, with an
     Points points = set.make();
     const std::size_t most = all_trials() ? 30 : 14;  // exact arithmetic is slow
     if (points.size() > most) points.resize(most);
-    const Triangulation of = delaunay_of(points);
+    const Triangulation of = delaunay_arrays(points);
     const rbpa::Locator locator(points, of);
     const Points queries = queries_for(points, of, random);
     const auto found = locator.find(queries);
@@ -81,7 +80,7 @@ TEST_CASE("the first triangle that has the point, on sets of every kind, with an
 
 TEST_CASE("many queries and threads: the same as one by one") {
   const Points points = uniform(5000, 7), queries = uniform(20000, 8);
-  const Triangulation of = delaunay_of(points);
+  const Triangulation of = delaunay_arrays(points);
   const rbpa::Locator locator(points, of);
   const auto found = locator.find(queries);
   CHECK(found == locator.find(queries, {.threads = 1}));
@@ -97,7 +96,7 @@ TEST_CASE(
     CAPTURE(set.name);
     Points points = set.make();
     if (points.size() > 100) points.resize(100);
-    const Triangulation of = delaunay_of(points);
+    const Triangulation of = delaunay_arrays(points);
     const rbpa::Locator locator(points, of);
     const Points queries = queries_for(points, of, random);
     std::vector<double> values;  // two for each point, the second of which is 1
@@ -147,7 +146,7 @@ TEST_CASE("a linear function is kept, wherever the points are, and values that a
       return points;
     };
     const Points points = scaled(unit), at = scaled(queries);
-    const Triangulation of = delaunay_of(points);
+    const Triangulation of = delaunay_arrays(points);
     std::vector<double> values;
     for (const Point& p : unit) values.push_back(2 * p.x - 3 * p.y + 1);
     const std::vector<double> result = rbpa::Locator(points, of).interpolate(values, 1, at);
@@ -163,7 +162,7 @@ TEST_CASE("a linear function is kept, wherever the points are, and values that a
   for (const double thin : {1e-3, 1e-6, 1e-9}) {
     const Point at = {1e6 + 1. / 3, 1e6 / 7};
     const Points corners = {at, {at.x + 1, at.y + 1. / 3}, {at.x + 3, at.y + 1 - thin}};
-    const Triangulation of = delaunay_of(corners);
+    const Triangulation of = delaunay_arrays(corners);
     REQUIRE(of.triangles.size() == 1);
     const rbpa::Locator locator(corners, of);
     const std::vector<double> x = {corners[0].x - at.x, corners[1].x - at.x, corners[2].x - at.x};
@@ -179,7 +178,7 @@ TEST_CASE("a linear function is kept, wherever the points are, and values that a
     CHECK(inside > 3);
   }
   const Points points = {{0, 0}, {4, 0}, {0, 4}};
-  const Triangulation of = delaunay_of(points);
+  const Triangulation of = delaunay_arrays(points);
   const rbpa::Locator locator(points, of);
   const std::vector<double> values = {1, 2, 3, infinity};
   CHECK_THROWS_WITH_AS(locator.interpolate(values, 1, points),
@@ -193,14 +192,14 @@ TEST_CASE("a linear function is kept, wherever the points are, and values that a
 
 TEST_CASE("nothing is found where nothing is") {
   for (const Points& points : {Points{}, Points{{1, 2}}, Points{{0, 0}, {1, 1}, {2, 2}}}) {
-    const Triangulation of = delaunay_of(points);
+    const Triangulation of = delaunay_arrays(points);
     CHECK(rbpa::Locator(points, of).find(Points{{1, 1}, {0, 0}}) == std::vector(2, Triangulation::none));
   }
 }
 
 TEST_CASE("a complex with a radius is refused, points that are others too, and a cancelled run ends") {
   const Points points = uniform(20000, 3);
-  const Triangulation solid = rbpa::triangulate(points, 0.6, {.neighbors = true}), all = delaunay_of(points);
+  const Triangulation solid = rbpa::triangulate(points, 0.6, {.neighbors = true}), all = delaunay_arrays(points);
   CHECK_THROWS_AS(rbpa::Locator(points, solid), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::Locator(uniform(100, 3), all), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::Locator(points, all, {.go_on = [] { return false; }}), rbpa::Cancelled);

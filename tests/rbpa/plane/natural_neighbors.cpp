@@ -13,6 +13,7 @@
 #include "rbpa/base/exact/magnitude.h"
 #include "rbpa/locate.h"
 #include "rbpa/triangulate.h"
+#include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/sets.h"
@@ -27,8 +28,6 @@ TEST_SUITE_BEGIN("locate");
 namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-Triangulation delaunay_of(const Points& points) { return rbpa::triangulate(points, infinity, {.neighbors = true}); }
 
 /// The part of a convex polygon that is nearer to a than to b.
 Points nearer(const Points& polygon, const Point& a, const Point& b) {
@@ -75,7 +74,7 @@ std::map<std::uint32_t, double> shares_by_cutting(const Points& points, const Po
 
 struct Natural {
   explicit Natural(Points of)
-      : points(std::move(of)), triangulation(delaunay_of(points)), locator(points, triangulation) {}
+      : points(std::move(of)), triangulation(delaunay_arrays(points)), locator(points, triangulation) {}
 
   std::vector<double> operator()(const std::vector<double>& values, const Points& queries, unsigned threads = 0) const {
     const std::size_t columns = points.empty() ? 1 : values.size() / points.size();
