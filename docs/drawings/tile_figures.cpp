@@ -107,7 +107,10 @@ Tiling tiling_of(const Points& points, double alpha, std::uint32_t max_points) {
     tiling.tiles.push_back(std::move(of));
   }
   tiling.not_done = remainder.not_done();
-  tiling.missing = triangles_of(remainder.complete(threads, [] {}));
+  rbpa::TilePatch rest;
+  remainder.complete(
+      threads, [] {}, rest);
+  tiling.missing = triangles_of(rest.patch);
   require_complex(tiling, sites, points, alpha);
   return tiling;
 }

@@ -28,7 +28,9 @@ struct Level {
   std::size_t taking_part = 0;  ///< of those, how many got a triangle or were examined; the others were skipped
   std::size_t advancing = 0;    ///< halfedges on the front when the level began
   std::size_t triangles = 0;    ///< of the mesh when the level ended; those added are the last
-  double seconds = 0;           ///< including the work before it: α₀ or the transfer, and levels left out
+  /// Including the work before it: α₀ or the transfer, and levels left out. Where no function sees the end of each level,
+  /// all triangles are laid at once: then the first level has the time of all, and the others 0.
+  double seconds = 0;
 };
 
 /// A level that has just ended, and what the run has built so far: exactly the complex of `level.alpha`, an oriented

@@ -80,9 +80,11 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
     assembler.fill(patch, outline, placement);
     watch.lap(fill);
   }
-  const meshops::Patch missing = remainder.complete(threads, [] {});
+  rbpa::TilePatch rest;
+  remainder.complete(
+      threads, [] {}, rest);
   watch.lap(complete);
-  assembler.lay(missing);
+  assembler.lay(rest.patch, rest.outline);
   meshops::AssembledPatches assembled = std::move(assembler).join();
   watch.lap(join);
   assembly.finish(std::move(assembled));

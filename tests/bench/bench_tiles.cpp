@@ -27,8 +27,9 @@ FoundByTiles found_by_tiles(const rbpa::Sites& sites, double alpha) {
   rbpa::Threads threads;
   const rbpa::Radius radius = sites.window().scaled(rbpa::Radius::of(alpha));
   rbpa::for_each_tile<Workspace>(
-      sites, threads, [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
-      [&](Workspace& w) {
+      sites, threads, [](std::size_t) { return true; },
+      [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
+      [&](std::size_t, Workspace& w) {
         ++by_tiles.tiles;
         by_tiles.triangles += w.found.patch.triangles.size();
         by_tiles.settled += w.found.settled.size();

@@ -19,7 +19,7 @@ set(allowed
   "rbpa/plane: meshops/core meshops/topology rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/arrays rbpa/plane/divide
     rbpa/plane/grid rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
   "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
-  "rbpa/plane/divide: meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/arrays rbpa/plane/predicate"
+  "rbpa/plane/divide: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/arrays rbpa/plane/predicate"
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/arrays rbpa/plane/predicate"
   "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"

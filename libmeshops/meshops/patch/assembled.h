@@ -22,6 +22,8 @@ class MESHOPS_API AssembledPatches {
   std::size_t sites() const { return vertices_.sites(); }
   /// No triangle has a corner on this site.
   bool is_free(Site s) const { return vertices_.is_free(s); }
+  /// The site on which a vertex stands. Throws ContractViolation when there is no such vertex.
+  Site site(Vertex v) const { return vertices_.site(v); }
 
   /// Removes the vertices without triangles and renumbers the others, keeping their order.
   /// Returns: the site of each vertex of the mesh.

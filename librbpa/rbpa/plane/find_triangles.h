@@ -34,12 +34,7 @@ template <typename List>
 void find_triangles(const Sites& sites, const Radius& alpha, const std::function<bool(const Progress&)>& progress,
                     Threads& threads, List& list) {
   ListSink<List> sink{list, sites.size(), progress};
-  const meshops::Patch rest = for_each_patch(sites, alpha, threads, sink);
-  typename List::Place place;
-  list.prepare(rest, place);
-  list.place(rest, place);
-  list.fill(rest, place);
-  sink.worked();
+  for_each_patch(sites, alpha, threads, sink);
 }
 
 }  // namespace rbpa

@@ -1,6 +1,7 @@
 #include "rbpa/hrbpa.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -10,12 +11,15 @@
 #include "rbpa/plane/hierarchy/growth_by_tiles.h"
 #include "rbpa/plane/hierarchy/least_radius.h"
 #include "rbpa/plane/hierarchy/level_record.h"
+#include "rbpa/plane/hierarchy/levels_at_once.h"
 #include "rbpa/plane/mesh/assembly.h"
 
 namespace rbpa {
 namespace {
 
-/// All levels, from the first to the last: `growth` makes the mesh the complex of one after another.
+using Clock = std::chrono::steady_clock;
+
+/// All levels, from the first to the last, each of which stops the run: `growth` makes the mesh the complex of one after another.
 void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front, LevelRecord& record) {
   Level level{.transferred = front.sites()};
   for (;;) {
@@ -47,13 +51,22 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
     return result;
   }
   Monitor monitor(options.progress, sites.size());
+  const Clock::time_point start = Clock::now();
   LevelRecord record(alpha, options.level_ended, sites.input_index(), result);
   result.least_radius = least_radius(sites, leaf_capacity, asking(options.progress, sites.size()));
   const Ladder ladder(result.least_radius, sites.reachable(alpha), sites.diameter_bound());
-  GrowthByTiles growth(sites, ladder, threads, monitor);
-  meshops::Front front = growth.begin(assembly);
-  run_levels(ladder, growth, front, record);
-  assembly.finish(front);
+  if (options.level_ended) {
+    GrowthByTiles growth(sites, ladder, threads, monitor);
+    meshops::Front front = growth.begin(assembly);
+    run_levels(ladder, growth, front, record);
+    assembly.finish(front);
+  } else {
+    LevelsAtOnce at_once(sites, ladder, threads, monitor);
+    auto assembled = at_once.lay(assembly);
+    result.levels = at_once.levels(alpha);
+    result.levels.front().seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    assembly.finish(std::move(assembled));
+  }
   return result;
 }
 

@@ -31,8 +31,7 @@ meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, mes
                                    Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());
   MeshSink sink{assembler, monitor};
-  assembler.lay(for_each_patch(sites, radius, threads, sink));
-  sink.worked();
+  for_each_patch(sites, radius, threads, sink);
   auto assembled = std::move(assembler).join();
   monitor.completed(assembled.mesh());
   return assembled;

@@ -23,15 +23,6 @@ using rbpa::TilePatch;
 
 namespace {
 
-bool is_outlined(const TilePatch& tile) {
-  meshops::Outline expected;
-  survey(tile.patch, expected);
-  std::vector<int> inside = tile.outline.inside;
-  for (auto* sides : {&inside, &expected.inside}) std::sort(sides->begin(), sides->end());
-  return tile.outline.rim == expected.rim && tile.outline.holes == expected.holes &&
-         tile.outline.next_hole == expected.next_hole && inside == expected.inside;
-}
-
 /// How large two patches are.
 std::string unlike(const TilePatch& a, const TilePatch& b) {
   return "triangles " + std::to_string(a.patch.triangles.size()) + " and " + std::to_string(b.patch.triangles.size()) +
@@ -44,6 +35,15 @@ Triangle corners(const std::array<meshops::Site, 3>& t) {
 }
 
 }  // namespace
+
+bool is_outlined(const TilePatch& tile) {
+  meshops::Outline expected;
+  survey(tile.patch, expected);
+  std::vector<int> inside = tile.outline.inside;
+  for (auto* sides : {&inside, &expected.inside}) std::sort(sides->begin(), sides->end());
+  return tile.outline.rim == expected.rim && tile.outline.holes == expected.holes &&
+         tile.outline.next_hole == expected.next_hole && inside == expected.inside;
+}
 
 SiteSet::SiteSet(const Points& input)
     : grid(input), points(grid.points().begin(), grid.points().end()), delaunay(delaunay_by_winners(points)) {}

@@ -28,6 +28,9 @@ struct SiteSet {
 std::vector<rbpa::TilePatch> patches_of(const rbpa::PointGrid& grid, const rbpa::Radius& radius,
                                         std::uint32_t max_points);
 
+/// Its outline is the one that is surveyed.
+bool is_outlined(const rbpa::TilePatch& tile);
+
 bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 
 /// Triangles are of the complex and found once, sides and outlines are right, and nothing is missing at settled sites.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/plane/divide/delaunay_edges.h"
 
@@ -22,7 +23,7 @@ class Extraction {
       : places_(places), edges_(edges), threads_(threads) {}
 
   /// Loops have no unpredictable branch, and read what is still in a cache.
-  void extract(const Fate& fate, meshops::Patch& patch) {
+  void extract(const Fate& fate, meshops::Patch& patch, meshops::Outline* outline) {
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
     std::size_t kept = 0;
@@ -36,10 +37,16 @@ class Extraction {
         [&](std::size_t, const Found& found) { enter(found, patch); });
     patch.triangles.resize(kept);
     patch.across.resize(kept);
+    meshops::FreshVector<std::array<Corner, 3>> corners(outline ? kept : 0);
     for_each_part(threads_, kept, triangles_at_once, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
-        for (int& side : patch.across[t]) side = edges_.number(QuadEdges::sym(static_cast<Edge>(side)));
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto edge = static_cast<Edge>(patch.across[t][i]);
+          if (outline) corners[t][i] = edges_.org(edge);
+          patch.across[t][i] = edges_.number(QuadEdges::sym(edge));
+        }
     });
+    if (outline) draw(patch, corners, *outline);
   }
 
  private:
@@ -68,7 +75,7 @@ class Extraction {
       const std::array corners = {edges_.org(s), edges_.org(t), edges_.org(u)};
       found.edges[found.size] = {s, t, u};
       found.corners[found.size] = corners;
-      const int number = fate(places_[corners[0]], places_[corners[1]], places_[corners[2]]);
+      const int number = fate ? fate(places_[corners[0]], places_[corners[1]], places_[corners[2]]) : 0;
       for (const Edge edge : {s, t, u}) edges_.number(edge, number);
       found.size += number >= 0;
     }
@@ -86,6 +93,32 @@ class Extraction {
     }
   }
 
+  /// The outline of the patch, whose triangles have these corners.
+  void draw(const meshops::Patch& patch, std::span<const std::array<Corner, 3>> corners,
+            meshops::Outline& outline) const {
+    outline.clear();
+    constexpr int no_side = -1;
+    std::vector<int> last(places_.size() + 1, no_side);  // of each corner, at 1 + its number
+    std::vector<int> outer;
+    int side = 0;
+    for (std::size_t t = 0; t < corners.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i, ++side) {
+        const int beyond = patch.across[t][i];
+        const std::size_t comes_first = side < beyond;  // without a branch: which comes first is unpredictable
+        last[(corners[t][i] + 1) & (0 - comes_first)] = side;
+        if (beyond < 0) [[unlikely]]
+          outer.push_back(side);
+      }
+    for (const int s : outer) {
+      const std::size_t t = static_cast<std::size_t>(s) / 3, i = static_cast<std::size_t>(s) % 3;
+      (patch.across[t][i] == meshops::Patch::nothing ? outline.holes : outline.rim).push_back(s);
+      last[corners[t][i] + 1] = no_side;
+    }
+    for (const int hole : outline.holes) outline.next_hole.push_back(meshops::next_hole(patch, hole));
+    for (std::size_t v = 1; v < last.size(); ++v)
+      if (last[v] != no_side) outline.inside.push_back(last[v]);
+  }
+
   static constexpr std::size_t edges_at_once = 1u << 13, triangles_at_once = 1u << 14;
   std::span<const SitePoint> places_;
   QuadEdges& edges_;
@@ -96,18 +129,19 @@ class Extraction {
 
 template <typename Real>
 meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads,
-                                  const std::function<void()>& working) {
+                                  const std::function<void()>& working, meshops::Outline* outline) {
   meshops::Patch patch;
+  if (outline) outline->clear();
   if (places.size() < 3) return patch;
   static_assert(DelaunayEdges<Real>::no_triangle == meshops::Patch::nothing);
   DelaunayEdges<Real> delaunay(places, &threads, working);
-  Extraction(places, delaunay.edges(), threads).extract(fate, patch);
+  Extraction(places, delaunay.edges(), threads).extract(fate, patch, outline);
   return patch;
 }
 
 template meshops::Patch divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&,
-                                                   const std::function<void()>&);
+                                                   const std::function<void()>&, meshops::Outline*);
 template meshops::Patch divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&,
-                                                        const std::function<void()>&);
+                                                        const std::function<void()>&, meshops::Outline*);
 
 }  // namespace rbpa

@@ -10,6 +10,7 @@
 #include <functional>
 #include <span>
 
+#include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/plane/divide/halve.h"
@@ -17,16 +18,17 @@
 namespace rbpa {
 
 /// The fate of a triangle: 0 when it is kept; else what the patch stores for the triangles beside it. Called in any thread,
-/// several at a time.
+/// several at a time. Without a function all are kept.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
 /// The triangles that are kept, counter-clockwise and on the sites; on the hull `nothing` lies across. No triangle when
-/// all points are on a line. Puts the places in another order.
+/// all points are on a line. Puts the places in another order. `outline`, if given, becomes that of the patch.
 /// Calls working() now and then, in any thread and one at a time; it may throw to end it.
 /// Requires: distinct points, no more than rbpa() accepts, whose predicates `Real` can decide: double where they fit
 ///           (fits_double()), long double wherever they are.
 template <typename Real>
 meshops::Patch divide_and_conquer(
-    std::span<SitePoint> places, const Fate& fate, Threads& threads, const std::function<void()>& working = [] {});
+    std::span<SitePoint> places, const Fate& fate, Threads& threads, const std::function<void()>& working = [] {},
+    meshops::Outline* outline = nullptr);
 
 }  // namespace rbpa

@@ -25,7 +25,7 @@ struct LevelSink {
   static constexpr bool needs_outline = true;
 
   void prepare(const TilePatch& tile, Share& share) const {
-    share.levels.part(tile.patch, points, ladder);
+    share.levels.part(tile.patch, levels);
     if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
   }
   void place(const TilePatch& tile, Share& share) {
@@ -37,8 +37,7 @@ struct LevelSink {
   }
   void worked() { monitor.worked(assembler.faces()); }
 
-  std::span<const Point> points;
-  const ScaledLadder& ladder;
+  const SiteLevels& levels;
   meshops::PatchAssembler& assembler;
   WaitingTriangles& waiting;
   Monitor& monitor;
@@ -73,20 +72,11 @@ std::size_t GrowthByTiles::look_at(const meshops::Front& front) {
 }
 
 meshops::AssembledPatches GrowthByTiles::lay(meshops::PatchAssembler assembler) {
-  const auto points = sites_.grid().points();
+  const SiteLevels site_levels(sites_, ladder_);
   const Radius all = ladder_.radius(ladder_.end());
   assembler.reserve(3 * sites_.size(), 2 * sites_.size());
-  LevelSink sink{points, scaled_ladder_, assembler, waiting_, monitor_};
-  const meshops::Patch rest = for_each_patch(sites_, all, threads_, sink);
-  LevelPatch levels;
-  if (sites_.beyond().empty())
-    levels.part(rest, points, scaled_ladder_);
-  else
-    levels.part(rest, sites_, ladder_);
-  monitor_.worked(assembler.faces());
-  assembler.lay(levels.later.empty() ? rest : levels.first);
-  waiting_.add(levels.later);
-  monitor_.worked(assembler.faces());
+  LevelSink sink{site_levels, assembler, waiting_, monitor_};
+  for_each_patch(sites_, all, threads_, sink);
   waiting_.sort(ladder_.end());
   monitor_.worked(assembler.faces());
   auto assembled = std::move(assembler).join();

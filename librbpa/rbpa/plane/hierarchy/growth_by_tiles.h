@@ -1,4 +1,4 @@
-// What:   the complex from level to level where tiles find all triangles at once.
+// What:   the complex from level to level, for those who want to see the mesh of each; levels_at_once.h is for others.
 // Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every boundary
 //         halfedge is frozen.
 // How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and are
@@ -25,7 +25,7 @@ class GrowthByTiles {
  public:
   /// Keeps references.
   GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
-      : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()), threads_(threads), monitor_(monitor) {}
+      : sites_(sites), ladder_(ladder), threads_(threads), monitor_(monitor) {}
 
   /// The front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
@@ -47,7 +47,6 @@ class GrowthByTiles {
 
   const Sites& sites_;
   const Ladder& ladder_;
-  ScaledLadder scaled_ladder_;
   Threads& threads_;
   Monitor& monitor_;
   WaitingTriangles waiting_;

@@ -1,8 +1,7 @@
 #include "rbpa/plane/hierarchy/level_patch.h"
 
+#include <cstddef>
 #include <utility>
-
-#include "rbpa/plane/hierarchy/first_level.h"
 
 namespace rbpa {
 namespace {
@@ -16,13 +15,12 @@ int renumbered(int beyond, const std::vector<int>& number) {
 
 }  // namespace
 
-template <typename LevelOf>
-void LevelPatch::part(const meshops::Patch& patch, LevelOf level_of) {
+void LevelPatch::part(const meshops::Patch& patch, const SiteLevels& levels) {
   later.clear();
   number.resize(patch.triangles.size());
   int sides = 0;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-    const int level = level_of(patch.triangles[t]);
+    const int level = levels.of(patch.triangles[t]);
     number[t] = level == 0 ? std::exchange(sides, sides + 3) : meshops::Patch::nothing;
     if (level != 0) later.push_back({patch.triangles[t], level});
   }
@@ -35,15 +33,6 @@ void LevelPatch::part(const meshops::Patch& patch, LevelOf level_of) {
     first.triangles.push_back(patch.triangles[t]);
     first.across.push_back({renumbered(a, number), renumbered(b, number), renumbered(c, number)});
   }
-}
-
-void LevelPatch::part(const meshops::Patch& patch, std::span<const Point> points, const ScaledLadder& ladder) {
-  part(patch, [&](const auto& t) { return first_level<double>(points[t[0]], points[t[1]], points[t[2]], ladder); });
-}
-
-void LevelPatch::part(const meshops::Patch& patch, const Sites& sites, const Ladder& ladder) {
-  part(patch,
-       [&](const auto& t) { return first_level<long double>(sites.at(t[0]), sites.at(t[1]), sites.at(t[2]), ladder); });
 }
 
 }  // namespace rbpa

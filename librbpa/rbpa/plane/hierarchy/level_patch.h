@@ -4,14 +4,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <span>
 #include <vector>
 
 #include "meshops/patch/patch.h"
-#include "rbpa/base/point.h"
-#include "rbpa/plane/grid/sites.h"
-#include "rbpa/plane/hierarchy/ladder.h"
+#include "rbpa/plane/hierarchy/site_levels.h"
 
 namespace rbpa {
 
@@ -26,16 +22,9 @@ struct LevelPatch {
   std::vector<WaitingTriangle> later;
   std::vector<int> number;  ///< of its triangles, that of the first side in `first`; negative where they wait
 
-  /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then. The corners are in the
-  /// window, scaled as the ladder is.
+  /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then.
   /// Requires: triangles within the last radius of the ladder.
-  void part(const meshops::Patch& patch, std::span<const Point> points, const ScaledLadder& ladder);
-  /// The same of triangles on any sites.
-  void part(const meshops::Patch& patch, const Sites& sites, const Ladder& ladder);
-
- private:
-  template <typename LevelOf>
-  void part(const meshops::Patch& patch, LevelOf level_of);
+  void part(const meshops::Patch& patch, const SiteLevels& levels);
 };
 
 }  // namespace rbpa

@@ -2,11 +2,9 @@
 // Why:  a patch is in a cache when it is filled in, and so are its points: later each triangle would have to fetch three.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
@@ -14,8 +12,8 @@
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/sort/canonical_order.h"
 #include "rbpa/plane/grid/sites.h"
-#include "rbpa/plane/hierarchy/first_level.h"
 #include "rbpa/plane/hierarchy/ladder.h"
+#include "rbpa/plane/hierarchy/site_levels.h"
 
 namespace rbpa {
 
@@ -23,10 +21,7 @@ class LevelledTriangles {
  public:
   /// Keeps references, which sorted() does not use. The names of corners are input indices, less than `bound`.
   LevelledTriangles(const Sites& sites, const Ladder& ladder, std::size_t bound, const Threads& threads)
-      : sites_(sites),
-        ladder_(ladder),
-        scaled_(ladder, sites.window()),
-        order_(bound, 2 * sites.size(), threads.count()) {}
+      : sites_(sites), levels_(sites, ladder), order_(bound, 2 * sites.size(), threads.count()) {}
 
   /// As with TriangleList.
   struct Place {};
@@ -36,7 +31,7 @@ class LevelledTriangles {
     order_.with_writer([&](CanonicalOrder<NumberedTriangle>::Writer& writer) {
       auto sites = patch.triangles.begin();
       for_each_triangle(patch, sites_.input_index(), [&](const Triangle& triple) {
-        writer.add({triple, static_cast<std::uint32_t>(level_of(*sites++))});
+        writer.add({triple, static_cast<std::uint32_t>(levels_.of(*sites++))});
       });
     });
   }
@@ -51,17 +46,8 @@ class LevelledTriangles {
   }
 
  private:
-  int level_of(const std::array<meshops::Site, 3>& t) const {
-    const std::span<const Point> points = sites_.grid().points();
-    const std::size_t in_window = points.size();
-    if (t[0] < in_window && t[1] < in_window && t[2] < in_window)
-      return first_level<double>(points[t[0]], points[t[1]], points[t[2]], scaled_);
-    return first_level<long double>(sites_.at(t[0]), sites_.at(t[1]), sites_.at(t[2]), ladder_);
-  }
-
   const Sites& sites_;
-  const Ladder& ladder_;
-  ScaledLadder scaled_;
+  SiteLevels levels_;
   CanonicalOrder<NumberedTriangle> order_;
   std::size_t size_ = 0;
 };

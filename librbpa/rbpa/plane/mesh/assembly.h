@@ -30,6 +30,7 @@ class Assembly {
   Assembly& operator=(const Assembly&) = delete;
 
   const Sites& sites() const { return sites_; }
+  Mesh& mesh() { return complex_.mesh; }
   /// Then there is no triangle.
   bool are_collinear() const {
     return rbpa::are_collinear(sites_.beyond().empty() ? sites_.grid().points()

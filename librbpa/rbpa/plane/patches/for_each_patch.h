@@ -1,25 +1,27 @@
 // What: the solid alpha complex, patch by patch: those of tiles, then one of the triangles that tiles leave over.
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
 // How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
-//       2. A finder makes a patch of each, and marks the stars that are settled (patches/find_patch.h).
+//       2. A finder makes a patch of each, and marks the stars that are settled (patches/find_patch.h). Where these are few, tiles are
+//          skipped (patches/skipped_tiles.h).
 //       3. A sink puts patches together, one at a time where they depend on each other.
 //       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
 // Cost: linear where density is even; at worst O(n log n).
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <utility>
 
-#include "meshops/patch/patch.h"
 #include "rbpa/plane/patches/find_patch.h"
+#include "rbpa/plane/patches/skipped_tiles.h"
 #include "rbpa/plane/remainder/remainder.h"
 #include "rbpa/plane/tile/for_each_tile.h"
 
 namespace rbpa {
 
-/// The receiver of patches. For each tile, in this order and with one Share, which is the tile's alone until fill() returns
-/// and is
-/// then used again: prepare(tile, share) in any thread; place(tile, share), one tile after another, in their order;
+/// The receiver of patches. For each of them, in this order and with one Share, which is the patch's alone until fill() returns
+/// and is then used again: prepare(tile, share) in any thread; place(tile, share), one after another, in their order;
 /// fill(tile, share) in any thread. worked() is called after each place(), one call at a time, and now and then in the remainder.
 /// Each of them may throw, which ends the run.
 template <typename Sink>
@@ -31,30 +33,46 @@ concept PatchSink = requires(Sink& sink, const TilePatch& tile, typename Sink::S
   { Sink::needs_outline } -> std::convertible_to<bool>;  // whether patches come with their outlines
 };
 
-/// Returns: the patch that tiles leave over, to be added to the others.
 template <PatchSink Sink>
-meshops::Patch for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Sink& sink) {
+void for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, Sink& sink) {
   struct Workspace {
     FinderWorkspace finder;
+    std::size_t owned;
     TilePatch found;
     typename Sink::Share share;
   };
   const Radius scaled = sites.window().scaled(alpha);
   Remainder remainder(sites, alpha);
+  SkippedTiles skipped;
   for_each_tile<Workspace>(
-      sites, threads,
+      sites, threads, [&](std::size_t i) { return !skipped.contains(i); },
       [&](const Tile& tile, Workspace& w) {
         w.found.with_outline = Sink::needs_outline;
+        w.owned = static_cast<std::size_t>(std::count(tile.owned.begin(), tile.owned.end(), 1));
         find_patch(tile, scaled, w.finder, w.found);
         sink.prepare(std::as_const(w.found), w.share);
       },
-      [&](Workspace& w) {
+      [&](std::size_t i, Workspace& w) {
+        if (!skipped.contains(i)) {
+          skipped.joined(i, w.owned, w.found.settled.size());
+        } else if (w.owned != 0) {  // another thread was early
+          w.found.clear();
+          sink.prepare(std::as_const(w.found), w.share);
+        }
         sink.place(std::as_const(w.found), w.share);
         remainder.add(w.found);
         sink.worked();
       },
       [&](Workspace& w) { sink.fill(std::as_const(w.found), w.share); });
-  return remainder.complete(threads, [&] { sink.worked(); });
+  TilePatch rest;
+  rest.with_outline = Sink::needs_outline;
+  remainder.complete(
+      threads, [&] { sink.worked(); }, rest);
+  typename Sink::Share share;
+  sink.prepare(std::as_const(rest), share);
+  sink.place(std::as_const(rest), share);
+  sink.worked();
+  sink.fill(std::as_const(rest), share);
 }
 
 }  // namespace rbpa

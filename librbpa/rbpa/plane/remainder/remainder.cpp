@@ -47,7 +47,7 @@ std::vector<Remainder::Corners> Remainder::found_without_settled() const {
   return found;
 }
 
-meshops::Patch Remainder::complete(Threads& threads, const std::function<void()>& working) const {
+void Remainder::complete(Threads& threads, const std::function<void()>& working, TilePatch& rest) const {
   // Where all sites fit double they are seen as the grid has them, and else as they were given.
   const bool fits = sites_.beyond().empty();
   const auto points = sites_.grid().points();
@@ -66,7 +66,12 @@ meshops::Patch Remainder::complete(Threads& threads, const std::function<void()>
     return std::binary_search(found.begin(), found.end(), corners) ? meshops::Patch::open : 0;
   };
   const auto divide = fits ? divide_and_conquer<double> : divide_and_conquer<long double>;
-  return divide(places, fate, threads, working);
+  // Without a radius, and where tiles found nothing, all are missing.
+  const bool are_all_missing = radius.is_infinite() && found.empty() &&
+                               std::none_of(missing_.begin(), missing_.end(), [](int n) { return n == 0; });
+  rest.clear();
+  rest.patch =
+      divide(places, are_all_missing ? Fate() : fate, threads, working, rest.with_outline ? &rest.outline : nullptr);
 }
 
 }  // namespace rbpa

@@ -35,9 +35,9 @@ class Remainder {
   /// After all tiles: the sites that are not settled or have a neighbour that may not be, ascending.
   std::vector<std::uint32_t> not_done() const;
 
-  /// After all tiles: the triangles of the complex that are in no patch, on the sites. Calls working() now and then, in
-  /// any thread and one at a time; it may throw to end it.
-  meshops::Patch complete(Threads& threads, const std::function<void()>& working) const;
+  /// After all tiles: the triangles of the complex that are in no patch, on the sites, and their outline if wanted; nothing
+  /// else of `rest` has a meaning. Calls working() now and then, in any thread and one at a time; it may throw to end it.
+  void complete(Threads& threads, const std::function<void()>& working, TilePatch& rest) const;
 
  private:
   using Corners = std::array<meshops::Site, 3>;

@@ -1,6 +1,7 @@
 // What: all tiles, in several threads, joined in one order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -14,11 +15,12 @@ namespace rbpa {
 
 inline constexpr std::uint32_t points_per_tile = 2048;  ///< measured: fewer have more seams, more leave the cache
 
-/// The tiles of the sites in the window: calls work(const Tile&, Workspace&) for each in any thread; join(Workspace&) in the
-/// same order on every run and one at a time; then, in any thread, finish(Workspace&). A workspace is one tile's at a
-/// time, and is used again for others. Throws what one of them throws.
-template <typename Workspace, typename Work, typename Join, typename Finish>
-void for_each_tile(const Sites& sites, Threads& threads, Work work, Join join, Finish finish) {
+/// The tiles of the sites in the window: calls work(const Tile&, Workspace&) for each in any thread; join(number, Workspace&) in
+/// the order of their numbers, the same on every run, and one at a time; then, in any thread, finish(Workspace&). A workspace is
+/// one tile's at a time, and is used again for others. A tile is empty where is_wanted(number) is false, which any thread asks.
+/// Throws what one of them throws.
+template <typename Workspace, typename IsWanted, typename Work, typename Join, typename Finish>
+void for_each_tile(const Sites& sites, Threads& threads, IsWanted is_wanted, Work work, Join join, Finish finish) {
   struct Item {
     std::optional<Cutter> cutter;
     Tile tile;
@@ -29,10 +31,14 @@ void for_each_tile(const Sites& sites, Threads& threads, Work work, Join join, F
       threads, all.size(),
       [&](std::size_t i, Item& item) {
         if (!item.cutter) item.cutter.emplace(sites.grid(), sites.hidden());
-        item.cutter->cut(all[i], item.tile);
+        if (is_wanted(i))
+          item.cutter->cut(all[i], item.tile);
+        else
+          item.tile.clear();
         work(std::as_const(item.tile), item.workspace);
       },
-      [&](std::size_t, Item& item) { join(item.workspace); }, [&](std::size_t, Item& item) { finish(item.workspace); });
+      [&](std::size_t i, Item& item) { join(i, item.workspace); },
+      [&](std::size_t, Item& item) { finish(item.workspace); });
 }
 
 }  // namespace rbpa

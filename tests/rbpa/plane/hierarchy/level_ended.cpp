@@ -70,10 +70,34 @@ Watched watch(const Points& points, double alpha, std::size_t leaf_capacity) {
   return watched;
 }
 
-bool same(const Level& a, const Level& b) {
+/// All but the time.
+bool same_numbers(const Level& a, const Level& b) {
   return a.alpha == b.alpha && a.number == b.number && a.transferred == b.transferred &&
-         a.taking_part == b.taking_part && a.advancing == b.advancing && a.triangles == b.triangles &&
-         a.seconds == b.seconds;
+         a.taking_part == b.taking_part && a.advancing == b.advancing && a.triangles == b.triangles;
+}
+
+/// The corners of each face, smallest index first, in the order of the faces.
+std::vector<Triangle> faces(const rbpa::SolidAlphaComplex& complex) {
+  std::vector<Triangle> all;
+  for (const auto face : complex.mesh.faces()) {
+    Triangle& corners = all.emplace_back();
+    std::size_t i = 0;
+    for (const auto v : face.vertices()) corners[i++] = complex.input_index[static_cast<std::size_t>(v.idx())];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  return all;
+}
+
+void check_same(const Hierarchy& watched, const Hierarchy& alone) {
+  CHECK(watched.least_radius == alone.least_radius);
+  CHECK(watched.looked_in_vain == alone.looked_in_vain);
+  CHECK(
+      std::equal(watched.levels.begin(), watched.levels.end(), alone.levels.begin(), alone.levels.end(), same_numbers));
+  CHECK(faces(watched.complex) == faces(alone.complex));
+  CHECK(watched.complex.isolated == alone.complex.isolated);
+  CHECK(watched.complex.duplicates == alone.complex.duplicates);
+  CHECK(watched.complex.distinct == alone.complex.distinct);
+  for (const Hierarchy* h : {&watched, &alone}) CHECK(meshops::validate(h->complex.mesh).empty());
 }
 
 std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
@@ -100,7 +124,8 @@ TEST_CASE("the levels that are reported are those of the result, each with as ma
     const auto& [hierarchy, seen] = watch(points, infinity, k);
     REQUIRE(seen.size() == hierarchy.levels.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      CHECK(same(seen[i].level, hierarchy.levels[i]));
+      CHECK(same_numbers(seen[i].level, hierarchy.levels[i]));
+      CHECK(seen[i].level.seconds == hierarchy.levels[i].seconds);
       CHECK(seen[i].triangles.size() == hierarchy.levels[i].triangles);
     }
     levels += seen.size();
@@ -130,23 +155,33 @@ TEST_CASE("faces keep their numbers to the end") {
   REQUIRE(seen.size() > 3);
   const std::vector<Triangle>& last = seen.back().triangles;
   for (const Seen& earlier : seen) CHECK(std::equal(earlier.triangles.begin(), earlier.triangles.end(), last.begin()));
-  const auto& [mesh, input_index, isolated, duplicates, distinct] = hierarchy.complex;
-  for (const auto face : mesh.faces()) {
-    Triangle corners{};
-    std::size_t i = 0;
-    for (const auto v : face.vertices()) corners[i++] = input_index[static_cast<std::size_t>(v.idx())];
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    REQUIRE(corners == last[static_cast<std::size_t>(face.idx())]);
+  CHECK(faces(hierarchy.complex) == last);
+}
+
+TEST_CASE("a run that is watched has the result of one that is not, faces in the same order") {
+  for (const double alpha : {infinity, 0.8})
+    for_small_sets([alpha](const Points& points, std::size_t k) {
+      CAPTURE(alpha);
+      CAPTURE(k);
+      check_same(watch(points, alpha, k).hierarchy, hierarchy(points, alpha, k));
+    });
+}
+
+TEST_CASE("so it is where tiles find the triangles, by any number of threads") {
+  for (const NamedSet& set : generated_sets()) {
+    const Points points = set.make();
+    CAPTURE(set.name);
+    const Hierarchy watched = watch(points, infinity, 16).hierarchy;
+    for (const unsigned threads : {1u, 3u})
+      check_same(watched, rbpa::hrbpa(points, infinity, {.leaf_capacity = 16, .threads = threads}));
   }
 }
 
-TEST_CASE("a run that is watched has the result of one that is not") {
-  for_small_sets([](const Points& points, std::size_t k) {
-    const Hierarchy watched = watch(points, infinity, k).hierarchy, alone = hierarchy(points, infinity, k);
-    CHECK(rbpa::triangles(watched.complex) == rbpa::triangles(alone.complex));
-    CHECK(watched.levels.size() == alone.levels.size());
-    CHECK(meshops::validate(watched.complex.mesh).empty());
-  });
+TEST_CASE("a run that is not watched has its time on the first level") {
+  const Hierarchy alone = hierarchy(clusters(20, 3), infinity, 2);
+  REQUIRE(alone.levels.size() > 3);
+  CHECK(alone.levels.front().seconds > 0);
+  for (std::size_t i = 1; i < alone.levels.size(); ++i) CHECK(alone.levels[i].seconds == 0);
 }
 
 TEST_CASE("what the visitor throws ends the run at that level") {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "rbpa/plane/divide/divide_and_conquer.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/hierarchy/site_levels.h"
 #include "rbpa/plane/hierarchy/waiting_triangles.h"
 #include "support/generate.h"
 #include "support/sets.h"
@@ -21,7 +23,7 @@ using meshops::Patch;
 using rbpa::Ladder;
 using rbpa::LevelPatch;
 using rbpa::Radius;
-using rbpa::ScaledLadder;
+using rbpa::SiteLevels;
 using rbpa::WaitingTriangle;
 using rbpa::WaitingTriangles;
 
@@ -45,12 +47,16 @@ Patch delaunay_patch(const Points& points) {
       places, [](const auto&...) { return 0; }, one);
 }
 
-void check_parts(const Points& points, double least) {
+void check_parts(const Points& input, double least) {
   CAPTURE(least);
+  rbpa::Threads one;
+  const rbpa::Sites sites(input, one);
+  Points points;
+  for (std::uint32_t s = 0; s < sites.size(); ++s) points.push_back(sites.at(s));
   const Patch patch = delaunay_patch(points);
   const Ladder ladder(least, Radius(), 1e6);
   LevelPatch parts;
-  parts.part(patch, points, ScaledLadder(ladder, rbpa::window_of(points)));
+  parts.part(patch, SiteLevels(sites, ladder));
   if (parts.later.empty()) parts.first = patch;
 
   // The same triangles, each on its level.
@@ -101,16 +107,21 @@ TEST_CASE(
     "a side beyond which a triangle waits is one at which no other patch has any, other sides stay what they are") {
   // Two triangles at an edge; the second is too large for the first level.
   const Points points = {{0, 0}, {1, 0}, {0, 1}, {10, 10}};
+  rbpa::Threads one;
+  const rbpa::Sites sites(points, one);
+  std::array<meshops::Site, 4> site;
+  for (std::uint32_t s = 0; s < sites.size(); ++s) site[sites.input_index()[s]] = s;
+  const Corners small = {site[0], site[1], site[2]}, large = {site[2], site[1], site[3]};
   Patch patch;
-  patch.triangles = {{0, 1, 2}, {2, 1, 3}};
+  patch.triangles = {small, large};
   patch.across = {{Patch::open, 3, Patch::nothing}, {1, Patch::open, Patch::open}};
   LevelPatch parts;
   const Ladder ladder(1, Radius(), 100);
-  parts.part(patch, points, ScaledLadder(ladder, rbpa::window_of(points)));
-  REQUIRE(parts.first.triangles == std::vector<Corners>{{0, 1, 2}});
+  parts.part(patch, SiteLevels(sites, ladder));
+  REQUIRE(parts.first.triangles == std::vector<Corners>{small});
   CHECK(parts.first.across == std::vector<std::array<int, 3>>{{Patch::open, Patch::nothing, Patch::nothing}});
   REQUIRE(parts.later.size() == 1);
-  CHECK(parts.later[0].corners == Corners{2, 1, 3});
+  CHECK(parts.later[0].corners == large);
 }
 
 TEST_CASE("waiting triangles come level by level, in the order in which they were added") {

@@ -69,8 +69,10 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
     meshops::Placement placement;
   };
   rbpa::for_each_tile<Workspace>(
-      sites, threads, [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
-      [&](Workspace& w) {
+      sites, threads, [](std::size_t) { return true; },
+      [&](const rbpa::Tile& tile, Workspace& w) { find_patch(tile, radius, w.finder, w.found); },
+      [&](std::size_t i, Workspace& w) {
+        CHECK(static_cast<int>(i) == tiles);
         assembler.place(w.found.patch, w.found.outline, w.placement);
         ++tiles;
         for (const std::uint32_t s : w.found.settled) known[s] = true;

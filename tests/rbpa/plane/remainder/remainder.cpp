@@ -18,6 +18,7 @@
 #include "support/random.h"
 #include "support/shrink.h"
 #include "support/spacing.h"
+#include "support/tile_laws.h"
 #include "support/tile_sets.h"
 
 using namespace rbpa_test;
@@ -90,7 +91,11 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   counts.told += told.size();
 
   rbpa::Threads threads;
-  const Patch patch = remainder.complete(threads, [] {});
+  TilePatch rest;
+  remainder.complete(
+      threads, [] {}, rest);
+  const Patch& patch = rest.patch;
+  if (!is_outlined(rest)) return "outline";
   counts.added += patch.triangles.size();
   if (patch.across.size() != patch.triangles.size()) return "sizes";
   std::set<Triangle> all = told;
@@ -212,7 +217,10 @@ TEST_CASE("what is thrown while the remainder is completed reaches the caller") 
   const rbpa::Sites sites(points, one);
   Remainder remainder(sites, Radius());
   rbpa::Threads threads;
-  CHECK_THROWS_AS(remainder.complete(threads, [] { throw std::string("stop"); }), std::string);
+  TilePatch rest;
+  CHECK_THROWS_AS(remainder.complete(
+                      threads, [] { throw std::string("stop"); }, rest),
+                  std::string);
 }
 
 TEST_SUITE_END();

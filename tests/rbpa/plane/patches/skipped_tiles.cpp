@@ -1,0 +1,73 @@
+#include "rbpa/plane/patches/skipped_tiles.h"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "rbpa/rbpa.h"
+#include "rbpa/triangulate.h"
+#include "support/generate.h"
+#include "support/triangle.h"
+
+using namespace rbpa_test;
+using rbpa::SkippedTiles;
+
+TEST_SUITE_BEGIN("patches");
+
+namespace {
+
+/// The tiles that are joined, of so many, each of which owns 80 sites and settles so many stars.
+std::set<std::size_t> joined(std::size_t tiles, const std::function<std::size_t(std::size_t)>& settled) {
+  SkippedTiles skipped;
+  std::set<std::size_t> joined;
+  for (std::size_t i = 0; i < tiles; ++i) {
+    if (skipped.contains(i)) continue;
+    joined.insert(i);
+    skipped.joined(i, 80, settled(i));
+  }
+  return joined;
+}
+
+}  // namespace
+
+TEST_CASE("tiles that settle an eighth of their stars are followed by the next one") {
+  CHECK(joined(100, [](std::size_t) { return 10; }).size() == 100);
+}
+
+TEST_CASE("after one that settles less, one is skipped, then two, four, … 64") {
+  const std::vector<std::size_t> expected = {0, 2, 5, 10, 19, 36, 69, 134, 199};
+  const std::set<std::size_t> found = joined(200, [](std::size_t) { return 9; });
+  CHECK(std::vector<std::size_t>(found.begin(), found.end()) == expected);
+}
+
+TEST_CASE("a tile that settles more ends it") {
+  const std::set<std::size_t> found = joined(60, [](std::size_t i) { return i == 19 ? 10 : 9; });
+  const std::vector<std::size_t> expected = {0, 2, 5, 10, 19, 20, 22, 25, 30, 39, 56};
+  CHECK(std::vector<std::size_t>(found.begin(), found.end()) == expected);
+}
+
+TEST_CASE("a tile without sites is no reason to skip the next one") {
+  SkippedTiles skipped;
+  skipped.joined(0, 0, 0);
+  CHECK_FALSE(skipped.contains(1));
+}
+
+TEST_CASE("a cloud beside a curve: the same mesh by any number of threads, with the triangles of the arrays") {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    Points points = along_a_curve(60000);
+    for (const rbpa::Point& p : uniform(60000, seed + 7)) points.push_back({p.x + 2, p.y});
+    const rbpa::SolidAlphaComplex one = rbpa::rbpa(points, 0.3, {.threads = 1});
+    for (const unsigned threads : {2u, 4u}) {
+      const rbpa::SolidAlphaComplex some = rbpa::rbpa(points, 0.3, {.threads = threads});
+      REQUIRE(some.mesh.n_faces() == one.mesh.n_faces());
+      for (const auto face : one.mesh.faces())
+        REQUIRE(some.mesh.halfedge_handle(face) == one.mesh.halfedge_handle(face));
+    }
+    CHECK(rbpa::triangles(one) == rbpa::triangulate(points, 0.3).triangles);
+  }
+}
+
+TEST_SUITE_END();
