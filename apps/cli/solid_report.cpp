@@ -20,6 +20,7 @@ Json base(const SolidFacts& facts) {
           {"distinct", facts.distinct},
           {"isolated", facts.isolated},
           {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
+          {"alpha_rule", facts.alpha_rule},
           {"tetrahedra", counts.tetrahedra},
           {"triangles", counts.triangles},
           {"edges", counts.edges},
@@ -47,6 +48,7 @@ void write_solid_stats(OutputFile& file, const SolidFacts& facts) {
   report["threads"] = facts.threads;
   report["seconds"] = {{"read", facts.read_seconds},
                        {"build", facts.build_seconds},
+                       {"choose", facts.choose_seconds ? Json(*facts.choose_seconds) : Json()},
                        {"count", facts.count_seconds},
                        {"write", facts.write_seconds}};
   report["peak_bytes"] = peak_bytes();

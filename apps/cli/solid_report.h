@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "io/bytes/output_file.h"
@@ -16,11 +17,13 @@ namespace rbpa::app {
 struct SolidFacts {
   std::size_t points = 0, distinct = 0, isolated = 0;
   double alpha = 0;
+  std::string alpha_rule = "given";
   unsigned threads = 1;
   SolidCounts counts = {};
   BoundaryMeasures measures = {};
   std::vector<SolidComponent> components = {};  ///< solid ones
   std::vector<SolidVoid> voids = {};
+  std::optional<double> choose_seconds = {};  ///< where a rule chooses alpha
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 

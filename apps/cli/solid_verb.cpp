@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cli/alpha_choice.h"
 #include "cli/point_arguments.h"
 #include "cli/progress.h"
 #include "cli/run.h"
@@ -24,17 +26,27 @@
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/solid.h"
+#include "rbpa/solid_radii.h"
 #include "rbpa/split_fans.h"
 
 namespace rbpa::app {
 namespace {
 
-double parse_radius(const std::string& text) {
+/// A radius, or the rule by which the triangulation of the points gives it.
+struct SolidAlpha {
+  AlphaRule rule = AlphaRule::given;
+  double radius = std::numeric_limits<double>::infinity();
+};
+
+SolidAlpha parse_alpha(const std::string& text) {
+  if (text == "auto") return {.rule = AlphaRule::automatic};
+  if (text == "min") return {.rule = AlphaRule::least};
   const ParsedNumber number = parse_whole_number(text);
   const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
   if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
-    throw WrongUsage("--alpha: found " + in_quotes(text) + ", expected a radius: a number above 0, or inf");
-  return number.value;
+    throw WrongUsage("--alpha: found " + in_quotes(text) +
+                     ", expected a radius: a number above 0, or inf; or a rule: auto or min");
+  return {.radius = number.value};
 }
 
 Target parse_boundary(const std::string& path) {
@@ -48,7 +60,7 @@ Target parse_boundary(const std::string& path) {
 /// What the command line asks for.
 struct SolidRequest {
   SpacePointSource source;
-  double alpha;
+  SolidAlpha alpha;
   std::vector<Target> targets;
   std::optional<Target> boundary, voids;
   int width;
@@ -57,7 +69,7 @@ struct SolidRequest {
 
 SolidRequest parse(const SolidArguments& arguments) {
   SolidRequest request{.source = parse_space_source(arguments),
-                       .alpha = parse_radius(arguments.alpha),
+                       .alpha = parse_alpha(arguments.alpha),
                        .targets = {},
                        .boundary = {},
                        .voids = {},
@@ -89,6 +101,7 @@ class SolidRun : public Run {
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_boundary() const;
   void build();
+  void choose_alpha();
   void find_boundary();
   void count();
   void write();
@@ -110,18 +123,35 @@ bool SolidRun::has_boundary() const {
 }
 
 void SolidRun::build() {
+  const SolidAlpha& alpha = request_.alpha;
+  const bool is_given = alpha.rule == AlphaRule::given;
   TriangleProgress progress(!options().quiet, "tetrahedra", points_text);
   try {
-    solid_ = solid(file_.points, request_.alpha,
-                   {.neighbors = has_boundary(), .threads = options().threads, .progress = progress.watch()});
+    solid_ =
+        solid(file_.points, alpha.radius,
+              {.neighbors = has_boundary() || !is_given, .threads = options().threads, .progress = progress.watch()});
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
   }
   facts_.points = file_.points.size();
   facts_.distinct = solid_.distinct;
-  facts_.isolated = solid_.isolated.size();
-  facts_.alpha = request_.alpha;
+  facts_.alpha = alpha.radius;
+  facts_.alpha_rule = name_of({.rule = alpha.rule});
   facts_.threads = options().threads_or_all();
+  facts_.build_seconds = lap();
+  if (!is_given) choose_alpha();
+  facts_.isolated = solid_.isolated.size();
+}
+
+/// From the triangulation to the complex of the alpha that the rule gives.
+void SolidRun::choose_alpha() {
+  const ProgressLine line = options().line("alpha");
+  const std::vector<double> radii = circumradii(file_.points, solid_.simplices, options().threads);
+  stop_if_interrupted();
+  facts_.alpha = request_.alpha.rule == AlphaRule::least ? min_alpha(solid_, radii) : auto_alpha(solid_, radii);
+  solid_ = within(solid_, radii, facts_.alpha);
+  stop_if_interrupted();
+  facts_.choose_seconds = lap();
 }
 
 void SolidRun::find_boundary() {
@@ -185,7 +215,7 @@ void SolidRun::say_empty() const {
   std::string why = "no four points have a circumradius so small";
   if (solid_.distinct < 4)
     why = "fewer than four distinct points";
-  else if (std::isinf(request_.alpha))
+  else if (std::isinf(facts_.alpha))
     why = "all points are in a plane";
   say("rbpa", "there is no tetrahedron: " + why);
 }
@@ -196,7 +226,6 @@ void SolidRun::run() {
   remark(file_.remarks);
   facts_.read_seconds = lap();
   build();
-  facts_.build_seconds = lap();
   if (has_boundary()) find_boundary();
   if (is_counted()) count();
   facts_.count_seconds = lap();
@@ -211,7 +240,8 @@ void SolidRun::run() {
   for (const Target& target : request_.targets) files.push_back(target.path);
   for (const auto& target : {request_.boundary, request_.voids})
     if (target) files.push_back(target->path);
-  summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", alpha " + text_of(request_.alpha) + ": " +
+  summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", alpha " +
+            (request_.alpha.rule == AlphaRule::given ? "" : facts_.alpha_rule + " = ") + text_of(facts_.alpha) + ": " +
             text_of_solid(facts_) + list_of(files));
 }
 

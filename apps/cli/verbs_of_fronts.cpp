@@ -168,9 +168,11 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
       "solid", "Tetrahedra of points in space: the solid alpha complex, with its boundary and voids");
   add_space_point_options(verb, arguments);
-  verb.add_option("--alpha", arguments.alpha,
-                  "Largest circumradius, required, in units of the points; inf: the Delaunay triangulation")
-      ->type_name("R|inf")
+  verb.add_option(
+          "--alpha", arguments.alpha,
+          "Largest circumradius, required, in units of the points; inf: the Delaunay triangulation; min: the least "
+          "that covers every point; auto: the least that has every point in one solid component")
+      ->type_name("R|inf|auto|min")
       ->required();
   add_output_options(verb, arguments, solid_formats);
   verb.add_option("--boundary", arguments.boundary,

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstring>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/solid_boundary.h"
+#include "rbpa/solid_radii.h"
 #include "rbpa/voids.h"
 
 namespace rbpa::python {
@@ -40,6 +42,40 @@ std::vector<std::array<std::uint32_t, 4>> quadruples_of(const Indices& array, co
   return result;
 }
 
+Solid solid_again(const Indices& simplices, const Indices& neighbors) {
+  Solid again;
+  again.simplices = quadruples_of(simplices, "simplices");
+  again.neighbors = quadruples_of(neighbors, "neighbors");
+  return again;
+}
+
+std::span<const double> line_of(const Doubles& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
+
+Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threads) {
+  const auto input = points3_of(points, "points");
+  return line<double>(watched(input.size(), py::none(), [&](Watch&) {
+    return circumradii(input, quadruples_of(simplices, "simplices"), threads);
+  }));
+}
+
+double alpha_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, bool in_one_piece) {
+  return watched(static_cast<std::size_t>(radii.size()), py::none(), [&](Watch&) {
+    const Solid delaunay = solid_again(simplices, neighbors);
+    return in_one_piece ? auto_alpha(delaunay, line_of(radii)) : min_alpha(delaunay, line_of(radii));
+  });
+}
+
+/// Its tetrahedra and neighbours, and the corners that it leaves without a tetrahedron.
+py::dict within_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, double alpha) {
+  Solid made = watched(static_cast<std::size_t>(radii.size()), py::none(),
+                       [&](Watch&) { return within(solid_again(simplices, neighbors), line_of(radii), alpha); });
+  py::dict result;
+  result["simplices"] = rows<std::int32_t>(std::move(made.simplices));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["isolated"] = line<std::int32_t>(std::move(made.isolated));
+  return result;
+}
+
 /// The boundary, and all of the voids column by column: where the triangles and points of each begin.
 py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
@@ -49,9 +85,7 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
     Voids voids;
   };
   Made made = watched(input.size(), py::none(), [&](Watch&) {
-    Solid again;
-    again.simplices = quadruples_of(simplices, "simplices");
-    again.neighbors = quadruples_of(neighbors, "neighbors");
+    const Solid again = solid_again(simplices, neighbors);
     Made all{.boundary = solid_boundary(again), .measures = {}, .voids = {}};
     all.measures = measure(input, all.boundary.surface);
     all.voids = voids(input, again, all.boundary);
@@ -96,6 +130,11 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
 void bind_solid(py::module_& module) {
   using py::arg;
   module.def("solid", &solid_of, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
+  module.def("circumradii", &radii_of, arg("points").noconvert(), arg("simplices").noconvert(), arg("threads"));
+  module.def("solid_alpha", &alpha_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
+             arg("radii").noconvert(), arg("in_one_piece"));
+  module.def("solid_within", &within_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
+             arg("radii").noconvert(), arg("alpha"));
   module.def("solid_voids", &voids_of, arg("points").noconvert(), arg("simplices").noconvert(),
              arg("neighbors").noconvert());
 }

@@ -151,6 +151,33 @@ TEST_SUITE("solid") {
     CHECK(folder.content("a.npy") == folder.content("b.npy"));
   }
 
+  TEST_CASE("rules choose alpha: the least that covers every point, and the least that connects them") {
+    const Folder folder;
+    std::string points = hollow_cube();
+    for (const int x : {50, 51})
+      for (const int y : {0, 1})
+        for (const int z : {0, 1})
+          points += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    folder.file("c.xyz", points);
+    std::vector<double> chosen;
+    for (const std::string rule : {"min", "auto"}) {
+      const Outcome outcome = folder.rbpa("solid c.xyz --alpha " + rule + " -o a.npy --stats s.json");
+      REQUIRE(outcome.code == 0);
+      const json stats = json::parse(folder.content("s.json"));
+      CHECK(stats["alpha_rule"] == rule);
+      CHECK(stats["isolated"] == 0);
+      CHECK(stats["seconds"]["choose"] >= 0);
+      chosen.push_back(stats["alpha"]);
+      CHECK(outcome.err.starts_with("rbpa: 132 points, alpha " + rule + " = "));
+      CHECK((stats["betti"][0] == 1) == (rule == "auto"));
+      REQUIRE(folder.rbpa("solid c.xyz --alpha " + stats["alpha"].dump() + " -o b.npy -q").code == 0);
+      CHECK(folder.content("a.npy") == folder.content("b.npy"));
+    }
+    CHECK(chosen[0] == 0.8660254037844387);  // half the diagonal of a cube
+    CHECK(chosen[1] > 20);
+    CHECK(json::parse(folder.rbpa("solid c.xyz --alpha 1 --json -q").out)["alpha_rule"] == "given");
+  }
+
   TEST_CASE("where there is no tetrahedron it says why") {
     const Folder folder;
     const auto says = [&](const std::string& points, const std::string& alpha, const std::string& why) {
@@ -163,6 +190,7 @@ TEST_SUITE("solid") {
     says("1 2 3\n", "inf", "fewer than four distinct points");
     says("0 0 0\n0 0 0\n1 0 0\n0 1 0\n", "inf", "fewer than four distinct points");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "inf", "all points are in a plane");
+    says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "auto", "all points are in a plane");
     says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "no four points have a circumradius so small");
   }
 
@@ -170,12 +198,12 @@ TEST_SUITE("solid") {
     const Folder folder;
     folder.file("c.xyz", hollow_cube());
     folder.file("bad.xyz", "0 0 0\n1 0 zero\n");
-    const std::string radius = "expected a radius: a number above 0, or inf";
+    const std::string radius = "expected a radius: a number above 0, or inf; or a rule: auto or min";
     refuses(folder, "c.xyz --alpha 0 -o t.npy", 2, "--alpha: found '0', " + radius);
     refuses(folder, "c.xyz --alpha=-1 -o t.npy", 2, "--alpha: found '-1', " + radius);
     refuses(folder, "c.xyz --alpha=-inf -o t.npy", 2, "--alpha: found '-inf', " + radius);
     refuses(folder, "c.xyz --alpha nan -o t.npy", 2, "--alpha: found 'nan', " + radius);
-    refuses(folder, "c.xyz --alpha auto -o t.npy", 2, "--alpha: found 'auto', " + radius);
+    refuses(folder, "c.xyz --alpha plateau -o t.npy", 2, "--alpha: found 'plateau', " + radius);
     refuses(folder, "c.xyz --alpha 1 -o t.ply", 2,
             "t.ply: found the ending 'ply', expected one of vtu, msh, mesh, npy, png, or --output-format");
     refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,

@@ -64,6 +64,37 @@ def test_what_touches_is_one_component_and_two_solid_ones():
     assert solid.boundary_mesh().report().components == 2
 
 
+def test_radii_say_in_which_solids_a_tetrahedron_is():
+    points = numpy.random.default_rng(12).random((500, 3))
+    delaunay = rbpa.solid(points)
+    corners = points[delaunay.simplices]
+    edges = corners[:, 1:] - corners[:, :1]
+    centres = numpy.linalg.solve(2 * edges, (edges**2).sum(2, keepdims=True))
+    assert numpy.allclose(numpy.linalg.norm(centres[:, :, 0], axis=1), delaunay.radii, rtol=1e-7)
+    for alpha in (0.02, 0.1, float(numpy.median(delaunay.radii)), math.inf):
+        direct, within = rbpa.solid(points, alpha), delaunay.within(alpha)
+        for name in ("simplices", "neighbors", "isolated", "duplicates", "radii"):
+            assert getattr(direct, name).tobytes() == getattr(within, name).tobytes(), name
+        assert within.alpha == alpha and within.volume == direct.volume
+    again = delaunay.within(0.2).within(0.1)
+    assert again.simplices.tobytes() == rbpa.solid(points, 0.1).simplices.tobytes()
+    assert again.isolated.tobytes() == rbpa.solid(points, 0.1).isolated.tobytes()
+    assert pickle.loads(pickle.dumps(again)).radii.tobytes() == again.radii.tobytes()
+
+
+def test_min_covers_every_point_and_auto_connects_them():
+    one = numpy.random.default_rng(13).random((300, 3))
+    points = numpy.concatenate([one, one + [20, 0, 0], one[:5]])
+    least, whole = rbpa.solid(points, "min"), rbpa.solid(points, "auto")
+    assert len(least.isolated) == 0 and least.alpha < 1
+    assert len(rbpa.solid(points, math.nextafter(least.alpha, 0)).isolated) > 0
+    assert whole.alpha > 9 and whole.betti[0] == 1 and least.betti[0] > 1
+    assert whole.simplices.tobytes() == rbpa.solid(points, whole.alpha).simplices.tobytes()
+    for rule in ("auto", "min"):
+        flat = rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]], rule)
+        assert flat.alpha == math.inf and len(flat.simplices) == 0 and len(flat.isolated) == 3
+
+
 def test_flat_and_few_points_have_no_tetrahedron():
     for points in ([], [[1, 2, 3]], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]):
         solid = rbpa.solid(points)
@@ -91,13 +122,18 @@ def test_wrong_calls_are_refused_in_a_sentence():
     for alpha in (0, -1, math.nan):
         with pytest.raises(rbpa.InvalidInput, match="alpha"):
             rbpa.solid(points, alpha)
-    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'auto'"):
-        rbpa.solid(points, "auto")
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'plateau', expected a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"):
+        rbpa.solid(points, "plateau")
     with pytest.raises(rbpa.InvalidInput):
         rbpa.solid(points * math.inf)
     solid = rbpa.solid(points)
     with pytest.raises(ValueError):
         rbpa._core.solid_voids(points, solid.boundary, solid.neighbors)
+    for alpha in (0, -1, math.nan, "auto"):
+        with pytest.raises(rbpa.InvalidInput, match="alpha"):
+            solid.within(alpha)
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found 2.0, expected at most 1.0, that of the solid"):
+        rbpa.solid(points, 1).within(2)
 
 
 def test_progress_is_called_and_cancels():

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
-from typing import Any, Optional
+from typing import Any, Literal, Optional, Union
 
+import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core, meshops
+from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads
 from rbpa._result import Result, freeze
 
 
 def solid(
     points: npt.ArrayLike,
-    alpha: float = math.inf,
+    alpha: Union[float, Literal["auto", "min"]] = math.inf,
     *,
     threads: Optional[int] = None,
     progress: Progress = None,
@@ -28,8 +30,9 @@ def solid(
     points : array_like of shape (n, 3)
         Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
         is in use; anything else is converted.
-    alpha : float
-        A radius in the units of the points, never its square.
+    alpha : float, "auto" or "min"
+        A radius in the units of the points, never its square. "min" is the least at which every point is in a tetrahedron, "auto"
+        the least at which one solid component has every point. Infinity where there is no tetrahedron.
     threads, progress
         As for `alpha_shape`; `progress` is called with the number of points done in place of triangles.
 
@@ -52,8 +55,14 @@ def solid(
     (1.0, 6.0, (1, 0, 0), 12)
     """
     array = as_points(points, columns=3)
-    radius = as_number(alpha, "alpha", "a radius: a number > 0, or inf")
-    return Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
+    expected = "a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"
+    if isinstance(alpha, str) and alpha not in ("auto", "min"):
+        raise InvalidInput(f"alpha: found {alpha!r}, expected {expected}")
+    radius = math.inf if isinstance(alpha, str) else as_number(alpha, "alpha", expected)
+    made = Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
+    if not isinstance(alpha, str):
+        return made
+    return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto"))
 
 
 class SolidVoid:
@@ -94,7 +103,7 @@ class Solid(Result):
     points : float64 array of shape (n, 3)
         The points that were given, the same array where nothing had to be converted. Indices are into it.
     alpha : float
-        The radius that was given.
+        The radius that was given, or chosen.
     simplices : int32 array of shape (m, 4)
         The corners of each tetrahedron, positively oriented, the smallest index first, in lexicographic order.
     neighbors : int32 array of shape (m, 4)
@@ -114,6 +123,33 @@ class Solid(Result):
 
     def __init__(self, points: Floats, alpha: float, made: dict[str, Any]) -> None:
         super().__init__({"alpha": alpha, **made}, points=points)
+
+    @cached_property
+    def radii(self) -> Floats:
+        """The circumradius of each tetrahedron, rounded up: it is in the solid of alpha exactly if this is at most alpha."""
+        self._require_unchanged()
+        found: Floats = _core.circumradii(self.points, self.simplices, 0)
+        freeze(found)
+        return found
+
+    def within(self, alpha: float) -> Solid:
+        """The solid of a smaller alpha, or of the same: ``solid(points).within(alpha)`` is ``solid(points, alpha)``, and costs
+        little after the first call, which computes `radii`.
+
+        Raises
+        ------
+        InvalidInput
+            alpha is no radius, or greater than that of this solid.
+        """
+        radius = as_number(alpha, "alpha", "a radius: a number > 0, or inf")
+        if radius > self.alpha:
+            raise InvalidInput(f"alpha: found {radius}, expected at most {self.alpha}, that of the solid")
+        made = _core.solid_within(self.simplices, self.neighbors, self.radii, radius)
+        isolated = np.union1d(self.isolated, made["isolated"]).astype(np.int32)
+        result = Solid(self.points, radius, {**made, "isolated": isolated, "duplicates": self.duplicates})
+        result.__dict__["radii"] = self.radii[self.radii <= radius]
+        freeze(result.radii)
+        return result
 
     @cached_property
     def _voids(self) -> dict[str, Any]:

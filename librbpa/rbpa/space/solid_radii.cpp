@@ -1,0 +1,175 @@
+#include "rbpa/solid_radii.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/circumradius.h"
+
+namespace rbpa {
+namespace {
+
+using Row = std::array<std::uint32_t, 4>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One more than the greatest corner.
+std::size_t bound_of(std::span<const Row> simplices) {
+  std::size_t bound = 0;
+  for (const Row& row : simplices)
+    for (const std::uint32_t corner : row) bound = std::max(bound, corner + std::size_t{1});
+  return bound;
+}
+
+void require_radii(const Solid& solid, std::span<const double> radii) {
+  meshops::require(radii.size() == solid.simplices.size(), "radii: expected one for each tetrahedron");
+}
+
+/// Whether in the complex of alpha one solid component has as many corners as there are.
+class Connection {
+ public:
+  Connection(const Solid& delaunay, std::span<const double> radii)
+      : delaunay_(delaunay), radii_(radii), seen_(bound_of(delaunay.simplices), none) {
+    for (const Row& row : delaunay.simplices)
+      for (const std::uint32_t corner : row) corners_ += std::exchange(seen_[corner], unseen) == none;
+  }
+
+  bool is_whole(double alpha) {
+    const auto& simplices = delaunay_.simplices;
+    meshops::DisjointSets sets(simplices.size());
+    std::vector<std::uint32_t> size(simplices.size(), 0);
+    for (std::uint32_t t = 0; t < simplices.size(); ++t)
+      if (radii_[t] <= alpha)
+        for (const std::uint32_t n : delaunay_.neighbors[t])
+          if (n < t && radii_[n] <= alpha) sets.unite(t, n);
+    for (std::uint32_t t = 0; t < simplices.size(); ++t)
+      if (radii_[t] <= alpha) ++size[sets.find(t)];
+    // Each corner of a component is one of its tetrahedra's, so that hardly any component is large enough.
+    for (std::uint32_t root = 0; root < size.size(); ++root)
+      if (4 * std::size_t{size[root]} >= corners_ && count_corners(root, alpha, sets) == corners_) return true;
+    return false;
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff, unseen = 0xfffffffe;  // no corner; not seen yet
+
+  std::size_t count_corners(std::uint32_t root, double alpha, meshops::DisjointSets& sets) {
+    std::size_t count = 0;
+    for (std::uint32_t t = 0; t < delaunay_.simplices.size(); ++t) {
+      if (!(radii_[t] <= alpha) || sets.find(t) != root) continue;
+      for (const std::uint32_t corner : delaunay_.simplices[t]) count += std::exchange(seen_[corner], root) != root;
+    }
+    std::fill(seen_.begin(), seen_.end(), unseen);
+    return count;
+  }
+
+  const Solid& delaunay_;
+  std::span<const double> radii_;
+  std::vector<std::uint32_t> seen_;  // of each point, the root of the last component that was seen to have it
+  std::size_t corners_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> circumradii(std::span<const Point3> points, std::span<const Row> simplices, unsigned threads) {
+  space::check_points(points);
+  for (std::size_t t = 0; t < simplices.size(); ++t)
+    for (const std::uint32_t corner : simplices[t])
+      if (corner >= points.size())
+        throw InvalidInput("simplex " + std::to_string(t) + " has corner " + std::to_string(corner) +
+                           ", expected one below " + std::to_string(points.size()));
+  std::vector<double> radii(simplices.size());
+  Threads some = threads_for(simplices.size(), threads);
+  constexpr std::size_t at_a_time = 1u << 12;
+  for_each_part(some, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c, d] = simplices[t];
+      radii[t] = space::circumradius_rounded_up(points[a], points[b], points[c], points[d]);
+    }
+  });
+  return radii;
+}
+
+double min_alpha(const Solid& delaunay, std::span<const double> radii) {
+  require_radii(delaunay, radii);
+  std::vector<double> least(bound_of(delaunay.simplices), infinity);
+  for (std::size_t t = 0; t < radii.size(); ++t)
+    for (const std::uint32_t corner : delaunay.simplices[t]) least[corner] = std::min(least[corner], radii[t]);
+  double greatest = delaunay.simplices.empty() ? infinity : 0;
+  for (const Row& row : delaunay.simplices)
+    for (const std::uint32_t corner : row) greatest = std::max(greatest, least[corner]);
+  return greatest;
+}
+
+double auto_alpha(const Solid& delaunay, std::span<const double> radii) {
+  require_radii(delaunay, radii);
+  meshops::require(delaunay.neighbors.size() == radii.size(), "auto_alpha: the triangulation has no neighbors");
+  if (delaunay.simplices.empty()) return infinity;
+  // A component with all points keeps them as alpha grows: so the least alpha is found by bisection among radii.
+  std::vector<double> sorted(radii.begin(), radii.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  Connection connection(delaunay, radii);
+  const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii));
+  auto first = static_cast<std::size_t>(at_min - sorted.begin());  // is the least that may do
+  std::size_t last = first;
+  for (std::size_t step = 1; !connection.is_whole(sorted[last]); step *= 2) {
+    first = last + 1;
+    if (first == sorted.size()) return infinity;
+    last = std::min(last + step, sorted.size() - 1);
+  }
+  while (first < last) {
+    const std::size_t middle = first + (last - first) / 2;
+    if (connection.is_whole(sorted[middle]))
+      last = middle;
+    else
+      first = middle + 1;
+  }
+  return sorted[last];
+}
+
+Solid within(const Solid& solid, std::span<const double> radii, double alpha) {
+  require_radii(solid, radii);
+  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
+  Solid result;
+  result.duplicates = solid.duplicates;
+  result.distinct = solid.distinct;
+  std::vector<std::uint32_t> number(solid.simplices.size(), Solid::none), kept;
+  for (std::uint32_t t = 0; t < number.size(); ++t) {
+    if (!(radii[t] <= alpha)) continue;
+    number[t] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(t);
+  }
+  constexpr std::uint8_t corner_before = 1, corner_now = 2;
+  std::vector<std::uint8_t> is_corner(bound_of(solid.simplices), 0);
+  for (const Row& row : solid.simplices)
+    for (const std::uint32_t corner : row) is_corner[corner] = corner_before;
+  result.simplices.reserve(kept.size());
+  for (const std::uint32_t t : kept) {
+    result.simplices.push_back(solid.simplices[t]);
+    for (const std::uint32_t corner : solid.simplices[t]) is_corner[corner] = corner_now;
+  }
+  if (!solid.neighbors.empty()) {
+    result.neighbors.reserve(kept.size());
+    for (const std::uint32_t t : kept) {
+      Row row = solid.neighbors[t];
+      for (std::uint32_t& n : row)
+        if (n != Solid::none) n = number[n];
+      result.neighbors.push_back(row);
+    }
+  }
+  result.isolated = solid.isolated;
+  for (std::uint32_t i = 0; i < is_corner.size(); ++i)
+    if (is_corner[i] == corner_before) result.isolated.push_back(i);
+  std::sort(result.isolated.begin(), result.isolated.end());
+  return result;
+}
+
+}  // namespace rbpa
