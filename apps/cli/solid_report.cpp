@@ -16,19 +16,21 @@ using Json = nlohmann::ordered_json;
 
 Json base(const SolidFacts& facts) {
   const SolidCounts& counts = facts.counts;
-  return {{"points", facts.points},
-          {"distinct", facts.distinct},
-          {"isolated", facts.isolated},
-          {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
-          {"alpha_rule", facts.alpha_rule},
-          {"tetrahedra", counts.tetrahedra},
-          {"triangles", counts.triangles},
-          {"edges", counts.edges},
-          {"boundary_triangles", counts.boundary_triangles},
-          {"solid_components", counts.solid_components},
-          {"betti", {counts.components, counts.tunnels, counts.voids}},
-          {"volume", facts.measures.volume},
-          {"area", facts.measures.area}};
+  Json report = {{"points", facts.points},
+                 {"distinct", facts.distinct},
+                 {"isolated", facts.isolated},
+                 {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
+                 {"alpha_rule", facts.alpha_rule},
+                 {"tetrahedra", counts.tetrahedra},
+                 {"triangles", counts.triangles},
+                 {"edges", counts.edges},
+                 {"boundary_triangles", counts.boundary_triangles},
+                 {"solid_components", counts.solid_components},
+                 {"betti", {counts.components, counts.tunnels, counts.voids}},
+                 {"volume", facts.measures.volume},
+                 {"area", facts.measures.area}};
+  if (facts.balls) report["balls"] = {{"volume", facts.balls->volume}, {"area", facts.balls->area}};
+  return report;
 }
 
 Json box_of(const Point3& low, const Point3& high) { return {{low.x, low.y, low.z}, {high.x, high.y, high.z}}; }
@@ -40,7 +42,9 @@ std::string text_of_solid(const SolidFacts& facts) {
   return std::to_string(counts.tetrahedra) + (counts.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
          counted(counts.solid_components, "solid component") + ", " + counted(counts.tunnels, "tunnel") + ", " +
          counted(counts.voids, "void") + ", volume " + rounded(facts.measures.volume, 6) + ", area " +
-         rounded(facts.measures.area, 6);
+         rounded(facts.measures.area, 6) +
+         (facts.balls ? "; balls: volume " + rounded(facts.balls->volume, 6) + ", area " + rounded(facts.balls->area, 6)
+                      : "");
 }
 
 void write_solid_stats(OutputFile& file, const SolidFacts& facts) {

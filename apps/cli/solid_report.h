@@ -10,6 +10,7 @@
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_components.h"
 #include "rbpa/solid_topology.h"
+#include "rbpa/union_of_balls.h"
 #include "rbpa/voids.h"
 
 namespace rbpa::app {
@@ -21,6 +22,7 @@ struct SolidFacts {
   unsigned threads = 1;
   SolidCounts counts = {};
   BoundaryMeasures measures = {};
+  std::optional<BallUnion> balls = {};          ///< where asked for
   std::vector<SolidComponent> components = {};  ///< solid ones
   std::vector<SolidVoid> voids = {};
   std::optional<double> choose_seconds = {};  ///< where a rule chooses alpha

@@ -75,6 +75,8 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .voids = {},
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
+  if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
+    throw WrongUsage("--balls: found --alpha inf, expected a finite radius");
   if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
   if (arguments.voids) request.voids = parse_voids(*arguments.voids);
   std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids});
@@ -166,6 +168,8 @@ void SolidRun::count() {
   Voids all = voids(file_.points, solid_, boundary_);
   facts_.counts = all.counts;
   facts_.voids = std::move(all.all);
+  if (arguments_.balls && std::isfinite(facts_.alpha))
+    facts_.balls = union_of_balls(file_.points, facts_.alpha, {.threads = options().threads});
   if (arguments_.json) facts_.components = solid_components(file_.points, solid_, boundary_).all;
   stop_if_interrupted();
 }

@@ -116,7 +116,7 @@ struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
   std::optional<std::string> boundary, voids;
   std::string width = "1200";
-  bool json = false;
+  bool balls = false, json = false;
   RunArguments run;
 };
 void run_solid(const SolidArguments& arguments);

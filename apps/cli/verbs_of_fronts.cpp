@@ -185,6 +185,8 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "
           "indices of its points and triangles; csv")
       ->type_name("FILE");
+  add_switch(verb, "--balls", arguments.balls,
+             "Also compute volume and area of the union of balls of radius alpha around all points");
   add_switch(verb, "--json", arguments.json,
              "Counts and sizes, of each component and each void too, as JSON on standard output");
   add_stats_option(verb, arguments.stats);

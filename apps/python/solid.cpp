@@ -5,16 +5,20 @@
 
 #include <array>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
+#include "rbpa/dangling_faces.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_radii.h"
+#include "rbpa/union_of_balls.h"
 #include "rbpa/voids.h"
 
 namespace rbpa::python {
@@ -76,6 +80,25 @@ py::dict within_of(const Indices& simplices, const Indices& neighbors, const Dou
   return result;
 }
 
+std::pair<double, double> balls_of(const Doubles& points, double radius, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  const BallUnion found = watched(input.size(), progress, [&](Watch& watch) {
+    return union_of_balls(input, radius, {.threads = threads, .progress = watch.progress()});
+  });
+  return {found.volume, found.area};
+}
+
+/// Of the full alpha complex, with a triangulation of its own.
+std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double alpha) {
+  const auto input = points3_of(points, "points");
+  DanglingFaces found = watched(input.size(), py::none(), [&](Watch&) {
+    const Solid delaunay = solid(input, std::numeric_limits<double>::infinity());
+    return dangling_faces(input, delaunay, circumradii(input, delaunay.simplices), alpha);
+  });
+  return {rows<std::int32_t>(std::move(found.triangles)), rows<std::int32_t>(std::move(found.edges)),
+          line<std::int32_t>(std::move(found.points))};
+}
+
 /// The boundary, and all of the voids column by column: where the triangles and points of each begin.
 py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
@@ -135,6 +158,8 @@ void bind_solid(py::module_& module) {
              arg("radii").noconvert(), arg("in_one_piece"));
   module.def("solid_within", &within_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
              arg("radii").noconvert(), arg("alpha"));
+  module.def("union_of_balls", &balls_of, arg("points").noconvert(), arg("radius"), arg("threads"), arg("progress"));
+  module.def("solid_dangling", &dangling_of, arg("points").noconvert(), arg("alpha"));
   module.def("solid_voids", &voids_of, arg("points").noconvert(), arg("simplices").noconvert(),
              arg("neighbors").noconvert());
 }

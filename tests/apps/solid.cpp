@@ -178,6 +178,19 @@ TEST_SUITE("solid") {
     CHECK(json::parse(folder.rbpa("solid c.xyz --alpha 1 --json -q").out)["alpha_rule"] == "given");
   }
 
+  TEST_CASE("balls around the points have a volume and an area, in a plane as well") {
+    const Folder folder;
+    folder.file("two.xyz", "0 0 0\n1 0 0\n");
+    const Outcome outcome = folder.rbpa("solid two.xyz --alpha 1 --balls --json");
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["balls"]["volume"] == doctest::Approx(7.0685834705770345));
+    CHECK(report["balls"]["area"] == doctest::Approx(18.849555921538759));
+    CHECK(outcome.err.find("; balls: volume 7.06858, area 18.8496") != std::string::npos);
+    CHECK_FALSE(json::parse(folder.rbpa("solid two.xyz --alpha 1 --json -q").out).contains("balls"));
+    refuses(folder, "two.xyz --alpha inf --balls --json", 2, "--balls: found --alpha inf, expected a finite radius");
+  }
+
   TEST_CASE("where there is no tetrahedron it says why") {
     const Folder folder;
     const auto says = [&](const std::string& points, const std::string& alpha, const std::string& why) {

@@ -95,6 +95,40 @@ def test_min_covers_every_point_and_auto_connects_them():
         assert flat.alpha == math.inf and len(flat.simplices) == 0 and len(flat.isolated) == 3
 
 
+def test_the_union_of_balls_is_what_a_fine_grid_of_points_says():
+    points = numpy.random.default_rng(14).random((40, 3))
+    union = rbpa.union_of_balls(points, 0.2)
+    axis = numpy.arange(-0.2, 1.2, 0.01) + 0.005
+    grid = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3)
+    inside = scipy_spatial.cKDTree(points).query(grid)[0] < 0.2
+    assert union.volume == pytest.approx(inside.sum() * 1e-6, rel=2e-3)
+    assert union.area > 0 and union == rbpa.union_of_balls(points, 0.2, threads=2)
+    plane = rbpa.union_of_balls([[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0.25)
+    assert plane.volume == pytest.approx(4 * math.pi * 0.25**3)
+    assert rbpa.union_of_balls([], 1) == (0, 0)
+    for radius in (0, math.inf, math.nan, "auto"):
+        with pytest.raises(rbpa.InvalidInput, match="radius"):
+            rbpa.union_of_balls(points, radius)
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.union_of_balls(numpy.random.default_rng(0).random((50_000, 3)), 0.1, progress=lambda done, count: False)
+
+
+def test_what_dangles_belongs_to_no_tetrahedron():
+    points = numpy.random.default_rng(15).random((300, 3))
+    solid = rbpa.solid(points, 0.09)
+    triangles, edges, alone = solid.dangling
+    assert len(triangles) > 10 and len(edges) > 10 and len(alone) > 0
+    faces = {tuple(sorted(t[:k] + t[k + 1 :])) for t in solid.simplices.tolist() for k in range(4)}
+    assert not faces & set(map(tuple, triangles.tolist()))
+    sides = {pair for a, b, c in faces | set(map(tuple, triangles.tolist())) for pair in ((a, b), (a, c), (b, c))}
+    assert not sides & set(map(tuple, edges.tolist()))
+    assert set(alone) == set(range(300)) - {p for pair in sides | set(map(tuple, edges.tolist())) for p in pair}
+    assert (numpy.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1) <= 0.18).all()
+    assert not triangles.flags.writeable and rbpa.solid(points).dangling.triangles.shape == (0, 3)
+    with pytest.raises(rbpa.InvalidInput, match="in a plane"):
+        rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]]).dangling
+
+
 def test_flat_and_few_points_have_no_tetrahedron():
     for points in ([], [[1, 2, 3]], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]):
         solid = rbpa.solid(points)

@@ -36,11 +36,12 @@ set(allowed
   "rbpa/plane/shape: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space: meshops/core meshops/patch rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/space/boundary rbpa/space/cells
-    rbpa/space/closing rbpa/space/insertion rbpa/space/levels
+    rbpa/space/closing rbpa/space/full rbpa/space/insertion rbpa/space/levels
     rbpa/space/normals rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/triples"
   "rbpa/space/boundary: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/space/levels rbpa/space/predicate"
   "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort"
   "rbpa/space/closing: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
+  "rbpa/space/full: rbpa rbpa/base rbpa/base/parallel rbpa/space rbpa/space/predicate"
   "rbpa/space/insertion: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
   "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
   "rbpa/space/normals: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"

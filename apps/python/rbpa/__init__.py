@@ -20,6 +20,7 @@ What there is:
     Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
+    union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
     estimate_normals(points)             of points in space that have none
     outliers(points)                     of points in space those that stand alone
     read_points(path, space=False)       points of LAS, tables, PLY and other files             -> PointFile
@@ -51,7 +52,7 @@ from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
-from rbpa._solid import Solid, SolidVoid, solid
+from rbpa._solid import BallUnion, DanglingFaces, Solid, SolidVoid, solid, union_of_balls
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
@@ -59,8 +60,10 @@ from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
 __all__ = [
     "AlphaShape",
     "AlphaShapes",
+    "BallUnion",
     "Cancelled",
     "ContractViolation",
+    "DanglingFaces",
     "Delaunay",
     "Filtration",
     "InvalidInput",
@@ -87,13 +90,14 @@ __all__ = [
     "scale_space",
     "solid",
     "surface",
+    "union_of_balls",
 ]
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
+    *(BallUnion, DanglingFaces, NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
-    *(scale_space, surface),
+    *(scale_space, surface, union_of_balls),
 ):
     _public.__module__ = __name__

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
-from typing import Any, Literal, Optional, Union
+from typing import Any, Literal, NamedTuple, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -63,6 +63,55 @@ def solid(
     if not isinstance(alpha, str):
         return made
     return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto"))
+
+
+class BallUnion(NamedTuple):
+    """What `union_of_balls` returns."""
+
+    volume: float
+    area: float
+
+
+def union_of_balls(
+    points: npt.ArrayLike,
+    radius: float,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> BallUnion:
+    """Volume and surface area of the union of equal balls around points in space.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3)
+        As for `solid`; they may all be in a plane or on a line. Equal ones have one ball.
+    radius : float
+        Of every ball.
+    threads, progress
+        As for `solid`.
+
+    Raises
+    ------
+    InvalidInput, Cancelled
+        As `solid`.
+
+    Examples
+    --------
+    >>> two = rbpa.union_of_balls([[0, 0, 0], [1, 0, 0]], 1)
+    >>> round(two.volume, 6), round(two.area, 6)  # 27π/12, 6π
+    (7.068583, 18.849556)
+    """
+    array = as_points(points, columns=3)
+    number = as_number(radius, "radius", "a finite number > 0")
+    return BallUnion(*_core.union_of_balls(array, number, as_threads(threads), progress))
+
+
+class DanglingFaces(NamedTuple):
+    """What the full alpha complex has beyond the solid: `Solid.dangling`. Arrays are read-only, rows ascending and in lexicographic order."""
+
+    triangles: Indices
+    edges: Indices
+    points: Indices
 
 
 class SolidVoid:
@@ -150,6 +199,21 @@ class Solid(Result):
         result.__dict__["radii"] = self.radii[self.radii <= radius]
         freeze(result.radii)
         return result
+
+    @cached_property
+    def dangling(self) -> DanglingFaces:
+        """Triangles in no tetrahedron, edges in no triangle and points in no edge of the full alpha complex: what a ball of radius at most alpha
+        rests on that has no point inside. Costs a triangulation.
+
+        Raises
+        ------
+        InvalidInput
+            All points are in a plane, where there is none.
+        """
+        self._require_unchanged()
+        found = DanglingFaces(*_core.solid_dangling(self.points, self.alpha))
+        freeze(*found)
+        return found
 
     @cached_property
     def _voids(self) -> dict[str, Any]:

@@ -54,6 +54,13 @@ int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3&
   return dot(t.n, scale(d) - t.origin).sign();
 }
 
+int compare_circumradius(const Point3& a, const Point3& b, double radius) {
+  const Scale scale({a, b}, radius);
+  const Vector u = scale(b) - scale(a);
+  const Integer diameter = 2 * scale(radius), squares = dot(u, u) - diameter * diameter;
+  return squares.sign();
+}
+
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, double radius) {
   const Scale scale({a, b, c}, radius);
   return -clearance(Corners(scale, a, b, c), scale(radius)).sign();
@@ -78,6 +85,22 @@ int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Poin
   // The volume times the power of q, twice the product with the centre being as above.
   const Integer power = dot(p, p) * dot(t.n, w) - dot(t.u, t.u) * dot(cross(t.v, w), p) -
                         dot(t.v, t.v) * dot(cross(w, t.u), p) - dot(w, w) * dot(t.n, p);
+  return -power.sign();
+}
+
+int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& q) {
+  const Scale scale{a, b, q};
+  const Integer product = dot(scale(a) - scale(q), scale(b) - scale(q));
+  return -product.sign();
+}
+
+int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
+  const Scale scale{a, b, c, q};
+  const Corners t(scale, a, b, c);
+  const Vector d = scale(q) - t.origin;
+  // n² times the power of q; the centre is at (uu v × n + vv n × u) / 2 n², from a.
+  const Integer power =
+      dot(t.n, t.n) * dot(d, d) - dot(t.u, t.u) * dot(cross(t.v, t.n), d) - dot(t.v, t.v) * dot(cross(t.n, t.u), d);
   return -power.sign();
 }
 

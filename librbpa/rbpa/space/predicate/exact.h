@@ -10,6 +10,9 @@ namespace rbpa::space::exact {
 /// Sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
 int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
+/// Sign of (half the distance of a and b) − radius.
+int compare_circumradius(const Point3& a, const Point3& b, double radius);
+
 /// Sign of (circumradius of (a, b, c)) − radius; that of points on a line is infinite.
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, double radius);
 
@@ -19,6 +22,11 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, cons
 /// The side of q with respect to the sphere through a, b, c, d: 1 when q is inside, −1 when outside, 0 when on it.
 /// Requires: orientation(a, b, c, d) > 0.
 int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
+/// The side of q with respect to the least sphere through a and b, or a, b and c: 1 when q is inside, −1 when outside, 0 when on it.
+/// Requires: two distinct points; three that are on no line.
+int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& q);
+int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q);
 
 /// The side of q with respect to the ball that touches a, b, c, with its centre on the positive side of them: 1 when q is
 /// inside, −1 when outside, 0 when it touches too.

@@ -1,0 +1,35 @@
+// What:   what the full alpha complex has beyond the solid: triangles in none of its tetrahedra, edges in no triangle, points in no
+//         edge.
+// Law:    a simplex is in the full alpha complex if a ball of radius at most alpha has its corners on its sphere and no point inside.
+//         Exact, for any finite input.
+// Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/solid.md, section 11.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/solid.h"
+
+namespace rbpa {
+
+/// Of input indices, ascending, in lexicographic order.
+struct DanglingFaces {
+  std::vector<Triangle> triangles;                  ///< in no tetrahedron of the complex
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< in no triangle of the complex
+  std::vector<std::uint32_t> points;                ///< in no edge of the complex
+};
+
+/// Requires: the result of solid() at infinity, with neighbors, which is not empty unless there are fewer than two distinct points;
+///           its circumradii(); alpha above 0. `threads` as in SolidOptions.
+/// Throws:   ContractViolation where radii or neighbors are missing; InvalidInput when alpha is no radius, or when several points have no
+///           tetrahedron, as those of a plane: the complex has no such triangulation then.
+RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
+                                      std::span<const double> radii, double alpha, unsigned threads = 0);
+
+}  // namespace rbpa

@@ -1,0 +1,74 @@
+// What: which triangles and edges of a Delaunay triangulation are in the full alpha complex.
+// Law:  a simplex is in the complex if a ball of radius at most alpha has its corners on its sphere and no point inside. So it is if one
+//       of a higher dimension that it is a face of is in it, and otherwise if the least sphere through its corners is within alpha and no corner
+//       of those around it is inside.
+// Cost: linear in the tetrahedra; exact predicates where neither tetrahedron at a triangle is in the complex.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/solid.h"
+
+namespace rbpa::space {
+
+class FacesWithin {
+ public:
+  /// Keeps references. Requires: a Delaunay triangulation with neighbors, and its radii; alpha above 0.
+  FacesWithin(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
+              Threads& threads);
+
+  bool has_tetrahedron(std::uint32_t t) const { return radii_[t] <= alpha_; }
+  /// The triangle across from corner k of a tetrahedron.
+  bool has_triangle(std::uint32_t t, std::size_t k) const { return has_triangle_[4 * std::size_t{t} + k] != 0; }
+  /// How many tetrahedra of the complex have it for a face.
+  unsigned tetrahedra_at(std::uint32_t t, std::size_t k) const {
+    const std::uint32_t beyond = delaunay_.neighbors[t][k];
+    return static_cast<unsigned>(has_tetrahedron(t)) +
+           static_cast<unsigned>(beyond != Solid::none && has_tetrahedron(beyond));
+  }
+  bool is_on_hull(std::uint32_t t, std::size_t k) const { return delaunay_.neighbors[t][k] == Solid::none; }
+  /// A triangle is at two tetrahedra, but one of them is the first.
+  bool is_first(std::uint32_t t, std::size_t k) const {
+    return delaunay_.neighbors[t][k] == Solid::none || t < delaunay_.neighbors[t][k];
+  }
+
+  /// The edge from a to b, around which these tetrahedra are.
+  bool has_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const;
+
+ private:
+  std::span<const Point3> points_;
+  const Solid& delaunay_;
+  std::span<const double> radii_;
+  double alpha_;
+  std::vector<std::uint8_t> has_triangle_;  // of each corner of a tetrahedron
+};
+
+/// Calls visit(b, tetrahedra around the edge from a to b) for each edge at a whose other end has a greater index, ascending. `ends` is
+/// memory to be used again.
+template <typename Visit>
+void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, const Solid& delaunay,
+                      std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends, Visit visit) {
+  ends.clear();
+  for (const std::uint32_t t : star)
+    for (const std::uint32_t b : delaunay.simplices[t])
+      if (b > a) ends.emplace_back(b, t);
+  std::sort(ends.begin(), ends.end());
+  std::vector<std::uint32_t> around;
+  for (std::size_t first = 0; first < ends.size();) {
+    around.clear();
+    std::size_t last = first;
+    for (; last < ends.size() && ends[last].first == ends[first].first; ++last) around.push_back(ends[last].second);
+    visit(ends[first].first, std::span<const std::uint32_t>(around));
+    first = last;
+  }
+}
+
+}  // namespace rbpa::space

@@ -1,0 +1,259 @@
+#include "rbpa/union_of_balls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/in_order.h"
+#include "rbpa/solid_radii.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/full/faces_within.h"
+#include "rbpa/space/full/stars.h"
+#include "rbpa/space/outer_faces.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa {
+namespace {
+
+using Vector = space::Vector3<double>;
+using std::numbers::pi;
+
+Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double length(const Vector& v) { return std::sqrt(dot(v, v)); }
+
+/// Of a corner whose edges lead to a, b and c, as a share of all directions. Source: Van Oosterom, Strackee (1983).
+double solid_angle(const Vector& a, const Vector& b, const Vector& c) {
+  const double la = length(a), lb = length(b), lc = length(c);
+  const double y = std::abs(dot(a, cross(b, c))), x = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
+  return 2 * std::atan2(y, x) / (4 * pi);
+}
+
+/// Of an edge between the faces towards a and b, which begin at its origin, as a share of a whole turn.
+double dihedral_angle(const Vector& edge, const Vector& a, const Vector& b) {
+  const Vector to_a = cross(edge, a), to_b = cross(edge, b);
+  return std::atan2(length(cross(to_a, to_b)), dot(to_a, to_b)) / (2 * pi);
+}
+
+/// What balls have in common: volume, and area of the surface.
+struct Measure {
+  double volume, area;
+};
+
+// Of balls of radius 1.
+constexpr Measure one_ball = {4 * pi / 3, 4 * pi};
+
+/// At so much of a distance, at most 2.
+Measure two_balls(double distance) {
+  const double height = std::max(2 - distance, 0.0);  // of both caps together
+  return {pi / 12 * (4 + distance) * height * height, 2 * pi * height};
+}
+
+/// Around 0, u and v, whose circumradius is at most 1. The three spheres meet in two points; the tetrahedron with one of them is made of what
+/// it has of one ball, less what it has of two, and of half of three.
+Measure three_balls(const Vector& u, const Vector& v) {
+  const Vector n = cross(u, v);
+  const double nn = dot(n, n), uu = dot(u, u), vv = dot(v, v);
+  const Vector centre = 1 / (2 * nn) * (uu * cross(v, n) + vv * cross(n, u));
+  const double height = std::sqrt(std::max(1 - dot(centre, centre), 0.0));
+  const Vector apex = centre + height / std::sqrt(nn) * n, to_v = v - u, to_apex = apex - u;
+  const double balls =
+      solid_angle(u, v, apex) + solid_angle(-1 * u, to_v, to_apex) + solid_angle(-1 * v, -1 * to_v, apex - v);
+  Measure common = {std::sqrt(nn) * height / 6 - balls * one_ball.volume, -balls * one_ball.area};
+  const auto add = [&](double distance, double angle) {
+    const Measure two = two_balls(distance);
+    common.volume += angle * two.volume;
+    common.area += angle * two.area;
+  };
+  add(std::sqrt(uu), dihedral_angle(u, v, apex));
+  add(std::sqrt(vv), dihedral_angle(v, u, apex));
+  add(length(to_v), dihedral_angle(to_v, -1 * u, to_apex));
+  return {std::max(2 * common.volume, 0.0), std::max(2 * common.area, 0.0)};
+}
+
+/// Sums that do not depend on the order.
+class Sum {
+ public:
+  void add(double times, const Measure& of) {
+    volume_.add(times * of.volume);
+    area_.add(times * of.area);
+  }
+  Sum& operator+=(const Sum& other) {
+    volume_ += other.volume_;
+    area_ += other.area_;
+    return *this;
+  }
+  Measure rounded() const { return {volume_.rounded(), area_.rounded()}; }
+
+ private:
+  ExactSum volume_, area_;
+};
+
+/// The formula over one triangulation. Points from `own` on have no ball.
+class Union {
+ public:
+  Union(std::span<const Point3> points, std::size_t own, const Solid& delaunay, std::span<const double> radii,
+        double radius, Threads& threads)
+      : points_(points),
+        own_(own),
+        delaunay_(delaunay),
+        radius_(radius),
+        threads_(threads),
+        faces_(points, delaunay, radii, radius, threads),
+        stars_(delaunay.simplices) {}
+
+  BallUnion measure() {
+    Sum sum;
+    struct Workspace {
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+      Sum sum;
+    };
+    constexpr std::size_t at_a_time = 1u << 10;
+    in_order<Workspace>(
+        threads_, (stars_.points() + at_a_time - 1) / at_a_time,
+        [&](std::size_t part, Workspace& w) {
+          w.sum = {};
+          const std::size_t end = std::min((part + 1) * at_a_time, std::min(stars_.points(), own_));
+          for (auto a = static_cast<std::uint32_t>(part * at_a_time); a < end; ++a) add_star(a, w.ends, w.sum);
+        },
+        [&](std::size_t, Workspace& w) { sum += w.sum; }, [](std::size_t, Workspace&) {});
+    const Measure unit = sum.rounded();
+    return {unit.volume * radius_ * radius_ * radius_, unit.area * radius_ * radius_};
+  }
+
+ private:
+  using Row = std::array<std::uint32_t, 4>;
+
+  /// What a point adds, and the edges, triangles and tetrahedra of which it is the least corner.
+  void add_star(std::uint32_t a, std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends, Sum& sum) const {
+    const auto star = stars_.at(a);
+    if (star.empty()) return;  // it repeats another point
+    double outside = 1;
+    bool is_inside = true;
+    for (const std::uint32_t t : star) {
+      const Row row = from_corner(t, a);
+      const Vector u = edge(a, row[1]), v = edge(a, row[2]), w = edge(a, row[3]);
+      for (std::size_t k = 0; k < 4; ++k)
+        if (delaunay_.simplices[t][k] != a && faces_.is_on_hull(t, k)) is_inside = false;
+      if (!faces_.has_tetrahedron(t)) {
+        is_inside = false;
+        continue;
+      }
+      outside -= solid_angle(u, v, w);
+      if (a == *std::min_element(row.begin(), row.end())) sum.add(1, {std::abs(dot(u, cross(v, w))) / 6, 0});
+    }
+    if (!is_inside) sum.add(outside, one_ball);
+    for (const std::uint32_t t : star)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (faces_.is_first(t, k)) add_triangle(a, t, k, sum);
+    space::for_each_edge_up(a, star, delaunay_, ends, [&](std::uint32_t b, std::span<const std::uint32_t> around) {
+      add_edge(a, b, around, sum);
+    });
+  }
+
+  void add_triangle(std::uint32_t a, std::uint32_t t, std::size_t k, Sum& sum) const {
+    const auto& corners = delaunay_.simplices[t];
+    std::array<std::uint32_t, 3> triangle = {corners[space::outer_faces[k][0]], corners[space::outer_faces[k][1]],
+                                             corners[space::outer_faces[k][2]]};
+    std::sort(triangle.begin(), triangle.end());
+    const unsigned tetrahedra = faces_.tetrahedra_at(t, k);
+    if (triangle[0] != a || tetrahedra == 2 || !faces_.has_triangle(t, k)) return;
+    sum.add(1 - 0.5 * tetrahedra, three_balls(edge(a, triangle[1]), edge(a, triangle[2])));
+  }
+
+  void add_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around, Sum& sum) const {
+    const Vector along = edge(a, b);
+    double outside = 1;
+    bool is_inside = true;
+    for (const std::uint32_t t : around) {
+      std::array<std::uint32_t, 2> others{};
+      std::size_t found = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t corner = delaunay_.simplices[t][k];
+        if (corner == a || corner == b) continue;
+        others[found++] = corner;
+        if (faces_.is_on_hull(t, k)) is_inside = false;
+      }
+      if (faces_.has_tetrahedron(t))
+        outside -= dihedral_angle(along, edge(a, others[0]), edge(a, others[1]));
+      else
+        is_inside = false;
+    }
+    if (!is_inside && faces_.has_edge(a, b, around)) sum.add(-outside, two_balls(length(along)));
+  }
+
+  /// In units of the radius.
+  Vector edge(std::uint32_t a, std::uint32_t b) const {
+    return 1 / radius_ * space::from<double>(points_[a], points_[b]);
+  }
+  /// The corners of a tetrahedron, one of them first.
+  Row from_corner(std::uint32_t t, std::uint32_t first) const {
+    Row row = delaunay_.simplices[t];
+    std::swap(row[0], *std::find(row.begin(), row.end(), first));
+    return row;
+  }
+
+  std::span<const Point3> points_;
+  std::size_t own_;
+  const Solid& delaunay_;
+  double radius_;
+  Threads& threads_;
+  space::FacesWithin faces_;
+  space::Stars stars_;
+};
+
+void check_radius(double radius) {
+  if (!(radius > 0) || std::isinf(radius))
+    throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
+}
+
+}  // namespace
+
+BallUnion union_of_balls(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
+                         double radius, unsigned wanted) {
+  check_radius(radius);
+  meshops::require(radii.size() == delaunay.simplices.size(), "union_of_balls: expected a radius for each tetrahedron");
+  meshops::require(delaunay.neighbors.size() == radii.size() && !radii.empty(),
+                   "union_of_balls: the triangulation has no tetrahedra or no neighbors");
+  Threads threads = threads_for(points.size(), wanted);
+  return Union(points, points.size(), delaunay, radii, radius, threads).measure();
+}
+
+BallUnion union_of_balls(std::span<const Point3> points, double radius, const SolidOptions& options) {
+  check_radius(radius);
+  space::check_points(points);
+  if (points.empty()) return {};
+  SolidOptions with_neighbors = options;
+  with_neighbors.neighbors = true;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Solid delaunay = solid(points, infinity, with_neighbors);
+  std::vector<Point3> more;
+  if (delaunay.simplices.empty()) {
+    // All are in a plane. Points so far away that no ball reaches them make a triangulation.
+    Point3 low = points[0], high = points[0];
+    for (const Point3& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const double far = 4 * (radius + (high.x - low.x) + (high.y - low.y) + (high.z - low.z));
+    more.assign(points.begin(), points.end());
+    for (const Point3& p : {Point3{high.x + far, high.y, high.z}, Point3{high.x, high.y + far, high.z},
+                            Point3{high.x, high.y, high.z + far}})
+      more.push_back(p);
+    delaunay = solid(more, infinity, with_neighbors);
+  }
+  const std::span<const Point3> all = more.empty() ? points : std::span<const Point3>(more);
+  const std::vector<double> radii = circumradii(all, delaunay.simplices, options.threads);
+  Threads threads = threads_for(points.size(), options.threads);
+  return Union(all, points.size(), delaunay, radii, radius, threads).measure();
+}
+
+}  // namespace rbpa
