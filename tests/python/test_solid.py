@@ -129,6 +129,30 @@ def test_what_dangles_belongs_to_no_tetrahedron():
         rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]]).dangling
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_the_full_complex_is_that_of_gudhi(seed):
+    gudhi = pytest.importorskip("gudhi")
+    points = numpy.random.default_rng(seed).random((150, 3))
+    filtration = list(gudhi.AlphaComplex(points=points, precision="exact").create_simplex_tree().get_filtration())
+    values = [value for _, value in filtration]
+    for index in (160, 400, 800, 1200, 1600):
+        while values[index] == values[index + 1]:
+            index += 1
+        alpha = math.sqrt((values[index] + values[index + 1]) / 2)  # between two steps, as GUDHI's squares are rounded
+        of = [set(), set(), set(), set()]
+        for simplex, _ in filtration[: index + 1]:
+            of[len(simplex) - 1].add(tuple(sorted(simplex)))
+
+        def faces(simplices):
+            return {s[:k] + s[k + 1 :] for s in simplices for k in range(len(s))}
+
+        solid = rbpa.solid(points, alpha)
+        assert {tuple(sorted(t)) for t in solid.simplices.tolist()} == of[3]
+        assert set(map(tuple, solid.dangling.triangles.tolist())) == of[2] - faces(of[3])
+        assert set(map(tuple, solid.dangling.edges.tolist())) == of[1] - faces(of[2])
+        assert {(p,) for p in solid.dangling.points.tolist()} == of[0] - faces(of[1])
+
+
 def test_flat_and_few_points_have_no_tetrahedron():
     for points in ([], [[1, 2, 3]], [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]):
         solid = rbpa.solid(points)
@@ -184,3 +208,16 @@ def test_meshio_has_the_tetrahedra():
     mesh = solid.to_meshio()
     assert isinstance(mesh, meshio.Mesh)
     assert numpy.array_equal(mesh.cells_dict["tetra"], solid.simplices)
+
+
+def test_a_plot_has_every_triangle_of_the_boundary():
+    pytest.importorskip("matplotlib")
+    import matplotlib.pyplot as plt
+
+    solid = rbpa.solid(numpy.random.default_rng(16).random((80, 3)), 0.3)
+    ax = solid.plot()
+    ax.figure.canvas.draw()
+    assert len(ax.collections[0].get_facecolors()) == len(solid.boundary) > 0
+    assert solid.plot(ax, facecolors="red") is ax and len(ax.collections) == 2
+    rbpa.solid(numpy.eye(3)).plot().figure.canvas.draw()
+    plt.close("all")

@@ -1,4 +1,4 @@
-"""How thick and how dark what is drawn with matplotlib is: so that as many strokes and dots as there may be are no blot.
+"""What is drawn with matplotlib: how thick and how dark strokes and dots are, so that as many as there may be are no blot; triangles in space.
 
 Lengths are in points of the page, 1/72 inch. What is denser than the page can show is drawn thinner and then paler, sides of triangles at last not at all.
 """
@@ -77,3 +77,27 @@ def draw_dots(ax: Any, points: Floats, scale: float, diameter: float, color: str
 def outline_width(length: float, page: float) -> float:
     """Of outlines that are so long on so large a page."""
     return min(1.0, _INK * page / length) if length > 0 else 1.0
+
+
+def draw_triangles(ax: Any, points: Floats, triangles: Indices, style: dict[str, Any]) -> Any:
+    """Triangles in space, lit from above, in axes of equal scale; those of a new figure where there are none."""
+    import matplotlib.pyplot as plt
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import]
+
+    if ax is None:
+        ax = plt.figure().add_subplot(projection="3d")
+    if len(triangles):
+        corners = points[triangles]
+        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        length = np.linalg.norm(across, axis=1)
+        light = across @ (0.4, 0.3, 0.866) / np.where(length > 0, length, 1)
+        shade = 0.65 + 0.35 * light[:, None]
+        look = {"facecolors": shade * (0.62, 0.79, 0.88), "edgecolors": "none", "antialiased": False, **style}
+        ax.add_collection3d(Poly3DCollection(corners, **look))
+        box = corners.reshape(-1, 3)
+        least, most = box.min(axis=0), box.max(axis=0)
+        middle, half = (least + most) / 2, (most - least).max() / 2
+        ax.set(**{f"{axis}lim": (m - half, m + half) for axis, m in zip("xyz", middle)})
+    ax.set_box_aspect((1, 1, 1))
+    ax.set(xlabel="x", ylabel="y", zlabel="z")
+    return ax

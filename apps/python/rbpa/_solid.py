@@ -12,6 +12,7 @@ import numpy.typing as npt
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads
+from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze
 
 
@@ -291,6 +292,10 @@ class Solid(Result):
         import meshio
 
         return meshio.Mesh(self.points, [("tetra", self.simplices)])
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draws the boundary with matplotlib in three dimensions, lit from above, and returns the axes: as `Surface.plot`."""
+        return draw_triangles(ax, self.points, self.boundary, style)
 
     def __repr__(self) -> str:
         return f"<rbpa.Solid of {len(self.points)} points, alpha {self.alpha}: {len(self.simplices)} tetrahedra>"

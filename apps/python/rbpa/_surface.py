@@ -14,6 +14,7 @@ import numpy.typing as npt
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_count, as_numbers, as_points, as_threads
+from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
 
@@ -443,26 +444,7 @@ class Surface(Result):
         style
             For mpl_toolkits.mplot3d.art3d.Poly3DCollection. matplotlib draws some ten thousand triangles in a second.
         """
-        import matplotlib.pyplot as plt
-        from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import]
-
-        if ax is None:
-            ax = plt.figure().add_subplot(projection="3d")
-        if len(self.triangles):
-            corners = self.points[self.triangles]
-            across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-            length = np.linalg.norm(across, axis=1)
-            light = across @ (0.4, 0.3, 0.866) / np.where(length > 0, length, 1)
-            shade = 0.65 + 0.35 * light[:, None]
-            look = {"facecolors": shade * (0.62, 0.79, 0.88), "edgecolors": "none", "antialiased": False, **style}
-            ax.add_collection3d(Poly3DCollection(corners, **look))
-            box = corners.reshape(-1, 3)
-            least, most = box.min(axis=0), box.max(axis=0)
-            middle, half = (least + most) / 2, (most - least).max() / 2
-            ax.set(**{f"{axis}lim": (m - half, m + half) for axis, m in zip("xyz", middle)})
-        ax.set_box_aspect((1, 1, 1))
-        ax.set(xlabel="x", ylabel="y", zlabel="z")
-        return ax
+        return draw_triangles(ax, self.points, self.triangles, style)
 
     def mesh(self) -> meshops.Mesh:
         """A halfedge mesh of it, a new one with each call: face i is triangle i, and goes on where `neighbors` says.

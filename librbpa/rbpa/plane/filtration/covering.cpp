@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -40,26 +41,48 @@ std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t p
   return std::nullopt;
 }
 
-/// All points in at most so many solid components.
+/// The radius at which each point is in a triangle.
+double covering_radius(const Triangulation& delaunay, std::size_t points, std::span<const double> radii) {
+  std::vector<double> least(points, std::numeric_limits<double>::infinity());
+  for (std::size_t t = 0; t < radii.size(); ++t)
+    for (const std::uint32_t corner : delaunay.triangles[t]) least[corner] = std::min(least[corner], radii[t]);
+  double radius = 0;
+  for (const Triangle& t : delaunay.triangles)
+    for (const std::uint32_t corner : t) radius = std::max(radius, least[corner]);
+  return radius;
+}
+
+/// All points in at most so many solid components. Before each point is in a triangle, no order matters: of most sets the triangles that
+/// come later are few.
 std::optional<double> smallest_of_all(const Triangulation& delaunay, std::size_t points, std::span<const double> radii,
                                       std::size_t max_components, Steps& step) {
-  const std::vector<std::uint32_t> faces = ascending(radii, step);
-  std::vector<std::uint32_t> place(faces.size());
-  for (std::uint32_t i = 0; i < faces.size(); ++i) place[faces[i]] = i;
-  meshops::DisjointSets parts(faces.size());
-  std::vector<std::uint8_t> is_covered(points, 0);
-  std::size_t left = delaunay.distinct, components = 0;
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+  const double covering = covering_radius(delaunay, points, radii);
+  std::vector<std::uint32_t> later;
+  std::vector<double> later_radii;
+  meshops::DisjointSets parts(radii.size());
+  std::vector<std::uint8_t> is_in(radii.size(), 0);
+  std::size_t components = 0;
+  const auto add = [&](std::uint32_t t) {
     step();
+    is_in[t] = 1;
     ++components;
-    for (const std::uint32_t neighbor : delaunay.neighbors[faces[i]])
-      if (neighbor != Triangulation::none && place[neighbor] < i) components -= parts.join(i, place[neighbor]);
-    for (const std::uint32_t corner : delaunay.triangles[faces[i]]) {
-      left -= is_covered[corner] == 0;
-      is_covered[corner] = 1;
+    for (const std::uint32_t neighbor : delaunay.neighbors[t])
+      if (neighbor != Triangulation::none && is_in[neighbor] != 0) components -= parts.join(t, neighbor);
+  };
+  for (std::uint32_t t = 0; t < radii.size(); ++t)
+    if (radii[t] <= covering) {
+      add(t);
+    } else {
+      later.push_back(t);
+      later_radii.push_back(radii[t]);
     }
-    if (left > 0 || components > max_components) continue;
-    if (i + 1 == faces.size() || radii[faces[i + 1]] != radii[faces[i]]) return radii[faces[i]];
+  if (radii.empty()) return std::nullopt;
+  if (components <= max_components) return covering;
+  const std::vector<std::uint32_t> order = ascending(later_radii, step);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    add(later[order[i]]);
+    const double radius = later_radii[order[i]];
+    if (components <= max_components && (i + 1 == order.size() || later_radii[order[i + 1]] != radius)) return radius;
   }
   return std::nullopt;
 }
