@@ -46,6 +46,13 @@ inline std::span<const Triple> triples_of(const Indices& array, const char* name
   return {reinterpret_cast<const Triple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
+using Quadruple = std::array<std::uint32_t, 4>;
+inline std::span<const Quadruple> quadruples_of(const Indices& array, const char* name) {
+  if (array.ndim() != 2 || array.shape(1) != 4)
+    throw py::value_error(std::string(name) + ": expected an array of shape (n, 4)");
+  return {reinterpret_cast<const Quadruple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
 /// −1, which stands for no neighbour in SciPy, has the bits of TriangleArrays::none.
 inline TriangleArrays triangle_arrays_of(const Indices& simplices, const Indices& neighbors) {
   static_assert(static_cast<std::uint32_t>(-1) == TriangleArrays::none);

@@ -4,7 +4,6 @@
 #include <pybind11/stl.h>
 
 #include <array>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <string>
@@ -38,18 +37,11 @@ py::dict solid_of(const Doubles& points, double alpha, unsigned threads, const p
   return result;
 }
 
-std::vector<std::array<std::uint32_t, 4>> quadruples_of(const Indices& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 4)
-    throw py::value_error(std::string(name) + ": expected an array of shape (n, 4)");
-  std::vector<std::array<std::uint32_t, 4>> result(static_cast<std::size_t>(array.shape(0)));
-  if (!result.empty()) std::memcpy(result.data(), array.data(), 4 * sizeof(std::uint32_t) * result.size());
-  return result;
-}
-
 Solid solid_again(const Indices& simplices, const Indices& neighbors) {
   Solid again;
-  again.simplices = quadruples_of(simplices, "simplices");
-  again.neighbors = quadruples_of(neighbors, "neighbors");
+  const auto rows_of = [](std::span<const Quadruple> rows) { return std::vector(rows.begin(), rows.end()); };
+  again.simplices = rows_of(quadruples_of(simplices, "simplices"));
+  again.neighbors = rows_of(quadruples_of(neighbors, "neighbors"));
   return again;
 }
 

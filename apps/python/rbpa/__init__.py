@@ -17,7 +17,7 @@ What there is:
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
     alpha_shapes(points, groups), concave_hulls(points, groups)   the same of many groups       -> AlphaShapes
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
-    Delaunay(points)                     stands in for scipy.spatial.Delaunay in the plane
+    Delaunay(points)                     stands in for scipy.spatial.Delaunay, in the plane and in space
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
@@ -47,7 +47,7 @@ from rbpa import meshops as meshops
 from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
-from rbpa._delaunay import Delaunay
+from rbpa._delaunay import Delaunay, DelaunayInSpace
 from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._polygons import Polygon, Polygons
@@ -65,6 +65,7 @@ __all__ = [
     "ContractViolation",
     "DanglingFaces",
     "Delaunay",
+    "DelaunayInSpace",
     "Filtration",
     "InvalidInput",
     "NotWatertight",
@@ -95,7 +96,7 @@ __all__ = [
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
-    *(AlphaShape, AlphaShapes, Delaunay, Filtration, Plateau, PointFile, Polygon, Polygons),
+    *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons),
     *(BallUnion, DanglingFaces, NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
     *(scale_space, surface, union_of_balls),

@@ -15,7 +15,7 @@ from rbpa._result import Triangles, freeze
 
 
 class Delaunay(Triangles):
-    """The Delaunay triangulation of points in the plane, with the attributes of scipy.spatial.Delaunay.
+    """The Delaunay triangulation of points in the plane or in space, with the attributes of scipy.spatial.Delaunay.
 
     What is different from SciPy: points with no triangle (fewer than three, or on one line) give an empty triangulation
     instead of an error; every decision is exact, so that every point is a vertex, however near to others it lies; points on
@@ -24,7 +24,7 @@ class Delaunay(Triangles):
     Parameters
     ----------
     points, threads, progress
-        As for `alpha_shape`.
+        As for `alpha_shape`; or points of shape (n, 3), of which it is a `DelaunayInSpace`.
 
     Attributes
     ----------
@@ -59,6 +59,9 @@ class Delaunay(Triangles):
     ndim = 2
     convex_hull: Indices
 
+    def __new__(cls, points: npt.ArrayLike = (), **options: Any) -> Delaunay:
+        return object.__new__(DelaunayInSpace if cls is Delaunay and _are_in_space(points) else cls)
+
     def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
         array = as_points(points)
         made = _core.triangulate(array, math.inf, as_threads(threads), progress)
@@ -83,10 +86,14 @@ class Delaunay(Triangles):
         """
         self._require_unchanged()
         queries = as_array(xi, "xi")
-        if queries.ndim == 0 or queries.shape[-1] != 2:
-            raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
-        found = self._locator.find(as_points(queries.reshape(-1, 2), "xi"))
+        found = self._locator.find(self._as_queries(queries))
         return found.reshape(queries.shape[:-1])
+
+    def _as_queries(self, xi: npt.NDArray[Any]) -> Floats:
+        """In rows."""
+        if xi.ndim == 0 or xi.shape[-1] != self.ndim:
+            raise _core.InvalidInput(f"xi: found an array of shape {xi.shape}, expected (..., {self.ndim})")
+        return as_points(xi.reshape(-1, self.ndim), "xi", columns=self.ndim)
 
     def interpolate(
         self,
@@ -131,8 +138,7 @@ class Delaunay(Triangles):
         if method not in ("linear", "natural"):
             raise _core.InvalidInput(f'method: found {method!r}, expected "linear" or "natural"')
         queries = as_array(xi, "xi")
-        if queries.ndim == 0 or queries.shape[-1] != 2:
-            raise _core.InvalidInput(f"xi: found an array of shape {queries.shape}, expected (..., 2)")
+        at = self._as_queries(queries)
         given = as_array(values, "values")
         if given.dtype.kind not in "iufc":
             raise _core.InvalidInput(f"values: found an array of {given.dtype}, expected numbers")
@@ -143,12 +149,15 @@ class Delaunay(Triangles):
         shape = queries.shape[:-1] + given.shape[1:]
         if 0 in shape:
             return np.empty(shape, table.dtype)
-        rows = table.view(np.float64).reshape(self.npoints, -1)
-        at = as_points(queries.reshape(-1, 2), "xi")
-        found = self._locator.interpolate(rows, at, method == "natural").view(table.dtype).reshape(shape)
+        columns = math.prod(given.shape[1:]) * (2 if is_complex else 1)
+        rows = table.view(np.float64).reshape(self.npoints, columns)
+        found = self._interpolate(rows, at, method).view(table.dtype).reshape(shape)
         if not math.isnan(fill_value):
             found[self._locator.find(at).reshape(queries.shape[:-1]) < 0] = fill_value
         return found
+
+    def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
+        return self._locator.interpolate(rows, at, method == "natural")
 
     def to_scipy(self) -> Any:
         """A scipy.spatial.Delaunay of these triangles, for what asks for one: scipy.interpolate.LinearNDInterpolator and
@@ -167,7 +176,7 @@ class Delaunay(Triangles):
         self._require_unchanged()
         if self.nsimplex == 0:
             raise _core.InvalidInput("to_scipy: found no triangle, expected one: SciPy has no empty triangulation")
-        made = OfSciPy(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
+        made = OfSciPy(np.vstack((np.zeros(self.ndim), np.eye(self.ndim))))
         scale, shift, equations = self._lifted_planes()
         made._points = self.points
         made.npoints, made.nsimplex = self.npoints, self.nsimplex
@@ -196,7 +205,7 @@ class Delaunay(Triangles):
         return scale, shift, np.column_stack((normals, -(normals * a).sum(axis=1)))
 
     @cached_property
-    def _locator(self) -> _core.Locator:
+    def _locator(self) -> Any:
         return _core.Locator(self.points, self.simplices, self.neighbors)
 
     @cached_property
@@ -208,9 +217,9 @@ class Delaunay(Triangles):
 
     @cached_property
     def vertex_to_simplex(self) -> Indices:
-        """Of each point some triangle of which it is a corner, or -1; int32 of shape (n,)."""
+        """Of each point some simplex of which it is a corner, or -1; int32 of shape (n,)."""
         of = np.full(len(self.points), -1, dtype=np.int32)
-        for corner in range(3):
+        for corner in range(self.ndim + 1):
             of[self.simplices[:, corner]] = np.arange(len(self.simplices), dtype=np.int32)
         freeze(of)
         return of
@@ -250,3 +259,91 @@ class Delaunay(Triangles):
 
     def __repr__(self) -> str:
         return f"<rbpa.Delaunay of {self.npoints} points: {self.nsimplex} triangles, {len(self.duplicates)} duplicates>"
+
+
+class DelaunayInSpace(Delaunay):
+    """The Delaunay triangulation of points in space: what `Delaunay` is of points of shape (n, 3). As in the plane, but for:
+
+    Attributes
+    ----------
+    simplices, neighbors : int32 arrays of shape (m, 4)
+        The tetrahedra, as those of `solid`.
+    convex_hull : int32 array of shape (k, 3)
+        The triangles of the convex hull, counter-clockwise seen from outside.
+    min_bound, max_bound : float64 array of shape (3,)
+    """
+
+    ndim = 3
+
+    def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
+        array = as_points(points, columns=3)
+        made = _core.solid(array, math.inf, as_threads(threads), progress)
+        del made["isolated"]
+        behind, across = np.nonzero(made["neighbors"] < 0)
+        faces = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])  # counter-clockwise seen from outside
+        made["convex_hull"] = made["simplices"][behind[:, None], faces[across]]
+        Triangles.__init__(self, made, points=array)
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
+        import meshio
+
+        return meshio.Mesh(self.points, [("tetra", self.simplices)])
+
+    @cached_property
+    def _locator(self) -> Any:
+        return _core.SolidLocator(self.points, self.simplices, self.neighbors)
+
+    def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
+        if method == "natural":
+            raise _core.InvalidInput('method: found "natural", expected "linear": natural neighbours are of the plane')
+        if self.nsimplex == 0:
+            return np.full((len(at), rows.shape[1]), np.nan)
+        found = self._locator.find(at)
+        corners = self.points[self.simplices[found]]  # of those outside anything
+        edges, to = corners[:, 1:] - corners[:, :1], at - corners[:, 0]
+        normals = np.cross(np.roll(edges, -1, axis=1), np.roll(edges, -2, axis=1))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            weights = (normals @ to[:, :, None])[:, :, 0] / (edges[:, 0] * normals[:, 0]).sum(axis=1)[:, None]
+        weights = np.column_stack((1 - weights.sum(axis=1), weights))
+        is_corner = (corners == at[:, None]).all(axis=2)
+        on_corner = is_corner.any(axis=1)
+        weights[on_corner] = is_corner[on_corner]
+        weights[found < 0] = np.nan
+        values: Floats = (weights[:, :, None] * rows[self.simplices[found]]).sum(axis=1)
+        return values
+
+    def _lifted_planes(self) -> tuple[float, float, Floats]:
+        """The same by the minors of four lifted corners."""
+        squares = (self.points**2).sum(axis=1)
+        lowest, span = squares.min(), squares.max() - squares.min()
+        scale = float(np.abs(self.points).max() / span) if span > 0 else 1.0
+        shift = float(-lowest * scale)
+        corners = np.column_stack((self.points, scale * squares + shift))[self.simplices]
+        edges = corners[:, 1:] - corners[:, :1]
+        minors = [(-1) ** k * np.linalg.det(np.delete(edges, k, axis=2)) for k in range(4)]
+        normals = np.stack(minors, axis=1)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            normals /= -np.linalg.norm(normals, axis=1)[:, None] * np.sign(normals[:, 3:])
+        return scale, shift, np.column_stack((normals, -(normals * corners[:, 0]).sum(axis=1)))
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
+        """As in the plane."""
+        a, b = np.nonzero(~np.eye(4, dtype=bool))
+        pairs = np.unique(self.simplices[:, [a, b]].transpose(0, 2, 1).reshape(-1, 2), axis=0)
+        starts: Indices = np.searchsorted(pairs[:, 0], np.arange(self.npoints + 1)).astype(np.int32)
+        others: Indices = pairs[:, 1].astype(np.int32)
+        freeze(starts, others)
+        return starts, others
+
+    def __repr__(self) -> str:
+        return f"<rbpa.DelaunayInSpace of {self.npoints} points: {self.nsimplex} tetrahedra, {len(self.duplicates)} duplicates>"
+
+
+def _are_in_space(points: npt.ArrayLike) -> bool:
+    try:
+        shape = np.shape(points)
+    except ValueError:  # ragged: as_points says so
+        return False
+    return len(shape) == 2 and shape[1] == 3

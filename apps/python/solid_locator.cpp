@@ -1,0 +1,45 @@
+#include "rbpa/solid_locator.h"
+
+#include <utility>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+
+namespace rbpa::python {
+namespace {
+
+/// A SolidLocator, and the arrays on which it stands.
+class ArraySolidLocator {
+ public:
+  ArraySolidLocator(Doubles points, Indices simplices, Indices neighbors)
+      : points_(std::move(points)),
+        simplices_(std::move(simplices)),
+        neighbors_(std::move(neighbors)),
+        locator_(points3_of(points_, "points"), quadruples_of(simplices_, "simplices"),
+                 quadruples_of(neighbors_, "neighbors")) {}
+
+  Indices find(const Doubles& queries) const {
+    const auto input = points3_of(queries, "queries");
+    return line<std::int32_t>(watched(input.size(), py::none(), [&](Watch& watch) {
+      return locator_.find(input, {.go_on = watch.until_stopped()});
+    }));
+  }
+
+ private:
+  Doubles points_;
+  Indices simplices_, neighbors_;
+  SolidLocator locator_;
+};
+
+}  // namespace
+
+void bind_solid_locator(py::module_& module) {
+  using py::arg;
+  py::class_<ArraySolidLocator>(module, "SolidLocator")
+      .def(py::init<Doubles, Indices, Indices>(), arg("points").noconvert(), arg("simplices").noconvert(),
+           arg("neighbors").noconvert())
+      .def("find", &ArraySolidLocator::find, arg("queries").noconvert());
+}
+
+}  // namespace rbpa::python
