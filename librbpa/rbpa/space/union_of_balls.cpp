@@ -28,18 +28,20 @@ using std::numbers::pi;
 Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-
-/// Of a corner whose edges lead to a, b and c, as a share of all directions. Source: Van Oosterom, Strackee (1983).
-double solid_angle(const Vector& a, const Vector& b, const Vector& c) {
-  const double la = length(a), lb = length(b), lc = length(c);
-  const double y = std::abs(dot(a, cross(b, c))), x = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la;
-  return 2 * std::atan2(y, x) / (4 * pi);
+double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }  // of points that nearly coincide too
+Vector unit(const Vector& v) {
+  const double size = length(v);
+  return size > 0 ? 1 / size * v : v;
 }
 
-/// Of an edge between the faces towards a and b, which begin at its origin, as a share of a whole turn.
+/// Of a corner whose edges lead along three unit vectors, as a share of all directions. Source: Van Oosterom, Strackee (1983).
+double solid_angle(const Vector& a, const Vector& b, const Vector& c) {
+  return 2 * std::atan2(std::abs(dot(a, cross(b, c))), 1 + dot(a, b) + dot(a, c) + dot(b, c)) / (4 * pi);
+}
+
+/// Of an edge between the faces towards a and b, which begin at its origin, as a share of a whole turn: all three unit vectors.
 double dihedral_angle(const Vector& edge, const Vector& a, const Vector& b) {
-  const Vector to_a = cross(edge, a), to_b = cross(edge, b);
+  const Vector to_a = unit(cross(edge, a)), to_b = unit(cross(edge, b));
   return std::atan2(length(cross(to_a, to_b)), dot(to_a, to_b)) / (2 * pi);
 }
 
@@ -60,22 +62,25 @@ Measure two_balls(double distance) {
 /// Around 0, u and v, whose circumradius is at most 1. The three spheres meet in two points; the tetrahedron with one of them is made of what
 /// it has of one ball, less what it has of two, and of half of three.
 Measure three_balls(const Vector& u, const Vector& v) {
-  const Vector n = cross(u, v);
-  const double nn = dot(n, n), uu = dot(u, u), vv = dot(v, v);
-  const Vector centre = 1 / (2 * nn) * (uu * cross(v, n) + vv * cross(n, u));
+  const double lu = length(u), lv = length(v);
+  const Vector eu = unit(u), ev = unit(v), n = cross(eu, ev), ew = unit(v - u);
+  const double nn = dot(n, n);
+  if (!(nn > 0)) return two_balls(std::max(lu, lv));  // two of the three are at one point
+  const Vector centre = 1 / (2 * nn) * (lu * cross(ev, n) + lv * cross(n, eu));
   const double height = std::sqrt(std::max(1 - dot(centre, centre), 0.0));
-  const Vector apex = centre + height / std::sqrt(nn) * n, to_v = v - u, to_apex = apex - u;
+  const Vector apex = centre + height / std::sqrt(nn) * n;
+  const Vector from_o = unit(apex), from_u = unit(apex - u), from_v = unit(apex - v);
   const double balls =
-      solid_angle(u, v, apex) + solid_angle(-1 * u, to_v, to_apex) + solid_angle(-1 * v, -1 * to_v, apex - v);
-  Measure common = {std::sqrt(nn) * height / 6 - balls * one_ball.volume, -balls * one_ball.area};
+      solid_angle(eu, ev, from_o) + solid_angle(-1 * eu, ew, from_u) + solid_angle(-1 * ev, -1 * ew, from_v);
+  Measure common = {lu * lv * std::sqrt(nn) * height / 6 - balls * one_ball.volume, -balls * one_ball.area};
   const auto add = [&](double distance, double angle) {
     const Measure two = two_balls(distance);
     common.volume += angle * two.volume;
     common.area += angle * two.area;
   };
-  add(std::sqrt(uu), dihedral_angle(u, v, apex));
-  add(std::sqrt(vv), dihedral_angle(v, u, apex));
-  add(length(to_v), dihedral_angle(to_v, -1 * u, to_apex));
+  add(lu, dihedral_angle(eu, ev, from_o));
+  add(lv, dihedral_angle(ev, eu, from_o));
+  add(length(v - u), dihedral_angle(ew, -1 * eu, from_u));
   return {std::max(2 * common.volume, 0.0), std::max(2 * common.area, 0.0)};
 }
 
@@ -147,7 +152,7 @@ class Union {
         is_inside = false;
         continue;
       }
-      outside -= solid_angle(u, v, w);
+      outside -= solid_angle(unit(u), unit(v), unit(w));
       if (a == *std::min_element(row.begin(), row.end())) sum.add(1, {std::abs(dot(u, cross(v, w))) / 6, 0});
     }
     if (!is_inside) sum.add(outside, one_ball);
@@ -171,6 +176,7 @@ class Union {
 
   void add_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around, Sum& sum) const {
     const Vector along = edge(a, b);
+    const Vector direction = unit(along);
     double outside = 1;
     bool is_inside = true;
     for (const std::uint32_t t : around) {
@@ -183,7 +189,7 @@ class Union {
         if (faces_.is_on_hull(t, k)) is_inside = false;
       }
       if (faces_.has_tetrahedron(t))
-        outside -= dihedral_angle(along, edge(a, others[0]), edge(a, others[1]));
+        outside -= dihedral_angle(direction, unit(edge(a, others[0])), unit(edge(a, others[1])));
       else
         is_inside = false;
     }
@@ -248,6 +254,8 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
     for (const Point3& p : {Point3{high.x + far, high.y, high.z}, Point3{high.x, high.y + far, high.z},
                             Point3{high.x, high.y, high.z + far}})
       more.push_back(p);
+    if (!std::isfinite(high.x + far) || !std::isfinite(high.y + far) || !std::isfinite(high.z + far))
+      throw InvalidInput("the points are in a plane, and too far apart or balls too large for doubles beyond them");
     delaunay = solid(more, infinity, with_neighbors);
   }
   const std::span<const Point3> all = more.empty() ? points : std::span<const Point3>(more);

@@ -136,6 +136,19 @@ TEST_CASE("as large as the sum of the balls where they are apart, and it does no
   CHECK(union_of_balls(points, 1e6).volume == doctest::Approx(4 * pi / 3 * 1e18).epsilon(1e-4));
 }
 
+TEST_CASE("points that nearly coincide have nearly one ball, however near they are") {
+  for (const double size : {1e-3, 1e-9, 1e-100, 1e-160, 1e-200, 1e-300}) {
+    CAPTURE(size);
+    Points3 points = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}, {size, size, size / 2}};
+    CHECK(union_of_balls(points, 1).volume == doctest::Approx(4 * pi / 3).epsilon(2 * size + 1e-13));
+    points.push_back({1, 0, 0});
+    const BallUnion two = union_of_balls(Points3{{0, 0, 0}, {1, 0, 0}}, 1), found = union_of_balls(points, 1);
+    CHECK(found.volume == doctest::Approx(two.volume).epsilon(4 * size + 1e-13));
+    CHECK(found.area == doctest::Approx(two.area).epsilon(4 * size + 1e-13));
+  }
+  CHECK_THROWS_AS(union_of_balls(Points3{{1e308, 0, 0}, {-1e308, 0, 0}}, 1), rbpa::InvalidInput);
+}
+
 TEST_CASE("moved by a power of two, scaled by one, shuffled, by three threads: the same to rounding") {
   Points3 points = jittered_cubes(500, 5);
   const BallUnion expected = union_of_balls(points, 0.75, {.threads = 1}),
