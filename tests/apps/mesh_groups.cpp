@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "support/npy_file.h"
 #include "support/program.h"
 #include "support/random.h"
 #include "support/vtu_arrays.h"
@@ -18,14 +18,6 @@ using namespace apps_test;
 using nlohmann::json;
 
 namespace {
-
-/// The rows of an .npy file of uint32.
-std::vector<std::array<std::uint32_t, 3>> rows_of(const std::string& npy) {
-  const std::size_t begin = 10U + static_cast<unsigned char>(npy[8]) + 256U * static_cast<unsigned char>(npy[9]);
-  std::vector<std::array<std::uint32_t, 3>> rows((npy.size() - begin) / 12);
-  if (!rows.empty()) std::memcpy(rows.data(), npy.data() + begin, npy.size() - begin);
-  return rows;
-}
 
 void refuses(const std::string& arguments, const std::string& message) {
   const Folder folder;
@@ -56,7 +48,7 @@ TEST_SUITE("mesh groups") {
     const std::string run = "mesh all.csv --columns x,y --group-by group --alpha 4 ";
     const Outcome outcome = folder.rbpa(run + "-o m.vtu -o m.ply -o m.npy -o m.off --stats s.json");
     REQUIRE(outcome.code == 0);
-    const auto triangles = rows_of(folder.content("m.npy"));
+    const auto triangles = npy_rows<std::array<std::uint32_t, 3>>(folder.content("m.npy"));
     CHECK(outcome.err == "rbpa: 600 points, 12 groups, " + std::to_string(triangles.size()) +
                              " triangles -> m.vtu, m.ply, m.npy, m.off\n");
     const std::string vtu = folder.content("m.vtu");
@@ -71,7 +63,7 @@ TEST_SUITE("mesh groups") {
       folder.file("one.csv", alone[number]);
       REQUIRE(folder.rbpa("mesh one.csv --alpha 4 -q -o one.npy").code == 0);
       const json& known = features[static_cast<std::size_t>(number - 1)]["properties"];
-      for (const auto& row : rows_of(folder.content("one.npy"))) {
+      for (const auto& row : npy_rows<std::array<std::uint32_t, 3>>(folder.content("one.npy"))) {
         REQUIRE(at < triangles.size());
         for (std::size_t k = 0; k < 3; ++k) CHECK(triangles[at][k] == indices[row[k]]);
         CHECK(group[at] == static_cast<std::uint32_t>(number - 1));

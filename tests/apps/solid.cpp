@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "support/npy_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -36,14 +36,6 @@ void refuses(const Folder& folder, const std::string& arguments, int code, const
 }
 
 using Row = std::array<std::uint32_t, 4>;
-
-std::vector<Row> rows_of(const std::string& npy) {
-  CHECK(npy.find("'descr': '<u4'") != std::string::npos);
-  const std::size_t begin = npy.find('\n') + 1;
-  std::vector<Row> rows((npy.size() - begin) / sizeof(Row));
-  if (!rows.empty()) std::memcpy(rows.data(), npy.data() + begin, rows.size() * sizeof(Row));
-  return rows;
-}
 
 /// Rows of so many numbers behind a line; of each the four at `at`, less 1.
 std::vector<Row> rows_behind(const std::string& text, const std::string& line, std::size_t numbers, std::size_t at) {
@@ -82,7 +74,7 @@ TEST_SUITE("solid") {
     CHECK(volume > 56);
     CHECK(volume < 64);
     for (const char* part : {"read", "build", "count", "write"}) CHECK(stats["seconds"][part] >= 0);
-    const std::vector<Row> rows = rows_of(folder.content("t.npy"));
+    const std::vector<Row> rows = npy_rows<Row>(folder.content("t.npy"));
     CHECK(rows.size() == stats["tetrahedra"]);
     CHECK(std::is_sorted(rows.begin(), rows.end()));
     CHECK(rows_behind(folder.content("t.mesh"), "\nTetrahedra\n", 5, 0) == rows);
@@ -105,7 +97,7 @@ TEST_SUITE("solid") {
                 "0 0 -1\n0 0 1\n2 1 0\n2 -1 0\n-2 1 0\n-2 -1 0\n0 0 -1\n0 0 1\n"
                 "3 3 1\n3 3 -1\n4 2 0\n");
     REQUIRE(folder.rbpa("solid c.xyz --alpha 1.5 -o t.npy --boundary b.ply --stats s.json").code == 0);
-    CHECK(rows_of(folder.content("t.npy")) == std::vector<Row>{{0, 1, 3, 2}, {0, 1, 4, 5}, {2, 8, 10, 9}});
+    CHECK(npy_rows<Row>(folder.content("t.npy")) == std::vector<Row>{{0, 1, 3, 2}, {0, 1, 4, 5}, {2, 8, 10, 9}});
     const json stats = json::parse(folder.content("s.json"));
     CHECK(stats["points"] == 11);
     CHECK(stats["distinct"] == 9);
@@ -198,7 +190,7 @@ TEST_SUITE("solid") {
       const Outcome outcome = folder.rbpa("solid p.xyz --alpha " + alpha + " -o t.npy --boundary b.stl");
       CHECK(outcome.code == 0);
       CHECK(outcome.err.starts_with("rbpa: there is no tetrahedron: " + why + "\n"));
-      CHECK(rows_of(folder.content("t.npy")).empty());
+      CHECK(npy_rows<Row>(folder.content("t.npy")).empty());
     };
     says("1 2 3\n", "inf", "fewer than four distinct points");
     says("0 0 0\n0 0 0\n1 0 0\n0 1 0\n", "inf", "fewer than four distinct points");

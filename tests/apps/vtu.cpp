@@ -8,6 +8,7 @@
 #include "io/bytes/number.h"
 #include "io/cloud/read_points.h"
 #include "support/generate.h"
+#include "support/npy_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -56,14 +57,6 @@ struct Vtu {
   std::vector<std::uint8_t> types;
 };
 
-/// The numbers of an .npy file of uint32.
-std::vector<std::uint32_t> numbers_of(const std::string& npy) {
-  const std::size_t begin = 10U + static_cast<unsigned char>(npy[8]) + 256U * static_cast<unsigned char>(npy[9]);
-  std::vector<std::uint32_t> numbers((npy.size() - begin) / 4);
-  if (!numbers.empty()) std::memcpy(numbers.data(), npy.data() + begin, npy.size() - begin);
-  return numbers;
-}
-
 }  // namespace
 
 TEST_SUITE("vtu") {
@@ -85,11 +78,10 @@ TEST_SUITE("vtu") {
         CHECK(vtu.positions[3 * i + 1] == points[i].y);
         CHECK(vtu.positions[3 * i + 2] == 0);
       }
-      std::vector<std::uint32_t> corners = numbers_of(folder.content("m.npy"));
+      std::vector<std::uint32_t> corners = npy_rows(folder.content("m.npy"));
       std::vector<std::uint8_t> types(corners.size() / 3, 5);
       if (complex == "full") {
-        const auto edges = numbers_of(folder.content("m.edges.npy")),
-                   isolated = numbers_of(folder.content("m.points.npy"));
+        const auto edges = npy_rows(folder.content("m.edges.npy")), isolated = npy_rows(folder.content("m.points.npy"));
         REQUIRE(!edges.empty());
         REQUIRE(!isolated.empty());
         corners.insert(corners.end(), edges.begin(), edges.end());

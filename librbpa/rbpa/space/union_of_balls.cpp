@@ -141,26 +141,38 @@ class Union {
   void add_star(std::uint32_t a, std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends, Sum& sum) const {
     const auto star = stars_.at(a);
     if (star.empty()) return;  // it repeats another point
-    double outside = 1;
-    bool is_inside = true;
     for (const std::uint32_t t : star) {
-      const Row row = from_corner(t, a);
-      const Vector u = edge(a, row[1]), v = edge(a, row[2]), w = edge(a, row[3]);
-      for (std::size_t k = 0; k < 4; ++k)
-        if (delaunay_.simplices[t][k] != a && faces_.is_on_hull(t, k)) is_inside = false;
-      if (!faces_.has_tetrahedron(t)) {
-        is_inside = false;
-        continue;
-      }
-      outside -= solid_angle(unit(u), unit(v), unit(w));
-      if (a == *std::min_element(row.begin(), row.end())) sum.add(1, {std::abs(dot(u, cross(v, w))) / 6, 0});
+      const Row& row = delaunay_.simplices[t];
+      if (!faces_.has_tetrahedron(t) || a != *std::min_element(row.begin(), row.end())) continue;
+      const Row of = from_corner(t, a);
+      sum.add(1, {std::abs(dot(edge(a, of[1]), cross(edge(a, of[2]), edge(a, of[3])))) / 6, 0});
     }
-    if (!is_inside) sum.add(outside, one_ball);
+    if (!is_inside(star, {a, a})) {
+      double outside = 1;
+      for (const std::uint32_t t : star) {
+        if (!faces_.has_tetrahedron(t)) continue;
+        const Row of = from_corner(t, a);
+        outside -= solid_angle(unit(edge(a, of[1])), unit(edge(a, of[2])), unit(edge(a, of[3])));
+      }
+      sum.add(outside, one_ball);
+    }
     for (const std::uint32_t t : star)
       for (std::size_t k = 0; k < 4; ++k)
         if (faces_.is_first(t, k)) add_triangle(a, t, k, sum);
     space::for_each_edge_up(a, star, delaunay_, ends, [&](std::uint32_t b, std::span<const std::uint32_t> around) {
       add_edge(a, b, around, sum);
+    });
+  }
+
+  /// All of these tetrahedra are in the complex, and no face of theirs at the corner, or at both, is on the hull: what is
+  /// there adds nothing.
+  bool is_inside(std::span<const std::uint32_t> tetrahedra, std::array<std::uint32_t, 2> corners) const {
+    return std::all_of(tetrahedra.begin(), tetrahedra.end(), [&](std::uint32_t t) {
+      if (!faces_.has_tetrahedron(t)) return false;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (const std::uint32_t across = delaunay_.simplices[t][k]; across != corners[0] && across != corners[1])
+          if (faces_.is_on_hull(t, k)) return false;
+      return true;
     });
   }
 
@@ -175,25 +187,18 @@ class Union {
   }
 
   void add_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around, Sum& sum) const {
-    const Vector along = edge(a, b);
-    const Vector direction = unit(along);
+    if (is_inside(around, {a, b}) || !faces_.has_edge(a, b, around)) return;
+    const Vector along = edge(a, b), direction = unit(along);
     double outside = 1;
-    bool is_inside = true;
     for (const std::uint32_t t : around) {
-      std::array<std::uint32_t, 2> others{};
+      if (!faces_.has_tetrahedron(t)) continue;
+      std::array<Vector, 2> to{};
       std::size_t found = 0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::uint32_t corner = delaunay_.simplices[t][k];
-        if (corner == a || corner == b) continue;
-        others[found++] = corner;
-        if (faces_.is_on_hull(t, k)) is_inside = false;
-      }
-      if (faces_.has_tetrahedron(t))
-        outside -= dihedral_angle(direction, unit(edge(a, others[0])), unit(edge(a, others[1])));
-      else
-        is_inside = false;
+      for (const std::uint32_t corner : delaunay_.simplices[t])
+        if (corner != a && corner != b) to[found++] = unit(edge(a, corner));
+      outside -= dihedral_angle(direction, to[0], to[1]);
     }
-    if (!is_inside && faces_.has_edge(a, b, around)) sum.add(-outside, two_balls(length(along)));
+    sum.add(-outside, two_balls(length(along)));
   }
 
   /// In units of the radius.
