@@ -60,7 +60,8 @@ class Delaunay(Triangles):
     convex_hull: Indices
 
     def __new__(cls, points: npt.ArrayLike = (), **options: Any) -> Delaunay:
-        return object.__new__(DelaunayInSpace if cls is Delaunay and _are_in_space(points) else cls)
+        of: type[Delaunay] = DelaunayInSpace if cls is Delaunay and _are_in_space(points) else cls
+        return super().__new__(of)
 
     def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
         array = as_points(points)
@@ -157,7 +158,8 @@ class Delaunay(Triangles):
         return found
 
     def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
-        return self._locator.interpolate(rows, at, method == "natural")
+        values: Floats = self._locator.interpolate(rows, at, method == "natural")
+        return values
 
     def to_scipy(self) -> Any:
         """A scipy.spatial.Delaunay of these triangles, for what asks for one: scipy.interpolate.LinearNDInterpolator and
