@@ -60,8 +60,9 @@ class Delaunay(Triangles):
     convex_hull: Indices
 
     def __new__(cls, points: npt.ArrayLike = (), **options: Any) -> Delaunay:
-        of: type[Delaunay] = DelaunayInSpace if cls is Delaunay and _are_in_space(points) else cls
-        return super().__new__(of)
+        if cls is Delaunay and _are_in_space(points):
+            return super().__new__(DelaunayInSpace)
+        return super().__new__(cls)
 
     def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
         array = as_points(points)
