@@ -86,7 +86,7 @@ TEST_CASE("many points, by any number of threads: inside of the hull of a cube t
   Random random(10);
   Points3 queries;
   for (int i = 0; i < 20000; ++i)
-    queries.push_back({random.between(2, 24), random.between(2, 24), random.between(2, 24)});
+    queries.push_back({random.between(-12, 12), random.between(-12, 12), random.between(-12, 12)});
   const std::vector<std::uint32_t> one = locator.find(queries, {.threads = 1});
   CHECK(one == locator.find(queries, {.threads = 3}));
   for (std::size_t i = 0; i < queries.size(); ++i) {
