@@ -193,14 +193,18 @@ class Delaunay(Triangles):
         made._transform = made._vertex_to_simplex = made._vertex_neighbor_vertices = None
         return made
 
-    def _lifted_planes(self) -> tuple[float, float, Floats]:
-        """The lower planes through the corners of each triangle, lifted to z = scale (x² + y²) + shift: (nx, ny, nz, offset)."""
+    def _lifted(self) -> tuple[float, float, Floats]:
+        """The scale and the shift of the paraboloid, and the points on it."""
         squares = (self.points**2).sum(axis=1)
         lowest, span = squares.min(), squares.max() - squares.min()
         # As Qhull has it, z is as large as x and y.
         scale = float(np.abs(self.points).max() / span) if span > 0 else 1.0
         shift = float(-lowest * scale)
-        lifted = np.column_stack((self.points, scale * squares + shift))
+        return scale, shift, np.column_stack((self.points, scale * squares + shift))
+
+    def _lifted_planes(self) -> tuple[float, float, Floats]:
+        """The lower planes through the corners of each triangle, lifted to z = scale (x² + y²) + shift: (nx, ny, nz, offset)."""
+        scale, shift, lifted = self._lifted()
         a, b, c = np.moveaxis(lifted[self.simplices], 1, 0)
         normals = np.cross(c - a, b - a)  # corners are counter-clockwise, and it points down
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -318,11 +322,8 @@ class DelaunayInSpace(Delaunay):
 
     def _lifted_planes(self) -> tuple[float, float, Floats]:
         """The same by the minors of four lifted corners."""
-        squares = (self.points**2).sum(axis=1)
-        lowest, span = squares.min(), squares.max() - squares.min()
-        scale = float(np.abs(self.points).max() / span) if span > 0 else 1.0
-        shift = float(-lowest * scale)
-        corners = np.column_stack((self.points, scale * squares + shift))[self.simplices]
+        scale, shift, lifted = self._lifted()
+        corners = lifted[self.simplices]
         edges = corners[:, 1:] - corners[:, :1]
         minors = [(-1) ** k * np.linalg.det(np.delete(edges, k, axis=2)) for k in range(4)]
         normals = np.stack(minors, axis=1)

@@ -9,8 +9,8 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/in_order.h"
+#include "rbpa/base/simplices_at.h"
 #include "rbpa/space/full/faces_within.h"
-#include "rbpa/space/full/stars.h"
 #include "rbpa/space/outer_faces.h"
 
 namespace rbpa {
@@ -43,40 +43,33 @@ DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaun
         result.triangles.push_back(ascending(delaunay.simplices[t], k));
   std::sort(result.triangles.begin(), result.triangles.end());
 
-  const space::Stars stars(delaunay.simplices);
-  std::vector<std::uint8_t> has_edge(stars.points(), 0);
+  const std::size_t bound = corner_bound<4>(delaunay.simplices);
+  const TetrahedraAt stars(delaunay.simplices, bound);
+  std::vector<std::uint8_t> has_edge(bound, 0);
   struct Workspace {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
     std::vector<std::array<std::uint32_t, 2>> edges;
   };
-  const auto is_of_a_triangle = [&](std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) {
-    return std::any_of(around.begin(), around.end(), [&](std::uint32_t t) {
-      for (std::size_t k = 0; k < 4; ++k)
-        if (const std::uint32_t corner = delaunay.simplices[t][k];
-            corner != a && corner != b && faces.has_triangle(t, k))
-          return true;
-      return false;
-    });
-  };
   in_order<Workspace>(
-      threads, (stars.points() + points_at_a_time - 1) / points_at_a_time,
+      threads, (bound + points_at_a_time - 1) / points_at_a_time,
       [&](std::size_t part, Workspace& w) {
         w.edges.clear();
-        const std::size_t end = std::min((part + 1) * points_at_a_time, stars.points());
+        const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
         for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
-          space::for_each_edge_up(a, stars.at(a), delaunay, w.ends,
+          space::for_each_edge_up(a, stars[a], delaunay, w.ends,
                                   [&](std::uint32_t b, std::span<const std::uint32_t> around) {
-                                    if (!faces.has_edge(a, b, around)) return;
+                                    const bool is_of_triangle = faces.has_triangle_at(a, b, around);
+                                    if (!is_of_triangle && !faces.has_edge_alone(a, b, around)) return;
                                     for (const std::uint32_t point : {a, b})
                                       std::atomic_ref(has_edge[point]).store(1, std::memory_order_relaxed);
-                                    if (!is_of_a_triangle(a, b, around)) w.edges.push_back({a, b});
+                                    if (!is_of_triangle) w.edges.push_back({a, b});
                                   });
       },
       [&](std::size_t, Workspace& w) { result.edges.insert(result.edges.end(), w.edges.begin(), w.edges.end()); },
       [](std::size_t, Workspace&) {});
   result.points = delaunay.isolated;
-  for (std::uint32_t v = 0; v < stars.points(); ++v)
-    if (has_edge[v] == 0 && !stars.at(v).empty()) result.points.push_back(v);
+  for (std::uint32_t v = 0; v < bound; ++v)
+    if (has_edge[v] == 0 && !stars[v].empty()) result.points.push_back(v);
   std::sort(result.points.begin(), result.points.end());
   return result;
 }

@@ -12,13 +12,13 @@
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/progress.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/simplices_at.h"
 #include "rbpa/base/sort_unique.h"
 #include "rbpa/crossing_triangles.h"
 #include "rbpa/space/box_scale.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/closing/box_tree.h"
 #include "rbpa/space/closing/linked_triangles.h"
-#include "rbpa/space/levels/triangles_at.h"
 #include "rbpa/space/refining/filling_patch.h"
 #include "rbpa/split_fans.h"
 
@@ -58,7 +58,7 @@ class Fans {
       meshops::require(point < points.size(), "refine_filling: expected a surface of these points");
       places_.push_back(points[point]);
     }
-    at_ = space::TrianglesAt(fans_.triangles, size());
+    at_ = TrianglesAt(fans_.triangles, size());
     is_inner_.assign(size(), true);
     for (std::uint32_t t = 0; t < fans_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -80,7 +80,7 @@ class Fans {
   const Surface& surface_;
   SplitFans fans_;
   std::vector<Point3> places_;
-  space::TrianglesAt at_;
+  TrianglesAt at_;
   std::vector<bool> is_inner_;
 };
 

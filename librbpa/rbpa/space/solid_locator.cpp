@@ -44,7 +44,7 @@ SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
       high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
     }
-  // Cells are cubes, one for about twenty tetrahedra, unless the box is too flat or too large for numbers to tell.
+  // Cells are cubes, one for about twenty tetrahedra, unless the box is so flat that they would be too many.
   const std::array<double, 3> extent = {high_.x / 2 - low_.x / 2, high_.y / 2 - low_.y / 2, high_.z / 2 - low_.z / 2};
   const double longest = *std::max_element(extent.begin(), extent.end());
   double volume = 1;

@@ -11,6 +11,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/simplices_at.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/circumradius.h"
 
@@ -20,14 +21,6 @@ namespace {
 using Row = std::array<std::uint32_t, 4>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// One more than the greatest corner.
-std::size_t bound_of(std::span<const Row> simplices) {
-  std::size_t bound = 0;
-  for (const Row& row : simplices)
-    for (const std::uint32_t corner : row) bound = std::max(bound, corner + std::size_t{1});
-  return bound;
-}
-
 void require_radii(const Solid& solid, std::span<const double> radii) {
   meshops::require(radii.size() == solid.simplices.size(), "radii: expected one for each tetrahedron");
 }
@@ -36,7 +29,7 @@ void require_radii(const Solid& solid, std::span<const double> radii) {
 class Connection {
  public:
   Connection(const Solid& delaunay, std::span<const double> radii)
-      : delaunay_(delaunay), radii_(radii), seen_(bound_of(delaunay.simplices), none) {
+      : delaunay_(delaunay), radii_(radii), seen_(corner_bound<4>(delaunay.simplices), none) {
     for (const Row& row : delaunay.simplices)
       for (const std::uint32_t corner : row) corners_ += std::exchange(seen_[corner], unseen) == none;
   }
@@ -99,7 +92,7 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
 
 double min_alpha(const Solid& delaunay, std::span<const double> radii) {
   require_radii(delaunay, radii);
-  std::vector<double> least(bound_of(delaunay.simplices), infinity);
+  std::vector<double> least(corner_bound<4>(delaunay.simplices), infinity);
   for (std::size_t t = 0; t < radii.size(); ++t)
     for (const std::uint32_t corner : delaunay.simplices[t]) least[corner] = std::min(least[corner], radii[t]);
   double greatest = delaunay.simplices.empty() ? infinity : 0;
@@ -148,7 +141,7 @@ Solid within(const Solid& solid, std::span<const double> radii, double alpha) {
     kept.push_back(t);
   }
   constexpr std::uint8_t corner_before = 1, corner_now = 2;
-  std::vector<std::uint8_t> is_corner(bound_of(solid.simplices), 0);
+  std::vector<std::uint8_t> is_corner(corner_bound<4>(solid.simplices), 0);
   for (const Row& row : solid.simplices)
     for (const std::uint32_t corner : row) is_corner[corner] = corner_before;
   result.simplices.reserve(kept.size());

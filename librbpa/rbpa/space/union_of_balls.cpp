@@ -12,10 +12,10 @@
 #include "rbpa/base/exact/exact_sum.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/in_order.h"
+#include "rbpa/base/simplices_at.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/full/faces_within.h"
-#include "rbpa/space/full/stars.h"
 #include "rbpa/space/outer_faces.h"
 #include "rbpa/space/predicate/vector3.h"
 
@@ -113,7 +113,8 @@ class Union {
         radius_(radius),
         threads_(threads),
         faces_(points, delaunay, radii, radius, threads),
-        stars_(delaunay.simplices) {}
+        bound_(corner_bound<4>(delaunay.simplices)),
+        stars_(delaunay.simplices, bound_) {}
 
   BallUnion measure() {
     Sum sum;
@@ -123,10 +124,10 @@ class Union {
     };
     constexpr std::size_t at_a_time = 1u << 10;
     in_order<Workspace>(
-        threads_, (stars_.points() + at_a_time - 1) / at_a_time,
+        threads_, (bound_ + at_a_time - 1) / at_a_time,
         [&](std::size_t part, Workspace& w) {
           w.sum = {};
-          const std::size_t end = std::min((part + 1) * at_a_time, std::min(stars_.points(), own_));
+          const std::size_t end = std::min((part + 1) * at_a_time, std::min(bound_, own_));
           for (auto a = static_cast<std::uint32_t>(part * at_a_time); a < end; ++a) add_star(a, w.ends, w.sum);
         },
         [&](std::size_t, Workspace& w) { sum += w.sum; }, [](std::size_t, Workspace&) {});
@@ -139,7 +140,7 @@ class Union {
 
   /// What a point adds, and the edges, triangles and tetrahedra of which it is the least corner.
   void add_star(std::uint32_t a, std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends, Sum& sum) const {
-    const auto star = stars_.at(a);
+    const auto star = stars_[a];
     if (star.empty()) return;  // it repeats another point
     for (const std::uint32_t t : star) {
       const Row& row = delaunay_.simplices[t];
@@ -218,7 +219,8 @@ class Union {
   double radius_;
   Threads& threads_;
   space::FacesWithin faces_;
-  space::Stars stars_;
+  std::size_t bound_;
+  TetrahedraAt stars_;
 };
 
 void check_radius(double radius) {

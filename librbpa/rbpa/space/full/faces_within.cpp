@@ -19,9 +19,7 @@ FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, 
     if (!is_least_sphere_within(a, b, c, alpha_) || in_least_sphere(a, b, c, points_[corners[k]])) return false;
     const std::uint32_t beyond = delaunay_.neighbors[t][k];
     if (beyond == Solid::none) return true;
-    const auto& others = delaunay_.neighbors[beyond];
-    const auto back = static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
-    return !in_least_sphere(a, b, c, points_[delaunay_.simplices[beyond][back]]);
+    return !in_least_sphere(a, b, c, points_[delaunay_.simplices[beyond][back(t, k)]]);
   };
   // Each by its first tetrahedron, and then read from there.
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
@@ -34,18 +32,20 @@ FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, 
       for (std::size_t k = 0; k < 4; ++k) {
         if (is_first(t, k)) continue;
         const std::uint32_t first = delaunay_.neighbors[t][k];
-        const auto& others = delaunay_.neighbors[first];
-        const auto back = static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
-        has_triangle_[4 * std::size_t{t} + k] = has_triangle_[4 * std::size_t{first} + back];
+        has_triangle_[4 * std::size_t{t} + k] = has_triangle_[4 * std::size_t{first} + back(t, k)];
       }
   });
 }
 
-bool FacesWithin::has_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const {
+bool FacesWithin::has_triangle_at(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const {
   for (const std::uint32_t t : around)
     for (std::size_t k = 0; k < 4; ++k)
       if (const std::uint32_t corner = delaunay_.simplices[t][k]; corner != a && corner != b && has_triangle(t, k))
         return true;
+  return false;
+}
+
+bool FacesWithin::has_edge_alone(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const {
   if (!is_least_sphere_within(points_[a], points_[b], alpha_)) return false;
   for (const std::uint32_t t : around)
     for (const std::uint32_t corner : delaunay_.simplices[t])

@@ -6,6 +6,7 @@
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -40,10 +41,21 @@ class FacesWithin {
     return delaunay_.neighbors[t][k] == Solid::none || t < delaunay_.neighbors[t][k];
   }
 
-  /// The edge from a to b, around which these tetrahedra are.
-  bool has_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const;
+  /// The edge from a to b, around which these tetrahedra are: by a triangle, or alone.
+  bool has_edge(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const {
+    return has_triangle_at(a, b, around) || has_edge_alone(a, b, around);
+  }
+  bool has_triangle_at(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const;
+  /// Requires: no triangle at the edge is in the complex.
+  bool has_edge_alone(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const;
 
  private:
+  /// Which corner of the tetrahedron across from corner k is across from t.
+  std::size_t back(std::uint32_t t, std::size_t k) const {
+    const auto& others = delaunay_.neighbors[delaunay_.neighbors[t][k]];
+    return static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
+  }
+
   std::span<const Point3> points_;
   const Solid& delaunay_;
   std::span<const double> radii_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rbpa/base/point3.h"
-#include "rbpa/space/levels/triangles_at.h"
+#include "rbpa/base/simplices_at.h"
 #include "rbpa/surface.h"
 
 namespace rbpa::space {

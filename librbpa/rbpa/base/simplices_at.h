@@ -1,0 +1,53 @@
+// What: the triangles, or the tetrahedra, with a corner at a point or a vertex.
+// Cost: linear.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace rbpa {
+
+/// One more than the greatest corner.
+template <std::size_t corners>
+std::size_t corner_bound(std::span<const std::array<std::uint32_t, corners>> simplices) {
+  std::size_t bound = 0;
+  for (const auto& simplex : simplices)
+    for (const std::uint32_t corner : simplex) bound = std::max(bound, corner + std::size_t{1});
+  return bound;
+}
+
+template <std::size_t corners>
+class SimplicesAt {
+ public:
+  SimplicesAt() = default;
+  /// Requires: corners below `points`.
+  SimplicesAt(std::span<const std::array<std::uint32_t, corners>> simplices, std::size_t points)
+      : begin_(points + 2, 0) {
+    // begin_[p + 1] is where those of p begin, until each that is put there has moved it to where they end.
+    for (const auto& simplex : simplices)
+      for (const std::uint32_t corner : simplex) ++begin_[corner + std::size_t{2}];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    simplices_.resize(begin_.back());
+    for (std::uint32_t t = 0; t < simplices.size(); ++t)
+      for (const std::uint32_t corner : simplices[t]) simplices_[begin_[corner + std::size_t{1}]++] = t;
+  }
+
+  /// Ascending.
+  std::span<const std::uint32_t> operator[](std::size_t point) const {
+    return std::span(simplices_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;  // by point
+  std::vector<std::uint32_t> simplices_;
+};
+
+using TrianglesAt = SimplicesAt<3>;
+using TetrahedraAt = SimplicesAt<4>;
+
+}  // namespace rbpa
