@@ -26,8 +26,8 @@ namespace rbpa {
 struct SolidOptions {
   /// Also fill in the neighbors.
   bool neighbors = true;
-  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. Points are inserted by
-  /// one; sorting, and finding tetrahedra of a small alpha, use more.
+  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. Tiles, triples and sorting
+  /// use all of them; where points are inserted, one does it (docs/solid.md).
   unsigned threads = 0;
   /// Called repeatedly with the number of points done so far in place of triangles. Returning false cancels the run. Empty:
   /// never called.

@@ -110,7 +110,7 @@ def test_flat_points_pickles_and_wrong_calls():
     with pytest.raises(rbpa.InvalidInput, match=r"expected \(n, 2\)"):
         rbpa.Delaunay(np.zeros((3, 4)))
     with pytest.raises(rbpa.Cancelled):
-        rbpa.Delaunay(uniform(50_000, 8), progress=lambda done, count: False)
+        rbpa.Delaunay(uniform(500_000, 8), progress=lambda done, count: False)
 
 
 def test_meshio_has_the_tetrahedra():

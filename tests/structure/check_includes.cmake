@@ -37,7 +37,7 @@ set(allowed
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space: meshops/core meshops/patch rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/space/boundary rbpa/space/cells
     rbpa/space/closing rbpa/space/full rbpa/space/insertion rbpa/space/levels
-    rbpa/space/normals rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/triples"
+    rbpa/space/normals rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/tiles rbpa/space/triples"
   "rbpa/space/boundary: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/space/levels rbpa/space/predicate"
   "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort"
   "rbpa/space/closing: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
@@ -50,6 +50,8 @@ set(allowed
   "rbpa/space/refining: meshops/stellar rbpa rbpa/space/predicate"
   "rbpa/space/spacing: rbpa/base"
   "rbpa/space/star: rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/pivot rbpa/space/predicate"
+  "rbpa/space/tiles: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/sort rbpa/space rbpa/space/insertion
+    rbpa/space/predicate"
   "rbpa/space/triples: rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
   "rbpa/fill: meshops/core meshops/front meshops/patch meshops/stellar meshops/topology rbpa rbpa/base rbpa/base/exact
     rbpa/plane/grid rbpa/plane/mesh rbpa/plane/predicate rbpa/plane/shape"

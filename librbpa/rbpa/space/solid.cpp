@@ -19,93 +19,45 @@
 #include "rbpa/space/insertion/insertion.h"
 #include "rbpa/space/insertion/spatial_order.h"
 #include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/solid_rows.h"
+#include "rbpa/space/tiles/find_by_tiles.h"
 #include "rbpa/space/triples/find_by_triples.h"
 #include "rbpa/space/triples/link_faces.h"
 
 namespace rbpa {
 namespace {
 
-/// An even permutation of four numbers that puts the two least first: two bits for each place.
-using Permutation = std::uint8_t;
-
-/// Of twelve, the one for the least at i and the next at j.
-constexpr std::array<Permutation, 16> even_permutations() {
-  std::array<Permutation, 16> all{};
-  for (unsigned i = 0; i < 4; ++i)
-    for (unsigned j = 0; j < 4; ++j) {
-      if (i == j) continue;
-      unsigned k = 0;
-      while (k == i || k == j) ++k;
-      unsigned l = 6 - i - j - k;
-      const auto inversions = [&] { return (i > j) + (i > k) + (i > l) + (j > k) + (j > l) + (k > l); };
-      if (inversions() % 2 != 0) std::swap(k, l);
-      all[4 * i + j] = static_cast<Permutation>(i | j << 2U | k << 4U | l << 6U);
-    }
-  return all;
-}
-
-/// Which are the two least cannot be predicted, so that nothing branches.
-Permutation two_least_first(const Row& row) {
-  static constexpr auto all = even_permutations();
-  // Each number beside its place.
-  const auto placed = [&](std::size_t i) { return std::uint64_t{row[i]} << 2U | i; };
-  const std::uint64_t a = placed(0), b = placed(1), c = placed(2), d = placed(3);
-  const std::uint64_t low = std::min(a, b), high = std::max(a, b), other_low = std::min(c, d),
-                      other_high = std::max(c, d);
-  const std::uint64_t least = std::min(low, other_low);
-  const std::uint64_t next = std::min(std::max(low, other_low), std::min(high, other_high));
-  return all[4 * (least & 3U) + (next & 3U)];
-}
-
-template <typename Value>
-std::array<Value, 4> permuted(const std::array<Value, 4>& row, Permutation p) {
-  return {row[p & 3U], row[p >> 2U & 3U], row[p >> 4U & 3U], row[p >> 6U]};
-}
-
-/// The tetrahedra of circumradius at most alpha as rows of input indices, in canonical order, and their neighbours.
-void fill_in(const space::Insertion& triangulation, double alpha, double scaled_alpha, std::size_t points,
-             const SolidOptions& options, Solid& solid) {
-  Threads threads = threads_for(points, options.threads);
+/// Those of a triangulation that are selected, as rows.
+space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, double scaled_alpha, bool neighbors,
+                         Threads& threads) {
   const auto tetrahedra = triangulation.tetrahedra();
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
     if (!triangulation.is_deleted(t) && !tetrahedra[t].is_ghost() &&
         (std::isinf(alpha) || triangulation.is_within(t, alpha, scaled_alpha)))
       kept.push_back(t);
-
-  const auto corners_of = [&](std::uint32_t t) {
-    const auto& corner = tetrahedra[t].corner;
-    return Row{triangulation.index_of(corner[0]), triangulation.index_of(corner[1]), triangulation.index_of(corner[2]),
-               triangulation.index_of(corner[3])};
-  };
-  meshops::FreshVector<Permutation> permutation(kept.size());
-  solid.simplices.resize(kept.size());
   constexpr std::size_t at_a_time = 1u << 14;
-  for_each_part(threads, kept.size(), at_a_time, [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      const Row row = corners_of(kept[i]);
-      permutation[i] = two_least_first(row);
-      solid.simplices[i] = permuted(row, permutation[i]);
+  space::SolidRows rows;
+  rows.corners.resize(kept.size());
+  for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto& corner = tetrahedra[kept[i]].corner;
+      rows.corners[i] = {triangulation.index_of(corner[0]), triangulation.index_of(corner[1]),
+                         triangulation.index_of(corner[2]), triangulation.index_of(corner[3])};
     }
   });
-  const meshops::FreshVector<std::uint32_t> from = sort_rows(solid.simplices, points, threads);
-  if (!options.neighbors) return;
+  if (!neighbors) return rows;
   meshops::FreshVector<std::uint32_t> number(tetrahedra.size());
   for_each_part(threads, number.size(), 1u << 16, [&](std::size_t first, std::size_t last) {
     std::fill(&number[first], &number[0] + last, Solid::none);
   });
-  for_each_part(threads, from.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) number[kept[from[i]]] = static_cast<std::uint32_t>(i);
-  });
-  solid.neighbors.resize(kept.size());
-  // In the order of the tetrahedra, whose neighbours are near each other.
+  for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<std::uint32_t>(i);
+  rows.neighbors.resize(kept.size());
   for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      Row row = permuted(tetrahedra[kept[i]].neighbor, permutation[i]);
-      for (std::uint32_t& face : row) face = number[face / 4];
-      solid.neighbors[number[kept[i]]] = row;
-    }
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = 0; k < 4; ++k) rows.neighbors[i][k] = number[tetrahedra[kept[i]].neighbor[k] / 4];
   });
+  return rows;
 }
 
 /// Finds them from triples of points, where alpha is about the spacing at most and few points are cospherical. In order:
@@ -135,6 +87,7 @@ bool find_near(std::span<const Point3> points, double alpha, const SolidOptions&
   struct Workspace {
     space::Triples found;
   };
+  meshops::FreshVector<Row> rows;
   std::atomic<bool> gave_up = false;
   const auto index = cells.input_index();
   in_order<Workspace>(
@@ -147,18 +100,13 @@ bool find_near(std::span<const Point3> points, double alpha, const SolidOptions&
       },
       [&](std::size_t part, Workspace& w) {
         if (gave_up) return;
-        for (const auto& [a, b, c, d] : w.found.tetrahedra) {
-          const Row row = {index[a], index[b], index[c], index[d]};
-          solid.simplices.push_back(permuted(row, two_least_first(row)));
-        }
+        for (const auto& [a, b, c, d] : w.found.tetrahedra)
+          rows.push_back(space::two_least_first({index[a], index[b], index[c], index[d]}));
         if (options.progress && !options.progress({cells.first_in(part_begin[part + 1]), sites})) throw Cancelled();
       },
       [](std::size_t, Workspace&) {});
-  if (gave_up) {
-    solid.simplices.clear();
-    return false;
-  }
-  sort_rows(solid.simplices, points.size(), threads);
+  if (gave_up) return false;
+  sort_rows(rows, points.size(), threads, solid.simplices);
   if (options.neighbors) solid.neighbors = space::link_faces(solid.simplices, points.size(), threads);
   solid.distinct = sites;
   solid.duplicates = cells.duplicates();
@@ -172,6 +120,29 @@ void list_isolated(std::size_t points, Solid& solid) {
   for_each_distinct(points, solid.duplicates, [&](std::uint32_t i) {
     if (!is_corner[i]) solid.isolated.push_back(i);
   });
+}
+
+/// Finds them tile by tile, where points fill a volume.
+bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
+  constexpr std::size_t fewest = 20'000;
+  if (points.size() < fewest) return false;
+  const space::Spread spread = space::spread(points);
+  const double scaled_alpha = std::ldexp(alpha, spread.exponent);
+  if (!spread.is_exact || (std::isinf(alpha) ? false : !std::isnormal(scaled_alpha))) return false;
+  std::vector<Point3> copy;
+  const auto scaled = space::scaled(points, spread, copy);
+  Threads threads = threads_for(points.size(), options.threads);
+  std::function<void(std::size_t, std::size_t)> step;
+  if (options.progress)
+    step = [&](std::size_t done, std::size_t all) {
+      if (!options.progress({done, all})) throw Cancelled();
+    };
+  space::TiledSolid found;
+  if (!space::find_by_tiles(scaled, spread, scaled_alpha, threads, step, found)) return false;
+  space::fill_in(std::move(found.rows), points.size(), options.neighbors, threads, solid);
+  solid.distinct = found.distinct;
+  solid.duplicates = std::move(found.duplicates);
+  return true;
 }
 
 /// Finds them in the triangulation of all points. In order:
@@ -193,7 +164,10 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
     const std::function<bool()> go_on = [&] { return !options.progress || options.progress({v, solid.distinct}); };
     Steps step(go_on);
     while (v++ < triangulation.size()) step(triangulation.insert(v));
-    fill_in(triangulation, alpha, std::ldexp(alpha, spread.exponent), points.size(), options, solid);
+    Threads threads = threads_for(points.size(), options.threads);
+    const double scaled_alpha = std::ldexp(alpha, spread.exponent);
+    space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), points.size(),
+                   options.neighbors, threads, solid);
   }
 }
 
@@ -205,7 +179,8 @@ Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& op
   const auto ask = asking(options.progress, points.size());
   if (ask) ask();
   Solid solid;
-  if (!find_near(points, alpha, options, solid)) insert_all(points, alpha, options, ask, solid);
+  if (!find_near(points, alpha, options, solid) && !find_in_tiles(points, alpha, options, solid))
+    insert_all(points, alpha, options, ask, solid);
   list_isolated(points.size(), solid);
   return solid;
 }

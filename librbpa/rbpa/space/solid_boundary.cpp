@@ -48,10 +48,9 @@ class OpenFaces {
       }
     }
     Threads one;
-    const auto from = sort_rows(rows, std::size_t{bound} + 1, one);
-    place_.resize(rows.size());
-    for (std::uint32_t i = 0; i < rows.size(); ++i) place_[from[i]] = i;
-    for (const Row& row : rows) {
+    std::vector<Row> sorted;
+    place_ = sort_rows(rows, std::size_t{bound} + 1, one, sorted);
+    for (const Row& row : sorted) {
       triangles_.push_back({row[0], row[1], row[2]});
       faces_.push_back(row[3]);
     }
@@ -107,8 +106,8 @@ class OpenFaces {
   }
 
   const Solid& solid_;
-  std::vector<std::uint32_t> first_;  // of each tetrahedron: how many open faces come before its own
-  std::vector<std::uint32_t> place_;  // of open faces as they come, in canonical order
+  std::vector<std::uint32_t> first_;           // of each tetrahedron: how many open faces come before its own
+  meshops::FreshVector<std::uint32_t> place_;  // of open faces as they come, in canonical order
   std::vector<Triangle> triangles_, neighbors_;
   std::vector<std::uint32_t> faces_;
 };

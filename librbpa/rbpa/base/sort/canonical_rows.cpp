@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rbpa/base/sort/distribute.h"
+#include "meshops/core/large_pages.h"
 
 namespace rbpa {
 namespace {
@@ -13,44 +13,63 @@ struct NumberedRow {
   friend bool operator<(const NumberedRow& a, const NumberedRow& b) { return a.row < b.row; }
 };
 
-constexpr std::size_t rows_in_bucket = 1u << 13, rows_at_a_time = 1u << 18;  // 160 kilobytes
-constexpr std::size_t max_buckets = 1u << 11;
-
-/// Rows of one bucket, whose first numbers are in [first, first + range).
-void sort_bucket(const NumberedRow* begin, std::size_t count, std::size_t first, std::size_t range, Row* rows,
-                 std::uint32_t* numbers) {
-  std::vector<std::uint32_t> next(range + 1, 0);
-  for (std::size_t i = 0; i < count; ++i) ++next[begin[i].row[0] - first + 1];
-  for (std::size_t k = 1; k <= range; ++k) next[k] += next[k - 1];
-  std::vector<NumberedRow> sorted(count);
-  const std::vector<std::uint32_t> start = next;
-  for (std::size_t i = 0; i < count; ++i) sorted[next[begin[i].row[0] - first]++] = begin[i];
-  for (std::size_t k = 0; k < range; ++k) std::sort(sorted.begin() + start[k], sorted.begin() + start[k + 1]);
-  for (std::size_t i = 0; i < count; ++i) {
-    rows[i] = sorted[i].row;
-    numbers[i] = sorted[i].number;
+void sort_few(std::vector<NumberedRow>& rows) {
+  constexpr std::size_t few = 24;
+  if (rows.size() > few) return std::sort(rows.begin(), rows.end());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const NumberedRow row = rows[i];
+    std::size_t at = i;
+    for (; at > 0 && row < rows[at - 1]; --at) rows[at] = rows[at - 1];
+    rows[at] = row;
   }
 }
 
 }  // namespace
 
-meshops::FreshVector<std::uint32_t> sort_rows(std::vector<Row>& rows, std::size_t bound, Threads& threads) {
-  std::size_t shift = 0;
-  const std::size_t wanted = std::min(max_buckets, rows.size() / rows_in_bucket + 1);
-  while ((bound >> shift) >= wanted) ++shift;
-  const std::size_t buckets = (bound >> shift) + 1;
-  meshops::FreshVector<NumberedRow> parted(rows.size());
-  const std::vector<std::uint32_t> start = distribute(
-      rows.size(), buckets, rows_at_a_time, threads, [&](std::size_t i) { return std::size_t{rows[i][0]} >> shift; },
-      [&](std::size_t i, std::uint32_t at) {
-        parted[at] = {rows[i], static_cast<std::uint32_t>(i)};
-      });
-  meshops::FreshVector<std::uint32_t> from(rows.size());
-  for_each_index(threads, buckets, [&](std::size_t b) {
-    sort_bucket(parted.data() + start[b], start[b + 1] - start[b], b << shift, std::size_t{1} << shift,
-                rows.data() + start[b], from.data() + start[b]);
+meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::size_t bound, Threads& threads,
+                                              std::vector<Row>& sorted) {
+  sorted.clear();
+  sorted.reserve(rows.size());
+  meshops::prefer_large_pages(sorted.data(), rows.size() * sizeof(Row));
+  sorted.resize(rows.size());
+  meshops::FreshVector<std::uint32_t> end(bound + 1), order(rows.size()), place(rows.size());
+  const std::size_t range = bound / threads.count() + 1;  // of first numbers, for a thread
+  for_each_part(threads, bound, range, [&](std::size_t low, std::size_t high) {
+    std::fill(end.begin() + static_cast<std::ptrdiff_t>(low), end.begin() + static_cast<std::ptrdiff_t>(high), 0);
+    for (const Row& row : rows)
+      if (row[0] - low < high - low) ++end[row[0]];
   });
-  return from;
+  std::uint32_t sum = 0;
+  for (std::size_t i = 0; i < bound; ++i) {
+    const std::uint32_t count = end[i];
+    end[i] = sum;
+    sum += count;
+  }
+  for_each_part(threads, bound, range, [&](std::size_t low, std::size_t high) {
+    for (std::uint32_t i = 0; i < rows.size(); ++i)
+      if (rows[i][0] - low < high - low) order[end[rows[i][0]]++] = i;
+  });
+  constexpr std::size_t at_a_time = 1u << 13;
+  for_each_part(threads, bound, at_a_time, [&](std::size_t low, std::size_t high) {
+    std::vector<NumberedRow> group;
+    std::uint32_t at = low == 0 ? 0 : end[low - 1], fetched = at;
+    const std::uint32_t last = high == 0 ? 0 : end[high - 1];
+    for (std::size_t first = low; first < high; ++first) {
+      group.clear();
+      // Rows of the next first numbers lie anywhere: the processor is to wait for all of them at once.
+      for (const std::uint32_t ahead = std::min(end[first] + 48, last); fetched < ahead; ++fetched) {
+        __builtin_prefetch(&rows[order[fetched]]);
+        __builtin_prefetch(&place[order[fetched]], 1);
+      }
+      for (std::uint32_t i = at; i < end[first]; ++i) group.push_back({rows[order[i]], order[i]});
+      sort_few(group);
+      for (const NumberedRow& row : group) {
+        sorted[at] = row.row;
+        place[row.number] = at++;
+      }
+    }
+  });
+  return place;
 }
 
 }  // namespace rbpa

@@ -1,13 +1,14 @@
 // What: brings rows of four numbers, such as tetrahedra, into lexicographic order.
 // Law:  the order depends on the rows alone: not on the order in which they come, nor on threads.
-// How:  buckets by the first number, each of which fits a cache; there by counting the first numbers, and the few rows of one by
-//       insertion.
-// Cost: linear where few rows have the same first number.
+// How:  rows are counted by their first number, and those of one number, which are few, sorted by insertion. Each thread has a range of
+//       first numbers, and passes by all rows.
+// Cost: linear where few rows have the same first number. Where rows with the same one are near each other, few waits for memory.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
@@ -17,7 +18,8 @@ namespace rbpa {
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// Sorts distinct rows, whose first numbers are below `bound`. Returns: of each row in order, where it was.
-meshops::FreshVector<std::uint32_t> sort_rows(std::vector<Row>& rows, std::size_t bound, Threads& threads);
+/// Replaces `sorted` by distinct rows, whose first numbers are below `bound`, in order. Returns: of each row, where it is there.
+meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::size_t bound, Threads& threads,
+                                              std::vector<Row>& sorted);
 
 }  // namespace rbpa

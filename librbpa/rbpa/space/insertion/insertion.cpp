@@ -14,9 +14,6 @@
 namespace rbpa::space {
 namespace {
 
-/// Errors are below this times the lengths of docs/predicates.md, section 7: 20 roundings there, and some for the bound itself.
-constexpr double filter = 24 * 0x1p-53;
-
 constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // whose faces have numbers
 
 }  // namespace
@@ -26,7 +23,7 @@ Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> sca
     : original_(points),
       points_(spread.is_exact ? scaled : points),
       spread_(spread),
-      exact_below_(spread.exact_below(5)),
+      beyond_filter_(spread),
       index_(order.size() + 1),
       vertex_(order.size() + 1) {
   vertex_[at_infinity] = {0, 0, 0};
@@ -110,17 +107,7 @@ bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) cons
   const Tetrahedron& tetrahedron = tetrahedra_[t];
   if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v);
   const auto& [a, b, c, d] = tetrahedron.corner;
-  if (estimate.error < exact_below_) {  // the value has no error
-    if (estimate.value != 0) return estimate.value > 0;
-    return pulled_into_sphere(point(a), point(b), point(c), point(d), point(v));
-  }
-  if (const auto in = in_sphere_on_grid(point(a), point(b), point(c), point(d), point(v))) return *in;
-  if (spread_.is_exact) {
-    // The same terms, the error of each of which is 68 u² instead of 20 u.
-    const double value = in_sphere_by_double_double(point(a), point(b), point(c), point(d), point(v));
-    if (std::abs(value) > 0x1p-51 * estimate.error) return value > 0;
-  }
-  return in_sphere_exactly(point(a), point(b), point(c), point(d), point(v));
+  return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error);
 }
 
 /// A point in the plane of the hull's face is beyond it if it is in the circle of the face: in the sphere of the tetrahedron
@@ -231,8 +218,7 @@ void Insertion::find_cavity(std::uint32_t first, Vertex v) {
 inline void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
   rim_.push(corner);
   const InsertedPoint& p = vertex_[corner];
-  const double x = p.x - from.x, y = p.y - from.y, z = p.z - from.z, square = x * x + y * y + z * z;
-  spokes_.push(corner == at_infinity ? Spoke{0, 0, 0, 1, 0} : Spoke{x, y, z, square, std::sqrt(square)});
+  spokes_.push(corner == at_infinity ? Spoke::to_infinity() : Spoke::to(p.x - from.x, p.y - from.y, p.z - from.z));
 }
 
 /// The number of a corner among those of the cavity's boundary.
@@ -296,20 +282,11 @@ void Insertion::fill_cavity(Vertex v) {
 /// Corners 0 to 2, minors, and their bound.
 inline void Insertion::make(std::uint32_t t, const Locals& locals) {
   const Spoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];
-  const double xy = b.x * c.y - b.y * c.x, yz = b.y * c.z - b.z * c.y, xz = b.x * c.z - b.z * c.x,
-               xs = b.x * c.square - b.square * c.x, ys = b.y * c.square - b.square * c.y,
-               zs = b.z * c.square - b.square * c.z;
   Tetrahedron& tetrahedron = tetrahedra_[t];
-  tetrahedron.minor = {-(a.y * zs - a.z * ys + a.square * yz), a.x * zs - a.z * xs + a.square * xz,
-                       -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
+  tetrahedron.minor = sphere_minors(a, b, c);
   for (std::size_t k = 0; k < 3; ++k) tetrahedron.corner[k] = rim_[locals[k]];
-  double sum = a.length + b.length + c.length, product = a.length * b.length * c.length;
-  if (tetrahedron.is_ghost()) {
-    const double first = std::max(a.length, std::max(b.length, c.length));
-    product = first * (sum - first) / sum;  // the two that are not 0, and a length in place of that to infinity
-  }
-  const double weight = filter * product;
-  error_[t] = ErrorBound(0.5 * weight * sum * sum + spread_.underflow(), 1.5 * weight);
+  const double underflow = spread_.underflow();
+  error_[t] = tetrahedron.is_ghost() ? half_space_error(a, b, c, underflow) : sphere_error(a, b, c, underflow);
 }
 
 std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
@@ -324,18 +301,10 @@ std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
 
 bool Insertion::is_within(std::uint32_t t, double alpha, double scaled_alpha) const {
   const Tetrahedron& tetrahedron = tetrahedra_[t];
-  const auto& m = tetrahedron.minor;
-  // (m0, m1, m2) is 2 minor 3 times the vector to the circumcentre. docs/predicates.md, section 7.
-  constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;
-  const double volume = std::abs(m[3]), volume_error = error_[t].slope();
-  const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]),
-               length_error = 1.25 * std::sqrt(error_[t].constant()) * std::sqrt(volume_error);
-  const double greatest_length = (length + length_error) * up, least_length = (length - length_error) * down;
-  const double greatest = 2 * scaled_alpha * (volume + volume_error) * up + 0x1p-1000,
-               least = 2 * scaled_alpha * (volume - volume_error) * down;
-  const bool in_range = spread_.is_exact && scaled_alpha > 0x1p-200 && length > 0x1p-450 && std::isfinite(length);
-  if (in_range && greatest_length <= least) return true;
-  if (in_range && least_length > greatest) return false;
+  if (spread_.is_exact) {
+    const RadiusSide side = radius_side(tetrahedron.minor, error_[t], scaled_alpha);
+    if (side != RadiusSide::unknown) return side == RadiusSide::within;
+  }
   const auto original = [&](std::size_t k) { return original_[index_[tetrahedron.corner[k]]]; };
   return exact::compare_circumradius(original(0), original(1), original(2), original(3), alpha) <= 0;
 }

@@ -21,6 +21,8 @@
 #include "rbpa/space/insertion/cavity_edges.h"
 #include "rbpa/space/insertion/stack.h"
 #include "rbpa/space/insertion/tetrahedra.h"
+#include "rbpa/space/predicate/sphere.h"
+#include "rbpa/space/predicate/sphere_minors.h"
 #include "rbpa/space/predicate/spread.h"
 
 namespace rbpa::space {
@@ -52,10 +54,6 @@ class Insertion {
     double value, error;
   };
   using Locals = std::array<std::uint32_t, 3>;  ///< numbers of vertices of the cavity's boundary
-  /// A vertex of the cavity's boundary, from the new point.
-  struct Spoke {
-    double x, y, z, square, length;
-  };
 
   Estimate estimate(std::uint32_t t, const InsertedPoint& q) const;
   bool is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const;
@@ -73,7 +71,7 @@ class Insertion {
 
   std::span<const Point3> original_, points_;
   Spread spread_;
-  double exact_below_;                // an error of the determinant
+  BeyondFilter beyond_filter_;
   std::vector<std::uint32_t> index_;  // of each vertex
   meshops::FreshVector<InsertedPoint> vertex_;
   meshops::FreshVector<Tetrahedron> tetrahedra_;
@@ -87,7 +85,7 @@ class Insertion {
   Stack<Face> level_, next_level_;
   Stack<Estimate> estimates_;
   Stack<Vertex> rim_;     // the vertices of the boundary
-  Stack<Spoke> spokes_;   // of each of them
+  Stack<Spoke> spokes_;   // of each of them, from the new point
   Stack<Locals> locals_;  // of each face of the boundary
   CavityEdges edges_;
 };

@@ -100,4 +100,16 @@ bool in_sphere(const Point3& pa, const Point3& pb, const Point3& pc, const Point
   return in_sphere_exactly(pa, pb, pc, pd, pq);
 }
 
+bool BeyondFilter::is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                             double value, double error) const {
+  if (error < exact_below_) return value != 0 ? value > 0 : pulled_into_sphere(a, b, c, d, q);
+  if (const auto in = in_sphere_on_grid(a, b, c, d, q)) return *in;
+  if (is_exact_) {
+    // The same terms, the error of each of which is 68 u² instead of 20 u.
+    const double finer = in_sphere_by_double_double(a, b, c, d, q);
+    if (std::abs(finer) > 0x1p-51 * error) return finer > 0;
+  }
+  return in_sphere_exactly(a, b, c, d, q);
+}
+
 }  // namespace rbpa::space

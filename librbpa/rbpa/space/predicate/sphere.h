@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/spread.h"
 
 namespace rbpa::space {
 
@@ -28,5 +29,21 @@ bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const 
 
 /// The same with a floating-point filter (docs/solid_triples.md).
 bool in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+
+/// Decides what the filter of sphere_minors.h leaves open: by the value itself where it has no error, by integers of a fixed width, by
+/// double-double, by integers of any length.
+class BeyondFilter {
+ public:
+  explicit BeyondFilter(const Spread& spread) : exact_below_(spread.exact_below(5)), is_exact_(spread.is_exact) {}
+
+  /// Whether q is inside the perturbed sphere, whose computed determinant has the value and the error given. Requires: five distinct
+  /// points of the spread, scaled by it where it is exact; orientation(a, b, c, d) > 0.
+  bool is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q, double value,
+                 double error) const;
+
+ private:
+  double exact_below_;  // an error of the determinant
+  bool is_exact_;
+};
 
 }  // namespace rbpa::space

@@ -1,0 +1,49 @@
+// What: moves chosen lanes to the front, several vectors alike. Compiled once for each kind of vector unit; no include guard but
+//       the compiler's own per kind.
+// Why:  Highway's Compress of 64-bit lanes copies a table to the stack at each call, as some compilers translate it.
+#if defined(RBPA_BASE_LANES_COMPRESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RBPA_BASE_LANES_COMPRESS_INL_H_
+#undef RBPA_BASE_LANES_COMPRESS_INL_H_
+#else
+#define RBPA_BASE_LANES_COMPRESS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/set_bits.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rbpa {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// The order of lanes of 64 bits, at most eight, in which those of set bits come first.
+template <typename D>
+class LanesToFront {
+ public:
+  HWY_INLINE LanesToFront(D d, std::uint64_t bits) : indices_(indices(d, bits)) {}
+
+  HWY_INLINE hn::Vec<D> operator()(hn::Vec<D> v) const { return hn::TableLookupLanes(v, indices_); }
+
+ private:
+  static HWY_INLINE auto indices(D d, std::uint64_t bits) {
+    const hn::RebindToSigned<D> numbers;
+    const hn::Rebind<std::int32_t, D> halves;
+    const hn::Rebind<std::uint8_t, D> bytes;
+    const auto positions = hn::LoadU(bytes, set_bits[bits].data());
+    return hn::IndicesFromVec(d, hn::PromoteTo(numbers, hn::PromoteTo(halves, positions)));
+  }
+
+  decltype(indices(D(), 0)) indices_;
+};
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace rbpa
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,20 @@
+// What: the positions of the set bits of a byte, ascending.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace rbpa {
+
+/// Of each byte; behind them zeros.
+inline constexpr std::array<std::array<std::uint8_t, 8>, 256> set_bits = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> all{};
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    unsigned count = 0;
+    for (unsigned bit = 0; bit < 8; ++bit)
+      if ((byte >> bit & 1U) != 0) all[byte][count++] = static_cast<std::uint8_t>(bit);
+  }
+  return all;
+}();
+
+}  // namespace rbpa

@@ -1,0 +1,108 @@
+// What: the sphere through four points, made for the question that is asked most: is a further point inside?
+// How:  the in-sphere determinant has the minors of its first three rows at hand, which leave four products for a point q:
+//
+//                  | a − d   |a − d|² |
+//           V(q) = | b − d   |b − d|² |  =  minor · (q − d, |q − d|²)        positive inside, for a, b, c, d positively oriented
+//                  | c − d   |c − d|² |
+//                  | q − d   |q − d|² |
+//
+//       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of one far away divided by its lift: the sphere is the
+//       half-space beyond the plane through the others, and V the same four products.
+// Law:  |V computed − V| ≤ error, where the filter's bound is derived in docs/predicates.md, section 7.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace rbpa::space {
+
+/// A corner, seen from corner d.
+struct Spoke {
+  double x, y, z, square, length;
+
+  static Spoke to(double x, double y, double z) {
+    const double square = x * x + y * y + z * z;
+    return {x, y, z, square, std::sqrt(square)};
+  }
+  static Spoke to_infinity() { return {0, 0, 0, 1, 0}; }
+};
+
+/// A bound for the error of V(q): constant + slope |q − d|². Two doubles of which the first 32 bits are kept, rounded up.
+class ErrorBound {
+ public:
+  ErrorBound() = default;
+  ErrorBound(double constant, double slope)
+      : bits_(((std::bit_cast<std::uint64_t>(constant) >> 32U) + 1) |
+              ((std::bit_cast<std::uint64_t>(slope) & high_bits) + low_one)) {}
+
+  /// Of a tetrahedron that is no more: no number is within it.
+  static ErrorBound deleted() {
+    ErrorBound bound;
+    bound.bits_ = ~std::uint64_t{0};
+    return bound;
+  }
+  ErrorBound deleted_if(bool is_meant) const {
+    ErrorBound bound;
+    bound.bits_ = bits_ | -std::uint64_t{is_meant};
+    return bound;
+  }
+  bool is_deleted() const { return bits_ == ~std::uint64_t{0}; }
+
+  double constant() const { return std::bit_cast<double>(bits_ << 32U); }
+  double slope() const { return std::bit_cast<double>(bits_ & high_bits); }
+  double at(double square) const { return constant() + slope() * square; }
+
+ private:
+  static constexpr std::uint64_t low_one = std::uint64_t{1} << 32U, high_bits = ~(low_one - 1);
+  std::uint64_t bits_;
+};
+
+using SphereMinors = std::array<double, 4>;
+
+inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c) {
+  const double xy = b.x * c.y - b.y * c.x, yz = b.y * c.z - b.z * c.y, xz = b.x * c.z - b.z * c.x,
+               xs = b.x * c.square - b.square * c.x, ys = b.y * c.square - b.square * c.y,
+               zs = b.z * c.square - b.square * c.z;
+  return {-(a.y * zs - a.z * ys + a.square * yz), a.x * zs - a.z * xs + a.square * xz,
+          -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
+}
+
+/// Errors are below this times the lengths of docs/predicates.md, section 7: 20 roundings there, and some for the bound itself.
+inline constexpr double in_sphere_filter = 24 * 0x1p-53;
+
+/// The bound for such minors, none of whose corners is at infinity. `underflow` is that of space/predicate/spread.h.
+inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
+  const double sum = a.length + b.length + c.length, weight = in_sphere_filter * (a.length * b.length * c.length);
+  return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
+}
+
+/// The same where one is at infinity.
+inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
+  const double sum = a.length + b.length + c.length, first = std::max(a.length, std::max(b.length, c.length));
+  // The two that are not 0, and a length in place of that to infinity.
+  const double weight = in_sphere_filter * (first * (sum - first) / sum);
+  return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
+}
+
+/// How the sphere's radius compares with alpha.
+enum class RadiusSide { within, beyond, unknown };
+
+/// By the minors, where nothing underflows; docs/predicates.md, section 7.
+inline RadiusSide radius_side(const SphereMinors& m, const ErrorBound& error, double alpha) {
+  // (m0, m1, m2) is 2 minor 3 times the vector to the circumcentre.
+  constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;
+  const double volume = std::abs(m[3]), volume_error = error.slope();
+  const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]),
+               length_error = 1.25 * std::sqrt(error.constant()) * std::sqrt(volume_error);
+  if (!(alpha > 0x1p-200 && length > 0x1p-450 && std::isfinite(length))) return RadiusSide::unknown;
+  const double greatest_length = (length + length_error) * up, least_length = (length - length_error) * down;
+  const double greatest = 2 * alpha * (volume + volume_error) * up + 0x1p-1000,
+               least = 2 * alpha * (volume - volume_error) * down;
+  if (greatest_length <= least) return RadiusSide::within;
+  return least_length > greatest ? RadiusSide::beyond : RadiusSide::unknown;
+}
+
+}  // namespace rbpa::space

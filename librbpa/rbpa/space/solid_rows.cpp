@@ -1,0 +1,80 @@
+#include "rbpa/space/solid_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "meshops/core/large_pages.h"
+
+namespace rbpa::space {
+namespace {
+
+/// An even permutation of four numbers that puts the two least first: two bits for each place.
+using Permutation = std::uint8_t;
+
+/// Of twelve, the one for the least at i and the next at j.
+constexpr std::array<Permutation, 16> even_permutations() {
+  std::array<Permutation, 16> all{};
+  for (unsigned i = 0; i < 4; ++i)
+    for (unsigned j = 0; j < 4; ++j) {
+      if (i == j) continue;
+      unsigned k = 0;
+      while (k == i || k == j) ++k;
+      unsigned l = 6 - i - j - k;
+      const auto inversions = [&] { return (i > j) + (i > k) + (i > l) + (j > k) + (j > l) + (k > l); };
+      if (inversions() % 2 != 0) std::swap(k, l);
+      all[4 * i + j] = static_cast<Permutation>(i | j << 2U | k << 4U | l << 6U);
+    }
+  return all;
+}
+
+/// Which are the two least cannot be predicted, so that nothing branches.
+Permutation permutation_of(const Row& row) {
+  static constexpr auto all = even_permutations();
+  // Each number beside its place.
+  const auto placed = [&](std::size_t i) { return std::uint64_t{row[i]} << 2U | i; };
+  const std::uint64_t a = placed(0), b = placed(1), c = placed(2), d = placed(3);
+  const std::uint64_t low = std::min(a, b), high = std::max(a, b), other_low = std::min(c, d),
+                      other_high = std::max(c, d);
+  const std::uint64_t least = std::min(low, other_low);
+  const std::uint64_t next = std::min(std::max(low, other_low), std::min(high, other_high));
+  return all[4 * (least & 3U) + (next & 3U)];
+}
+
+Row permuted(const Row& row, Permutation p) {
+  return {row[p & 3U], row[p >> 2U & 3U], row[p >> 4U & 3U], row[p >> 6U]};
+}
+
+}  // namespace
+
+Row two_least_first(const Row& corners) { return permuted(corners, permutation_of(corners)); }
+
+void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, Solid& solid) {
+  const std::size_t count = rows.corners.size();
+  meshops::FreshVector<Permutation> permutation(count);
+  constexpr std::size_t at_a_time = 1u << 14;
+  for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      permutation[i] = permutation_of(rows.corners[i]);
+      rows.corners[i] = permuted(rows.corners[i], permutation[i]);
+    }
+  });
+  const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
+  rows.corners = {};
+  if (!neighbors) return;
+  solid.neighbors.reserve(count);
+  meshops::prefer_large_pages(solid.neighbors.data(), count * sizeof(Row));
+  solid.neighbors.resize(count);
+  // In the order of the rows, whose neighbours are near each other.
+  for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (i + 16 < count) __builtin_prefetch(&solid.neighbors[place[i + 16]], 1);
+      Row row = permuted(rows.neighbors[i], permutation[i]);
+      for (std::uint32_t& neighbor : row) neighbor = neighbor == Solid::none ? neighbor : place[neighbor];
+      solid.neighbors[place[i]] = row;
+    }
+  });
+}
+
+}  // namespace rbpa::space

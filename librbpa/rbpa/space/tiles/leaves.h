@@ -1,0 +1,113 @@
+// What: points in space in leaves of a k-d tree, each with some thousand points, and within a leaf in cubic cells that fit its
+//       density.
+// Law:  equal points are one site, the one of the lowest index. The order of sites may depend on the order of the points; nothing
+//       that is computed from them does.
+// Cost: a few comparisons a point for the tree, whose planes come from a sample; a counting sort for the cells.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+/// A position among the points in the order of leaves and cells. Those of repeated points are left out.
+using Place = std::uint32_t;
+
+struct Box3 {
+  Point3 low, high;
+
+  bool touches(const Box3& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
+           low.z <= other.high.z && other.low.z <= high.z;
+  }
+};
+
+/// Which cubic cell a point is in: a monotone function of each coordinate, so that what lies between two coordinates is in the
+/// cells between theirs.
+struct CellGrid {
+  Point3 low;
+  double size = 1, inverse = 1;
+
+  int along_x(double x) const { return floor_of((x - low.x) * inverse); }
+  int along_y(double y) const { return floor_of((y - low.y) * inverse); }
+  int along_z(double z) const { return floor_of((z - low.z) * inverse); }
+
+  static constexpr int farthest = 1 << 20;
+
+ private:
+  static int floor_of(double value) {
+    // No call: conversion rounds towards 0.
+    constexpr double limit = farthest;
+    const double bounded = value < -limit ? -limit : value > limit ? limit : value;
+    const int whole = static_cast<int>(bounded);
+    return whole - (static_cast<double>(whole) > bounded ? 1 : 0);
+  }
+};
+
+struct Leaf {
+  Box3 box;       ///< of its points
+  CellGrid grid;  ///< whose lower corner is that of a box of most of them
+  /// Along each axis. Points beyond are in the outermost cells.
+  std::array<int, 3> cells{};
+  Place first = 0, end = 0;  ///< its sites
+  std::size_t start = 0;     ///< of its table of cells
+  double pairs = 0;          ///< of points in one cell, each with itself too and in both orders
+};
+
+class Leaves {
+ public:
+  /// Requires: finite points that fit double (base/exact/magnitude.h), fewer than 2^32 − 1; leaves of so many points at most, about.
+  Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threads& threads);
+
+  std::size_t size() const { return leaves_.size(); }
+  const Leaf& operator[](std::size_t i) const { return leaves_[i]; }
+  const Box3& box() const { return boxes_[1]; }
+
+  /// The number of places, some of which are no sites.
+  std::size_t places() const { return points_.size(); }
+  std::size_t distinct() const { return distinct_; }
+  /// How many points are in the cell of a point, on average: three where points are spread evenly at random.
+  double crowding() const { return crowding_; }
+  const Point3& point(Place place) const { return points_[place]; }
+  std::span<const Point3> points() const { return points_; }
+  std::uint32_t index(Place place) const { return index_[place]; }
+  std::vector<Duplicate> duplicates() const;
+
+  /// The first site of a cell of a leaf; of the number of cells, its end.
+  Place first_in(const Leaf& leaf, std::size_t cell) const { return starts_[leaf.start + cell]; }
+
+  /// Calls visit(i) for each leaf whose box touches the given one, ascending.
+  template <typename Visit>
+  void for_each_leaf(const Box3& box, Visit visit) const {
+    visit_below(1, box, visit);
+  }
+
+ private:
+  template <typename Visit>
+  void visit_below(std::size_t node, const Box3& box, Visit& visit) const {
+    if (!boxes_[node].touches(box)) return;
+    if (node >= leaves_.size()) return visit(node - leaves_.size());
+    visit_below(2 * node, box, visit);
+    visit_below(2 * node + 1, box, visit);
+  }
+  void sort_leaf(std::size_t i, Place first, Place end);
+
+  std::vector<Box3> boxes_;  // of the nodes, the root being 1 and the children of i being 2 i and 2 i + 1
+  std::vector<Leaf> leaves_;
+  meshops::FreshVector<Point3> points_;
+  meshops::FreshVector<std::uint32_t> index_;
+  meshops::FreshVector<Place> starts_;
+  std::size_t distinct_ = 0;
+  double crowding_ = 0;
+  std::vector<std::vector<Duplicate>> repeated_;  // of each leaf
+};
+
+}  // namespace rbpa::space

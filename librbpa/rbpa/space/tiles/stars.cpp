@@ -1,0 +1,517 @@
+#include "rbpa/space/tiles/stars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/orientation.h"
+#include "rbpa/space/predicate/sphere.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rbpa/space/tiles/stars.cpp"
+#include <hwy/foreach_target.h>
+// After it: what follows is compiled once for each kind of vector unit.
+#include <hwy/highway.h>
+
+#include "rbpa/space/tiles/candidates-inl.h"
+#include "rbpa/space/tiles/open_faces-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rbpa::space {
+namespace HWY_NAMESPACE {
+namespace {
+
+class StarSearch : public StarFinder {
+ public:
+  StarSearch(const Leaves& leaves, const Spread& spread, double alpha)
+      : leaves_(leaves), beyond_filter_(spread), alpha_(alpha) {}
+
+  void find(std::size_t leaf, Stars& found) override {
+    found_ = &found;
+    found.tetrahedra.clear();
+    found.neighbors.clear();
+    found.border.clear();
+    found.unsettled.clear();
+    found.is_within.clear();
+    found.shared.clear();
+    found.shared_is_within.clear();
+    const Leaf& of = leaves_[leaf];
+    if (!tile_.gather(leaves_, leaf)) {
+      for (Place i = of.first; i < of.end; ++i) found.unsettled.push_back(i);
+      return;
+    }
+    start(of);
+    is_settled_.assign(of.end - of.first, 0);
+    const auto& cells = tile_.cells();
+    for (int x = Tile::margin; x < cells[0] - Tile::margin; ++x)
+      for (int y = Tile::margin; y < cells[1] - Tile::margin; ++y)
+        for (int z = Tile::margin; z < cells[2] - Tile::margin; z += at_once)
+          if (!is_abandoned()) complete_cells({x, y, z}, std::min(at_once, cells[2] - Tile::margin - z));
+    found.exact = exact_;
+    link();
+  }
+
+ private:
+  using Corners = std::array<std::uint16_t, 4>;
+  static constexpr std::uint32_t none = Stars::none;
+  /// The first is none: neighbour of faces that have no other.
+  static constexpr std::uint32_t nobody = 0;
+  /// Of a point that is not the leaf's, or that was given up. Others have their number among the leaf's.
+  static constexpr std::uint32_t waits_for_nothing = 1U << 16U;
+
+  Point3 point(Local i) const { return {tile_.x(i), tile_.y(i), tile_.z(i)}; }
+  HWY_INLINE Spoke spoke(Local i) const {
+    const double x = tile_.x(i) - v_.x, y = tile_.y(i) - v_.y, z = tile_.z(i) - v_.z;
+    return {x, y, z, x * x + y * y + z * z, 0};  // no length
+  }
+
+  void start(const Leaf& leaf) {
+    const std::size_t size = tile_.size();
+    inverse_ = leaf.grid.inverse;
+    inverse_2_ = inverse_ * inverse_;
+    inverse_5_ = inverse_2_ * inverse_2_ * inverse_;
+    reach_ = (Block::cells - 0x1p-8) * leaf.grid.size;
+    pad_ = 0x1p-10 * leaf.grid.size;
+    open_.clear(leaf.end - leaf.first);
+    candidates_.start_tile(size);
+    if (rank_.size() < size) rank_.resize(2 * size);
+    std::uint32_t own = 0;
+    is_reached_.assign(size, 0);
+    is_finished_.assign(size, 0);
+    open_bits_.assign(size / 8 + 2, 0xff);
+    std::fill_n(rank_.begin(), size, waits_for_nothing);
+    for_each_row([&](Local first, Local end) {
+      for (Local i = first; i < end; ++i)
+        if (tile_.is_own(i)) rank_[i] = own++;
+    });
+    count_ = 1;
+    completed_ = failures_ = exact_ = 0;
+    of_leaf_ = leaf.end - leaf.first;
+    make_room();
+  }
+
+  /// Most points would stay unsettled, or need exact decisions: each of them takes long.
+  bool is_abandoned() const {
+    constexpr std::size_t fewest = 64, most_exact = 12;
+    return completed_ >= std::max(fewest, of_leaf_ / 8) &&
+           (failures_ > completed_ / 4 * 3 || exact_ > most_exact * completed_);
+  }
+
+  /// Cells of a row that have a block together.
+  static constexpr int at_once = 2;
+
+  /// Calls visit(first, end) for the points of each row of cells that are the leaf's.
+  template <typename Visit>
+  void for_each_row(Visit visit) const {
+    const auto& cells = tile_.cells();
+    for (int x = Tile::margin; x < cells[0] - Tile::margin; ++x)
+      for (int y = Tile::margin; y < cells[1] - Tile::margin; ++y)
+        visit(tile_.first_in(tile_.cell(x, y, Tile::margin)),
+              tile_.first_in(tile_.cell(x, y, cells[2] - Tile::margin)));
+  }
+
+  void complete_cells(const std::array<int, 3>& first_cell, int count) {
+    const std::size_t c = tile_.cell(first_cell[0], first_cell[1], first_cell[2]);
+    const Local first = tile_.first_in(c), end = tile_.first_in(c + static_cast<std::size_t>(count));
+    bool is_gathered = false;
+    for (Local v = first; v < end; ++v) {
+      if (!tile_.is_own(v)) continue;
+      if (!is_gathered) block_.gather(tile_, first_cell, count - 1, open_bits_.data());
+      is_gathered = true;
+      ++completed_;
+      if (complete(v)) {
+        block_.remove(v);
+        continue;
+      }
+      give_up(v);
+      ++failures_;
+    }
+  }
+
+  /// Finds all tetrahedra at v. Returns: false if it cannot.
+  bool complete(Local v) {
+    at_ = v;
+    v_ = point(v);
+    candidates_.see(block_, v_, reach_, inverse_);
+    const std::uint32_t before = count_;
+    const bool is_complete = find_star();
+    const Place own = tile_.place(v);
+    for (std::uint32_t t = before; t < count_; ++t) {
+      const std::array<Place, 4> row = row_of(t);
+      const bool is_first = (own < row[0]) & (own < row[1]) & (own < row[2]);
+      if (is_complete & is_first) {
+        number_[t] = static_cast<std::uint32_t>(found_->tetrahedra.size());
+        found_->tetrahedra.push_back(row);
+        found_->is_within.push_back(is_within_[t]);
+      } else {
+        number_[t] = none;
+        found_->shared.push_back(row);
+        found_->shared_is_within.push_back(is_within_[t]);
+      }
+    }
+    if (!is_complete) return false;
+    is_finished_[v] = 1;
+    is_settled_[own - tile_.first_own()] = 1;
+    open_bits_[v / 8] = static_cast<std::uint8_t>(open_bits_[v / 8] & ~(1U << v % 8));
+    return true;
+  }
+
+  std::array<Place, 4> row_of(std::uint32_t t) const {
+    const Corners& corner = corners_[t];
+    return {tile_.place(corner[0]), tile_.place(corner[1]), tile_.place(corner[2]), tile_.place(corner[3])};
+  }
+
+  bool find_star() {
+    OpenFaces::AtCorner open(open_, rank_[at_]);
+    if (is_reached_[at_] == 0 && !add_first(open)) return false;
+    while (!open.empty()) {
+      const OpenFace face = open.pop();
+      if (!find_apex(face.first, face.second)) [[unlikely]] {
+        open.close_or_add(face, nobody);
+        return false;
+      }
+      make_room();
+      const std::uint32_t t = add(open, face.first, face.second);
+      connect(4 * t + 2, face.face);
+    }
+    return true;
+  }
+
+  HWY_INLINE void make_room() {
+    if (count_ + 1 < corners_.size()) [[likely]]
+      return;
+    corners_.resize(2 * count_ + 1024);
+    across_.resize(4 * corners_.size());
+    number_.resize(2 * count_ + 1024);
+    is_within_.resize(2 * count_ + 1024);
+  }
+
+  /// The tetrahedron (second, first, apex, v), but for the neighbour across the apex.
+  HWY_INLINE std::uint32_t add(OpenFaces::AtCorner& open, Local first, Local second) {
+    const std::uint32_t t = count_++;
+    const Local apex = apex_;
+    const auto narrow = [](Local i) { return static_cast<std::uint16_t>(i); };
+    corners_[t] = {narrow(second), narrow(first), narrow(apex), narrow(at_)};
+    across_[4 * t + 3] = nobody;
+    is_within_[t] = is_within(first, second) ? 1 : 0;
+    is_reached_[apex] = 1;
+    close_or_add(open, {first, apex, 4 * t});
+    close_or_add(open, {apex, second, 4 * t + 1});
+    // The face (second, apex, first), from the first of them on. Which that is cannot be predicted.
+    const std::uint32_t r0 = rank_[second], r1 = rank_[apex], r2 = rank_[first], rank = std::min({r0, r1, r2});
+    const bool is_second = rank == r0, is_apex = rank == r1;
+    if (rank == waits_for_nothing) return t;
+    const OpenFace face = {is_second ? apex
+                           : is_apex ? first
+                                     : second,
+                           is_second ? first
+                           : is_apex ? second
+                                     : apex,
+                           4 * t + 3};
+    connect(face.face, open_.close_or_add(rank, face, nobody));
+    return t;
+  }
+
+  HWY_INLINE void close_or_add(OpenFaces::AtCorner& open, const OpenFace& face) {
+    connect(face.face, open.close_or_add(face, nobody));
+  }
+  HWY_INLINE void connect(std::uint32_t face, std::uint32_t other) {
+    across_[other] = face;
+    across_[face] = other;
+  }
+
+  /// Its faces wait for their other corners.
+  void give_up(Local v) {
+    const std::uint32_t at = rank_[v];
+    rank_[v] = waits_for_nothing;
+    OpenFaces::AtCorner open(open_, at);
+    while (!open.empty()) {
+      const auto [first, second, face] = open.pop();
+      const std::uint32_t rank = std::min(rank_[first], rank_[second]);
+      if (rank == waits_for_nothing) continue;
+      open_.close_or_add(rank, rank == rank_[first] ? OpenFace{second, v, face} : OpenFace{v, first, face}, nobody);
+    }
+  }
+
+  /// What all spheres through the face (v, p, q) have in common.
+  struct Face {
+    HWY_INLINE Face(const Spoke& p, const Spoke& q)
+        : normal(cross<double>({p.x, p.y, p.z}, {q.x, q.y, q.z})),
+          turned{p.square * q.x - q.square * p.x, p.square * q.y - q.square * p.y, p.square * q.z - q.square * p.z},
+          sum(p.square + q.square),
+          product(p.square * q.square) {}
+
+    Vector3<double> normal, turned;  ///< p × q, and p² q − q² p
+    double sum, product;             ///< of the squares
+  };
+
+  /// The sphere through a face (v, p, q) and r: as sphere_minors() has it for (q, p, r).
+  HWY_INLINE static Sphere sphere_of(const Face& face, const Spoke& r) {
+    const auto &n = face.normal, &m = face.turned;
+    // The lengths of docs/predicates.md by their squares: (α + β + γ)² ≤ 3 (α² + β² + γ²).
+    const double weight = in_sphere_filter * std::sqrt(face.product * r.square);
+    return {{n.x * r.square + (m.y * r.z - m.z * r.y), n.y * r.square + (m.z * r.x - m.x * r.z),
+             n.z * r.square + (m.x * r.y - m.y * r.x), -(n.x * r.x + n.y * r.y + n.z * r.z)},
+            1.5 * weight * (face.sum + r.square),
+            1.5 * weight};
+  }
+
+  /// Then the centre is off by less than a hundredth of the radius: docs/solid_tiles.md.
+  HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
+
+  /// A box that contains the ball. Requires: is_certain().
+  Box3 box_of(const Sphere& sphere) const {
+    const auto& m = sphere.minor;
+    const double half = -0.5 / m[3], x = m[0] * half, y = m[1] * half, z = m[2] * half;
+    const double radius = std::sqrt(x * x + y * y + z * z) * (1 + 0x1p-5) + pad_;
+    const double cx = v_.x + x, cy = v_.y + y, cz = v_.z + z;
+    return {{cx - radius, cy - radius, cz - radius}, {cx + radius, cy + radius, cz + radius}};
+  }
+
+  /// Whether all points in the ball are candidates.
+  HWY_INLINE bool is_within_reach(const Sphere& sphere) const {
+    const auto& m = sphere.minor;
+    return (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (1 + 0x1p-5) < m[3] * m[3] * (reach_ * reach_);
+  }
+
+  /// The corner of the tetrahedron outside of the face (v, first, second), and its sphere. Returns: false if it is not found.
+  HWY_INLINE bool find_apex(Local first, Local second) {
+    const std::size_t first_at = candidates_.position(first), second_at = candidates_.position(second);
+    const Face face(first_at != Candidates::none ? candidates_.spoke(first_at) : spoke(first),
+                    second_at != Candidates::none ? candidates_.spoke(second_at) : spoke(second));
+    const std::size_t apex_at = choose(face);
+    if (apex_at == Candidates::none) [[unlikely]]
+      return false;  // at the hull, mostly
+    sphere_ = sphere_of(face, candidates_.spoke(apex_at));
+    apex_ = candidates_.id(apex_at);
+    if (is_certain(sphere_) & candidates_.are_outside(sphere_, {first_at, second_at, apex_at})) [[likely]] {
+      if (is_within_reach(sphere_)) [[likely]]
+        return true;
+    }
+    return find_apex_exactly(first, second);
+  }
+
+  /// The candidate that is probably the one wanted outside of the face.
+  HWY_INLINE std::size_t choose(const Face& face) const {
+    const auto& n = face.normal;
+    const Vector3<double> x = cross(face.turned, n);
+    const auto single = [](double value) { return static_cast<float>(value); };
+    return candidates_.least({single(x.x * inverse_5_), single(x.y * inverse_5_), single(x.z * inverse_5_)},
+                             {single(n.x * inverse_2_), single(n.y * inverse_2_), single(n.z * inverse_2_)},
+                             single(dot(n, n) * (inverse_2_ * inverse_2_)));
+  }
+
+  /// The same from some candidate on. Outside of the face, balls through it are ordered by what they contain there, so that whatever is
+  /// inside of one is the next to be tried, and what was outside before remains outside.
+  HWY_NOINLINE bool find_apex_exactly(Local first, Local second) {
+    if (!is_certain(sphere_)) return false;  // the candidate may be on either side of the face
+    const Face face(spoke(first), spoke(second));
+    bool is_violated = false;
+    const auto look = [&](Local i) {
+      if (i == first || i == second || i == apex_ || i == at_) return;
+      const Spoke s = spoke(i);
+      const double value = value_of(sphere_, s), error = sphere_.constant + sphere_.slope * s.square;
+      if (value < -error) return;
+      if (value <= error) {
+        ++exact_;
+        if (!beyond_filter_.is_inside(point(second), point(first), point(apex_), v_, point(i), value, error)) return;
+      }
+      if (orientation(v_, point(first), point(second), point(i)) > 0) {
+        apex_ = i;
+        sphere_ = sphere_of(face, s);
+      } else {
+        is_violated = true;
+      }
+    };
+    candidates_.for_each_not_outside(sphere_, look);
+    if (!is_certain(sphere_)) return false;
+    if (!is_within_reach(sphere_)) {
+      std::array<Tile::Range, 3> ranges;
+      if (!tile_.ranges(box_of(sphere_), ranges)) return false;
+      if (is_in_block(ranges))
+        block_.for_each_not_outside(sphere_, v_, look);
+      else
+        for_each_not_outside(sphere_, ranges, look);
+    }
+    return is_certain(sphere_) && !is_violated;
+  }
+
+  bool is_in_block(const std::array<Tile::Range, 3>& ranges) const {
+    const auto& block = block_.ranges();
+    bool is_in = true;
+    for (std::size_t k = 0; k < 3; ++k) is_in &= block[k].low <= ranges[k].low && ranges[k].high <= block[k].high;
+    return is_in;
+  }
+
+  /// Calls visit(i) for each point in the cells that is not finished nor certainly outside of the sphere.
+  template <typename Visit>
+  void for_each_not_outside(const Sphere& sphere, const std::array<Tile::Range, 3>& ranges, Visit visit) const {
+    const Doubles d;
+    const SphereLanes of(sphere);
+    const auto vx = hn::Set(d, v_.x), vy = hn::Set(d, v_.y), vz = hn::Set(d, v_.z);
+    for (int x = ranges[0].low; x <= ranges[0].high; ++x)
+      for (int y = ranges[1].low; y <= ranges[1].high; ++y) {
+        const Local end = tile_.first_in(tile_.cell(x, y, ranges[2].high) + 1);
+        for (Local i = tile_.first_in(tile_.cell(x, y, ranges[2].low)); i < end; i += double_lanes) {
+          std::uint64_t open = lane_bits(open_bits_.data(), i);
+          if (end - i < double_lanes) open &= (1U << (end - i)) - 1;
+          if (open == 0) continue;
+          const auto px = hn::Sub(hn::LoadU(d, tile_.x() + i), vx), py = hn::Sub(hn::LoadU(d, tile_.y() + i), vy),
+                     pz = hn::Sub(hn::LoadU(d, tile_.z() + i), vz);
+          const auto square = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
+          for (std::uint64_t left = open & ~of.outside(px, py, pz, square); left != 0; left &= left - 1)
+            visit(i + static_cast<Local>(std::countr_zero(left)));
+        }
+      }
+  }
+  static double value_of(const Sphere& sphere, const Spoke& s) {
+    return sphere.minor[0] * s.x + sphere.minor[1] * s.y + sphere.minor[2] * s.z + sphere.minor[3] * s.square;
+  }
+
+  HWY_INLINE bool is_within(Local first, Local second) const {
+    if (std::isinf(alpha_)) return true;
+    const RadiusSide side = radius_side(sphere_.minor, ErrorBound(sphere_.constant, sphere_.slope), alpha_);
+    if (side != RadiusSide::unknown) return side == RadiusSide::within;
+    return exact::compare_circumradius(point(second), point(first), point(apex_), v_, alpha_) <= 0;
+  }
+
+  /// A tetrahedron at a point that no other has reached. Returns: false if it is not found.
+  bool add_first(OpenFaces::AtCorner& open);
+
+  void link();
+
+  const Leaves& leaves_;
+  BeyondFilter beyond_filter_;
+  Stars* found_ = nullptr;
+  double alpha_, inverse_ = 1, inverse_2_ = 1, inverse_5_ = 1, reach_ = 0, pad_ = 0;
+
+  Tile tile_;
+  OpenFaces open_;
+  Block block_;
+  Candidates candidates_;
+  std::vector<std::uint32_t> rank_;
+  std::vector<std::uint8_t> is_reached_, is_finished_;
+  std::vector<std::uint8_t> is_settled_;  // of the leaf's points in their order
+  std::vector<std::uint8_t> open_bits_;   // of points that are not finished
+  // Of the tetrahedra found, from 1 on.
+  std::vector<Corners> corners_;
+  std::vector<std::uint32_t> across_;  // of each face, the same one as its neighbour has it, or nobody
+  std::uint32_t count_ = 1;
+  std::vector<std::uint32_t> number_;  // of those that are the leaf's, or none
+  std::vector<std::uint8_t> is_within_;
+  std::vector<Local> around_;
+
+  std::size_t of_leaf_ = 0, completed_ = 0, failures_ = 0, exact_ = 0;
+
+  // Of the point at hand.
+  Local at_ = 0;
+  Point3 v_{};
+  // Of the apex found.
+  Local apex_ = 0;
+  Sphere sphere_{};
+};
+
+/// From the nearest point, the smallest triangle with it: its least ball is empty, so that it has tetrahedra on both sides.
+bool StarSearch::add_first(OpenFaces::AtCorner& open) {
+  around_.clear();
+  // All points around, whether finished or not.
+  const auto& ranges_around = block_.ranges();
+  for (int x = ranges_around[0].low + 1; x < ranges_around[0].high; ++x)
+    for (int y = ranges_around[1].low + 1; y < ranges_around[1].high; ++y) {
+      const Local end = tile_.first_in(tile_.cell(x, y, ranges_around[2].high));
+      for (Local i = tile_.first_in(tile_.cell(x, y, ranges_around[2].low + 1)); i < end; ++i)
+        if (i != at_) around_.push_back(i);
+    }
+  if (around_.size() < 3) return false;
+  std::vector<Spoke> spokes;
+  for (const Local i : around_) spokes.push_back(spoke(i));
+  const auto nearest =
+      static_cast<std::size_t>(std::min_element(spokes.begin(), spokes.end(),
+                                                [](const Spoke& a, const Spoke& b) { return a.square < b.square; }) -
+                               spokes.begin());
+  const Spoke p = spokes[nearest];
+  // By the square of the circumradius of (v, p, q), up to a factor.
+  std::vector<std::pair<double, std::size_t>> triangles;
+  for (std::size_t k = 0; k < spokes.size(); ++k) {
+    if (k == nearest) continue;
+    const Spoke& q = spokes[k];
+    const double x = q.x - p.x, y = q.y - p.y, z = q.z - p.z;
+    const Vector3<double> n = {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+    triangles.emplace_back(q.square * (x * x + y * y + z * z) / dot(n, n), k);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  constexpr std::size_t tries = 6;
+  for (std::size_t k = 0; k < std::min(tries, triangles.size()); ++k)
+    for (const bool is_turned : {false, true}) {
+      Local first = around_[nearest], second = around_[triangles[k].second];
+      if (is_turned) std::swap(first, second);
+      if (!find_apex(first, second)) continue;
+      // The face may not be one of the triangulation's: the sphere is looked at once more, for points on any side, finished or not.
+      std::array<Tile::Range, 3> ranges;
+      if (!tile_.ranges(box_of(sphere_), ranges)) continue;
+      bool is_empty = true;
+      for (int x = ranges[0].low; x <= ranges[0].high; ++x)
+        for (int y = ranges[1].low; y <= ranges[1].high; ++y) {
+          const Local end = tile_.first_in(tile_.cell(x, y, ranges[2].high) + 1);
+          for (Local i = tile_.first_in(tile_.cell(x, y, ranges[2].low)); i < end && is_empty; ++i) {
+            if (i == first || i == second || i == apex_ || i == at_) continue;
+            const Spoke s = spoke(i);
+            const double value = value_of(sphere_, s);
+            const double error = sphere_.constant + sphere_.slope * s.square;
+            is_empty = value < -error ||
+                       (value <= error && !beyond_filter_.is_inside(point(second), point(first), point(apex_), v_,
+                                                                    point(i), value, error));
+          }
+        }
+      if (!is_empty) continue;
+      make_room();
+      is_reached_[first] = is_reached_[second] = is_reached_[at_] = 1;
+      const std::uint32_t t = add(open, first, second);
+      close_or_add(open, {second, first, 4 * t + 2});
+      return true;
+    }
+  return false;
+}
+
+/// Numbers of neighbours, once all have one.
+void StarSearch::link() {
+  found_->neighbors.resize(found_->tetrahedra.size());
+  number_[nobody / 4] = none;
+  for (std::uint32_t t = 1; t < count_; ++t) {
+    const std::uint32_t number = number_[t];
+    if (number == none) continue;
+    const auto across = [&](std::size_t k) { return number_[across_[4 * t + k] / 4]; };
+    const std::array<std::uint32_t, 4> others = {across(0), across(1), across(2), across(3)};
+    found_->neighbors[number] = others;
+    if (std::max({others[0], others[1], others[2], others[3]}) != none) continue;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (others[k] == none) found_->border.push_back(border_face(found_->tetrahedra[number], number, k));
+  }
+  for (Place i = 0; i < is_settled_.size(); ++i)
+    if (is_settled_[i] == 0) found_->unsettled.push_back(tile_.first_own() + i);
+}
+
+std::unique_ptr<StarFinder> make_finder(const Leaves& leaves, const Spread& spread, double alpha) {
+  return std::make_unique<StarSearch>(leaves, spread, alpha);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace rbpa::space
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rbpa::space {
+namespace {
+HWY_EXPORT(make_finder);
+}  // namespace
+
+std::unique_ptr<StarFinder> star_finder(const Leaves& leaves, const Spread& spread, double alpha) {
+  return HWY_DYNAMIC_DISPATCH(make_finder)(leaves, spread, alpha);
+}
+
+}  // namespace rbpa::space
+#endif
