@@ -61,7 +61,7 @@ void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads
     }
   });
   const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
-  rows.corners = {};
+  rows.corners = meshops::FreshVector<Row>();  // its memory is at hand for the neighbours
   if (!neighbors) return;
   solid.neighbors.reserve(count);
   meshops::prefer_large_pages(solid.neighbors.data(), count * sizeof(Row));

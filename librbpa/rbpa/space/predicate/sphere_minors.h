@@ -79,11 +79,14 @@ inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, d
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// The same where one is at infinity.
+/// The same where one is at infinity. Its length is 0, and that to infinity is in place of it.
 inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
-  const double sum = a.length + b.length + c.length, first = std::max(a.length, std::max(b.length, c.length));
-  // The two that are not 0, and a length in place of that to infinity.
-  const double weight = in_sphere_filter * (first * (sum - first) / sum);
+  const double sum = a.length + b.length + c.length;
+  // The second largest length by itself: a difference from the sum is rounded to 0 where it is that much shorter.
+  const double first = std::max({a.length, b.length, c.length}),
+               second =
+                   std::max({std::min(a.length, b.length), std::min(b.length, c.length), std::min(c.length, a.length)});
+  const double weight = in_sphere_filter * (first * second / sum);
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 

@@ -13,6 +13,8 @@
 using rbpa::Row;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("parallel");
+
 TEST_CASE("rows come in order, each is where it is said to be, for any threads") {
   Random random(3195);
   for (int trial = 0; trial < 60; ++trial) {
@@ -31,3 +33,5 @@ TEST_CASE("rows come in order, each is where it is said to be, for any threads")
     for (std::size_t i = 0; i < rows.size(); ++i) CHECK(sorted[place[i]] == rows[i]);
   }
 }
+
+TEST_SUITE_END();

@@ -16,6 +16,8 @@ using rbpa::space::border_face;
 using rbpa::space::BorderFace;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
@@ -82,3 +84,5 @@ TEST_CASE("faces that come twice become neighbours, others remain as they are") 
   }
   CHECK(linked > 1000);
 }
+
+TEST_SUITE_END();

@@ -24,6 +24,8 @@ using rbpa::space::TiledSolid;
 using rbpa::space::TileLimits;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 namespace {
 
 /// As a solid, but for the isolated points. Nothing where coordinates spread too far for tiles.
@@ -81,6 +83,24 @@ TEST_CASE("of any kind of points, any alpha and any size of leaf, the same as by
   }
   CHECK(sets > 100);
   CHECK(compared > 40'000);
+}
+
+TEST_CASE("lattices, some of whose points are moved by so little that their hull has edges of 1 and of 1e-18") {
+  Random random(3164);
+  std::size_t compared = 0;
+  for (int trial = 0; trial < trials(400); ++trial) {
+    const std::size_t width = 2 + random.below(6);
+    const double noise = std::pow(10.0, -static_cast<double>(random.below(20)));
+    Points3 points;
+    const auto coordinate = [&] {
+      return static_cast<double>(random.below(width)) + (random.below(3) != 0 ? 0 : noise * (random.unit() - 0.5));
+    };
+    for (std::size_t i = 4 + random.below(400); i > 0; --i)
+      points.push_back({coordinate(), coordinate(), coordinate()});
+    CAPTURE(trial);
+    compared += compare(points, INFINITY, std::size_t{5} << random.below(9), 1);
+  }
+  CHECK(compared > 20'000);
 }
 
 TEST_CASE("shapes of a thousand points in leaves of a hundred") {
@@ -145,3 +165,5 @@ TEST_CASE("it gives up where points are crowded, at the hull, or cospherical") {
   CHECK(gives_up(cubic_grid(27'000, 1, 3)));
   CHECK(!gives_up(uniform_cube(20'000, 4)));
 }
+
+TEST_SUITE_END();

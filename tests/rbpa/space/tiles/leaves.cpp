@@ -20,6 +20,8 @@ using rbpa::space::Leaves;
 using rbpa::space::Place;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 TEST_CASE("every distinct point is one site, in the box of its leaf and in its cell") {
   Random random(3171);
   for (int trial = 0; trial < trials(60); ++trial) {
@@ -96,3 +98,5 @@ TEST_CASE("points that are spread evenly are not crowded") {
   const Leaves uneven(space_set(SpaceKind::clusters, 20'000, random), 4096, one);
   CHECK(uneven.crowding() > 5);
 }
+
+TEST_SUITE_END();

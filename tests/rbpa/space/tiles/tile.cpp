@@ -19,6 +19,8 @@ using rbpa::space::Place;
 using rbpa::space::Tile;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 TEST_CASE("a tile has the points of its cells and no others") {
   Random random(3181);
   rbpa::Threads one;
@@ -106,3 +108,5 @@ TEST_CASE("a tile whose cells are as small as rounding, or that has too many poi
   const Points3 many = uniform_cube(Tile::most_points + 1, 3182);
   CHECK(!tile.gather(Leaves(many, many.size(), one), 0));
 }
+
+TEST_SUITE_END();
