@@ -29,6 +29,11 @@ Json base(const SolidFacts& facts) {
                  {"betti", {counts.components, counts.tunnels, counts.voids}},
                  {"volume", facts.measures.volume},
                  {"area", facts.measures.area}};
+  if (facts.full)
+    report["full"] = {{"points", facts.full->points},
+                      {"edges", facts.full->edges},
+                      {"triangles", facts.full->triangles},
+                      {"betti", {facts.full->components, facts.full->tunnels, facts.full->voids}}};
   if (facts.balls) report["balls"] = {{"volume", facts.balls->volume}, {"area", facts.balls->area}};
   return report;
 }
@@ -43,6 +48,9 @@ std::string text_of_solid(const SolidFacts& facts) {
          counted(counts.solid_components, "solid component") + ", " + counted(counts.tunnels, "tunnel") + ", " +
          counted(counts.voids, "void") + ", volume " + rounded(facts.measures.volume, 6) + ", area " +
          rounded(facts.measures.area, 6) +
+         (facts.full ? "; full complex: " + counted(facts.full->components, "component") + ", " +
+                           counted(facts.full->tunnels, "tunnel") + ", " + counted(facts.full->voids, "void")
+                     : "") +
          (facts.balls ? "; balls: volume " + rounded(facts.balls->volume, 6) + ", area " + rounded(facts.balls->area, 6)
                       : "");
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/output_file.h"
+#include "rbpa/full_topology.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_components.h"
 #include "rbpa/solid_topology.h"
@@ -23,6 +24,7 @@ struct SolidFacts {
   SolidCounts counts = {};
   BoundaryMeasures measures = {};
   std::optional<BallUnion> balls = {};          ///< where asked for
+  std::optional<FullCounts> full = {};          ///< of the full complex, where asked for; then voids are its own
   std::vector<SolidComponent> components = {};  ///< solid ones
   std::vector<SolidVoid> voids = {};
   std::optional<double> choose_seconds = {};  ///< where a rule chooses alpha

@@ -25,6 +25,7 @@
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
+#include "rbpa/full_topology.h"
 #include "rbpa/solid.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/split_fans.h"
@@ -63,6 +64,7 @@ struct SolidRequest {
   SolidAlpha alpha;
   std::vector<Target> targets;
   std::optional<Target> boundary, voids;
+  bool is_full = false;  ///< voids are those of the full complex
   int width;
   RunOptions run;
 };
@@ -73,6 +75,7 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .targets = {},
                        .boundary = {},
                        .voids = {},
+                       .is_full = arguments.complex && parse_is_full(*arguments.complex),
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
   if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
@@ -103,9 +106,10 @@ class SolidRun : public Run {
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_boundary() const;
   void build();
-  void choose_alpha();
+  void select_within();
   void find_boundary();
   void count();
+  void count_full_complex();
   void write();
   void write_boundary(OutputFile& file, Format format) const;
   void write_picture(OutputFile& file) const;
@@ -116,6 +120,9 @@ class SolidRun : public Run {
   SpacePoints file_;
   Solid solid_;
   SolidBoundary boundary_;
+  Surface void_boundary_;  // the triangles of facts_.voids
+  Solid triangulation_;    // of all points, and its radii, where they are needed
+  std::vector<double> radii_;
   SolidFacts facts_;
 };
 
@@ -126,12 +133,12 @@ bool SolidRun::has_boundary() const {
 
 void SolidRun::build() {
   const SolidAlpha& alpha = request_.alpha;
-  const bool is_given = alpha.rule == AlphaRule::given;
+  const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || request_.is_full;
   TriangleProgress progress(!options().quiet, "tetrahedra", points_text);
   try {
     solid_ =
-        solid(file_.points, alpha.radius,
-              {.neighbors = has_boundary() || !is_given, .threads = options().threads, .progress = progress.watch()});
+        solid(file_.points, needs_all ? std::numeric_limits<double>::infinity() : alpha.radius,
+              {.neighbors = has_boundary() || needs_all, .threads = options().threads, .progress = progress.watch()});
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
   }
@@ -141,17 +148,20 @@ void SolidRun::build() {
   facts_.alpha_rule = name_of({.rule = alpha.rule});
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
-  if (!is_given) choose_alpha();
+  if (needs_all) select_within();
   facts_.isolated = solid_.isolated.size();
 }
 
-/// From the triangulation to the complex of the alpha that the rule gives.
-void SolidRun::choose_alpha() {
+/// From the triangulation to the complex of the alpha that is given, or that the rule gives.
+void SolidRun::select_within() {
   const ProgressLine line = options().line("alpha");
-  const std::vector<double> radii = circumradii(file_.points, solid_.simplices, options().threads);
+  radii_ = circumradii(file_.points, solid_.simplices, options().threads);
   stop_if_interrupted();
-  facts_.alpha = request_.alpha.rule == AlphaRule::least ? min_alpha(solid_, radii) : auto_alpha(solid_, radii);
-  solid_ = within(solid_, radii, facts_.alpha);
+  triangulation_ = std::move(solid_);
+  if (request_.alpha.rule != AlphaRule::given)
+    facts_.alpha = request_.alpha.rule == AlphaRule::least ? min_alpha(triangulation_, radii_)
+                                                           : auto_alpha(triangulation_, radii_);
+  solid_ = within(triangulation_, radii_, facts_.alpha);
   stop_if_interrupted();
   facts_.choose_seconds = lap();
 }
@@ -168,10 +178,24 @@ void SolidRun::count() {
   Voids all = voids(file_.points, solid_, boundary_);
   facts_.counts = all.counts;
   facts_.voids = std::move(all.all);
+  if (request_.is_full) count_full_complex();
   if (arguments_.balls && std::isfinite(facts_.alpha))
     facts_.balls = union_of_balls(file_.points, facts_.alpha, {.threads = options().threads});
   if (arguments_.json) facts_.components = solid_components(file_.points, solid_, boundary_).all;
   stop_if_interrupted();
+}
+
+void SolidRun::count_full_complex() {
+  stop_if_interrupted();
+  try {
+    facts_.full = count_full(file_.points, triangulation_, radii_, facts_.alpha, options().threads);
+    FullVoids found =
+        full_voids(file_.points, void_space(file_.points, triangulation_, radii_, facts_.alpha, options().threads));
+    facts_.voids = std::move(found.all);
+    void_boundary_ = std::move(found.boundary);
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what());
+  }
 }
 
 /// Each fan of triangles has a vertex of its own, so that a reader finds a manifold.
@@ -211,7 +235,8 @@ void SolidRun::write() {
     add(request_.boundary->path, [&](OutputFile& file) { write_boundary(file, request_.boundary->format); });
   if (request_.voids)
     add(request_.voids->path, [&](OutputFile& file) {
-      write_voids(file, request_.voids->format, file_.points, boundary_.surface, facts_.voids);
+      write_voids(file, request_.voids->format, file_.points, request_.is_full ? void_boundary_ : boundary_.surface,
+                  facts_.voids);
     });
 }
 

@@ -185,6 +185,10 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "
           "indices of its points and triangles; csv")
       ->type_name("FILE");
+  verb.add_option("--complex", arguments.complex,
+                  "What voids are outside of: solid, the tetrahedra; full, the full alpha complex, whose triangles "
+                  "without a tetrahedron part voids too (default solid)")
+      ->type_name("solid|full");
   add_switch(verb, "--balls", arguments.balls,
              "Also compute volume and area of the union of balls of radius alpha around all points");
   add_switch(verb, "--json", arguments.json,

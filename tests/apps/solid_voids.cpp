@@ -122,6 +122,51 @@ TEST_SUITE("solid voids") {
     CHECK(!std::getline(csv, line));
   }
 
+  TEST_CASE(
+      "the full complex has the voids that its triangles part, as closed surfaces, and Betti numbers of its own") {
+    const Folder folder;
+    // A tetrahedron with edges of √8: its triangles come at 1.633, and itself at 1.732. Around it a larger one, and a point.
+    folder.file("c.xyz", "1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n40 40 40\n40 42 40\n");
+    Outcome outcome = folder.rbpa("solid c.xyz --alpha 1.7 --complex full --json --voids v.obj --stats s.json");
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.find("0 tetrahedra, ") != std::string::npos);
+    CHECK(outcome.err.find("; full complex: 2 components, 0 tunnels, 1 void -> v.obj\n") != std::string::npos);
+    const json report = json::parse(outcome.out);
+    CHECK(report["betti"] == json{0, 0, 0});
+    CHECK(report["full"] == json{{"points", 6}, {"edges", 7}, {"triangles", 4}, {"betti", {2, 0, 1}}});
+    REQUIRE(report["void_list"].size() == 1);
+    CHECK(report["void_list"][0]["volume"].get<double>() == doctest::Approx(8.0 / 3));
+    CHECK(report["void_list"][0]["islands"] == 0);
+    CHECK(report["void_list"][0]["points"] == json{0, 1, 2, 3});
+    const Obj obj = read_obj(folder.content("v.obj"));
+    REQUIRE(obj.groups.size() == 1);
+    CHECK(is_closed(obj.groups[0]));
+    CHECK(volume(obj.vertices, obj.groups[0]) == doctest::Approx(8.0 / 3));
+    CHECK(json::parse(folder.content("s.json"))["full"]["betti"] == json{2, 0, 1});
+    // The solid has none; with a rule for alpha the triangulation is the same.
+    CHECK(json::parse(folder.rbpa("solid c.xyz --alpha 1.7 --json -q").out)["void_list"].empty());
+    CHECK(folder.rbpa("solid c.xyz --alpha auto --complex full -q --json").code == 0);
+
+    // An island: a point's neighbourhood within a hollow cube of two walls.
+    folder.file("cube.xyz", hollow_cube());
+    outcome = folder.rbpa("solid cube.xyz --alpha 0.9 --complex full --json -q --voids v.json");
+    REQUIRE(outcome.code == 0);
+    const json full = json::parse(outcome.out),
+               solid = json::parse(folder.rbpa("solid cube.xyz --alpha 0.9 --json -q").out);
+    CHECK(full["void_list"].size() >= solid["void_list"].size());
+    CHECK(full["full"]["betti"][2] == full["void_list"].size());
+    const json file = json::parse(folder.content("v.json"));
+    for (std::size_t i = 0; i < file.size(); ++i) CHECK(file[i]["volume"] == full["void_list"][i]["volume"]);
+
+    folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+    outcome = folder.rbpa("solid flat.xyz --alpha 1 --complex full --json");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("flat.xyz: the points are in a plane") != std::string::npos);
+    outcome = folder.rbpa("solid c.xyz --alpha 1 --complex most");
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err == "rbpa: --complex: found 'most', expected solid or full\n");
+  }
+
   TEST_CASE("no void is an empty list, a table without lines, and no group") {
     const Folder folder;
     folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");

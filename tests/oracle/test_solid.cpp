@@ -100,6 +100,25 @@ TEST_CASE("small sets of every kind have CGAL's Delaunay tetrahedra within alpha
   CHECK(tetrahedra > 100 * sets);
 }
 
+TEST_CASE("lattices, some of whose points are moved") {
+  const std::uint64_t sets = argument("count", 2000) / 10;
+  Random random(203);
+  std::size_t tetrahedra = 0;
+  for (std::uint64_t trial = 0; trial < sets; ++trial) {
+    const Points3 points = moved_lattice(4 + random.below(trial % 8 == 0 ? 400 : 60), random);
+    const TetrahedraByCgal expected = DelaunayByCgal(points).within(infinity);
+    if (!same(rbpa::solid(points, infinity), expected)) FAIL_CHECK(text(points, infinity));
+    tetrahedra += expected.simplices.size();
+  }
+  CHECK(tetrahedra > 40 * sets);
+}
+
+TEST_CASE("many points that fill a volume: found tile by tile") {
+  const std::size_t count = argument("tiles", 24'000);
+  for (const Points3& points : {uniform_cube(count, 204), jittered_cubes(count, 205)})
+    CHECK(check(points) > 10 * count);
+}
+
 TEST_CASE("larger sets of every shape, for eight alphas") {
   const std::size_t count = argument("points", 300);
   for (const SolidSet& set : solid_sets(count)) {

@@ -105,6 +105,21 @@ Points3 turned_grid(std::size_t count, std::uint64_t seed) {
   return points;
 }
 
+Points3 moved_lattice(std::size_t count, Random& random) {
+  const std::size_t width = 2 + random.below(6);
+  const double noise = std::pow(10.0, -static_cast<double>(random.below(20)));
+  const auto coordinate = [&] {
+    const auto at = static_cast<double>(random.below(width));
+    return at + (random.below(3) != 0 ? 0 : noise * (random.unit() - 0.5));
+  };
+  Points3 points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    points.push_back({x, y, z});
+  }
+  return points;
+}
+
 Points3 clusters_in_cube(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Points3 points;

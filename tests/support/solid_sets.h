@@ -27,6 +27,9 @@ Points3 jittered_cubes(std::size_t count, std::uint64_t seed);
 Points3 cubic_grid(std::size_t count, double pitch, std::uint64_t seed);
 /// An integer grid times an integer matrix whose columns are orthogonal and equally long: ties as on a grid, and coordinates of 25 bits.
 Points3 turned_grid(std::size_t count, std::uint64_t seed);
+/// Points of an integer grid up to seven wide, a third of their coordinates moved by a power of ten from 1 to 1e-19: nearly all ties, and edges of
+/// lengths that differ by more than the digits of double.
+Points3 moved_lattice(std::size_t count, Random& random);
 /// Clusters of a thousand points, of 1e-1 to 1e-9 of the distance between them.
 Points3 clusters_in_cube(std::size_t count, std::uint64_t seed);
 /// Of the unit sphere, rounded.

@@ -5,11 +5,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "meshops/core/contract.h"
-#include "rbpa/base/error.h"
-#include "rbpa/base/input.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/simplices_at.h"
+#include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
 #include "rbpa/space/outer_faces.h"
 
@@ -29,12 +27,7 @@ Triangle ascending(const std::array<std::uint32_t, 4>& corners, std::size_t k) {
 
 DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                              double alpha, unsigned wanted) {
-  meshops::require(radii.size() == delaunay.simplices.size(), "dangling_faces: expected a radius for each tetrahedron");
-  meshops::require(delaunay.neighbors.size() == radii.size(), "dangling_faces: the triangulation has no neighbors");
-  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
-  if (delaunay.simplices.empty() && delaunay.distinct > 1)
-    throw InvalidInput("the points are in a plane, expected some that have a tetrahedron");
-  Threads threads = threads_for(points.size(), wanted);
+  Threads threads = space::check_triangulation("dangling_faces", points, delaunay, radii, alpha, wanted);
   const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
   DanglingFaces result;
   for (std::uint32_t t = 0; t < radii.size(); ++t)

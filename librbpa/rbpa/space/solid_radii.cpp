@@ -14,6 +14,7 @@
 #include "rbpa/base/simplices_at.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/circumradius.h"
+#include "rbpa/space/solid_part.h"
 
 namespace rbpa {
 namespace {
@@ -131,38 +132,10 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii) {
 Solid within(const Solid& solid, std::span<const double> radii, double alpha) {
   require_radii(solid, radii);
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
-  Solid result;
-  result.duplicates = solid.duplicates;
-  result.distinct = solid.distinct;
-  std::vector<std::uint32_t> number(solid.simplices.size(), Solid::none), kept;
-  for (std::uint32_t t = 0; t < number.size(); ++t) {
-    if (!(radii[t] <= alpha)) continue;
-    number[t] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(t);
-  }
-  constexpr std::uint8_t corner_before = 1, corner_now = 2;
-  std::vector<std::uint8_t> is_corner(corner_bound<4>(solid.simplices), 0);
-  for (const Row& row : solid.simplices)
-    for (const std::uint32_t corner : row) is_corner[corner] = corner_before;
-  result.simplices.reserve(kept.size());
-  for (const std::uint32_t t : kept) {
-    result.simplices.push_back(solid.simplices[t]);
-    for (const std::uint32_t corner : solid.simplices[t]) is_corner[corner] = corner_now;
-  }
-  if (!solid.neighbors.empty()) {
-    result.neighbors.reserve(kept.size());
-    for (const std::uint32_t t : kept) {
-      Row row = solid.neighbors[t];
-      for (std::uint32_t& n : row)
-        if (n != Solid::none) n = number[n];
-      result.neighbors.push_back(row);
-    }
-  }
-  result.isolated = solid.isolated;
-  for (std::uint32_t i = 0; i < is_corner.size(); ++i)
-    if (is_corner[i] == corner_before) result.isolated.push_back(i);
-  std::sort(result.isolated.begin(), result.isolated.end());
-  return result;
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t t = 0; t < radii.size(); ++t)
+    if (radii[t] <= alpha) kept.push_back(t);
+  return space::part_of(solid, kept, [](std::uint32_t, std::size_t) { return true; });
 }
 
 }  // namespace rbpa

@@ -89,14 +89,7 @@ TEST_CASE("lattices, some of whose points are moved by so little that their hull
   Random random(3164);
   std::size_t compared = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
-    const std::size_t width = 2 + random.below(6);
-    const double noise = std::pow(10.0, -static_cast<double>(random.below(20)));
-    Points3 points;
-    const auto coordinate = [&] {
-      return static_cast<double>(random.below(width)) + (random.below(3) != 0 ? 0 : noise * (random.unit() - 0.5));
-    };
-    for (std::size_t i = 4 + random.below(400); i > 0; --i)
-      points.push_back({coordinate(), coordinate(), coordinate()});
+    const Points3 points = moved_lattice(4 + random.below(400), random);
     CAPTURE(trial);
     compared += compare(points, INFINITY, std::size_t{5} << random.below(9), 1);
   }

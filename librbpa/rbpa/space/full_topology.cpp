@@ -1,0 +1,103 @@
+#include "rbpa/full_topology.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/parallel/in_order.h"
+#include "rbpa/base/simplices_at.h"
+#include "rbpa/space/full/check_triangulation.h"
+#include "rbpa/space/full/faces_within.h"
+#include "rbpa/space/solid_part.h"
+
+namespace rbpa {
+namespace {
+
+/// Which tetrahedra that are not in the complex are connected outside of it, and the outside of all, which comes after them.
+meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces) {
+  const auto count = static_cast<std::uint32_t>(delaunay.simplices.size());
+  meshops::DisjointSets sets(std::size_t{count} + 1);
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!faces.is_first(t, k) || faces.has_triangle(t, k)) continue;
+      const std::uint32_t beyond = delaunay.neighbors[t][k], a = sets.find(t),
+                          b = sets.find(beyond == Solid::none ? count : beyond);
+      if (a != b) sets.link(a, b);
+    }
+  return sets;
+}
+
+/// Edges in the complex, and components of the points through them.
+std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid& delaunay,
+                                                const space::FacesWithin& faces, Threads& threads) {
+  constexpr std::size_t points_at_a_time = 1u << 10;
+  const std::size_t bound = corner_bound<4>(delaunay.simplices);
+  const TetrahedraAt stars(delaunay.simplices, bound);
+  meshops::DisjointSets sets(points);
+  std::size_t edges = 0, joined = 0;
+  struct Workspace {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends, edges;
+  };
+  in_order<Workspace>(
+      threads, (bound + points_at_a_time - 1) / points_at_a_time,
+      [&](std::size_t part, Workspace& w) {
+        w.edges.clear();
+        const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
+        for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
+          space::for_each_edge_up(a, stars[a], delaunay, w.ends,
+                                  [&](std::uint32_t b, std::span<const std::uint32_t> around) {
+                                    if (faces.has_edge(a, b, around)) w.edges.emplace_back(a, b);
+                                  });
+      },
+      [&](std::size_t, Workspace& w) {
+        edges += w.edges.size();
+        for (const auto& [a, b] : w.edges) {
+          const std::uint32_t c = sets.find(a), d = sets.find(b);
+          if (c == d) continue;
+          sets.link(c, d);
+          ++joined;
+        }
+      },
+      [](std::size_t, Workspace&) {});
+  return {edges, delaunay.distinct - joined};
+}
+
+}  // namespace
+
+FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
+                      double alpha, unsigned wanted) {
+  Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
+  const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
+  FullCounts counts;
+  counts.points = delaunay.distinct;
+  meshops::DisjointSets sets = connected_outside(delaunay, faces);
+  const auto outside = static_cast<std::uint32_t>(radii.size());
+  for (std::uint32_t t = 0; t < outside; ++t) {
+    const bool is_in = faces.has_tetrahedron(t);
+    counts.tetrahedra += is_in ? 1U : 0U;
+    for (std::size_t k = 0; k < 4; ++k) counts.triangles += faces.is_first(t, k) && faces.has_triangle(t, k) ? 1U : 0U;
+    counts.voids += !is_in && sets.is_least(t) && sets.find(outside) != t ? 1U : 0U;
+  }
+  std::tie(counts.edges, counts.components) = count_edges(points.size(), delaunay, faces, threads);
+  // Euler: points − edges + triangles − tetrahedra = components − tunnels + voids.
+  counts.tunnels =
+      counts.components + counts.voids + counts.edges + counts.tetrahedra - counts.points - counts.triangles;
+  return counts;
+}
+
+Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
+                 unsigned wanted) {
+  Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
+  const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
+  meshops::DisjointSets sets = connected_outside(delaunay, faces);
+  const auto outside = static_cast<std::uint32_t>(radii.size());
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t t = 0; t < outside; ++t)
+    if (!faces.has_tetrahedron(t) && sets.find(t) != sets.find(outside)) kept.push_back(t);
+  return space::part_of(delaunay, kept, [&](std::uint32_t t, std::size_t k) { return !faces.has_triangle(t, k); });
+}
+
+}  // namespace rbpa
