@@ -1,18 +1,13 @@
 #include "cli/void_files.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "meshops/core/disjoint_sets.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_components.h"
 #include "rbpa/split_fans.h"
 
 namespace rbpa::app {
@@ -91,55 +86,7 @@ void write_obj(OutputFile& file, std::span<const Point3> points, const Surface& 
   }
 }
 
-/// How many pieces, connected through points, the triangles are.
-std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
-  meshops::DisjointSets sets(hollow.points.size());
-  const auto number = [&](std::uint32_t point) {
-    const auto at = std::lower_bound(hollow.points.begin(), hollow.points.end(), point);
-    return static_cast<std::uint32_t>(at - hollow.points.begin());
-  };
-  std::size_t count = hollow.points.size();
-  for (const std::uint32_t t : hollow.triangles)
-    for (std::size_t k = 1; k < 3; ++k) {
-      const std::uint32_t a = sets.find(number(boundary.triangles[t][0])),
-                          b = sets.find(number(boundary.triangles[t][k]));
-      if (a == b) continue;
-      sets.link(a, b);
-      --count;
-    }
-  return count;
-}
-
 }  // namespace
-
-FullVoids full_voids(std::span<const Point3> points, const Solid& space) {
-  SolidBoundary boundary = solid_boundary(space);
-  const SolidComponents components = solid_components(points, space, boundary);
-  FullVoids voids;
-  for (const SolidComponent& c : components.all)
-    voids.all.push_back({.triangles = {},
-                         .points = {},
-                         .islands = 0,
-                         .volume = c.volume,
-                         .area = c.area,
-                         .low = c.low,
-                         .high = c.high});
-  voids.boundary = std::move(boundary.surface);
-  for (std::uint32_t t = 0; t < boundary.tetrahedra.size(); ++t) {
-    auto& corners = voids.boundary.triangles[t];
-    SolidVoid& hollow = voids.all[components.number[boundary.tetrahedra[t]]];
-    hollow.triangles.push_back(t);
-    hollow.points.insert(hollow.points.end(), corners.begin(), corners.end());
-    std::swap(corners[1], corners[2]);
-    std::swap(voids.boundary.neighbors[t][1], voids.boundary.neighbors[t][2]);
-  }
-  for (SolidVoid& hollow : voids.all) {
-    std::sort(hollow.points.begin(), hollow.points.end());
-    hollow.points.erase(std::unique(hollow.points.begin(), hollow.points.end()), hollow.points.end());
-    hollow.islands = pieces(voids.boundary, hollow) - 1;
-  }
-  return voids;
-}
 
 Target parse_voids(const std::string& path) {
   const std::optional<Format> format = find_format(Use::voids, ending(path));

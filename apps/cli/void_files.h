@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "cli/arguments.h"
 #include "io/bytes/output_file.h"
@@ -16,13 +15,6 @@ namespace rbpa::app {
 
 /// Throws WrongUsage naming the ending.
 Target parse_voids(const std::string& path);
-
-/// The voids of the full complex, from solid void_space(), and the triangles they count by, seen from within them.
-struct FullVoids {
-  Surface boundary;
-  std::vector<SolidVoid> all;
-};
-FullVoids full_voids(std::span<const Point3> points, const Solid& space);
 
 /// Volume, area, islands, box and points.
 nlohmann::ordered_json json_of(const SolidVoid& hollow);

@@ -9,10 +9,13 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/solid.h"
+#include "rbpa/surface.h"
+#include "rbpa/voids.h"
 
 namespace rbpa {
 
@@ -31,5 +34,14 @@ RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& dela
 /// Requires: as dangling_faces() does. Throws: as dangling_faces() does.
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                           double alpha, unsigned threads = 0);
+
+struct FullVoids {
+  Surface boundary;  ///< around all of them, seen from within; a triangle with a void on both sides comes twice
+  std::vector<SolidVoid> all;  ///< their triangles being those of this boundary; the largest volume first
+};
+
+/// The same, one by one. An island is a piece of triangles within a void that are connected through points.
+/// Requires: void_space() of these points.
+RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space);
 
 }  // namespace rbpa

@@ -41,7 +41,7 @@ set(allowed
   "rbpa/space/boundary: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/space/levels rbpa/space/predicate"
   "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort"
   "rbpa/space/closing: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
-  "rbpa/space/full: rbpa rbpa/base rbpa/base/parallel rbpa/space rbpa/space/predicate"
+  "rbpa/space/full: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space rbpa/space/predicate"
   "rbpa/space/insertion: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
   "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
   "rbpa/space/normals: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"

@@ -9,6 +9,8 @@
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/simplices_at.h"
+#include "rbpa/solid_boundary.h"
+#include "rbpa/solid_components.h"
 #include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
 #include "rbpa/space/solid_part.h"
@@ -65,6 +67,25 @@ std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid&
   return {edges, delaunay.distinct - joined};
 }
 
+/// How many pieces, connected through points, the triangles are.
+std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
+  meshops::DisjointSets sets(hollow.points.size());
+  const auto number = [&](std::uint32_t point) {
+    const auto at = std::lower_bound(hollow.points.begin(), hollow.points.end(), point);
+    return static_cast<std::uint32_t>(at - hollow.points.begin());
+  };
+  std::size_t count = hollow.points.size();
+  for (const std::uint32_t t : hollow.triangles)
+    for (std::size_t k = 1; k < 3; ++k) {
+      const std::uint32_t a = sets.find(number(boundary.triangles[t][0])),
+                          b = sets.find(number(boundary.triangles[t][k]));
+      if (a == b) continue;
+      sets.link(a, b);
+      --count;
+    }
+  return count;
+}
+
 }  // namespace
 
 FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
@@ -98,6 +119,35 @@ Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::spa
   for (std::uint32_t t = 0; t < outside; ++t)
     if (!faces.has_tetrahedron(t) && sets.find(t) != sets.find(outside)) kept.push_back(t);
   return space::part_of(delaunay, kept, [&](std::uint32_t t, std::size_t k) { return !faces.has_triangle(t, k); });
+}
+
+FullVoids full_voids(std::span<const Point3> points, const Solid& space) {
+  SolidBoundary boundary = solid_boundary(space);
+  const SolidComponents components = solid_components(points, space, boundary);
+  FullVoids voids;
+  for (const SolidComponent& c : components.all)
+    voids.all.push_back({.triangles = {},
+                         .points = {},
+                         .islands = 0,
+                         .volume = c.volume,
+                         .area = c.area,
+                         .low = c.low,
+                         .high = c.high});
+  voids.boundary = std::move(boundary.surface);
+  for (std::uint32_t t = 0; t < boundary.tetrahedra.size(); ++t) {
+    auto& corners = voids.boundary.triangles[t];
+    SolidVoid& hollow = voids.all[components.number[boundary.tetrahedra[t]]];
+    hollow.triangles.push_back(t);
+    hollow.points.insert(hollow.points.end(), corners.begin(), corners.end());
+    std::swap(corners[1], corners[2]);
+    std::swap(voids.boundary.neighbors[t][1], voids.boundary.neighbors[t][2]);
+  }
+  for (SolidVoid& hollow : voids.all) {
+    std::sort(hollow.points.begin(), hollow.points.end());
+    hollow.points.erase(std::unique(hollow.points.begin(), hollow.points.end()), hollow.points.end());
+    hollow.islands = pieces(voids.boundary, hollow) - 1;
+  }
+  return voids;
 }
 
 }  // namespace rbpa

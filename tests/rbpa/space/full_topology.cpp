@@ -121,6 +121,15 @@ TEST_CASE(
         CHECK(!all[3].contains(ascending));
       }
       CHECK(space.distinct == delaunay.distinct);
+      const rbpa::FullVoids one_by_one = rbpa::full_voids(set.points, space);
+      REQUIRE(one_by_one.all.size() == voids);
+      std::size_t triangles = 0;
+      for (std::size_t i = 0; i < voids; ++i) {
+        CHECK(one_by_one.all[i].volume == components.all[i].volume);
+        CHECK(one_by_one.all[i].points.size() >= 4);
+        triangles += one_by_one.all[i].triangles.size();
+      }
+      CHECK(triangles == one_by_one.boundary.triangles.size());
       with_voids += voids > 0 ? 1u : 0u;
       const auto of_solid = rbpa::voids(set.points, solid, rbpa::solid_boundary(solid));
       voids_of_triangles += voids - std::min(voids, of_solid.all.size());
@@ -152,6 +161,24 @@ TEST_CASE("four triangles around nothing") {
   CHECK(rbpa::count_full(points, delaunay, radii, 1.74).voids == 0);
   CHECK(rbpa::void_space(points, delaunay, radii, 1.74).simplices.empty());
   CHECK(rbpa::count_full(points, delaunay, radii, 1.5).tunnels == 3);
+}
+
+TEST_CASE("a tetrahedron's triangles within a sphere are an island in its void") {
+  Points3 points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  for (const Point3& p : on_unit_sphere(600, 9)) points.push_back({6 * p.x, 6 * p.y, 6 * p.z});
+  const Solid delaunay = rbpa::solid(points, infinity);
+  const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+  const rbpa::FullVoids voids = rbpa::full_voids(points, rbpa::void_space(points, delaunay, radii, 1.7));
+  REQUIRE(voids.all.size() >= 2);
+  CHECK(voids.all[0].islands == 1);
+  CHECK(voids.all[0].volume > 700);
+  const auto inner = std::find_if(voids.all.begin(), voids.all.end(), [](const rbpa::SolidVoid& hollow) {
+    return hollow.points == std::vector<std::uint32_t>{0, 1, 2, 3};
+  });
+  REQUIRE(inner != voids.all.end());
+  CHECK(inner->islands == 0);
+  CHECK(inner->volume == doctest::Approx(8.0 / 3));
+  CHECK(inner->triangles.size() == 4);
 }
 
 TEST_CASE("what is no triangulation, or no radius, is refused by name") {
