@@ -184,7 +184,8 @@ void Leaves::sort_leaf(std::size_t i, Place first, Place end) {
     const std::size_t from = start[c], until = start[c + 1];
     start[c] = to;
     constexpr std::size_t few = 16;
-    if (until - from > few)
+    const bool is_sorted = until - from > few;
+    if (is_sorted)
       std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(from), sorted.begin() + static_cast<std::ptrdiff_t>(until),
                 [](const Indexed& a, const Indexed& b) {
                   return std::tie(a.point.x, a.point.y, a.point.z, a.index) <
@@ -193,15 +194,13 @@ void Leaves::sort_leaf(std::size_t i, Place first, Place end) {
     const Place first_of_cell = to;
     for (std::size_t k = from; k < until; ++k) {
       const Indexed& p = sorted[k];
-      Place equal = until - from > few ? std::max(first_of_cell, to) : first_of_cell;
-      if (until - from > few && to > first_of_cell) equal = to - 1;
+      Place equal = is_sorted && to > first_of_cell ? to - 1 : first_of_cell;
       while (equal < to && !same(points_[equal], p.point)) ++equal;
       if (equal == to) {
         points_[to] = p.point;
         index_[to++] = p.index;
       } else {
-        repeated_[i].push_back({std::max(p.index, index_[equal]), equal});
-        index_[equal] = std::min(index_[equal], p.index);
+        repeated_[i].push_back({p.index, equal});  // equal points come by index
       }
     }
   }

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/sphere.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -305,11 +304,10 @@ class StarSearch : public StarFinder {
   }
 
   /// The same from some candidate on. Outside of the face, balls through it are ordered by what they contain there, so that whatever is
-  /// inside of one is the next to be tried, and what was outside before remains outside.
+  /// inside of one is the next to be tried, and what was outside before remains outside. Points on the near side are in none of these balls.
   HWY_NOINLINE bool find_apex_exactly(Local first, Local second) {
     if (!is_certain(sphere_)) return false;  // the candidate may be on either side of the face
     const Face face(spoke(first), spoke(second));
-    bool is_violated = false;
     const auto look = [&](Local i) {
       if (i == first || i == second || i == apex_ || i == at_) return;
       const Spoke s = spoke(i);
@@ -319,12 +317,8 @@ class StarSearch : public StarFinder {
         ++exact_;
         if (!beyond_filter_.is_inside(point(second), point(first), point(apex_), v_, point(i), value, error)) return;
       }
-      if (orientation(v_, point(first), point(second), point(i)) > 0) {
-        apex_ = i;
-        sphere_ = sphere_of(face, s);
-      } else {
-        is_violated = true;
-      }
+      apex_ = i;
+      sphere_ = sphere_of(face, s);
     };
     candidates_.for_each_not_outside(sphere_, look);
     if (!is_certain(sphere_)) return false;
@@ -336,7 +330,7 @@ class StarSearch : public StarFinder {
       else
         for_each_not_outside(sphere_, ranges, look);
     }
-    return is_certain(sphere_) && !is_violated;
+    return is_certain(sphere_);
   }
 
   bool is_in_block(const std::array<Tile::Range, 3>& ranges) const {

@@ -1,0 +1,82 @@
+// Faces that wait at corners, against a map of them, on the vector unit that all programs have.
+#include <doctest/doctest.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "rbpa/space/tiles/open_faces-inl.h"
+#include "support/random.h"
+
+using namespace rbpa_test;
+using rbpa::space::HWY_NAMESPACE::OpenFace;
+using rbpa::space::HWY_NAMESPACE::OpenFaces;
+
+TEST_SUITE_BEGIN("space");
+
+TEST_CASE("a face waits until the same comes from the other side, however many wait at a corner") {
+  Random random(3197);
+  constexpr std::uint32_t nobody = 0, corners = 3;
+  OpenFaces faces;
+  std::size_t closed = 0, popped = 0, most = 0;
+  for (int round = 0; round < 30; ++round) {
+    faces.clear(corners);
+    // Of each corner, by the others, ascending: the face as it came.
+    std::vector<std::map<std::pair<std::uint32_t, std::uint32_t>, OpenFace>> waiting(corners);
+    const std::uint32_t others = 3 + static_cast<std::uint32_t>(random.below(9));
+    for (int step = 0; step < 2000; ++step) {
+      const auto v = static_cast<std::uint32_t>(random.below(corners));
+      auto& here = waiting[v];
+      most = std::max(most, here.size());
+      const auto pick = [&] { return 100 + static_cast<std::uint32_t>(random.below(others)) * 6000; };
+      const OpenFace face = {pick(), pick(), 4 + static_cast<std::uint32_t>(random.below(1u << 30))};
+      if (face.first == face.second) continue;
+      const auto key = std::minmax(face.first, face.second);
+      const auto found = here.find(key);
+      const auto add = [&](auto close_or_add) {
+        const std::uint32_t other = close_or_add(face);
+        if (found == here.end()) {
+          CHECK(other == nobody);
+          here.emplace(key, face);
+        } else {
+          CHECK(other == found->second.face);
+          here.erase(found);
+          ++closed;
+        }
+      };
+      switch (random.below(6)) {
+        case 0: {
+          OpenFaces::AtCorner at(faces, v);
+          CHECK(at.empty() == here.empty());
+          if (here.empty()) break;
+          const OpenFace one = at.pop();
+          const auto expected = here.find(std::minmax(one.first, one.second));
+          REQUIRE(expected != here.end());
+          CHECK(one.first == expected->second.first);
+          CHECK(one.second == expected->second.second);
+          CHECK(one.face == expected->second.face);
+          here.erase(expected);
+          ++popped;
+          break;
+        }
+        case 1:
+        case 2: {
+          OpenFaces::AtCorner at(faces, v);
+          add([&](const OpenFace& f) { return at.close_or_add(f, nobody); });
+          break;
+        }
+        default:
+          add([&](const OpenFace& f) { return faces.close_or_add(v, f, nobody); });
+      }
+      CHECK(faces.empty(v) == here.empty());
+    }
+  }
+  CHECK(closed > 1000);
+  CHECK(popped > 1000);
+  CHECK(most > 20);  // more than a line has places for
+}
+
+TEST_SUITE_END();
