@@ -79,4 +79,19 @@ TEST_CASE("a face waits until the same comes from the other side, however many w
   CHECK(most > 20);  // more than a line has places for
 }
 
+TEST_CASE("those for which there was no place come to the line when others are closed") {
+  OpenFaces faces;
+  faces.clear(1);
+  constexpr std::uint32_t count = 18, in_line = 15, nobody = 0;
+  for (std::uint32_t i = 0; i < count; ++i) CHECK(faces.close_or_add(0, {1000 + i, 7, 8 * i + 4}, nobody) == nobody);
+  for (std::uint32_t i = 0; i < in_line; ++i)
+    CHECK(faces.close_or_add(0, {7, 1000 + i, 8 * i + 5}, nobody) == 8 * i + 4);
+  for (std::uint32_t left = count - in_line; left > 0; --left) {
+    REQUIRE(!faces.empty(0));
+    OpenFaces::AtCorner at(faces, 0);
+    CHECK(at.pop().first >= 1000 + in_line);
+  }
+  CHECK(faces.empty(0));
+}
+
 TEST_SUITE_END();
