@@ -64,10 +64,9 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
 ///   1. sort the points into cells, and estimate what it would cost;
 ///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
 ///   3. sort them, and look up neighbours.
-/// Returns: false if insertion will be faster; then nothing is filled in.
-bool find_near(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
-  constexpr double insertion_cost =
-      1500;  // of a point, in the unit of triples_cost(): fitted to uniform points, as that is
+/// Returns: false if it would cost more than that for each point, in the unit of triples_cost(); then nothing is filled in.
+bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
+               Solid& solid) {
   constexpr double most_exact = 1.0 / 64;  // a share of the points
   constexpr std::size_t sites_in_part = 1u << 12, fewest = 64;
   if (std::isinf(alpha) || points.size() < fewest) return false;
@@ -76,7 +75,7 @@ bool find_near(std::span<const Point3> points, double alpha, const SolidOptions&
   if (!scaled.fits_double()) return false;
   const space::Cells cells(scaled.points(), 2 * scaled.radius(), threads);
   const std::size_t sites = cells.sites().size();
-  if (space::triples_cost(cells) > insertion_cost * static_cast<double>(sites)) return false;
+  if (space::triples_cost(cells) > most_cost * static_cast<double>(sites)) return false;
 
   std::vector<std::size_t> part_begin;  // by cells
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
@@ -124,8 +123,6 @@ void list_isolated(std::size_t points, Solid& solid) {
 
 /// Finds them tile by tile, where points fill a volume.
 bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
-  constexpr std::size_t fewest = 20'000;
-  if (points.size() < fewest) return false;
   const space::Spread spread = space::spread(points);
   const double scaled_alpha = std::ldexp(alpha, spread.exponent);
   if (!spread.is_exact || (std::isinf(alpha) ? false : !std::isnormal(scaled_alpha))) return false;
@@ -179,8 +176,15 @@ Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& op
   const auto ask = asking(options.progress, points.size());
   if (ask) ask();
   Solid solid;
-  if (!find_near(points, alpha, options, solid) && !find_in_tiles(points, alpha, options, solid))
-    insert_all(points, alpha, options, ask, solid);
+  // What a point costs in the unit of triples: fitted to uniform points, as that is.
+  constexpr double by_insertion = 1500, by_tiles = 800;
+  constexpr std::size_t fewest_for_tiles = 20'000;  // of fewer, too many are at the hull
+  const auto by_triples = [&](double most_cost) { return find_near(points, alpha, most_cost, options, solid); };
+  const bool is_found =
+      points.size() < fewest_for_tiles
+          ? by_triples(by_insertion)
+          : by_triples(by_tiles) || find_in_tiles(points, alpha, options, solid) || by_triples(by_insertion);
+  if (!is_found) insert_all(points, alpha, options, ask, solid);
   list_isolated(points.size(), solid);
   return solid;
 }
